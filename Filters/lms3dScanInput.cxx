@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dScanInput.h"
+
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace
+{
+[[noreturn]] void Fail(const std::string& what)
+{
+  throw std::runtime_error(what + " Connect the first output of vtkLMS3DScanFilter.");
+}
+
+// The array itself where it has the type already, a copy where another filter changed it.
+template <typename ArrayT>
+vtkSmartPointer<ArrayT> As(vtkDataArray* array)
+{
+  if (ArrayT* typed = ArrayT::FastDownCast(array))
+  {
+    return typed;
+  }
+  auto copy = vtkSmartPointer<ArrayT>::New();
+  copy->DeepCopy(array);
+  return copy;
+}
+
+template <typename ArrayT>
+vtkSmartPointer<ArrayT> Take(vtkFieldData* data, const char* name, vtkIdType count)
+{
+  vtkDataArray* array = data->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
+  {
+    Fail("The scan has no array " + std::string(name) + " of " + std::to_string(count) +
+      " numbers.");
+  }
+  return As<ArrayT>(array);
+}
+
+vtkSmartPointer<vtkDoubleArray> TakeAngles(vtkFieldData* data, const char* name)
+{
+  vtkDataArray* array = data->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() == 0)
+  {
+    Fail("The scan has no field data " + std::string(name) + ".");
+  }
+  vtkSmartPointer<vtkDoubleArray> angles = As<vtkDoubleArray>(array);
+  const double* first = angles->GetPointer(0);
+  if (!std::all_of(first, first + angles->GetNumberOfValues(),
+        [](double angle) { return std::isfinite(angle); }))
+  {
+    Fail("The scan's field data " + std::string(name) + " is not finite.");
+  }
+  return angles;
+}
+
+std::vector<double> ToVector(vtkDoubleArray* array)
+{
+  const double* first = array->GetPointer(0);
+  return { first, first + array->GetNumberOfValues() };
+}
+}
+
+lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
+{
+  const vtkIdType count = scan->GetNumberOfPoints();
+  this->Ranges = Take<vtkDoubleArray>(scan->GetPointData(), "Range", count);
+  this->BeamIds = Take<vtkIntArray>(scan->GetPointData(), "BeamId", count);
+  this->AlphaAngles = TakeAngles(scan->GetFieldData(), "AlphaAngles");
+  this->BetaAngles = TakeAngles(scan->GetFieldData(), "BetaAngles");
+  this->SensorToWorld = Take<vtkDoubleArray>(scan->GetFieldData(), "SensorToWorld", 16);
+  this->Points = vtkSmartPointer<vtkDoubleArray>::New();
+  if (count > 0)
+  {
+    this->Points = As<vtkDoubleArray>(scan->GetPoints()->GetData());
+  }
+  const std::int64_t beams = static_cast<std::int64_t>(this->AlphaAngles->GetNumberOfValues()) *
+    this->BetaAngles->GetNumberOfValues();
+  if (beams > std::numeric_limits<std::int32_t>::max())
+  {
+    Fail("The scan's AlphaAngles x BetaAngles are " + std::to_string(beams) + " beams.");
+  }
+}
+
+lms3dScanGeometry lms3dScanInput::GetGeometry() const
+{
+  return { ToVector(this->AlphaAngles), ToVector(this->BetaAngles) };
+}
+
+std::array<double, 3> lms3dScanInput::GetSensorPosition() const
+{
+  const double* matrix = this->SensorToWorld->GetPointer(0);
+  return { matrix[3], matrix[7], matrix[11] };
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Casts all beams of a scan.
+ */
+#ifndef lms3dScanner_h
+#define lms3dScanner_h
+
+#include "lms3dRayCaster.h"
+#include "lms3dScanGeometry.h"
+
+#include <cstdint>
+#include <functional>
+
+/// Is told the share done, 0 to 1, always by the thread that started the work; returns false to stop.
+using lms3dProgress = std::function<bool(double)>;
+
+struct lms3dRangeLimits
+{
+  double Minimum;
+  double Maximum;
+};
+
+/**
+ * Fills `ranges` (metres, NaN where there is no return) and `triangles` (lms3dBeamPacket::NoTriangle
+ * there), both ordered by turn, then beam. A beam whose nearest surface lies outside the limits gives
+ * no return. Uses the threads of the calling TBB arena; the result does not depend on their number.
+ * Returns false where `progress` stopped it.
+ */
+bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
+  const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress,
+  double* ranges, std::int32_t* triangles);
+
+#endif

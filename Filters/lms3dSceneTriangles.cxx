@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dSceneTriangles.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolygon.h>
+#include <vtkSmartPointer.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace
+{
+// Sums of squares of larger coordinates leave the range of single precision.
+constexpr double LargestCoordinate = 1e18;
+
+// Embree and the packets number triangles by 32 bits.
+constexpr std::size_t MostTriangles = std::numeric_limits<std::int32_t>::max();
+
+template <typename ArrayT>
+void CopyPoints(ArrayT* array, std::vector<std::array<double, 3>>& points)
+{
+  const auto* value = array->GetPointer(0);
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i, value += 3)
+  {
+    points.push_back({ static_cast<double>(value[0]), static_cast<double>(value[1]),
+      static_cast<double>(value[2]) });
+  }
+}
+
+void AppendPoints(vtkPoints* points, std::vector<std::array<double, 3>>& out)
+{
+  out.reserve(out.size() + points->GetNumberOfPoints());
+  if (vtkFloatArray* floats = vtkFloatArray::FastDownCast(points->GetData()))
+  {
+    CopyPoints(floats, out);
+  }
+  else
+  {
+    vtkNew<vtkDoubleArray> doubles;
+    doubles->DeepCopy(points->GetData());
+    CopyPoints(doubles.Get(), out);
+  }
+}
+
+class Collector
+{
+public:
+  void Append(vtkDataObject* scene)
+  {
+    if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(scene))
+    {
+      auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+      for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+      {
+        this->AppendLeaf(vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject()));
+      }
+      return;
+    }
+    this->AppendLeaf(vtkDataSet::SafeDownCast(scene));
+  }
+
+  lms3dTriangleMesh Mesh;
+
+private:
+  void AppendLeaf(vtkDataSet* leaf)
+  {
+    if (!leaf)
+    {
+      return;
+    }
+    this->FirstPoint = this->Mesh.Points.size();
+    if (vtkPolyData* surface = vtkPolyData::SafeDownCast(leaf))
+    {
+      this->AppendSurface(surface, nullptr);
+    }
+    else
+    {
+      vtkNew<vtkDataSetSurfaceFilter> filter;
+      filter->SetInputData(leaf);
+      filter->PassThroughCellIdsOn();
+      filter->Update();
+      this->AppendSurface(filter->GetOutput(),
+        vtkIdTypeArray::SafeDownCast(
+          filter->GetOutput()->GetCellData()->GetArray(filter->GetOriginalCellIdsName())));
+    }
+    this->FirstCell += leaf->GetNumberOfCells();
+  }
+
+  // Cells of a vtkPolyData are numbered vertices, lines, polygons, strips.
+  void AppendSurface(vtkPolyData* surface, vtkIdTypeArray* originalCells)
+  {
+    if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
+    {
+      return;
+    }
+    AppendPoints(surface->GetPoints(), this->Mesh.Points);
+    if (this->Mesh.Points.size() > std::numeric_limits<std::uint32_t>::max())
+    {
+      throw std::runtime_error("The scene has more points than 32 bits can number; split it.");
+    }
+    this->OriginalCells = originalCells;
+    vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+    this->AppendCells(surface->GetPolys(), cell, &Collector::AppendPolygon);
+    cell += surface->GetNumberOfPolys();
+    this->AppendCells(surface->GetStrips(), cell, &Collector::AppendStrip);
+  }
+
+  using AppendCell = void (Collector::*)(vtkIdType count, const vtkIdType* points);
+
+  void AppendCells(vtkCellArray* cells, vtkIdType firstCell, AppendCell append)
+  {
+    auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
+    vtkIdType cell = firstCell;
+    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
+    {
+      vtkIdType count;
+      const vtkIdType* points;
+      it->GetCurrentCell(count, points);
+      this->Cell =
+        this->FirstCell + (this->OriginalCells ? this->OriginalCells->GetValue(cell) : cell);
+      this->CheckPoints(count, points);
+      (this->*append)(count, points);
+    }
+  }
+
+  void CheckPoints(vtkIdType count, const vtkIdType* points) const
+  {
+    const vtkIdType pointsOfLeaf = this->Mesh.Points.size() - this->FirstPoint;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      if (points[i] < 0 || points[i] >= pointsOfLeaf)
+      {
+        throw std::runtime_error("Cell " + std::to_string(this->Cell) + " of the scene uses point " +
+          std::to_string(points[i]) + " of " + std::to_string(pointsOfLeaf) + ". Repair the cell.");
+      }
+      for (double x : this->Mesh.Points[this->FirstPoint + points[i]])
+      {
+        if (!(std::abs(x) <= LargestCoordinate))
+        {
+          throw std::runtime_error("Point " + std::to_string(points[i]) + " of cell " +
+            std::to_string(this->Cell) + " of the scene has the coordinate " + std::to_string(x) +
+            "; finite numbers up to 1e18 m are expected. Remove the cell or repair the point.");
+        }
+      }
+    }
+  }
+
+  void AppendTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    if (this->Mesh.Triangles.size() >= MostTriangles)
+    {
+      throw std::runtime_error(
+        "The scene has more triangles than 31 bits can number; split it or simplify it.");
+    }
+    this->Mesh.Triangles.push_back({ static_cast<std::uint32_t>(this->FirstPoint + a),
+      static_cast<std::uint32_t>(this->FirstPoint + b),
+      static_cast<std::uint32_t>(this->FirstPoint + c) });
+    this->Mesh.Cells.push_back(this->Cell);
+  }
+
+  void AppendStrip(vtkIdType count, const vtkIdType* points)
+  {
+    for (vtkIdType i = 0; i + 2 < count; ++i)
+    {
+      const vtkIdType odd = i % 2;
+      this->AppendTriangle(points[i], points[i + 1 + odd], points[i + 2 - odd]);
+    }
+  }
+
+  void AppendPolygon(vtkIdType count, const vtkIdType* points)
+  {
+    if (count == 3)
+    {
+      this->AppendTriangle(points[0], points[1], points[2]);
+    }
+    else if (count > 3)
+    {
+      this->AppendEarClipped(count, points);
+    }
+  }
+
+  void AppendEarClipped(vtkIdType count, const vtkIdType* points)
+  {
+    this->Polygon->Points->SetNumberOfPoints(count);
+    this->Polygon->PointIds->SetNumberOfIds(count);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      this->Polygon->Points->SetPoint(i, this->Mesh.Points[this->FirstPoint + points[i]].data());
+      this->Polygon->PointIds->SetId(i, i);
+    }
+    double normal[3];
+    vtkPolygon::ComputeNormal(this->Polygon->Points, normal);
+    if (vtkMath::Norm(normal) == 0.0)
+    {
+      return; // A polygon without area is no surface.
+    }
+    if (!this->Polygon->Triangulate(this->Ears) || this->Ears->GetNumberOfIds() != 3 * (count - 2))
+    {
+      throw std::runtime_error("Cell " + std::to_string(this->Cell) + " of the scene, a polygon of " +
+        std::to_string(count) +
+        " points, cannot be triangulated; it crosses itself or has a hole. Split it first.");
+    }
+    for (vtkIdType i = 0; i < this->Ears->GetNumberOfIds(); i += 3)
+    {
+      this->AppendTriangle(points[this->Ears->GetId(i)], points[this->Ears->GetId(i + 1)],
+        points[this->Ears->GetId(i + 2)]);
+    }
+  }
+
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Ears;
+  vtkIdTypeArray* OriginalCells = nullptr;
+  std::size_t FirstPoint = 0;
+  std::int64_t FirstCell = 0;
+  std::int64_t Cell = 0;
+};
+}
+
+lms3dTriangleMesh lms3dCollectTriangles(vtkDataObject* scene)
+{
+  Collector collector;
+  collector.Append(scene);
+  return std::move(collector.Mesh);
+}

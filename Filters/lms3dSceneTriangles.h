@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Turns the surfaces of a VTK data object into the triangles that are cast against.
+ */
+#ifndef lms3dSceneTriangles_h
+#define lms3dSceneTriangles_h
+
+#include "lms3dTriangleMesh.h"
+
+#include <string>
+
+class vtkDataObject;
+
+/**
+ * Appends all polygons and triangle strips of a vtkPolyData, the outer surface of any other data
+ * set, or those of all leaves of a composite. The cells of a composite are numbered through, leaf
+ * after leaf. Vertices and lines have no surface and are passed over.
+ *
+ * Throws std::runtime_error, with words for the user, where a vertex is not finite or beyond
+ * 1e18 m, where a polygon cannot be triangulated, or where there are too many triangles.
+ */
+lms3dTriangleMesh lms3dCollectTriangles(vtkDataObject* scene);
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The triangles of a scene, as the ray casters take them.
+ */
+#ifndef lms3dTriangleMesh_h
+#define lms3dTriangleMesh_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+struct lms3dTriangleMesh
+{
+  /// Vertices in world coordinates, metres. Those of the triangles are finite.
+  std::vector<std::array<double, 3>> Points;
+
+  /// Three indices into Points for each triangle.
+  std::vector<std::array<std::uint32_t, 3>> Triangles;
+
+  /// For each triangle the scene's cell that it is a part of.
+  std::vector<std::int64_t> Cells;
+
+  std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
+
+  const double* GetCorner(std::size_t triangle, int corner) const
+  {
+    return this->Points[this->Triangles[triangle][corner]].data();
+  }
+};
+
+#endif

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLMS3DScanFilter.h"
+
+#include "lms3dAlgorithmProgress.h"
+#include "lms3dRayCaster.h"
+#include "lms3dScanGeometry.h"
+#include "lms3dScanOutput.h"
+#include "lms3dScanner.h"
+#include "lms3dSceneTriangles.h"
+
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTimeStamp.h>
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+vtkStandardNewMacro(vtkLMS3DScanFilter);
+
+namespace
+{
+constexpr double LargestPosition = 1e18;
+
+// What of the whole work building takes, in the eyes of the progress bar.
+constexpr double BuildShare = 0.3;
+
+// A composite does not tell when one of its leaves changes.
+vtkMTimeType GetSceneTime(vtkDataObject* scene)
+{
+  vtkMTimeType time = scene->GetMTime();
+  if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(scene))
+  {
+    auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      time = std::max(time, leaves->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  return time;
+}
+
+template <std::size_t N>
+bool IsFinite(const double (&values)[N])
+{
+  return std::all_of(values, values + N, [](double x) { return std::isfinite(x); });
+}
+
+// Two different ends, or one beam that needs only the first.
+bool IsProperRange(const double range[2], int resolution)
+{
+  return range[0] < range[1] || (resolution == 1 && range[0] == range[1]);
+}
+
+template <typename T>
+std::string Pair(const T values[2])
+{
+  std::ostringstream words;
+  words << values[0] << " to " << values[1];
+  return words.str();
+}
+}
+
+struct vtkLMS3DScanFilter::Internals
+{
+  /// Builds only where the scene or the method is another than last time.
+  void Build(vtkDataObject* scene, lms3dRayCaster::Method method)
+  {
+    const vtkMTimeType sceneTime = GetSceneTime(scene);
+    if (this->Caster && this->Scene == scene && this->SceneTime == sceneTime &&
+      this->Method == method)
+    {
+      return;
+    }
+    this->Caster.reset();
+    lms3dTriangleMesh mesh = lms3dCollectTriangles(scene);
+    if (mesh.Triangles.empty())
+    {
+      throw std::runtime_error("The scene has no polygons, so there is nothing to scan. Connect a "
+                               "data set with polygons, triangle strips or volume cells.");
+    }
+    this->Caster = lms3dRayCaster::New(method, std::move(mesh));
+    this->Scene = scene;
+    this->SceneTime = sceneTime;
+    this->Method = method;
+    this->BuildTime.Modified();
+  }
+
+  std::unique_ptr<lms3dRayCaster> Caster;
+  vtkTimeStamp BuildTime;
+
+private:
+  vtkDataObject* Scene = nullptr;
+  vtkMTimeType SceneTime = 0;
+  lms3dRayCaster::Method Method = lms3dRayCaster::Method::Exact;
+};
+
+vtkLMS3DScanFilter::vtkLMS3DScanFilter()
+  : Internal(new Internals)
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkLMS3DScanFilter::~vtkLMS3DScanFilter() = default;
+
+vtkMTimeType vtkLMS3DScanFilter::GetBuildTime() const
+{
+  return this->Internal->BuildTime.GetMTime();
+}
+
+vtkImageData* vtkLMS3DScanFilter::GetRangeImage()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+const char* vtkLMS3DScanFilter::GetIntersectionMethodAsString() const
+{
+  return this->IntersectionMethod == FAST ? "Fast" : "Exact";
+}
+
+int vtkLMS3DScanFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkLMS3DScanFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  return 1;
+}
+
+std::string vtkLMS3DScanFilter::GetPropertyError() const
+{
+  std::ostringstream error;
+  const auto isFar = [](double x) { return std::abs(x) > LargestPosition; };
+  if (!IsFinite(this->Position) || std::any_of(this->Position, this->Position + 3, isFar) ||
+    !IsFinite(this->Orientation))
+  {
+    error << "The pose is Position " << this->Position[0] << ' ' << this->Position[1] << ' '
+          << this->Position[2] << ", Orientation " << this->Orientation[0] << ' '
+          << this->Orientation[1] << ' ' << this->Orientation[2]
+          << "; finite numbers are expected, positions up to 1e18 m.";
+  }
+  else if (this->AlphaResolution < 1 || this->BetaResolution < 1)
+  {
+    error << "AlphaResolution x BetaResolution is " << this->AlphaResolution << " x "
+          << this->BetaResolution << "; each must be at least 1.";
+  }
+  else if (static_cast<std::int64_t>(this->AlphaResolution) * this->BetaResolution >
+    std::numeric_limits<std::int32_t>::max())
+  {
+    error << "AlphaResolution x BetaResolution is " << this->AlphaResolution << " x "
+          << this->BetaResolution << " beams; at most 2147483647 are possible.";
+  }
+  else if (!IsProperRange(this->AlphaRange, this->AlphaResolution) ||
+    this->AlphaRange[0] < -90.0 || this->AlphaRange[1] > 90.0)
+  {
+    error << "AlphaRange is " << Pair(this->AlphaRange)
+          << " degrees; it must increase, within -90 to 90.";
+  }
+  else if (!IsFinite(this->BetaRange) || !IsProperRange(this->BetaRange, this->BetaResolution) ||
+    this->BetaRange[1] - this->BetaRange[0] > 360.0)
+  {
+    error << "BetaRange is " << Pair(this->BetaRange)
+          << " degrees; it must increase, by at most 360.";
+  }
+  else if (!(this->MinimumRange >= 0.0 && this->MinimumRange <= this->MaximumRange &&
+             this->MaximumRange > 0.0 && std::isfinite(this->MinimumRange)))
+  {
+    error << "MinimumRange and MaximumRange are " << this->MinimumRange << " and "
+          << this->MaximumRange << " m; 0 <= minimum <= maximum and 0 < maximum are expected.";
+  }
+  return error.str();
+}
+
+int vtkLMS3DScanFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (!this->GetPropertyError().empty())
+  {
+    return 1; // RequestData reports it; an extent needs good resolutions.
+  }
+  const lms3dScanGeometry geometry(
+    this->AlphaRange, this->AlphaResolution, this->BetaRange, this->BetaResolution);
+  lms3dDescribeRangeImage(geometry, outputVector->GetInformationObject(1));
+  return 1;
+}
+
+int vtkLMS3DScanFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // Every beam may meet any part of the scene, whatever part of the image is asked for.
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  if (input->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+      input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+int vtkLMS3DScanFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  const std::string propertyError = this->GetPropertyError();
+  if (!propertyError.empty())
+  {
+    vtkErrorMacro(<< propertyError);
+    this->SetErrorCode(vtkErrorCode::UserError);
+    return 0;
+  }
+
+  tbb::task_arena arena(
+    this->NumberOfThreads > 0 ? this->NumberOfThreads : tbb::task_arena::automatic);
+  try
+  {
+    vtkDataObject* scene = vtkDataObject::GetData(inputVector[0]);
+    arena.execute(
+      [&]
+      {
+        this->Internal->Build(
+          scene, static_cast<lms3dRayCaster::Method>(this->IntersectionMethod));
+      });
+    this->UpdateProgress(BuildShare);
+
+    const lms3dScanGeometry geometry(
+      this->AlphaRange, this->AlphaResolution, this->BetaRange, this->BetaResolution);
+    lms3dScanOutput output(geometry,
+      lms3dPose::FromOrientation(this->Position, this->Orientation));
+    const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
+    arena.execute(
+      [&]
+      {
+        if (output.Cast(
+              *this->Internal->Caster, { this->MinimumRange, this->MaximumRange }, progress))
+        {
+          output.FillScan(
+            *this->Internal->Caster, vtkPolyData::GetData(outputVector, 0));
+          output.FillRangeImage(vtkImageData::GetData(outputVector, 1));
+        }
+      });
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    this->SetErrorCode(vtkErrorCode::UserError);
+    return 0;
+  }
+  return 1;
+}
+
+void vtkLMS3DScanFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto vector = [&os](const double* v)
+  { os << v[0] << ' ' << v[1] << ' ' << v[2] << '\n'; };
+  os << indent << "Position: ";
+  vector(this->Position);
+  os << indent << "Orientation: ";
+  vector(this->Orientation);
+  os << indent << "AlphaRange: " << Pair(this->AlphaRange) << '\n';
+  os << indent << "AlphaResolution: " << this->AlphaResolution << '\n';
+  os << indent << "BetaRange: " << Pair(this->BetaRange) << '\n';
+  os << indent << "BetaResolution: " << this->BetaResolution << '\n';
+  os << indent << "MinimumRange: " << this->MinimumRange << '\n';
+  os << indent << "MaximumRange: " << this->MaximumRange << '\n';
+  os << indent << "IntersectionMethod: " << this->GetIntersectionMethodAsString() << '\n';
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << '\n';
+  os << indent << "BuildTime: " << this->GetBuildTime() << '\n';
+}

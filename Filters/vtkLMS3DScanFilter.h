@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLMS3DScanFilter
+ * @brief   scans a surface with a simulated 3D laser range finder
+ *
+ * vtkLMS3DScanFilter simulates a SICK LMS 200, a laser that measures in a plane, turned about the
+ * vertical on a rotating support (Bedkowski, Kretkiewicz and Maslowski, "3D laser range finder
+ * simulation based on rotated LMS SICK 200"). It casts one beam for each elevation alpha of the fan
+ * and each platform angle beta, and returns where they meet the input's surface:
+ *
+ *     d(alpha, beta) = (cos(alpha) cos(beta), -cos(alpha) sin(beta), sin(alpha))
+ *
+ * in the sensor frame, right-handed with z up (the paper's section 2.1); beta turns clockwise seen
+ * from above. The sensor is ideal: a beam is a ray without width, and its range has no noise.
+ *
+ * The input is a vtkPolyData (polygons and strips; vertices and lines have no surface), any other
+ * data set (its outer surface), or a composite of them. Both sides of a surface return. Units are
+ * metres and degrees.
+ *
+ * Output 0, the scan, is a vtkPolyData in world coordinates with one vertex for each return, ordered
+ * by turn, then beam. Its point data:
+ * - `Range` (float64): the distance from the sensor, metres;
+ * - `Alpha`, `Beta` (float32): the beam's angles, degrees;
+ * - `BeamId` (int32): turn * AlphaResolution + beam;
+ * - `CellId` (vtkIdType): the input's cell that was hit; cells of a composite are numbered through,
+ *   leaf after leaf.
+ *
+ * Its field data: `AlphaAngles` and `BetaAngles` (float64, degrees), the axes of the grid, and
+ * `SensorToWorld` (16 float64), the pose as a row-major matrix.
+ *
+ * Output 1, the range image, is a vtkImageData of AlphaResolution x BetaResolution points with the
+ * array `Range` (float64), NaN where a beam gave no return. Its axes are the angles in degrees.
+ *
+ * The acceleration structure (Embree) is built when the input or IntersectionMethod changes, not
+ * when the pose or the angles do. The outputs are the same to the bit for any NumberOfThreads.
+ *
+ * Bad input and bad properties give an error that says what to do, the error code
+ * vtkErrorCode::UserError, and empty outputs: an input without polygons, a point that is not finite
+ * or beyond 1e18 m, a polygon that crosses itself, a range that is empty or out of its limits, more
+ * than 2^31 - 1 beams.
+ *
+ * @sa
+ * vtkLMS3DSurfaceReconstructionFilter vtkVRMLImporterSource
+ */
+#ifndef vtkLMS3DScanFilter_h
+#define vtkLMS3DScanFilter_h
+
+#include "vtkLMS3DFiltersModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkImageData;
+
+class VTKLMS3DFILTERS_EXPORT vtkLMS3DScanFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkLMS3DScanFilter* New();
+  vtkTypeMacro(vtkLMS3DScanFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The sensor's position in the scene, metres. Any finite numbers up to 1e18; the default is
+   * (0, 0, 0).
+   */
+  vtkSetVector3Macro(Position, double);
+  vtkGetVector3Macro(Position, double);
+  ///@}
+
+  ///@{
+  /**
+   * The sensor's orientation in the scene as angles about x, y and z, degrees, applied as those of
+   * vtkProp3D: RotateZ, RotateX, RotateY. Any finite numbers; the default is (0, 0, 0), the fan's axis
+   * up along z.
+   */
+  vtkSetVector3Macro(Orientation, double);
+  vtkGetVector3Macro(Orientation, double);
+  ///@}
+
+  ///@{
+  /**
+   * First and last elevation of the fan, degrees, both included. Increasing, within -90 to 90; the
+   * default is -90 to 90, the LMS 200's scanning angle of 180 degrees.
+   */
+  vtkSetVector2Macro(AlphaRange, double);
+  vtkGetVector2Macro(AlphaRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * The number of beams in the fan, at least 1 (which takes the start of AlphaRange alone). The
+   * default is 361, steps of half a degree over the default range.
+   */
+  vtkSetMacro(AlphaResolution, int);
+  vtkGetMacro(AlphaResolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * First and last platform angle, degrees. Increasing by at most 360. Both are included, except that
+   * the end of a full circle is left out, being its start again. The default is 0 to 360.
+   */
+  vtkSetVector2Macro(BetaRange, double);
+  vtkGetVector2Macro(BetaRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * The number of turns, at least 1 (which takes the start of BetaRange alone). The default is 360,
+   * steps of one degree over the default range.
+   */
+  vtkSetMacro(BetaResolution, int);
+  vtkGetMacro(BetaResolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * A beam whose nearest surface is nearer than this gives no return, metres. From 0 up to
+   * MaximumRange; the default is 0.
+   */
+  vtkSetMacro(MinimumRange, double);
+  vtkGetMacro(MinimumRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * A beam that meets no surface up to this range gives no return, metres. Above 0, may be infinite;
+   * the default is 80, the reach of the LMS 200.
+   */
+  vtkSetMacro(MaximumRange, double);
+  vtkGetMacro(MaximumRange, double);
+  ///@}
+
+  /**
+   * How a beam finds the surface.
+   *
+   * EXACT: Embree finds candidates in single precision, a test in double with error bounds, and in
+   * quadruple precision where a bound leaves a sign open, decides. No beam passes between two
+   * triangles that share an edge.
+   *
+   * FAST: Embree's single precision decides, and the range is computed anew in double from the
+   * triangle that it found. For previews: a beam within about 1e-6 of the scene's size from an edge
+   * may be given to the wrong side of it, which shows where poses and scenes lie on a common grid.
+   */
+  enum IntersectionMethods
+  {
+    EXACT = 0,
+    FAST = 1
+  };
+
+  ///@{
+  /**
+   * How a beam finds the surface; the default is EXACT. A change builds the acceleration structure
+   * anew.
+   */
+  vtkSetClampMacro(IntersectionMethod, int, EXACT, FAST);
+  vtkGetMacro(IntersectionMethod, int);
+  void SetIntersectionMethodToExact() { this->SetIntersectionMethod(EXACT); }
+  void SetIntersectionMethodToFast() { this->SetIntersectionMethod(FAST); }
+  const char* GetIntersectionMethodAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * The number of threads, 0 to 1024; the default, 0, takes all cores.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  /**
+   * The time when the acceleration structure was last built, 0 before the first. Tells whether an
+   * update had to build.
+   */
+  vtkMTimeType GetBuildTime() const;
+
+  /**
+   * The second output.
+   */
+  vtkImageData* GetRangeImage();
+
+protected:
+  vtkLMS3DScanFilter();
+  ~vtkLMS3DScanFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkLMS3DScanFilter(const vtkLMS3DScanFilter&) = delete;
+  void operator=(const vtkLMS3DScanFilter&) = delete;
+
+  double Position[3] = { 0.0, 0.0, 0.0 };
+  double Orientation[3] = { 0.0, 0.0, 0.0 };
+  double AlphaRange[2] = { -90.0, 90.0 };
+  int AlphaResolution = 361;
+  double BetaRange[2] = { 0.0, 360.0 };
+  int BetaResolution = 360;
+  double MinimumRange = 0.0;
+  double MaximumRange = 80.0;
+  int IntersectionMethod = EXACT;
+  int NumberOfThreads = 0;
+
+  // Empty where all properties are good.
+  std::string GetPropertyError() const;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dVTKImporterEngine.h"
+
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCommand.h>
+#include <vtkMapper.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTriangleFilter.h>
+#include <vtkVRMLImporter.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+void KeepMessage(vtkObject*, unsigned long, void* clientData, void* callData)
+{
+  auto* messages = static_cast<std::vector<std::string>*>(clientData);
+  std::string words = static_cast<const char*>(callData);
+  words.erase(std::find_if(words.rbegin(), words.rend(), [](char c) { return c != '\n'; }).base(),
+    words.end());
+  messages->push_back(words);
+}
+
+std::uint8_t ToByte(double share)
+{
+  return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+}
+
+std::array<std::uint8_t, 4> GetColor(vtkProperty* property)
+{
+  const double* color = property->GetDiffuseColor();
+  return { ToByte(color[0]), ToByte(color[1]), ToByte(color[2]), ToByte(property->GetOpacity()) };
+}
+
+std::array<double, 3> TransformPoint(vtkMatrix4x4* matrix, const double point[3])
+{
+  const double in[4] = { point[0], point[1], point[2], 1.0 };
+  double out[4];
+  matrix->MultiplyPoint(in, out);
+  return { out[0], out[1], out[2] };
+}
+
+void AppendTriangles(vtkPolyData* surface, lms3dShape& shape)
+{
+  auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType count;
+    const vtkIdType* corners;
+    cells->GetCurrentCell(count, corners);
+    shape.Triangles.push_back({ corners[0], corners[1], corners[2] });
+  }
+}
+
+lms3dShape ReadActor(vtkActor* actor)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  actor->GetMapper()->Update();
+  triangles->SetInputDataObject(actor->GetMapper()->GetInputDataObject(0, 0));
+  triangles->Update();
+  vtkPolyData* surface = triangles->GetOutput();
+
+  lms3dShape shape;
+  shape.Color = GetColor(actor->GetProperty());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    shape.Points.push_back(TransformPoint(actor->GetMatrix(), surface->GetPoint(i)));
+  }
+  AppendTriangles(surface, shape);
+  return shape;
+}
+}
+
+lms3dScene lms3dReadWithVTKImporter(
+  const std::string& fileName, const std::function<bool(double)>& progress)
+{
+  lms3dScene scene;
+  vtkNew<vtkCallbackCommand> keeper;
+  keeper->SetCallback(KeepMessage);
+  keeper->SetClientData(&scene.Messages);
+
+  // An importer that reads twice piles up what it read.
+  vtkNew<vtkVRMLImporter> importer;
+  importer->AddObserver(vtkCommand::ErrorEvent, keeper);
+  importer->AddObserver(vtkCommand::WarningEvent, keeper);
+  importer->SetFileName(fileName.c_str());
+  importer->Update();
+
+  vtkActorCollection* actors = importer->GetRenderer()->GetActors();
+  const int count = actors->GetNumberOfItems();
+  vtkCollectionSimpleIterator it;
+  actors->InitTraversal(it);
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    if (actor->GetMapper() && actor->GetMapper()->GetNumberOfInputConnections(0) > 0)
+    {
+      scene.Shapes.push_back(ReadActor(actor));
+    }
+    if (!progress(static_cast<double>(scene.Shapes.size()) / count))
+    {
+      break;
+    }
+  }
+  return scene;
+}

@@ -1,0 +1,283 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scenes of the paper: the committed files are what their generators write,
+and they have the size, closure and free space that the figures rely on.
+
+The scenes lie in the folder LMS3D_DATA_DIR, or in ../../Data as seen from here.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+
+DATA = Path(os.environ.get("LMS3D_DATA_DIR") or Path(__file__).resolve().parents[2] / "Data")
+SENSOR = np.array([0.3, -0.2, 1.0])
+
+# One piece as the generators lay it out; the translation is missing where there is none.
+PIECE = re.compile(
+    r"(?:Transform \{\s+translation (?P<translation>[^\n]+)\n\s+children \[\s+)?"
+    r"DEF (?P<name>\w+) Shape \{.*?"
+    r"diffuseColor (?P<colour>[^}]+) \}.*?"
+    r"solid (?P<solid>TRUE|FALSE)\s.*?"
+    r"point \[(?P<points>[^\]]*)\].*?"
+    r"coordIndex \[(?P<faces>[^\]]*)\]",
+    re.DOTALL,
+)
+
+
+class Mesh:
+    """One Shape of a scene, in world coordinates."""
+
+    def __init__(self, match):
+        self.name = match["name"]
+        self.solid = match["solid"] == "TRUE"
+        self.colour = [float(word) for word in match["colour"].split()]
+        place = [float(word) for word in (match["translation"] or "0 0 0").split()]
+        self.points = place + np.array([p.split() for p in match["points"].split(",")], float)
+        *faces, self.rest = re.split(r"-1,?", match["faces"])
+        self.faces = [[int(index) for index in face.split(",") if index.strip()] for face in faces]
+        fans = [(f[0], f[i], f[i + 1]) for f in self.faces for i in range(1, len(f) - 1)]
+        self.triangles = np.array(fans)
+
+    def corners(self):
+        """The triangles' corners, an array (triangle, corner, axis)."""
+        return self.points[self.triangles]
+
+    def areas(self):
+        """The area of each triangle."""
+        a, b, c = np.moveaxis(self.corners(), 1, 0)
+        return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+    def bodies(self):
+        """The separate bodies that make up the piece, each as its triangles' corners."""
+        labels, before = np.arange(len(self.points)), None
+        while not np.array_equal(labels, before):
+            before = labels.copy()
+            lowest = before[self.triangles].min(axis=1)
+            np.minimum.at(labels, self.triangles, lowest[:, None])
+        of_triangle = labels[self.triangles[:, 0]]
+        return [self.corners()[of_triangle == label] for label in np.unique(labels)]
+
+    def volumes(self):
+        """The volume of each body, negative where the faces turn inwards; an open body is
+        closed by a cone from its centre to its border."""
+        centred = [corners - corners.mean(axis=(0, 1)) for corners in self.bodies()]
+        return [np.linalg.det(corners).sum() / 6 for corners in centred]
+
+    def directed_edges(self):
+        """How often each edge is walked in each direction."""
+        return Counter((f[i - 1], f[i]) for f in self.faces for i in range(len(f)))
+
+
+def read(path):
+    """The pieces of a scene file, by name in file order."""
+    text = path.read_text(encoding="utf-8")
+    pieces = {match["name"]: Mesh(match) for match in PIECE.finditer(text)}
+    if len(pieces) != text.count("IndexedFaceSet"):
+        raise ValueError(f"{path}: a piece was not understood or has another's name")
+    return pieces
+
+
+def generated(script, *options):
+    """The bytes that a generator writes into a file of its own."""
+    with tempfile.TemporaryDirectory() as folder:
+        output = Path(folder) / "scene.wrl"
+        command = [sys.executable, "-B", str(DATA / script), str(output), *options]
+        subprocess.run(command, check=True)
+        return output.read_bytes()
+
+
+def distances_to_segments(point, a, b):
+    """Distances from a point to segments a-b."""
+    along = b - a
+    t = np.clip(np.einsum("ij,ij->i", point - a, along) / np.einsum("ij,ij->i", along, along), 0, 1)
+    return np.linalg.norm(point - a - t[:, None] * along, axis=1)
+
+
+def distances(point, corners):
+    """Distances from a point to triangles."""
+    a, b, c = np.moveaxis(corners, 1, 0)
+    sides = ((a, b), (b, c), (c, a))
+    normal = np.cross(b - a, c - a)
+    normal /= np.linalg.norm(normal, axis=1)[:, None]
+    height = np.einsum("ij,ij->i", point - a, normal)
+    foot = point - height[:, None] * normal
+    turns = [np.sum(np.cross(q - p, foot - p) * normal, axis=1) for p, q in sides]
+    inside = np.min(turns, axis=0) >= 0
+    border = np.min([distances_to_segments(point, p, q) for p, q in sides], axis=0)
+    return np.where(inside, np.abs(height), border)
+
+
+class SceneTests:
+    """What holds for every scene; the subclasses name the file and its generator."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.pieces = read(DATA / cls.scene)
+
+    def test_file_is_what_its_generator_writes(self):
+        self.assertEqual(generated(self.script), (DATA / self.scene).read_bytes())
+
+    def test_header(self):
+        text = (DATA / self.scene).read_text(encoding="utf-8")
+        self.assertTrue(text.startswith("#VRML V2.0 utf8\n"))
+        for words in ("Units: metres", "Z is up", f"Made by: python3 Data/{self.script}"):
+            self.assertIn(words, text)
+
+    def test_indices_and_colours_are_in_range(self):
+        for name, mesh in self.pieces.items():
+            with self.subTest(name):
+                self.assertEqual(mesh.rest.strip(), "")
+                used = {i for face in mesh.faces for i in face}
+                self.assertEqual(used, set(range(len(mesh.points))))
+                self.assertTrue(all(0 <= value <= 1 for value in mesh.colour))
+
+    def test_points_are_shared(self):
+        for name, mesh in self.pieces.items():
+            with self.subTest(name):
+                self.assertTrue(all(count == 1 for count in mesh.directed_edges().values()))
+
+    def test_no_triangle_is_degenerate(self):
+        for name, mesh in self.pieces.items():
+            with self.subTest(name):
+                self.assertGreater(mesh.areas().min(), self.smallest_area)
+
+
+class TestRoom(SceneTests, unittest.TestCase):
+    scene, script, smallest_area = "room.wrl", "make_room.py", 4e-5
+
+    def triangle_count(self):
+        return sum(len(mesh.triangles) for mesh in self.pieces.values())
+
+    def test_has_the_triangles_of_the_paper(self):
+        self.assertEqual(self.triangle_count(), 804)
+
+    def test_every_piece_is_closed(self):
+        for name, mesh in self.pieces.items():
+            with self.subTest(name):
+                edges = mesh.directed_edges()
+                self.assertTrue(mesh.solid)
+                self.assertTrue(all(edges[b, a] == 1 for a, b in edges))
+
+    def test_furniture_faces_outwards_and_the_room_inwards(self):
+        for name, mesh in self.pieces.items():
+            with self.subTest(name):
+                inwards = {volume < 0 for volume in mesh.volumes()}
+                self.assertEqual(inwards, {name == "Room"})
+
+    def test_volume_of_the_rooms(self):
+        main_room, niche, doorway = 8 * 6 * 3, 1.8 * 0.14 * 1.18, 0.92 * 0.16 * 2.06
+        small_room = (2.54 + 2.79) / 2 * 3.55 * 2.6
+        (volume,) = self.pieces["Room"].volumes()
+        self.assertAlmostEqual(-volume, main_room + niche + doorway + small_room, 9)
+
+    def test_quads_are_flat_and_convex(self):
+        for name, mesh in self.pieces.items():
+            for face in mesh.faces:
+                with self.subTest(name, face=face):
+                    self.assertIn(len(face), (3, 4))
+                    self.check_flat_and_convex(mesh.points[face])
+
+    def check_flat_and_convex(self, corners):
+        sides = np.roll(corners, -1, axis=0) - corners
+        turns = np.cross(sides, np.roll(sides, -1, axis=0))
+        self.assertTrue(np.all(turns @ turns[0] > 0))
+        self.assertLess(np.abs((corners - corners[0]) @ turns[0]).max(), 1e-12)
+
+    def test_sensor_has_half_a_metre_around_it(self):
+        nearest = min(distances(SENSOR, mesh.corners()).min() for mesh in self.pieces.values())
+        self.assertGreaterEqual(nearest, 0.5)
+
+    def test_nothing_reaches_through_a_wall(self):
+        for name, mesh in self.pieces.items():
+            if name == "Room":
+                continue
+            with self.subTest(name):
+                self.assertTrue(self.stays_inside(mesh.points))
+
+    def stays_inside(self, points):
+        """Whether all points lie in the main room, or all in the smaller one."""
+        def between(low, high):
+            return np.all((points >= low) & (points <= high))
+
+        far_wall = 6.7 + (points[:, 1].min() + 0.7) / 3.55 * 0.25
+        main_room = between([-4, -3, 0], [4, 3, 3])
+        return main_room or between([4.16, -0.7, 0], [far_wall, 2.85, 2.6])
+
+    def test_pieces_stand_on_the_floor_or_on_something(self):
+        feet = {name: mesh.points[:, 2].min() for name, mesh in self.pieces.items()}
+        raised = {name: round(z, 3) for name, z in feet.items() if z != 0}
+        self.assertEqual(raised, {
+            "Books": 0.5, "Picture": 1.3, "DoorLeaf": 0.01, "LampShade": 1.5,
+            "BoxOnTop": 0.55, "BoxAtTheTop": 0.91, "CrateOnTop": 0.8,
+        })
+
+
+class TestTeapot(SceneTests, unittest.TestCase):
+    scene, script, smallest_area = "teapot.wrl", "make_teapot.py", 5e-7
+
+    def all_points(self):
+        return np.vstack([mesh.points for mesh in self.pieces.values()])
+
+    def test_parts(self):
+        self.assertEqual(list(self.pieces), ["Body", "Lid", "Handle", "Spout", "Bottom"])
+        self.assertFalse(any(mesh.solid for mesh in self.pieces.values()))
+
+    def test_triangles_of_32_patches_without_the_collapsed_ones(self):
+        cells = 7
+        counts = {name: len(mesh.triangles) for name, mesh in self.pieces.items()}
+        patch, tip = 2 * cells**2, 4 * cells
+        self.assertEqual(counts, {
+            "Body": 12 * patch, "Lid": 8 * patch - tip, "Handle": 4 * patch, "Spout": 4 * patch,
+            "Bottom": 4 * patch - tip,
+        })
+
+    def test_dimensions(self):
+        low, high = self.all_points().min(axis=0), self.all_points().max(axis=0)
+        np.testing.assert_allclose(low, [-0.15, -0.1, 0], atol=1e-9)
+        np.testing.assert_allclose(high[1:], [0.1, 0.1575], atol=1e-9)
+        self.assertAlmostEqual(high[0], 0.1717, 4)
+
+    def test_round_parts_are_nearly_round(self):
+        """Newell's quarters bulge by at most 0.6 % of the radius."""
+        points = self.pieces["Body"].points
+        belt = points[np.isclose(points[:, 2], 0.045)]
+        radii = np.hypot(belt[:, 0], belt[:, 1])
+        self.assertEqual(len(belt), 28)
+        self.assertLess(np.abs(radii / 0.1 - 1).max(), 0.006)
+
+    def test_mirrored_about_the_plane_of_the_spout(self):
+        points = {tuple(point) for point in self.all_points()}
+        self.assertTrue(all((x, -y + 0.0, z) in points for x, y, z in points))
+
+    def test_borders_are_where_the_parts_end(self):
+        """Rim and foot of the body; one rim of lid and bottom; both ends of a tube."""
+        for name, ends in {"Body": 2, "Lid": 1, "Handle": 2, "Spout": 2, "Bottom": 1}.items():
+            with self.subTest(name):
+                edges = self.pieces[name].directed_edges()
+                around = 28 if name in ("Body", "Lid", "Bottom") else 14
+                self.assertEqual(sum((b, a) not in edges for a, b in edges), ends * around)
+
+    def test_bottom_closes_the_body(self):
+        body, bottom = ({tuple(p) for p in self.pieces[name].points} for name in ("Body", "Bottom"))
+        self.assertEqual(len(body & bottom), 28)
+
+    def test_parts_face_outwards(self):
+        for name, mesh in self.pieces.items():
+            with self.subTest(name):
+                self.assertTrue(all(volume > 0 for volume in mesh.volumes()))
+
+    def test_subdivisions_are_a_choice(self):
+        self.assertEqual(generated(self.script, "--subdivisions", "3").count(b"-1"), 552)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
