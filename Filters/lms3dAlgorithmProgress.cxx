@@ -15,7 +15,7 @@ bool IsAborted(vtkAlgorithm* algorithm)
   return algorithm->GetAbortExecute() != 0;
 #endif
 }
-}
+} // namespace
 
 lms3dProgress lms3dReportTo(vtkAlgorithm* algorithm, double first, double last)
 {

@@ -11,12 +11,7 @@
 
 namespace
 {
-double TwoCosines(double stepInDegrees)
-{
-  double sine, cosine;
-  lms3dSinCosDegrees(stepInDegrees, sine, cosine);
-  return 2.0 * cosine;
-}
+constexpr double SmallestRelativeDepthStep = 0.02;
 
 // Whether the plane through the returns at `before` and `at` goes on to the one at `next`.
 bool IsPredicted(double before, double at, double next, double twoCosines, double tolerance)
@@ -24,7 +19,7 @@ bool IsPredicted(double before, double at, double next, double twoCosines, doubl
   const double inverse = before > 0.0 ? twoCosines / at - 1.0 / before : 0.0;
   return inverse > 0.0 && std::abs(1.0 / inverse - next) <= tolerance;
 }
-}
+} // namespace
 
 /// Corners counter-clockwise as the sensor sees them: (turn, beam), (turn + 1, beam) and up again.
 struct lms3dGridMesher::Cell
@@ -34,13 +29,20 @@ struct lms3dGridMesher::Cell
   std::array<bool, 4> Sides;
 };
 
-lms3dGridMesher::lms3dGridMesher(
-  const lms3dRangeGrid& grid, const double* points, double depthStep)
+lms3dGridMesher::Spacing::Spacing(double stepInDegrees)
+{
+  double sine, cosine;
+  lms3dSinCosDegrees(stepInDegrees, sine, cosine);
+  this->TwoCosines = 2.0 * cosine;
+  this->RelativeDepthStep = std::max(SmallestRelativeDepthStep, std::atan2(sine, cosine));
+}
+
+lms3dGridMesher::lms3dGridMesher(const lms3dRangeGrid& grid, const double* points, double depthStep)
   : Grid(grid)
   , Points(points)
   , DepthStep(depthStep)
-  , FanCosines(TwoCosines(grid.GetGeometry().GetAlphaStep()))
-  , TurnCosines(TwoCosines(grid.GetGeometry().GetBetaStep()))
+  , AlongFan(grid.GetGeometry().GetAlphaStep())
+  , AlongTurn(grid.GetGeometry().GetBetaStep())
 {
 }
 
@@ -48,8 +50,7 @@ std::vector<lms3dGridMesher::Triangle> lms3dGridMesher::MakeTriangles() const
 {
   const int strips = this->Grid.GetNumberOfTurns() - (this->Grid.IsClosed() ? 0 : 1);
   std::vector<std::vector<Triangle>> ofStrips(std::max(strips, 0));
-  tbb::parallel_for(
-    0, strips, [&](int turn) { this->AppendStrip(turn, ofStrips[turn]); });
+  tbb::parallel_for(0, strips, [&](int turn) { this->AppendStrip(turn, ofStrips[turn]); });
 
   std::vector<Triangle> triangles;
   for (const std::vector<Triangle>& strip : ofStrips)
@@ -81,7 +82,7 @@ bool lms3dGridMesher::IsJoinedAlongFan(int turn, int beam) const
   return this->IsJoined(
     { this->Grid.GetRange(turn, beam - 1), this->Grid.GetRange(turn, beam),
       this->Grid.GetRange(turn, beam + 1), this->Grid.GetRange(turn, beam + 2) },
-    this->FanCosines);
+    this->AlongFan);
 }
 
 bool lms3dGridMesher::IsJoinedAlongTurn(int turn, int beam) const
@@ -89,20 +90,20 @@ bool lms3dGridMesher::IsJoinedAlongTurn(int turn, int beam) const
   return this->IsJoined(
     { this->Grid.GetRange(turn - 1, beam), this->Grid.GetRange(turn, beam),
       this->Grid.GetRange(turn + 1, beam), this->Grid.GetRange(turn + 2, beam) },
-    this->TurnCosines);
+    this->AlongTurn);
 }
 
 // Of the four ranges in a row the middle ones are asked about.
-bool lms3dGridMesher::IsJoined(const std::array<double, 4>& ranges, double twoCosines) const
+bool lms3dGridMesher::IsJoined(const std::array<double, 4>& ranges, const Spacing& spacing) const
 {
   const auto [before, a, b, after] = ranges;
   if (a <= 0.0 || b <= 0.0)
   {
     return false;
   }
-  const double tolerance = this->DepthStep + RelativeDepthStep * std::min(a, b);
-  return std::abs(a - b) <= tolerance || IsPredicted(before, a, b, twoCosines, tolerance) ||
-    IsPredicted(after, b, a, twoCosines, tolerance);
+  const double tolerance = this->DepthStep + spacing.RelativeDepthStep * std::min(a, b);
+  return std::abs(a - b) <= tolerance || IsPredicted(before, a, b, spacing.TwoCosines, tolerance) ||
+    IsPredicted(after, b, a, spacing.TwoCosines, tolerance);
 }
 
 double lms3dGridMesher::GetSquaredDistance(std::int64_t a, std::int64_t b) const

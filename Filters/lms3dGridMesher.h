@@ -23,13 +23,13 @@
  * its returns are. On a plane, neighbours w of 1/range obey w[i-1] + w[i+1] = 2 cos(step) w[i]; that is
  * exact along a fan, and along a turn for planes that are level or upright.
  *
- * The tolerance is `depthStep` (metres) plus RelativeDepthStep of the nearer range.
+ * The tolerance is `depthStep` (metres) plus a share of the nearer range: 2 % or, where neighbours are
+ * farther apart, the angle between them in radians, so that a coarse scan joins what leans by 45
+ * degrees as well.
  */
 class lms3dGridMesher
 {
 public:
-  static constexpr double RelativeDepthStep = 0.02;
-
   using Triangle = std::array<std::int64_t, 3>;
 
   /// `points` are the coordinates of the scan's returns, three for each.
@@ -41,19 +41,28 @@ public:
 private:
   struct Cell;
 
+  /// How neighbours along a fan, or along a turn, are compared.
+  struct Spacing
+  {
+    explicit Spacing(double stepInDegrees);
+
+    double TwoCosines;
+    double RelativeDepthStep;
+  };
+
   void AppendStrip(int turn, std::vector<Triangle>& out) const;
   void AppendCell(const Cell& cell, std::vector<Triangle>& out) const;
   Cell GetCell(int turn, int beam) const;
   bool IsJoinedAlongFan(int turn, int beam) const;
   bool IsJoinedAlongTurn(int turn, int beam) const;
-  bool IsJoined(const std::array<double, 4>& ranges, double twoCosines) const;
+  bool IsJoined(const std::array<double, 4>& ranges, const Spacing& spacing) const;
   double GetSquaredDistance(std::int64_t a, std::int64_t b) const;
 
   const lms3dRangeGrid& Grid;
   const double* Points;
   const double DepthStep;
-  double FanCosines;
-  double TurnCosines;
+  const Spacing AlongFan;
+  const Spacing AlongTurn;
 };
 
 #endif

@@ -26,8 +26,8 @@ public:
    * `ranges` and `beamIds` belong to `count` returns. Throws std::runtime_error, with words for the
    * user, where a range is not a finite number above 0, or a beam is out of the grid or given twice.
    */
-  lms3dRangeGrid(lms3dScanGeometry geometry, const double* ranges, const int* beamIds,
-    std::int64_t count);
+  lms3dRangeGrid(
+    lms3dScanGeometry geometry, const double* ranges, const int* beamIds, std::int64_t count);
 
   const lms3dScanGeometry& GetGeometry() const { return this->Geometry; }
   int GetNumberOfBeams() const { return this->Geometry.GetNumberOfBeams(); }

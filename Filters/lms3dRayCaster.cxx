@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dRayCaster.h"
 
+#include "lms3dNormalization.h"
+
 #if LMS3D_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else
@@ -34,67 +36,6 @@ constexpr float BoxMargin = 4e-6f;
 // Embree loses packets in which a direction component is a tiny negative number: its reciprocal is
 // taken as positive while the packet was sorted by the sign.
 constexpr double SmallestComponent = 1e-15;
-
-// Rays start no farther from the scene's centre than this, in diagonals.
-constexpr double FarthestStart = 2.0;
-
-/**
- * Embree works in single precision. It gets the scene moved to the origin and scaled to a diagonal of
- * 1, so that neither a large offset nor a very small or large scale costs digits.
- */
-class Normalization
-{
-public:
-  explicit Normalization(const lms3dTriangleMesh& mesh)
-  {
-    double low[3], high[3];
-    GetBounds(mesh, low, high);
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Center[i] = 0.5 * low[i] + 0.5 * high[i];
-    }
-    const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-    this->Diagonal = diagonal > 0.0 ? diagonal : 1.0;
-  }
-
-  double GetCoordinate(const double* point, int axis) const
-  {
-    return (point[axis] - this->Center[axis]) / this->Diagonal;
-  }
-
-  double GetDistance(double range) const { return range / this->Diagonal; }
-
-  /// How far along its beam a ray may start, so that it starts near the scene, in metres.
-  double GetHeadStart(const double origin[3]) const
-  {
-    const double distance = std::hypot(origin[0] - this->Center[0], origin[1] - this->Center[1],
-      origin[2] - this->Center[2]);
-    return std::max(0.0, distance - FarthestStart * this->Diagonal);
-  }
-
-private:
-  static void GetBounds(const lms3dTriangleMesh& mesh, double low[3], double high[3])
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      low[i] = high[i] = mesh.GetCorner(0, 0)[i];
-    }
-    for (const std::array<std::uint32_t, 3>& triangle : mesh.Triangles)
-    {
-      for (std::uint32_t corner : triangle)
-      {
-        for (int i = 0; i < 3; ++i)
-        {
-          low[i] = std::min(low[i], mesh.Points[corner][i]);
-          high[i] = std::max(high[i], mesh.Points[corner][i]);
-        }
-      }
-    }
-  }
-
-  double Center[3];
-  double Diagonal;
-};
 
 struct Release
 {
@@ -166,7 +107,7 @@ protected:
 
   RTCDevice GetDevice() const { return this->EmbreeDevice.get(); }
 
-  const Normalization Unit;
+  const lms3dNormalization Unit;
 
 private:
   void SetRay(RTCRayHit16& rayhit, int beam, const double origin[3], double headStart,
@@ -270,7 +211,8 @@ private:
       double maximum = minimum;
       for (int corner = 1; corner < 3; ++corner)
       {
-        const double x = self->Unit.GetCoordinate(self->GetMesh().GetCorner(args->primID, corner), i);
+        const double x =
+          self->Unit.GetCoordinate(self->GetMesh().GetCorner(args->primID, corner), i);
         minimum = std::min(minimum, x);
         maximum = std::max(maximum, x);
       }
@@ -285,9 +227,8 @@ private:
   {
     const ExactCaster* self = static_cast<const ExactCaster*>(args->geometryUserPtr);
     const Query* query = reinterpret_cast<const Query*>(args->context);
-    const std::uint32_t changed =
-      lms3dIntersectTriangle(self->GetCorners(args->primID), static_cast<std::int32_t>(args->primID),
-        query->Origin, query->MaximumRange, *query->Packet);
+    const std::uint32_t changed = lms3dIntersectTriangle(self->GetCorners(args->primID),
+      static_cast<std::int32_t>(args->primID), query->Origin, query->MaximumRange, *query->Packet);
     if (changed == 0)
     {
       return;
@@ -361,9 +302,9 @@ private:
   void FillTriangles(RTCGeometry geometry) const
   {
     const lms3dTriangleMesh& mesh = this->GetMesh();
-    unsigned int* corner = static_cast<unsigned int*>(rtcSetNewGeometryBuffer(geometry,
-      RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned int),
-      mesh.GetNumberOfTriangles()));
+    unsigned int* corner =
+      static_cast<unsigned int*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+        RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), mesh.GetNumberOfTriangles()));
     ThrowOnError(this->GetDevice());
     for (const std::array<std::uint32_t, 3>& triangle : mesh.Triangles)
     {
@@ -377,8 +318,8 @@ private:
     const lms3dTriangleMesh& mesh = this->GetMesh();
     const double direction[3] = { packet.Direction[0][beam], packet.Direction[1][beam],
       packet.Direction[2][beam] };
-    const double range = lms3dPlaneRange({ mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1),
-                                           mesh.GetCorner(triangle, 2) },
+    const double range = lms3dPlaneRange(
+      { mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1), mesh.GetCorner(triangle, 2) },
       origin, direction);
     if (range > 0.0 && range <= maximumRange)
     {
@@ -387,7 +328,7 @@ private:
     }
   }
 };
-}
+} // namespace
 
 std::unique_ptr<lms3dRayCaster> lms3dRayCaster::New(Method method, lms3dTriangleMesh mesh)
 {

@@ -32,7 +32,7 @@ double Step(const std::vector<double>& angles)
 {
   return angles.size() < 2 ? 0.0 : (angles.back() - angles.front()) / (angles.size() - 1);
 }
-}
+} // namespace
 
 void lms3dSinCosDegrees(double degrees, double& sine, double& cosine)
 {

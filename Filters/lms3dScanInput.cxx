@@ -41,8 +41,8 @@ vtkSmartPointer<ArrayT> Take(vtkFieldData* data, const char* name, vtkIdType cou
   vtkDataArray* array = data->GetArray(name);
   if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
   {
-    Fail("The scan has no array " + std::string(name) + " of " + std::to_string(count) +
-      " numbers.");
+    Fail(
+      "The scan has no array " + std::string(name) + " of " + std::to_string(count) + " numbers.");
   }
   return As<ArrayT>(array);
 }
@@ -69,7 +69,7 @@ std::vector<double> ToVector(vtkDoubleArray* array)
   const double* first = array->GetPointer(0);
   return { first, first + array->GetNumberOfValues() };
 }
-}
+} // namespace
 
 lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
 {

@@ -31,8 +31,7 @@ typename ArrayT::ValueType* Allocate(ArrayT* array, const char* name, vtkIdType 
   return array->GetPointer(0);
 }
 
-void AddDoubles(
-  vtkFieldData* fieldData, const char* name, const double* values, vtkIdType count)
+void AddDoubles(vtkFieldData* fieldData, const char* name, const double* values, vtkIdType count)
 {
   vtkNew<vtkDoubleArray> array;
   std::copy(values, values + count, Allocate(array.Get(), name, count));
@@ -58,7 +57,7 @@ struct ImageFrame
   double Origin[3];
   double Spacing[3];
 };
-}
+} // namespace
 
 void lms3dDescribeRangeImage(const lms3dScanGeometry& geometry, vtkInformation* info)
 {

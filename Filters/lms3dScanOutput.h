@@ -28,8 +28,8 @@ class lms3dScanOutput
 public:
   lms3dScanOutput(const lms3dScanGeometry& geometry, const lms3dPose& pose);
 
-  bool Cast(const lms3dRayCaster& caster, const lms3dRangeLimits& limits,
-    const lms3dProgress& progress);
+  bool Cast(
+    const lms3dRayCaster& caster, const lms3dRangeLimits& limits, const lms3dProgress& progress);
 
   void FillScan(const lms3dRayCaster& caster, vtkPolyData* scan) const;
 

@@ -74,12 +74,11 @@ private:
       {
         continue;
       }
-      const std::size_t slot =
-        static_cast<std::size_t>(firstTurn + i / TileBeams) * this->Beams + firstBeam + i % TileBeams;
+      const std::size_t slot = static_cast<std::size_t>(firstTurn + i / TileBeams) * this->Beams +
+        firstBeam + i % TileBeams;
       const bool isReturn = packet.Triangle[i] != lms3dBeamPacket::NoTriangle &&
         packet.Range[i] >= this->Limits.Minimum;
-      this->Ranges[slot] =
-        isReturn ? packet.Range[i] : std::numeric_limits<double>::quiet_NaN();
+      this->Ranges[slot] = isReturn ? packet.Range[i] : std::numeric_limits<double>::quiet_NaN();
       this->Triangles[slot] = isReturn ? packet.Triangle[i] : lms3dBeamPacket::NoTriangle;
     }
   }
@@ -93,7 +92,7 @@ private:
   double* Ranges;
   std::int32_t* Triangles;
 };
-}
+} // namespace
 
 bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress,

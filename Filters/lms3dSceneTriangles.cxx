@@ -146,8 +146,9 @@ private:
     {
       if (points[i] < 0 || points[i] >= pointsOfLeaf)
       {
-        throw std::runtime_error("Cell " + std::to_string(this->Cell) + " of the scene uses point " +
-          std::to_string(points[i]) + " of " + std::to_string(pointsOfLeaf) + ". Repair the cell.");
+        throw std::runtime_error("Cell " + std::to_string(this->Cell) +
+          " of the scene uses point " + std::to_string(points[i]) + " of " +
+          std::to_string(pointsOfLeaf) + ". Repair the cell.");
       }
       for (double x : this->Mesh.Points[this->FirstPoint + points[i]])
       {
@@ -212,8 +213,8 @@ private:
     }
     if (!this->Polygon->Triangulate(this->Ears) || this->Ears->GetNumberOfIds() != 3 * (count - 2))
     {
-      throw std::runtime_error("Cell " + std::to_string(this->Cell) + " of the scene, a polygon of " +
-        std::to_string(count) +
+      throw std::runtime_error("Cell " + std::to_string(this->Cell) +
+        " of the scene, a polygon of " + std::to_string(count) +
         " points, cannot be triangulated; it crosses itself or has a hole. Split it first.");
     }
     for (vtkIdType i = 0; i < this->Ears->GetNumberOfIds(); i += 3)
@@ -230,7 +231,7 @@ private:
   std::int64_t FirstCell = 0;
   std::int64_t Cell = 0;
 };
-}
+} // namespace
 
 lms3dTriangleMesh lms3dCollectTriangles(vtkDataObject* scene)
 {

@@ -105,8 +105,8 @@ Verdicts Classify(const EdgeFunctions& edges, const lms3dBeamPacket& packet)
     const double error = edges.Errors[edge];
     for (int i = 0; i < Size; ++i)
     {
-      const double value = packet.Direction[0][i] * normal[0] +
-        packet.Direction[1][i] * normal[1] + packet.Direction[2][i] * normal[2];
+      const double value = packet.Direction[0][i] * normal[0] + packet.Direction[1][i] * normal[1] +
+        packet.Direction[2][i] * normal[2];
       positive[i] += value > error ? 1 : 0;
       negative[i] += value < -error ? 1 : 0;
     }
@@ -191,7 +191,7 @@ bool IsNearer(double range, std::int32_t triangle, const lms3dBeamPacket& packet
   return range < packet.Range[beam] ||
     (range == packet.Range[beam] && triangle < packet.Triangle[beam]);
 }
-}
+} // namespace
 
 std::uint32_t lms3dIntersectTriangle(const lms3dCorners& corners, std::int32_t triangle,
   const double origin[3], double maximumRange, lms3dBeamPacket& packet)
@@ -214,8 +214,7 @@ std::uint32_t lms3dIntersectTriangle(const lms3dCorners& corners, std::int32_t t
       continue;
     }
     const Vector<double> direction = GetDirection(packet, beam);
-    if ((verdicts.Doubt & bit) &&
-      !IsInside(Triangle<Quad>(corners, origin), Widen(direction)))
+    if ((verdicts.Doubt & bit) && !IsInside(Triangle<Quad>(corners, origin), Widen(direction)))
     {
       continue;
     }

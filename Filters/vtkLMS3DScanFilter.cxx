@@ -75,7 +75,7 @@ std::string Pair(const T values[2])
   words << values[0] << " to " << values[1];
   return words.str();
 }
-}
+} // namespace
 
 struct vtkLMS3DScanFilter::Internals
 {
@@ -170,8 +170,8 @@ std::string vtkLMS3DScanFilter::GetPropertyError() const
     error << "AlphaResolution x BetaResolution is " << this->AlphaResolution << " x "
           << this->BetaResolution << " beams; at most 2147483647 are possible.";
   }
-  else if (!IsProperRange(this->AlphaRange, this->AlphaResolution) ||
-    this->AlphaRange[0] < -90.0 || this->AlphaRange[1] > 90.0)
+  else if (!IsProperRange(this->AlphaRange, this->AlphaResolution) || this->AlphaRange[0] < -90.0 ||
+    this->AlphaRange[1] > 90.0)
   {
     error << "AlphaRange is " << Pair(this->AlphaRange)
           << " degrees; it must increase, within -90 to 90.";
@@ -235,17 +235,14 @@ int vtkLMS3DScanFilter::RequestData(
   {
     vtkDataObject* scene = vtkDataObject::GetData(inputVector[0]);
     arena.execute(
-      [&]
-      {
-        this->Internal->Build(
-          scene, static_cast<lms3dRayCaster::Method>(this->IntersectionMethod));
+      [&] {
+        this->Internal->Build(scene, static_cast<lms3dRayCaster::Method>(this->IntersectionMethod));
       });
     this->UpdateProgress(BuildShare);
 
     const lms3dScanGeometry geometry(
       this->AlphaRange, this->AlphaResolution, this->BetaRange, this->BetaResolution);
-    lms3dScanOutput output(geometry,
-      lms3dPose::FromOrientation(this->Position, this->Orientation));
+    lms3dScanOutput output(geometry, lms3dPose::FromOrientation(this->Position, this->Orientation));
     const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
     arena.execute(
       [&]
@@ -253,8 +250,7 @@ int vtkLMS3DScanFilter::RequestData(
         if (output.Cast(
               *this->Internal->Caster, { this->MinimumRange, this->MaximumRange }, progress))
         {
-          output.FillScan(
-            *this->Internal->Caster, vtkPolyData::GetData(outputVector, 0));
+          output.FillScan(*this->Internal->Caster, vtkPolyData::GetData(outputVector, 0));
           output.FillRangeImage(vtkImageData::GetData(outputVector, 1));
         }
       });
@@ -271,8 +267,7 @@ int vtkLMS3DScanFilter::RequestData(
 void vtkLMS3DScanFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto vector = [&os](const double* v)
-  { os << v[0] << ' ' << v[1] << ' ' << v[2] << '\n'; };
+  const auto vector = [&os](const double* v) { os << v[0] << ' ' << v[1] << ' ' << v[2] << '\n'; };
   os << indent << "Position: ";
   vector(this->Position);
   os << indent << "Orientation: ";

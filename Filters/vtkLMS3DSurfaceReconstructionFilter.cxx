@@ -100,8 +100,8 @@ std::vector<double> SumNormals(const std::vector<Triangle>& triangles, vtkPolyDa
   return sums;
 }
 
-void AddNormals(const std::vector<Triangle>& triangles, const std::array<double, 3>& sensor,
-  vtkPolyData* map)
+void AddNormals(
+  const std::vector<Triangle>& triangles, const std::array<double, 3>& sensor, vtkPolyData* map)
 {
   const std::vector<double> sums = SumNormals(triangles, map);
   const double* point = vtkDoubleArray::FastDownCast(map->GetPoints()->GetData())->GetPointer(0);
@@ -125,7 +125,7 @@ void AddNormals(const std::vector<Triangle>& triangles, const std::array<double,
   }
   map->GetPointData()->SetNormals(normals);
 }
-}
+} // namespace
 
 int vtkLMS3DSurfaceReconstructionFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)

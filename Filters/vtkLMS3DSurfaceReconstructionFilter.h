@@ -10,8 +10,9 @@
  * pole, where the beams of all turns are one, is one vertex, the return of median range.
  *
  * Triangles never cross a depth step. Two neighbours lie on one surface where their ranges differ by
- * at most DepthStep plus 2 % of the nearer range, or where the plane that goes on from either of
- * them meets the other within that tolerance; so a floor that is met at a grazing angle far away
+ * at most DepthStep plus 2 % of the nearer range (in scans coarser than 1.15 degrees the angle between
+ * neighbours, in radians, takes the place of the 2 %), or where the plane that goes on from either
+ * of them meets the other within that tolerance; so a floor that is met at a grazing angle far away
  * stays whole. Returns are never joined across a beam without one.
  *
  * The input needs the point data `Range` and `BeamId` and the field data `AlphaAngles`,
@@ -45,7 +46,7 @@ public:
   ///@{
   /**
    * The largest difference in range, metres, that neighbouring returns of one surface may have where
-   * no plane explains it. At least 0; 2 % of the nearer range are added. A smaller value separates
+   * no plane explains it. At least 0; a share of the nearer range, 2 % or more, is added. A smaller value separates
    * things from what is close behind them, a larger one bridges more. The default is 0.1.
    */
   vtkSetClampMacro(DepthStep, double, 0.0, VTK_DOUBLE_MAX);

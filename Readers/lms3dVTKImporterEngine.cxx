@@ -82,7 +82,7 @@ lms3dShape ReadActor(vtkActor* actor)
   AppendTriangles(surface, shape);
   return shape;
 }
-}
+} // namespace
 
 lms3dScene lms3dReadWithVTKImporter(
   const std::string& fileName, const std::function<bool(double)>& progress)

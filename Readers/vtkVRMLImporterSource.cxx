@@ -138,11 +138,10 @@ void AddShapes(const lms3dScene& scene, vtkPolyData* surface)
 std::string Summarize(const std::string& fileName, const std::vector<std::string>& messages)
 {
   return fileName + " was not read whole: " + messages.front() +
-    (messages.size() > 1
-        ? " (and " + std::to_string(messages.size() - 1) + " more, see GetMessage)"
-        : "");
+    (messages.size() > 1 ? " (and " + std::to_string(messages.size() - 1) + " more, see GetMessage)"
+                         : "");
 }
-}
+} // namespace
 
 vtkVRMLImporterSource::vtkVRMLImporterSource()
 {
@@ -216,8 +215,9 @@ int vtkVRMLImporterSource::RequestData(
   this->Messages = scene.Messages;
   if (Size(scene).Triangles == 0)
   {
-    return this->Fail(vtkErrorCode::FileFormatError, fileName + " has no surface that can be read." +
-      (this->Messages.empty() ? "" : " " + this->Messages.front()));
+    return this->Fail(vtkErrorCode::FileFormatError,
+      fileName + " has no surface that can be read." +
+        (this->Messages.empty() ? "" : " " + this->Messages.front()));
   }
   if (!this->Messages.empty())
   {

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Moves a scene to the origin and scales it to a diagonal of 1.
+ *
+ * Single precision then costs no more digits at a large offset, or at a very small or large scale,
+ * than it does anywhere.
+ */
+#ifndef lms3dNormalization_h
+#define lms3dNormalization_h
+
+#include "lms3dTriangleMesh.h"
+
+class lms3dNormalization
+{
+public:
+  /// The mesh has at least one triangle.
+  explicit lms3dNormalization(const lms3dTriangleMesh& mesh);
+
+  double GetCoordinate(const double* point, int axis) const
+  {
+    return (point[axis] - this->Center[axis]) / this->Diagonal;
+  }
+
+  double GetDistance(double range) const { return range / this->Diagonal; }
+
+  /// How far along its beam a ray may start, metres, so that it starts within a few diagonals.
+  double GetHeadStart(const double origin[3]) const;
+
+private:
+  double Center[3];
+  double Diagonal;
+};
+
+#endif

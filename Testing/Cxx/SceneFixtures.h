@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Scenes, and ways to look at results, that several tests share.
+ */
+#ifndef SceneFixtures_h
+#define SceneFixtures_h
+
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTestErrorObserver.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+
+using Point = std::array<double, 3>;
+
+/// A closed ball of triangles, its vertices at the radius.
+vtkSmartPointer<vtkPolyData> MakeBall(double radius, int resolution = 48);
+
+/// The distance of the nearest of a surface's planes from the origin.
+double GetInradius(vtkPolyData* surface);
+
+/// A rectangle over x and y at the height z, as one quadrilateral.
+vtkSmartPointer<vtkPolyData> MakeFloor(double halfSize, double z);
+
+vtkSmartPointer<vtkPolyData> MakePolygon(const std::vector<Point>& points);
+
+/// One surface of both.
+vtkSmartPointer<vtkPolyData> Join(vtkPolyData* a, vtkPolyData* b);
+
+/// Data/room.wrl.
+vtkSmartPointer<vtkPolyData> ReadRoom();
+
+/// A fingerprint of all bytes of an array, or of a data set's points, cells and arrays.
+std::uint64_t Hash(vtkDataArray* array);
+std::uint64_t Hash(vtkDataSet* data);
+
+/// The words of the errors that the algorithm gives in an Update(), empty if there is none.
+std::string UpdateAndGetError(vtkAlgorithm* algorithm);
+
+#endif

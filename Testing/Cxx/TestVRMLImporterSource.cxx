@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneFixtures.h"
+
+#include "vtkVRMLImporterSource.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkStringArray.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace
+{
+const char* const Square = R"(#VRML V2.0 utf8
+DEF Wall Transform {
+  translation 1 2 3
+  children Shape {
+    appearance Appearance { material Material { diffuseColor 1 0.6 0.2 transparency 0.4 } }
+    geometry IndexedFaceSet {
+      coord Coordinate { point [ 0 0 0, 1 0 0, 1 0 2, 0 0 2 ] }
+      coordIndex [ 0, 1, 2, 3, -1 ]
+    }
+  }
+}
+)";
+
+class VRMLImporterSource : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    this->File = std::filesystem::path(testing::TempDir()) / (std::string(test->name()) + ".wrl");
+  }
+
+  void TearDown() override { std::filesystem::remove_all(this->File); }
+
+  void Write(const std::string& words) { std::ofstream(this->File, std::ios::binary) << words; }
+
+  void ExpectError(unsigned long code, const std::string& word)
+  {
+    const std::string error = UpdateAndGetError(this->Reader);
+    EXPECT_NE(error.find(word), std::string::npos) << error;
+    EXPECT_EQ(this->Reader->GetErrorCode(), code);
+    EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 0);
+  }
+
+  std::filesystem::path File;
+  vtkNew<vtkVRMLImporterSource> Reader;
+};
+} // namespace
+
+TEST_F(VRMLImporterSource, ReadsTheRoomOfThePaper)
+{
+  vtkSmartPointer<vtkPolyData> room = ReadRoom();
+  EXPECT_EQ(room->GetNumberOfCells(), 804);
+  EXPECT_EQ(room->GetNumberOfPolys(), 804);
+  double bounds[6];
+  room->GetBounds(bounds);
+  EXPECT_EQ(bounds[0], -4.0);
+  EXPECT_EQ(bounds[4], 0.0);
+  EXPECT_EQ(bounds[5], 3.0);
+
+  vtkDataArray* shapes = room->GetCellData()->GetArray("ShapeId");
+  ASSERT_EQ(shapes->GetDataType(), VTK_INT);
+  EXPECT_EQ(shapes->GetRange()[0], 0.0);
+  vtkAbstractArray* names = room->GetFieldData()->GetAbstractArray("ShapeNames");
+  ASSERT_NE(vtkStringArray::SafeDownCast(names), nullptr);
+  EXPECT_EQ(names->GetNumberOfValues(), static_cast<vtkIdType>(shapes->GetRange()[1]) + 1);
+}
+
+TEST_F(VRMLImporterSource, ReadsPlacesAndColours)
+{
+  this->Write(Square);
+  this->Reader->SetFileName(this->File.string().c_str());
+  EXPECT_EQ(UpdateAndGetError(this->Reader), "");
+  vtkPolyData* square = this->Reader->GetOutput();
+  ASSERT_EQ(square->GetNumberOfCells(), 2);
+  double bounds[6];
+  square->GetBounds(bounds);
+  const double expected[6] = { 1, 2, 2, 2, 3, 5 };
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_EQ(bounds[i], expected[i]);
+  }
+  vtkDataArray* color = square->GetCellData()->GetArray("Color");
+  ASSERT_EQ(color->GetDataType(), VTK_UNSIGNED_CHAR);
+  ASSERT_EQ(color->GetNumberOfComponents(), 4);
+  const double rgba[4] = { 255, 153, 51, 153 };
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(color->GetComponent(0, i), rgba[i]);
+  }
+  EXPECT_EQ(this->Reader->GetNumberOfMessages(), 0);
+}
+
+TEST_F(VRMLImporterSource, TurnsYUpToZUp)
+{
+  this->Write(Square);
+  this->Reader->SetFileName(this->File.string().c_str());
+  this->Reader->SetUpAxisToY();
+  this->Reader->Update();
+  double bounds[6];
+  this->Reader->GetOutput()->GetBounds(bounds);
+  const double expected[6] = { 1, 2, -5, -3, 2, 2 };
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_EQ(bounds[i], expected[i]);
+  }
+}
+
+TEST_F(VRMLImporterSource, ReadsAfreshEachTime)
+{
+  this->Write(Square);
+  this->Reader->SetFileName(this->File.string().c_str());
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Reader->Modified();
+    this->Reader->Update();
+    EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 2);
+  }
+  this->Reader->SetFileName(LMS3D_DATA_DIR "/room.wrl");
+  this->Reader->Update();
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 804);
+}
+
+TEST_F(VRMLImporterSource, ReportsWhatIsNoScene)
+{
+  this->ExpectError(vtkErrorCode::NoFileNameError, "no FileName");
+  this->Reader->SetFileName(this->File.string().c_str());
+  this->ExpectError(vtkErrorCode::FileNotFoundError, "is not there");
+  this->Reader->SetFileName(this->File.parent_path().string().c_str());
+  this->ExpectError(vtkErrorCode::FileNotFoundError, "regular file");
+
+  this->Reader->SetFileName(this->File.string().c_str());
+  for (const char* words :
+    { "", "#VRML V1.0 ascii\nCube {}\n", "#Inventor V2.1 ascii\n", "solid x" })
+  {
+    this->Write(words);
+    this->Reader->Modified();
+    EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(this->File.string().c_str()), 0);
+    this->ExpectError(vtkErrorCode::UnrecognizedFileTypeError, "#VRML V2.0");
+  }
+  this->Write("#VRML V2.0 utf8\nWorldInfo { title \"nothing\" }\n");
+  this->Reader->Modified();
+  this->ExpectError(vtkErrorCode::FileFormatError, "no surface");
+}
+
+TEST_F(VRMLImporterSource, KnowsItsFiles)
+{
+  EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(LMS3D_DATA_DIR "/room.wrl"), 1);
+  EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(LMS3D_DATA_DIR "/make_room.py"), 0);
+  EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(LMS3D_DATA_DIR "/none.wrl"), 0);
+  EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(LMS3D_DATA_DIR), 0);
+  EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(nullptr), 0);
+}
