@@ -23,6 +23,8 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTimeStamp.h>
 
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -229,8 +231,12 @@ int vtkLMS3DScanFilter::RequestData(
     return 0;
   }
 
-  tbb::task_arena arena(
-    this->NumberOfThreads > 0 ? this->NumberOfThreads : tbb::task_arena::automatic);
+  const int cores = tbb::info::default_concurrency();
+  const int threads = this->NumberOfThreads > 0 ? this->NumberOfThreads : cores;
+  // TBB makes no more threads than there are cores unless it is allowed to.
+  const tbb::global_control allowance(
+    tbb::global_control::max_allowed_parallelism, std::max(threads, cores));
+  tbb::task_arena arena(threads);
   try
   {
     vtkDataObject* scene = vtkDataObject::GetData(inputVector[0]);

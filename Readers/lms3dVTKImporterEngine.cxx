@@ -23,13 +23,20 @@
 
 namespace
 {
+// VTK puts the source file, the line and the object before the words: "... (0x5a2b): words".
+std::string GetWords(const std::string& message)
+{
+  const std::string endOfPrefix = "): ";
+  const std::size_t prefix = message.find(endOfPrefix);
+  const std::size_t first = prefix == std::string::npos ? 0 : prefix + endOfPrefix.size();
+  const std::size_t last = message.find_last_not_of('\n');
+  return last == std::string::npos ? "" : message.substr(first, last + 1 - first);
+}
+
 void KeepMessage(vtkObject*, unsigned long, void* clientData, void* callData)
 {
   auto* messages = static_cast<std::vector<std::string>*>(clientData);
-  std::string words = static_cast<const char*>(callData);
-  words.erase(std::find_if(words.rbegin(), words.rend(), [](char c) { return c != '\n'; }).base(),
-    words.end());
-  messages->push_back(words);
+  messages->push_back(GetWords(static_cast<const char*>(callData)));
 }
 
 std::uint8_t ToByte(double share)

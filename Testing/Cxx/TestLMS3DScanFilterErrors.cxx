@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <ostream>
 
 namespace
 {
@@ -25,6 +26,11 @@ struct BadProperty
   /// What the error must speak of.
   const char* Word;
 };
+
+void PrintTo(const BadProperty& property, std::ostream* os)
+{
+  *os << property.Name;
+}
 
 const BadProperty BadProperties[] = {
   { "PositionNaN", [](vtkLMS3DScanFilter* s) { s->SetPosition(0.0, NaN, 0.0); }, "Position" },

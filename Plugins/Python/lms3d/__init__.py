@@ -1,0 +1,29 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A 3D laser range finder (a SICK LMS 200 on a rotating support), simulated with VTK.
+
+Scan a scene and look at the ranges (metres; angles are in degrees, z is up):
+
+    import lms3d
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    scene = lms3d.vtkVRMLImporterSource()
+    scene.SetFileName("room.wrl")
+    scan = lms3d.vtkLMS3DScanFilter()
+    scan.SetInputConnection(scene.GetOutputPort())
+    scan.SetPosition(0.3, -0.2, 1.0)
+    scan.Update()
+    ranges = vtk_to_numpy(scan.GetOutput().GetPointData().GetArray("Range"))
+
+The classes are ordinary VTK algorithms: vtkVRMLImporterSource reads a scene, vtkLMS3DScanFilter
+scans it, vtkLMS3DSurfaceReconstructionFilter makes a local map of triangles from a scan.
+Importing them needs no display. The same job from a shell:
+``python3 -m lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp``.
+"""
+
+# The base classes of ours must be known before the wrapped modules are loaded.
+from vtkmodules import vtkCommonDataModel, vtkCommonExecutionModel  # noqa: F401
+
+from ._version import __version__  # noqa: F401
+from .vtkLMS3DFilters import *  # noqa: F401,F403
+from .vtkLMS3DReaders import *  # noqa: F401,F403

@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line: one parser, a subcommand for each module of `commands`."""
+
+import argparse
+import re
+import sys
+
+from . import __version__
+from .commands import COMMANDS
+from .problems import Problem, UsageProblem
+
+_DESCRIPTION = """\
+A 3D laser range finder, simulated: a SICK LMS 200 on a rotating support scans a scene.
+
+Lengths are in metres, angles in degrees. Scenes and sensor are right-handed with z up.
+A beam with elevation alpha in the fan, on a support turned by beta, points along
+(cos(alpha) cos(beta), -cos(alpha) sin(beta), sin(alpha)): beta turns clockwise seen from
+above. By default 361 beams from -90 to 90 in each of 360 turns of one degree.
+"""
+
+_EPILOG = """\
+exit codes: 0 done, 1 the job failed, 2 the command was wrong
+
+examples:
+  lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp --map map.vtp
+  lms3d view room.wrl --position 0.3 -0.2 1
+  lms3d demo --output demo
+
+'lms3d COMMAND --help' explains each command.
+"""
+
+# "-1e-3" is a number; argparse takes it for an option unless a blank stands before it.
+_NEGATIVE_NUMBER = re.compile(r"-\.?\d")
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser whose help keeps its lines and whose errors are one line, as all the others."""
+
+    def __init__(self, **options):
+        super().__init__(formatter_class=argparse.RawDescriptionHelpFormatter,
+                         allow_abbrev=False, **options)
+
+    def error(self, message):
+        self.exit(UsageProblem.exit_code,
+                  f"lms3d: error: {message}; see '{self.prog} --help'\n")
+
+
+def build_parser():
+    """The parser of the whole command line."""
+    parser = _Parser(prog="lms3d", description=_DESCRIPTION, epilog=_EPILOG)
+    parser.add_argument("--version", action="version", version=f"lms3d {__version__}")
+    subparsers = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    for command in COMMANDS:
+        subparser = subparsers.add_parser(command.NAME, help=command.SUMMARY,
+                                          description=command.DESCRIPTION, epilog=command.EPILOG)
+        command.add_arguments(subparser)
+        subparser.set_defaults(run=command.run)
+    return parser
+
+
+def main(arguments=None):
+    """Run the command line; returns the exit code: 0 fine, 1 the job failed, 2 usage."""
+    words = sys.argv[1:] if arguments is None else arguments
+    options = build_parser().parse_args(
+        [f" {word}" if _NEGATIVE_NUMBER.match(word) else word for word in words]
+    )
+    try:
+        options.run(options)
+    except Problem as problem:
+        print(f"lms3d: error: {problem}", file=sys.stderr)
+        return problem.exit_code
+    except KeyboardInterrupt:
+        print("lms3d: error: interrupted", file=sys.stderr)
+        return 130
+    return 0

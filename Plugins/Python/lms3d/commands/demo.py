@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""lms3d demo: the paper's Figures 5 and 6, from the scenes that come with LMS3D."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..data import scene_file
+from ..figure import Figure, check_display
+from ..problems import Problem
+from ..results import save
+from ..scene import UP_AXES, read_scene
+from ..simulation import Simulation
+
+NAME = "demo"
+SUMMARY = "scan the room and the teapot of the paper, write everything"
+DESCRIPTION = """\
+Scan the two scenes of the paper. For each, write the points (.vtp), the range image (.vti),
+the local map (.vtp) and a picture of scene and map (.png), and print a line of numbers.
+The time is the best of several scans, each after a move of the sensor.
+"""
+EPILOG = """\
+example:
+  lms3d demo --output demo
+"""
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """A scene of the paper and how it is scanned (metres, degrees)."""
+
+    name: str
+    figure: str
+    position: tuple
+    depth_step: float = 0.1
+    alpha_range: tuple = (-90.0, 90.0)
+    alpha_resolution: int = 361
+    beta_range: tuple = (0.0, 360.0)
+    beta_resolution: int = 360
+
+
+ROOM = Experiment("room", "figure5", position=(0.3, -0.2, 1.0))
+
+TEAPOT = Experiment("teapot", "figure6", position=(0.1, -0.38, 0.28), depth_step=0.02,
+                    alpha_range=(-45.0, -5.0), alpha_resolution=401,
+                    beta_range=(235.0, 305.0), beta_resolution=701)
+
+_COLUMNS = ("scene", "triangles", "beams", "returns", "scan ms", "map triangles")
+
+
+def add_arguments(parser):
+    """Add the options of this command."""
+    parser.add_argument("--output", metavar="DIR", default="demo",
+                        help="folder for the files, made if missing (default: demo)")
+    parser.add_argument("--data", metavar="DIR",
+                        help="folder of room.wrl and teapot.wrl (default: LMS3D_DATA_DIR, "
+                        "else the folder installed with LMS3D)")
+
+
+def run(options):
+    """Carry out both experiments and print the table."""
+    check_display()
+    folder = Path(options.output)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise Problem(f"cannot make the folder '{folder}': {error.strerror}") from error
+
+    rows, files = [_COLUMNS], []
+    for experiment in (ROOM, TEAPOT):
+        simulation = simulate(experiment, options.data)
+        milliseconds = 1000 * simulation.scan_time()
+        rows.append(_row(experiment, simulation, milliseconds))
+        files += _write(experiment, simulation, folder)
+    _print_table(rows)
+    print(f"\nscenes: {UP_AXES['file']}\nwrote {folder}/: " + " ".join(files))
+
+
+def simulate(experiment, data=None):
+    """Scan and reconstruct the scene of an experiment."""
+    simulation = Simulation(read_scene(scene_file(f"{experiment.name}.wrl", data)))
+    simulation.sensor.SetPosition(experiment.position)
+    simulation.sensor.SetAlphaRange(experiment.alpha_range)
+    simulation.sensor.SetAlphaResolution(experiment.alpha_resolution)
+    simulation.sensor.SetBetaRange(experiment.beta_range)
+    simulation.sensor.SetBetaResolution(experiment.beta_resolution)
+    simulation.reconstruction.SetDepthStep(experiment.depth_step)
+    simulation.run()
+    simulation.reconstruct()
+    return simulation
+
+
+def _write(experiment, simulation, folder):
+    results = {
+        f"{experiment.name}_scan.vtp": simulation.scan,
+        f"{experiment.name}_range.vti": simulation.range_image,
+        f"{experiment.name}_map.vtp": simulation.map,
+        f"{experiment.figure}_{experiment.name}.png": Figure(simulation).image(),
+    }
+    for name, data in results.items():
+        save(data, folder / name)
+    return list(results)
+
+
+def _row(experiment, simulation, milliseconds):
+    return (experiment.name, f"{simulation.scene.triangles:,}", f"{simulation.beams:,}",
+            f"{simulation.returns:,}", f"{milliseconds:.1f}",
+            f"{simulation.map.GetNumberOfCells():,}")
+
+
+def _print_table(rows):
+    """Print rows of text as aligned columns, the first to the left, numbers to the right."""
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    for first, *numbers in rows:
+        cells = [f"{text:>{width}}" for text, width in zip(numbers, widths[1:])]
+        print("  ".join([f"{first:<{widths[0]}}"] + cells))

@@ -1,0 +1,138 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Options that several commands share: the scene, the sensor in it and the local map."""
+
+import argparse
+import math
+
+from .. import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
+from ..problems import UsageProblem
+from ..scene import READERS, UP_AXES, read_scene
+from ..simulation import Simulation
+
+
+def number(text):
+    """A finite number."""
+    value = float(text)
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text.strip()} is not a finite number")
+    return value
+
+
+def positive(text):
+    """A finite number above zero."""
+    value = number(text)
+    if value <= 0:
+        raise argparse.ArgumentTypeError(f"{text.strip()} is not above 0")
+    return value
+
+
+def count(text):
+    """A whole number from 1."""
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"{text.strip()} is below 1")
+    return value
+
+
+def thread_count(text):
+    """A whole number from 0, which stands for all cores."""
+    return 0 if int(text) == 0 else count(text)
+
+
+def add_scene(parser):
+    """Add the scene and how its axes are meant."""
+    parser.add_argument("scene", metavar="SCENE", help="the file to scan: " + " ".join(READERS))
+    parser.add_argument("--up-axis", choices=UP_AXES, default="file",
+                        help="file: leave the axes as they are, z is up (default); "
+                        "y: the file is y-up, as most VRML is, turn it to z-up")
+
+
+def add_sensor(parser, position_needed):
+    """Add the sensor's pose, angles, ranges and way of working."""
+    defaults = vtkLMS3DScanFilter()
+    _add_pose(parser.add_argument_group("pose of the sensor in the scene"), position_needed)
+    _add_angles(parser.add_argument_group("beams"), defaults)
+    _add_ranges(parser.add_argument_group("measurement"), defaults)
+
+
+def _add_pose(group, position_needed):
+    where = "" if position_needed else " (default: the middle of the scene)"
+    group.add_argument("--position", nargs=3, type=number, metavar=("X", "Y", "Z"),
+                       required=position_needed, help=f"metres{where}")
+    group.add_argument("--orientation", nargs=3, type=number, metavar=("RX", "RY", "RZ"),
+                       default=(0.0, 0.0, 0.0),
+                       help="degrees, turned about z, then x, then y, as VTK's props are "
+                       "(default: 0 0 0)")
+
+
+def _add_angles(group, defaults):
+    for name, meaning in (("alpha", "elevation in the fan, within -90 90, both ends included"),
+                          ("beta", "turn of the support, clockwise seen from above; the end of a "
+                           "full circle is left out")):
+        angles = getattr(defaults, f"Get{name.title()}Range")()
+        resolution = getattr(defaults, f"Get{name.title()}Resolution")()
+        group.add_argument(f"--{name}-range", nargs=2, type=number, metavar=("A", "B"),
+                           default=angles,
+                           help=f"degrees, {meaning} (default: {angles[0]:g} {angles[1]:g})")
+        group.add_argument(f"--{name}-resolution", type=count, metavar="N", default=resolution,
+                           help=f"number of {name} angles (default: {resolution})")
+
+
+def _add_ranges(group, defaults):
+    for name, word in (("minimum", "nearer"), ("maximum", "farther")):
+        value = getattr(defaults, f"Get{name.title()}Range")()
+        group.add_argument(f"--{name}-range", type=number, metavar="M", default=value,
+                           help=f"metres, what is {word} gives no return (default: {value:g})")
+    group.add_argument("--method", choices=("exact", "fast"), default="exact",
+                       help="exact: no beam slips through an edge (default); fast: a little "
+                       "quicker, single precision")
+    group.add_argument("--threads", type=thread_count, metavar="N", default=0,
+                       help="cores to use; the result is the same for any number "
+                       "(default: 0, all)")
+
+
+def add_map(parser):
+    """Add what shapes the local map."""
+    step = vtkLMS3DSurfaceReconstructionFilter().GetDepthStep()
+    parser.add_argument("--depth-step", type=positive, metavar="M", default=step,
+                        help="metres, the map is torn where neighbouring ranges differ by more "
+                        f"than this (default: {step:g})")
+
+
+def check(options):
+    """Raise UsageProblem where two numbers contradict each other, before anything is read."""
+    low, high = options.alpha_range
+    if not (-90 <= low and high <= 90 and _rises(low, high, options.alpha_resolution)):
+        raise UsageProblem(f"--alpha-range {low:g} {high:g}: must rise and lie within -90 90")
+    low, high = options.beta_range
+    if not (high - low <= 360 and _rises(low, high, options.beta_resolution)):
+        raise UsageProblem(f"--beta-range {low:g} {high:g}: must rise, by 360 at most")
+    low, high = options.minimum_range, options.maximum_range
+    if not 0 <= low <= high:
+        raise UsageProblem(f"--minimum-range {low:g} --maximum-range {high:g}: must be 0 or more "
+                           "and rise")
+
+
+def _rises(low, high, resolution):
+    """Whether a range has two ends, or the one end that a single angle needs."""
+    return low < high or (low == high and resolution == 1)
+
+
+def simulation(options):
+    """Read the scene and put the sensor of the options into it; nothing is scanned yet."""
+    result = Simulation(read_scene(options.scene, options.up_axis))
+    sensor = result.sensor
+    sensor.SetPosition(options.position or result.scene.surface.GetCenter())
+    sensor.SetOrientation(options.orientation)
+    sensor.SetAlphaRange(options.alpha_range)
+    sensor.SetAlphaResolution(options.alpha_resolution)
+    sensor.SetBetaRange(options.beta_range)
+    sensor.SetBetaResolution(options.beta_resolution)
+    sensor.SetMinimumRange(options.minimum_range)
+    sensor.SetMaximumRange(options.maximum_range)
+    sensor.SetNumberOfThreads(options.threads)
+    {"exact": sensor.SetIntersectionMethodToExact,
+     "fast": sensor.SetIntersectionMethodToFast}[options.method]()
+    result.reconstruction.SetDepthStep(options.depth_step)
+    return result

@@ -1,0 +1,261 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The paper's Figures 5 and 6: the scene in blue, left, its local map in green, right.
+
+Both halves are seen by one camera. From inside a room, only faces that look at the camera are
+drawn: its walls face inwards, so those between camera and furniture vanish.
+"""
+
+import ctypes
+import ctypes.util
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 the implementation of the classes below
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkAssembly,
+    vtkCamera,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+
+from .messages import VTKMessages
+from .problems import Problem
+
+DEFAULT_SIZE = (1600, 620)
+
+_WHITE = (1.0, 1.0, 1.0)
+_BLUE = (0.44, 0.64, 0.96)
+_BLUE_EDGES = (0.20, 0.35, 0.66)
+_GREEN = (0.42, 0.80, 0.42)
+_RED = (0.85, 0.10, 0.10)
+_AXES = ((0.85, 0.10, 0.10), (0.10, 0.50, 0.10), (0.10, 0.20, 0.80))
+
+# Intensity and origin of each light, seen from the camera: x right, y up, z towards the viewer.
+_LIGHTS = ((0.55, (0.30, 0.50, 0.81)), (0.48, (0.0, 0.0, 1.0)), (0.36, (-0.80, -0.20, 0.56)))
+
+_FEATURE_ANGLE = 30.0  # degrees, creases sharper than this stay sharp
+_MARKER_SIZE = 0.04  # of the diagonal of the scene
+_VIEW_ANGLE = 25.0  # degrees, vertical
+_MARGIN = 1.05
+_FROM_ABOVE = 38.0  # degrees, height of the camera above the horizon outside a room
+_FROM_LEFT = -118.0  # degrees, its direction about z
+_BESIDE_SENSOR = 25.0  # degrees, how far the camera stands to the side of an outside sensor
+
+
+def check_display():
+    """Raise Problem where no window can be made; VTK itself would end the process."""
+    if vtkRenderWindow().IsA("vtkXOpenGLRenderWindow") and not _x_server_answers():
+        raise Problem("no display to draw on: start a desktop session, set DISPLAY, or put "
+                      "'xvfb-run -a -s \"-noreset -screen 0 1280x1024x24\"' before the command")
+
+
+def _x_server_answers():
+    """Whether an X server opens the display that DISPLAY names."""
+    name = ctypes.util.find_library("X11")
+    if name is None:
+        return True
+    x11 = ctypes.CDLL(name)
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    display = x11.XOpenDisplay(None)
+    if display:
+        x11.XCloseDisplay(ctypes.c_void_p(display))
+    return bool(display)
+
+
+class Figure:
+    """Scene and local map of a simulation side by side, drawn off screen unless told otherwise.
+
+    `window` is the vtkRenderWindow, `camera` the one camera of both halves.
+    """
+
+    def __init__(self, simulation, size=DEFAULT_SIZE, off_screen=True):
+        check_display()
+        self._simulation = simulation
+        self._marker = _sensor_marker(_MARKER_SIZE * _diagonal(simulation.scene.surface))
+        self.camera = vtkCamera()
+        self.window = vtkRenderWindow()
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(*size)
+        self.window.SetOffScreenRendering(off_screen)
+        self._add_half(_scene_actor(simulation.scene.surface), (0.0, 0.0, 0.5, 1.0))
+        self._add_half(_map_actor(simulation.reconstruction), (0.5, 0.0, 1.0, 1.0))
+        self.place_marker()
+        self.reset_camera()
+
+    def place_marker(self):
+        """Put the marker where the sensor is."""
+        self._marker.SetPosition(self._simulation.sensor.GetPosition())
+        self._marker.SetOrientation(self._simulation.sensor.GetOrientation())
+
+    def reset_camera(self):
+        """Look at the whole scene from a place that shows what the sensor sees."""
+        surface = self._simulation.scene.surface
+        direction = _camera_direction(surface.GetBounds(), self._simulation.sensor.GetPosition())
+        points = vtk_to_numpy(surface.GetPoints().GetData())
+        width, height = self.window.GetSize()
+        _frame(self.camera, points, direction, 0.5 * width / height)
+        self._reset_clipping()
+
+    def render(self):
+        """Draw."""
+        self._reset_clipping()
+        with VTKMessages() as messages:
+            self.window.Render()
+        messages.report("cannot draw")
+
+    def image(self):
+        """The picture as vtkImageData, 8 bits RGB."""
+        self.render()
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(self.window)
+        grab.ReadFrontBufferOff()
+        grab.ShouldRerenderOff()
+        grab.Update()
+        return grab.GetOutput()
+
+    def _add_half(self, actor, viewport):
+        renderer = vtkRenderer()
+        renderer.SetViewport(*viewport)
+        renderer.SetBackground(*_WHITE)
+        renderer.SetActiveCamera(self.camera)
+        renderer.UseFXAAOn()
+        renderer.AddActor(actor)
+        renderer.AddActor(self._marker)
+        _light(renderer)
+        self.window.AddRenderer(renderer)
+
+    def _reset_clipping(self):
+        """One clipping range for both halves: the scene holds the map."""
+        self.window.GetRenderers().GetFirstRenderer().ResetCameraClippingRange()
+
+
+def _light(renderer):
+    """Light that goes with the camera and gives floor and walls of a room different shades."""
+    renderer.AutomaticLightCreationOff()
+    for intensity, direction in _LIGHTS:
+        light = vtkLight()
+        light.SetLightTypeToCameraLight()
+        light.SetPosition(direction)
+        light.SetIntensity(intensity)
+        renderer.AddLight(light)
+
+
+def _scene_actor(surface):
+    """The scene as it is: triangles with thin edges, faces turned away left out."""
+    triangles = vtkTriangleFilter()
+    triangles.SetInputData(surface)
+    triangles.PassVertsOff()
+    triangles.PassLinesOff()
+    normals = vtkPolyDataNormals()
+    normals.SetInputConnection(triangles.GetOutputPort())
+    normals.SetFeatureAngle(_FEATURE_ANGLE)
+    normals.ConsistencyOff()
+    actor = _surface_actor(normals, _BLUE)
+    actor.GetProperty().EdgeVisibilityOn()
+    actor.GetProperty().SetEdgeColor(*_BLUE_EDGES)
+    return actor
+
+
+def _map_actor(reconstruction):
+    """The local map, shaded by its own triangles."""
+    actor = _surface_actor(reconstruction, _GREEN)
+    actor.GetProperty().SetInterpolationToFlat()
+    return actor
+
+
+def _surface_actor(algorithm, color):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(algorithm.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(*color)
+    actor.GetProperty().BackfaceCullingOn()
+    return actor
+
+
+def _sensor_marker(size):
+    """A red ball with the sensor's axes: x red, y green, z blue."""
+    ball = vtkSphereSource()
+    ball.SetRadius(0.3 * size)
+    ball.SetThetaResolution(24)
+    ball.SetPhiResolution(16)
+    marker = vtkAssembly()
+    marker.AddPart(_marker_part(ball, _RED))
+    for color, turn in zip(_AXES, ((0, 0, 0), (0, 0, 90), (0, -90, 0))):
+        arrow = vtkArrowSource()
+        arrow.SetTipResolution(16)
+        arrow.SetShaftResolution(12)
+        arrow.SetShaftRadius(0.05)
+        arrow.SetTipRadius(0.14)
+        axis = _marker_part(arrow, color)
+        axis.SetScale(1.6 * size)
+        axis.SetOrientation(turn)
+        marker.AddPart(axis)
+    return marker
+
+
+def _marker_part(source, color):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    part = vtkActor()
+    part.SetMapper(mapper)
+    part.GetProperty().SetColor(*color)
+    return part
+
+
+def _diagonal(surface):
+    return vtkBoundingBox(surface.GetBounds()).GetDiagonalLength()
+
+
+def _camera_direction(bounds, sensor):
+    """Unit vector from the scene to the camera.
+
+    A sensor inside the scene leaves the fixed view from above. One outside sees a single side
+    of the scene: the camera then stands on that side.
+    """
+    if vtkBoundingBox(bounds).ContainsPoint(sensor):
+        azimuth, elevation = np.radians((_FROM_LEFT, _FROM_ABOVE))
+    else:
+        x, y, z = np.subtract(sensor, np.reshape(bounds, (3, 2)).mean(axis=1))
+        azimuth = np.arctan2(y, x) + np.radians(_BESIDE_SENSOR)
+        elevation = np.clip(np.arctan2(z, np.hypot(x, y)), *np.radians((10, 60)))
+    flat = np.cos(elevation)
+    return np.array((flat * np.cos(azimuth), flat * np.sin(azimuth), np.sin(elevation)))
+
+
+def _frame(camera, points, direction, aspect):
+    """Put the camera in a direction, as near as the points fit into a view of that aspect."""
+    right = np.cross((0, 0, 1), direction)
+    right /= np.linalg.norm(right)
+    up = np.cross(direction, right)
+    slope = np.tan(np.radians(_VIEW_ANGLE / 2)) / _MARGIN
+
+    height = points @ direction
+    across, distance_across = _fit(points @ right, height, slope * aspect)
+    upward, distance_upward = _fit(points @ up, height, slope)
+    depth = height.mean()
+    focus = across * right + upward * up + depth * direction
+
+    camera.SetViewAngle(_VIEW_ANGLE)
+    camera.SetFocalPoint(focus)
+    camera.SetPosition(focus + (max(distance_across, distance_upward) - depth) * direction)
+    camera.SetViewUp(0, 0, 1)
+
+
+def _fit(offset, height, slope):
+    """Where along an axis of the picture the camera stands, and how high, to see every point.
+
+    A point is seen if abs(offset - place) <= slope * (camera height - height).
+    """
+    high = (offset + slope * height).max()
+    low = (offset - slope * height).min()
+    return (high + low) / 2, (high - low) / (2 * slope)

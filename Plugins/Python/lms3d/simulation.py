@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The job itself: a scene, the sensor that scans it and the local map, one VTK pipeline."""
+
+import time
+from dataclasses import dataclass, field
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from . import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
+from .execution import update
+from .problems import Problem
+from .scene import Scene
+
+
+@dataclass
+class Simulation:
+    """A sensor in a scene and the local map of what it sees.
+
+    Set the sensor's properties on `sensor` and those of the map on `reconstruction`; both are
+    VTK filters, connected. `scan`, `range_image` and `map` are their outputs.
+    """
+
+    scene: Scene
+    sensor: vtkLMS3DScanFilter = field(default_factory=vtkLMS3DScanFilter)
+    reconstruction: vtkLMS3DSurfaceReconstructionFilter = field(
+        default_factory=vtkLMS3DSurfaceReconstructionFilter
+    )
+
+    def __post_init__(self):
+        self.sensor.SetInputDataObject(self.scene.data)
+        self.reconstruction.SetInputConnection(self.sensor.GetOutputPort())
+
+    @property
+    def scan(self):
+        """The returns as vtkPolyData, one vertex each."""
+        return self.sensor.GetOutput()
+
+    @property
+    def range_image(self):
+        """The organised grid of ranges as vtkImageData (metres, NaN: no return)."""
+        return self.sensor.GetOutputDataObject(1)
+
+    @property
+    def map(self):
+        """The local map as vtkPolyData, triangles that face the sensor."""
+        return self.reconstruction.GetOutput()
+
+    @property
+    def beams(self):
+        """Number of beams of one scan."""
+        return self.sensor.GetAlphaResolution() * self.sensor.GetBetaResolution()
+
+    @property
+    def returns(self):
+        """Number of beams that came back."""
+        return self.scan.GetNumberOfPoints()
+
+    def ranges(self):
+        """The measured ranges in metres, as a numpy view."""
+        return vtk_to_numpy(self.scan.GetPointData().GetArray("Range"))
+
+    def run(self):
+        """Scan; raises Problem if VTK reports an error or no beam returns."""
+        update(self.sensor, "scanning", "cannot scan")
+        if self.returns == 0:
+            raise Problem(self._no_return())
+
+    def reconstruct(self):
+        """Build the local map of the scan."""
+        update(self.reconstruction, "mapping", "cannot build the local map")
+
+    def scan_time(self, repetitions=5):
+        """Shortest time of a scan right after the sensor was moved, in seconds.
+
+        To be asked after `run`, which tells of errors; the scan is the same as before.
+        """
+        x, y, z = self.sensor.GetPosition()
+        times = []
+        for _ in range(repetitions):
+            for height in (z + 1e-3, z):
+                self.sensor.SetPosition(x, y, height)
+                start = time.perf_counter()
+                self.sensor.Update()
+                times.append(time.perf_counter() - start)
+        return min(times)
+
+    def _no_return(self):
+        bounds = self.scene.surface.GetBounds()
+        box = " x ".join(f"{a:.3g}..{b:.3g}" for a, b in zip(bounds[::2], bounds[1::2]))
+        place = " ".join(f"{x:g}" for x in self.sensor.GetPosition())
+        return (
+            f"no beam returned to the sensor at {place}: the scene fills {box} m and the sensor "
+            f"measures {self.sensor.GetMinimumRange():g} to {self.sensor.GetMaximumRange():g} m; "
+            "move the sensor or widen its ranges or angles"
+        )

@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The interactive window: the sensor moves by keys, the local map follows."""
+
+import math
+
+import vtkmodules.vtkRenderingFreeType  # noqa: F401 the implementation of the help line
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor, vtkTextActor
+
+from .figure import Figure
+
+_HELP = "arrows: x, y    page up/down: z    mouse: camera    r: reset    q: quit"
+
+_MOVES = {
+    "Left": (-1, 0, 0),
+    "Right": (1, 0, 0),
+    "Down": (0, -1, 0),
+    "Up": (0, 1, 0),
+    "Next": (0, 0, -1),
+    "Prior": (0, 0, 1),
+}
+
+
+class Viewer:
+    """A window on a simulation whose sensor the keys move, by `step` metres."""
+
+    def __init__(self, simulation, size, step=None):
+        self._simulation = simulation
+        self._start = simulation.sensor.GetPosition()
+        self._step = step or _round_step(simulation.scene.surface.GetLength() / 50)
+        self._figure = Figure(simulation, size, off_screen=False)
+        self._figure.window.SetWindowName(f"lms3d: {simulation.scene.path.name}")
+        self._text = self._add_text()
+        self.interactor = self._make_interactor()
+
+    def run(self):
+        """Show the window until it is closed."""
+        self.refresh()
+        self.interactor.Start()
+
+    def refresh(self):
+        """Scan from where the sensor is and draw."""
+        self._simulation.reconstruction.Update()
+        self._figure.place_marker()
+        place = "  ".join(f"{x:.2f}" for x in self._simulation.sensor.GetPosition())
+        self._text.SetInput(f"sensor {place} m    {self._simulation.returns:,} returns    {_HELP}")
+        self._figure.render()
+
+    def _make_interactor(self):
+        style = vtkInteractorStyleTrackballCamera()
+        style.AddObserver("CharEvent", lambda *_: None)  # VTK's own keys would get in the way
+        interactor = vtkRenderWindowInteractor()
+        interactor.SetRenderWindow(self._figure.window)
+        interactor.SetInteractorStyle(style)
+        interactor.AddObserver("KeyPressEvent", self._on_key)
+        interactor.Initialize()
+        return interactor
+
+    def _on_key(self, interactor, _event):
+        key = interactor.GetKeySym()
+        if key in _MOVES:
+            self._move(_MOVES[key])
+        elif key == "r":
+            self._reset()
+        elif key == "q":
+            interactor.TerminateApp()
+
+    def _move(self, direction):
+        position = self._simulation.sensor.GetPosition()
+        self._simulation.sensor.SetPosition(
+            *(x + self._step * d for x, d in zip(position, direction))
+        )
+        self.refresh()
+
+    def _reset(self):
+        self._simulation.sensor.SetPosition(self._start)
+        self._figure.reset_camera()
+        self.refresh()
+
+    def _add_text(self):
+        text = vtkTextActor()
+        text.SetPosition(10, 8)
+        text.GetTextProperty().SetFontSize(14)
+        text.GetTextProperty().SetColor(0.2, 0.2, 0.2)
+        self._figure.window.GetRenderers().GetFirstRenderer().AddViewProp(text)
+        return text
+
+
+def _round_step(length):
+    """The greatest of 1, 2 and 5 times a power of ten that is not above a length."""
+    power = 10.0 ** math.floor(math.log10(length))
+    return max(factor * power for factor in (1, 2, 5) if factor * power <= length)

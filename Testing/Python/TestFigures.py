@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The paper's Figures 5 and 6 against pictures that were looked at, with the numbers behind them,
+and the window whose sensor the keys move.
+
+The baselines lie in the folder LMS3D_BASELINE_DIR, or in ../Data/Baseline as seen from here. They
+are made, and compared, with Mesa's llvmpipe. After an intended change, look at the new pictures
+that this writes:
+
+    xvfb-run -a -s "-noreset -screen 0 1280x1024x24" ./run python \\
+        Testing/Python/TestFigures.py --write-baselines
+"""
+
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from vtkmodules.vtkImagingCore import vtkImageDifference
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+from lms3d.commands.demo import ROOM, TEAPOT, simulate
+from lms3d.figure import Figure
+from lms3d.results import save
+from lms3d.viewer import Viewer
+
+HERE = Path(__file__).resolve().parent
+DATA = os.environ.get("LMS3D_DATA_DIR") or HERE.parents[1] / "Data"
+BASELINES = Path(os.environ.get("LMS3D_BASELINE_DIR") or HERE.parent / "Data" / "Baseline")
+OUTPUT = Path(os.environ.get("LMS3D_TEST_OUTPUT_DIR") or tempfile.gettempdir())
+
+SIZE = (800, 310)
+
+# A pixel counts where a channel differs by more than THRESHOLD; ALLOWED bounds their sum.
+THRESHOLD = 16
+ALLOWED = 50
+
+FIGURES = {"Figure5": ROOM, "Figure6": TEAPOT}
+
+
+def draw(simulation):
+    """The figure of a simulation in the size of the baselines."""
+    return Figure(simulation, SIZE).image()
+
+
+def difference(image, baseline):
+    """The strict difference of two pictures, as number and picture."""
+    compare = vtkImageDifference()
+    compare.SetInputData(image)
+    compare.SetImageData(baseline)
+    compare.SetThreshold(THRESHOLD)
+    compare.AllowShiftOff()
+    compare.AveragingOff()
+    compare.Update()
+    return compare.GetThresholdedError(), compare.GetOutput()
+
+
+def load_baseline(name):
+    """The picture that was looked at."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(BASELINES / f"{name}.png"))
+    reader.Update()
+    return reader.GetOutput()
+
+
+class FigureTest(unittest.TestCase):
+    """A picture must be its baseline; if not, it and the difference are kept for a look."""
+
+    def check_picture(self, name, image):
+        """Compare strictly with the baseline of that name."""
+        baseline = load_baseline(name)
+        self.assertEqual(image.GetDimensions(), baseline.GetDimensions())
+        error, picture = difference(image, baseline)
+        if error > ALLOWED:
+            save(image, OUTPUT / f"{name}.png")
+            save(picture, OUTPUT / f"{name}.difference.png")
+        self.assertLessEqual(error, ALLOWED, f"see {name}.difference.png in {OUTPUT}")
+
+
+class TestFigure5(FigureTest):
+    """The room."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.simulation = simulate(ROOM, DATA)
+
+    def test_numbers(self):
+        self.assertEqual(self.simulation.scene.triangles, 804)
+        self.assertEqual(self.simulation.beams, 361 * 360)
+        self.assertEqual(self.simulation.returns, self.simulation.beams)
+        self.assertEqual(self.simulation.map.GetNumberOfCells(), 255193)
+        ranges = self.simulation.ranges()
+        self.assertAlmostEqual(ranges[0], 1.0, places=12)
+        self.assertAlmostEqual(ranges[360], 2.0, places=12)
+        self.assertAlmostEqual(ranges.max(), 7.199, places=3)
+
+    def test_picture(self):
+        self.check_picture("Figure5", draw(self.simulation))
+
+    def test_the_comparison_sees_a_centimetre(self):
+        x, y, z = ROOM.position
+        self.simulation.sensor.SetPosition(x + 0.01, y, z)
+        self.simulation.run()
+        moved = draw(self.simulation)
+        self.simulation.sensor.SetPosition(ROOM.position)
+        self.simulation.run()
+        self.assertGreater(difference(moved, load_baseline("Figure5"))[0], 2 * ALLOWED)
+
+
+class TestFigure6(FigureTest):
+    """The teapot."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.simulation = simulate(TEAPOT, DATA)
+
+    def test_numbers(self):
+        self.assertEqual(self.simulation.scene.triangles, 3080)
+        self.assertEqual(self.simulation.beams, 401 * 701)
+        self.assertEqual(self.simulation.returns, 60340)
+        self.assertEqual(self.simulation.map.GetNumberOfCells(), 119163)
+        ranges = self.simulation.ranges()
+        self.assertAlmostEqual(ranges.min(), 0.3559, places=4)
+        self.assertAlmostEqual(ranges.max(), 0.4998, places=4)
+
+    def test_picture(self):
+        self.check_picture("Figure6", draw(self.simulation))
+
+
+class TestViewer(unittest.TestCase):
+    """The interactive window, its keys pressed one by one."""
+
+    def setUp(self):
+        self.simulation = simulate(ROOM, DATA)
+        self.viewer = Viewer(self.simulation, (400, 160), step=0.25)
+        self.viewer.refresh()
+
+    def press(self, key):
+        self.viewer.interactor.SetKeySym(key)
+        self.viewer.interactor.InvokeEvent("KeyPressEvent")
+
+    def test_keys_move_the_sensor_and_the_map_follows(self):
+        start = np.array(ROOM.position)
+        for key, move in {"Left": (-1, 0, 0), "Right": (1, 0, 0), "Down": (0, -1, 0),
+                          "Up": (0, 1, 0), "Next": (0, 0, -1), "Prior": (0, 0, 1)}.items():
+            with self.subTest(key):
+                self.press(key)
+                place = start + 0.25 * np.array(move)
+                np.testing.assert_allclose(self.simulation.sensor.GetPosition(), place)
+                self.assertAlmostEqual(self.simulation.ranges()[0], place[2], places=12)
+                self.assertEqual(self.simulation.map.GetPointData().GetArray("Range").GetRange(),
+                                 self.simulation.scan.GetPointData().GetArray("Range").GetRange())
+                self.press("r")
+                np.testing.assert_array_equal(self.simulation.sensor.GetPosition(), start)
+
+    def test_a_sensor_outside_sees_the_room_from_there(self):
+        for _ in range(60):
+            self.press("Left")
+        self.assertLess(self.simulation.sensor.GetPosition()[0], -14)
+        self.assertLess(self.simulation.returns, self.simulation.beams / 2)
+
+
+def write_baselines():
+    """Draw all figures anew as baselines."""
+    BASELINES.mkdir(parents=True, exist_ok=True)
+    for name, experiment in FIGURES.items():
+        save(draw(simulate(experiment, DATA)), BASELINES / f"{name}.png")
+        print(f"wrote {BASELINES / name}.png")
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] == ["--write-baselines"]:
+        write_baselines()
+    else:
+        unittest.main()
