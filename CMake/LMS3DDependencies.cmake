@@ -6,9 +6,11 @@ if (LMS3D_BUILD_PARAVIEW_PLUGIN)
   find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager)
 endif ()
 
-set(LMS3D_VTK_COMPONENTS
+# What the two modules stand on, and so whatever links to them.
+set(LMS3D_VTK_MODULES
   CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore FiltersGeometry IOImport
   RenderingCore)
+set(LMS3D_VTK_COMPONENTS ${LMS3D_VTK_MODULES})
 if (LMS3D_BUILD_PYTHON)
   list(APPEND LMS3D_VTK_COMPONENTS Python WrappingPythonCore)
 endif ()

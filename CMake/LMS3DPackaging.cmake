@@ -2,6 +2,7 @@
 
 include(CMakePackageConfigHelpers)
 
+list(JOIN LMS3D_VTK_MODULES " " LMS3D_VTK_MODULE_NAMES)
 set(lms3d_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/LMS3D")
 configure_package_config_file(
   "${CMAKE_CURRENT_SOURCE_DIR}/CMake/LMS3DConfig.cmake.in"
@@ -27,6 +28,6 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 if (LMS3D_BUILD_PARAVIEW_PLUGIN AND LMS3D_BUILD_PYTHON)
   # Python modules are no shared libraries of their package, so dpkg-shlibdeps cannot see them.
-  set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-paraview")
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-paraview, python3-numpy")
 endif ()
 include(CPack)
