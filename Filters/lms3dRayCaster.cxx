@@ -37,10 +37,30 @@ constexpr float BoxMargin = 4e-6f;
 // taken as positive while the packet was sorted by the sign.
 constexpr double SmallestComponent = 1e-15;
 
+// ParaView deletes filters that a script left behind after Embree's static objects are gone (Python's
+// sys.exit does), and Embree then aborts. What is released so late is left to the system.
+bool ProcessEnds = false;
+const struct EndOfProcess
+{
+  ~EndOfProcess() { ProcessEnds = true; }
+} NoticeEndOfProcess;
+
 struct Release
 {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  void operator()(RTCDevice device) const
+  {
+    if (!ProcessEnds)
+    {
+      rtcReleaseDevice(device);
+    }
+  }
+  void operator()(RTCScene scene) const
+  {
+    if (!ProcessEnds)
+    {
+      rtcReleaseScene(scene);
+    }
+  }
 };
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release>;
 using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;

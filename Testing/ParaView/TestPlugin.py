@@ -1,0 +1,202 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin in pvpython: what it adds to ParaView, and that the room is scanned right through it.
+
+Run by pvpython, which finds the package lms3d. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR
+the folder of room.wrl.
+"""
+
+import os
+import sys
+import unittest
+from pathlib import Path
+
+import lms3d
+import numpy as np
+from paraview import simple
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+
+ROOM = str(Path(os.environ["LMS3D_DATA_DIR"]) / "room.wrl")
+SENSOR = [0.3, -0.2, 1.0]
+BEAMS, TURNS = 361, 360
+
+simple.LoadPlugin(os.environ["LMS3D_PLUGIN"], remote=False, ns=globals())
+
+
+def algorithm(proxy):
+    """The VTK filter behind a proxy."""
+    return proxy.SMProxy.GetClientSideObject()
+
+
+def output(proxy, port=0):
+    """The data that a proxy's filter made."""
+    proxy.UpdatePipeline()
+    return algorithm(proxy).GetOutputDataObject(port)
+
+
+def points(data):
+    """The points as an array, one a row."""
+    return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def array(data, name):
+    """One array of the point data."""
+    return vtk_to_numpy(data.GetPointData().GetArray(name))
+
+
+def scan_room(**properties):
+    """A scan of the room from the place of the paper's Figure 5."""
+    return LMS3DScan(Input=VRMLReader(FileName=ROOM), Position=SENSOR, **properties)
+
+
+class TestProxies(unittest.TestCase):
+    """What the plugin adds, as the properties panel shows it."""
+
+    def test_python_names_give_our_classes(self):
+        classes = {
+            VRMLReader: "vtkVRMLImporterSource",
+            LMS3DScan: "vtkLMS3DScanFilter",
+            LMS3DSurfaceReconstruction: "vtkLMS3DSurfaceReconstructionFilter",
+        }
+        for make, name in classes.items():
+            with self.subTest(name):
+                self.assertEqual(algorithm(make()).GetClassName(), name)
+
+    def test_filters_are_in_the_menu_lms3d(self):
+        for make in (LMS3DScan, LMS3DSurfaceReconstruction):
+            with self.subTest(make.__name__):
+                menu = make().SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
+                self.assertEqual(menu.GetAttribute("category"), "LMS3D")
+
+    def test_labels(self):
+        self.assertEqual(VRMLReader().GetXMLLabel(), "VRML Reader")
+        self.assertEqual(LMS3DScan().GetXMLLabel(), "LMS3D Scan")
+        self.assertEqual(
+            LMS3DSurfaceReconstruction().GetXMLLabel(), "LMS3D Surface Reconstruction")
+
+    def test_properties_of_the_scan_are_grouped(self):
+        proxy = LMS3DScan().SMProxy
+        groups = [proxy.GetPropertyGroup(i) for i in range(proxy.GetNumberOfPropertyGroups())]
+        grouped = {
+            group.GetXMLLabel(): [
+                group.GetProperty(i).GetXMLName() for i in range(group.GetNumberOfProperties())
+            ]
+            for group in groups
+        }
+        self.assertEqual(grouped, {
+            "Pose": ["Position", "Orientation"],
+            "Angles": ["AlphaRange", "AlphaResolution", "BetaRange", "BetaResolution"],
+            "Range": ["MinimumRange", "MaximumRange"],
+            "Method": ["IntersectionMethod", "NumberOfThreads"],
+        })
+
+    def test_every_property_is_explained(self):
+        for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction):
+            proxy = make()
+            for name in proxy.ListProperties():
+                with self.subTest(make.__name__, property=name):
+                    words = proxy.SMProxy.GetProperty(name).GetDocumentation()
+                    self.assertTrue(words and words.GetDescription().strip())
+
+    def test_defaults_are_those_of_the_filters(self):
+        for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction):
+            proxy = make()
+            fresh = getattr(lms3d, algorithm(proxy).GetClassName())()
+            for name in set(proxy.ListProperties()) - {"Input", "FileName"}:
+                with self.subTest(make.__name__, property=name):
+                    default = getattr(fresh, f"Get{name}")()
+                    shown = proxy.SMProxy.GetProperty(name)
+                    values = [shown.GetElement(i) for i in range(shown.GetNumberOfElements())]
+                    self.assertEqual(values, list(np.atleast_1d(default)))
+
+
+class TestRoom(unittest.TestCase):
+    """The room through the whole pipeline."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.reader = VRMLReader(FileName=ROOM)
+        cls.scan = LMS3DScan(Input=cls.reader, Position=SENSOR)
+        cls.map = LMS3DSurfaceReconstruction(Input=cls.scan)
+
+    def test_reader_keeps_places_and_triangles(self):
+        room = output(self.reader)
+        self.assertEqual(room.GetNumberOfPolys(), 804)
+        np.testing.assert_allclose(
+            room.GetBounds(), [-4, 6.95, -3, 3.14, 0, 3], rtol=0, atol=1e-6)
+
+    def test_every_beam_returns_from_the_pose(self):
+        scan = output(self.scan)
+        self.assertEqual(scan.GetNumberOfPoints(), BEAMS * TURNS)
+        self.assertEqual(scan.GetNumberOfVerts(), BEAMS * TURNS)
+        a, b = (np.radians(array(scan, name), dtype=float) for name in ("Alpha", "Beta"))
+        directions = np.transpose([np.cos(a) * np.cos(b), -np.cos(a) * np.sin(b), np.sin(a)])
+        expected = SENSOR + array(scan, "Range")[:, None] * directions
+        np.testing.assert_allclose(points(scan), expected, rtol=0, atol=1e-5)
+        down = array(scan, "Alpha") == -90
+        np.testing.assert_allclose(array(scan, "Range")[down], SENSOR[2], rtol=0, atol=1e-9)
+
+    def test_second_output_is_the_range_image(self):
+        scan = output(self.scan)
+        image = algorithm(self.scan).GetOutputDataObject(1)
+        self.assertEqual(image.GetClassName(), "vtkImageData")
+        self.assertEqual(image.GetDimensions(), (BEAMS, TURNS, 1))
+        ranges = array(image, "Range")
+        np.testing.assert_array_equal(ranges[array(scan, "BeamId")], array(scan, "Range"))
+
+    def test_outputs_have_names(self):
+        self.assertEqual(
+            [self.scan.SMProxy.GetOutputPortName(i) for i in (0, 1)], ["Scan", "Range Image"])
+
+    def test_map_faces_the_sensor(self):
+        surface = output(self.map)
+        directions = (BEAMS - 2) * TURNS + 2
+        most = 2 * TURNS * (BEAMS - 2)
+        self.assertEqual(surface.GetNumberOfPoints(), directions)
+        self.assertEqual(surface.GetNumberOfCells(), surface.GetNumberOfPolys())
+        self.assertLessEqual(surface.GetNumberOfPolys(), most)
+        self.assertGreater(surface.GetNumberOfPolys(), 0.95 * most)
+        corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        p, q, r = np.moveaxis(points(surface)[corners], 1, 0)
+        facing = np.einsum("ij,ij->i", np.cross(q - p, r - p), SENSOR - p)
+        self.assertTrue(np.all(facing > 0))
+
+
+class TestErrors(unittest.TestCase):
+    """Bad properties give an error that names them, and nothing else."""
+
+    def error_of(self, proxy):
+        """What the filter says at an update; its output has to be empty."""
+        said = []
+
+        def listen(caller, event, words):
+            said.append(words)
+
+        listen.CallDataType = "string0"
+        filter_ = algorithm(proxy)
+        filter_.AddObserver("ErrorEvent", listen)
+        filter_.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
+        proxy.UpdatePipeline()
+        self.assertNotEqual(filter_.GetErrorCode(), 0)
+        self.assertEqual(filter_.GetOutputDataObject(0).GetNumberOfPoints(), 0)
+        return "".join(said)
+
+    def test_bad_scan(self):
+        for name, value in {
+            "AlphaRange": [30, 20],
+            "AlphaResolution": 0,
+            "BetaRange": [0, 400],
+            "MaximumRange": 0,
+            "Position": [float("nan"), 0, 0],
+        }.items():
+            with self.subTest(name):
+                proxy = scan_room()
+                proxy.SetPropertyWithName(name, value)
+                self.assertIn(name, self.error_of(proxy))
+
+    def test_file_that_is_not_there(self):
+        self.assertIn("no-such.wrl", self.error_of(VRMLReader(FileName="no-such.wrl")))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)
