@@ -18,9 +18,14 @@ public:
   /// The mesh has at least one triangle.
   explicit lms3dNormalization(const lms3dTriangleMesh& mesh);
 
+  double Normalize(double coordinate, int axis) const
+  {
+    return (coordinate - this->Center[axis]) / this->Diagonal;
+  }
+
   double GetCoordinate(const double* point, int axis) const
   {
-    return (point[axis] - this->Center[axis]) / this->Diagonal;
+    return this->Normalize(point[axis], axis);
   }
 
   double GetDistance(double range) const { return range / this->Diagonal; }

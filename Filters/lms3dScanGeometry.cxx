@@ -3,6 +3,7 @@
 #include "lms3dScanGeometry.h"
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace
@@ -26,6 +27,17 @@ std::vector<double> EqualSteps(double start, double end, int count, int interval
 bool IsFullCircle(double extent)
 {
   return std::abs(extent - FullCircle) <= AngleTolerance;
+}
+
+void SinesAndCosines(
+  const std::vector<double>& angles, std::vector<double>& sines, std::vector<double>& cosines)
+{
+  sines.resize(angles.size());
+  cosines.resize(angles.size());
+  for (std::size_t i = 0; i < angles.size(); ++i)
+  {
+    lms3dSinCosDegrees(angles[i], sines[i], cosines[i]);
+  }
 }
 
 double Step(const std::vector<double>& angles)
@@ -93,6 +105,7 @@ lms3dScanGeometry::lms3dScanGeometry(
   , BetaAngles(EqualSteps(betaRange[0], betaRange[1], betaResolution,
       IsFullCircle(betaRange[1] - betaRange[0]) ? betaResolution : betaResolution - 1))
 {
+  this->FillTables();
 }
 
 lms3dScanGeometry::lms3dScanGeometry(
@@ -100,6 +113,13 @@ lms3dScanGeometry::lms3dScanGeometry(
   : AlphaAngles(std::move(alphaAngles))
   , BetaAngles(std::move(betaAngles))
 {
+  this->FillTables();
+}
+
+void lms3dScanGeometry::FillTables()
+{
+  SinesAndCosines(this->AlphaAngles, this->AlphaSines, this->AlphaCosines);
+  SinesAndCosines(this->BetaAngles, this->BetaSines, this->BetaCosines);
 }
 
 double lms3dScanGeometry::GetAlphaStep() const
@@ -124,24 +144,17 @@ bool lms3dScanGeometry::IsPole(int beam) const
   return std::abs(this->AlphaAngles[beam]) == 90.0;
 }
 
-lms3dScanGeometry::Directions::Directions(const lms3dScanGeometry& geometry, const lms3dPose& pose)
-  : FanAxes(geometry.GetNumberOfTurns())
-  , AlphaCosines(geometry.GetNumberOfBeams())
-  , AlphaSines(geometry.GetNumberOfBeams())
+lms3dBeamDirections::lms3dBeamDirections(const lms3dScanGeometry& geometry, const lms3dPose& pose)
+  : Geometry(geometry)
+  , FanAxes(geometry.GetNumberOfTurns())
   , Up(pose.Axes[2])
 {
   for (int turn = 0; turn < geometry.GetNumberOfTurns(); ++turn)
   {
-    double sine, cosine;
-    lms3dSinCosDegrees(geometry.GetBetaAngles()[turn], sine, cosine);
-    for (int i = 0; i < 3; ++i)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      this->FanAxes[turn][i] = cosine * pose.Axes[0][i] - sine * pose.Axes[1][i];
+      this->FanAxes[turn][axis] = geometry.GetBetaCosine(turn) * pose.Axes[0][axis] -
+        geometry.GetBetaSine(turn) * pose.Axes[1][axis];
     }
-  }
-  for (int beam = 0; beam < geometry.GetNumberOfBeams(); ++beam)
-  {
-    lms3dSinCosDegrees(
-      geometry.GetAlphaAngles()[beam], this->AlphaSines[beam], this->AlphaCosines[beam]);
   }
 }

@@ -62,33 +62,48 @@ public:
   /// True where the beam points along the platform's axis, so that it is the same in every turn.
   bool IsPole(int beam) const;
 
-  /**
-   * The beams of a posed sensor as three table look-ups and a few multiplications: turn by turn the
-   * horizontal axis of the fan, beam by beam cosine and sine of the elevation.
-   */
-  class Directions
-  {
-  public:
-    Directions(const lms3dScanGeometry& geometry, const lms3dPose& pose);
-    std::array<double, 3> GetDirection(int turn, int beam) const
-    {
-      const std::array<double, 3>& fan = this->FanAxes[turn];
-      const double cosine = this->AlphaCosines[beam];
-      const double sine = this->AlphaSines[beam];
-      return { cosine * fan[0] + sine * this->Up[0], cosine * fan[1] + sine * this->Up[1],
-        cosine * fan[2] + sine * this->Up[2] };
-    }
-
-  private:
-    std::vector<std::array<double, 3>> FanAxes;
-    std::vector<double> AlphaCosines;
-    std::vector<double> AlphaSines;
-    std::array<double, 3> Up;
-  };
+  double GetAlphaSine(int beam) const { return this->AlphaSines[beam]; }
+  double GetAlphaCosine(int beam) const { return this->AlphaCosines[beam]; }
+  double GetBetaSine(int turn) const { return this->BetaSines[turn]; }
+  double GetBetaCosine(int turn) const { return this->BetaCosines[turn]; }
 
 private:
+  void FillTables();
+
   std::vector<double> AlphaAngles;
+  std::vector<double> AlphaSines;
+  std::vector<double> AlphaCosines;
   std::vector<double> BetaAngles;
+  std::vector<double> BetaSines;
+  std::vector<double> BetaCosines;
+};
+
+/**
+ * The beams of a posed sensor: the sum of the fan's horizontal axis in a turn, times the cosine of the
+ * elevation, and of the upward axis, times its sine.
+ */
+class lms3dBeamDirections
+{
+public:
+  /// Keeps a reference to the geometry.
+  lms3dBeamDirections(const lms3dScanGeometry& geometry, const lms3dPose& pose);
+
+  const std::array<double, 3>& GetFanAxis(int turn) const { return this->FanAxes[turn]; }
+  const std::array<double, 3>& GetUp() const { return this->Up; }
+
+  std::array<double, 3> GetDirection(int turn, int beam) const
+  {
+    const std::array<double, 3>& fan = this->FanAxes[turn];
+    const double cosine = this->Geometry.GetAlphaCosine(beam);
+    const double sine = this->Geometry.GetAlphaSine(beam);
+    return { cosine * fan[0] + sine * this->Up[0], cosine * fan[1] + sine * this->Up[1],
+      cosine * fan[2] + sine * this->Up[2] };
+  }
+
+private:
+  const lms3dScanGeometry& Geometry;
+  std::vector<std::array<double, 3>> FanAxes;
+  const std::array<double, 3> Up;
 };
 
 #endif

@@ -5,11 +5,9 @@
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
-#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
-#include <vtkIntArray.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -23,19 +21,60 @@
 
 namespace
 {
+// The kept array where it is ours alone, a new one where somebody looks at the last scan still.
 template <typename ArrayT>
-typename ArrayT::ValueType* Allocate(ArrayT* array, const char* name, vtkIdType count)
+typename ArrayT::ValueType* Renew(
+  vtkSmartPointer<ArrayT>& array, const char* name, vtkIdType count, int components = 1)
 {
+  if (!array || array->GetReferenceCount() > 1)
+  {
+    array = vtkSmartPointer<ArrayT>::New();
+  }
   array->SetName(name);
-  array->SetNumberOfValues(count);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(count);
+  array->Modified();
   return array->GetPointer(0);
 }
 
 void AddDoubles(vtkFieldData* fieldData, const char* name, const double* values, vtkIdType count)
 {
-  vtkNew<vtkDoubleArray> array;
-  std::copy(values, values + count, Allocate(array.Get(), name, count));
+  vtkSmartPointer<vtkDoubleArray> array;
+  std::copy(values, values + count, Renew(array, name, count));
   fieldData->AddArray(array);
+}
+
+void AddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkFieldData* fieldData)
+{
+  const std::vector<double>& alpha = geometry.GetAlphaAngles();
+  const std::vector<double>& beta = geometry.GetBetaAngles();
+  std::array<double, 16> matrix{};
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      matrix[4 * row + column] = pose.Axes[column][row];
+    }
+    matrix[4 * row + 3] = pose.Position[row];
+  }
+  matrix[15] = 1.0;
+  AddDoubles(fieldData, "AlphaAngles", alpha.data(), static_cast<vtkIdType>(alpha.size()));
+  AddDoubles(fieldData, "BetaAngles", beta.data(), static_cast<vtkIdType>(beta.size()));
+  AddDoubles(fieldData, "SensorToWorld", matrix.data(), static_cast<vtkIdType>(matrix.size()));
+}
+
+// The beams of a turn that returned.
+std::vector<int> GetHits(const std::int32_t* triangles, int count)
+{
+  std::vector<int> hits(count);
+  int found = 0;
+  for (int beam = 0; beam < count; ++beam)
+  {
+    hits[found] = beam;
+    found += triangles[beam] != lms3dBeamPacket::NoTriangle ? 1 : 0;
+  }
+  hits.resize(found);
+  return hits;
 }
 
 // A step of 0 would make an image without area.
@@ -68,153 +107,160 @@ void lms3dDescribeRangeImage(const lms3dScanGeometry& geometry, vtkInformation* 
   vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_DOUBLE, 1);
 }
 
-/// Arrays with a slot for each return, and where the slots of each turn begin.
+/// Where the returns go: a slot for each in every array.
 struct lms3dScanOutput::Returns
 {
-  std::vector<std::size_t> FirstOfTurn;
   double* Point;
   double* Range;
   float* Alpha;
   float* Beta;
   int* BeamId;
   vtkIdType* CellId;
+  vtkIdType* VertexOffset;
+  vtkIdType* VertexPoint;
 };
 
-lms3dScanOutput::lms3dScanOutput(const lms3dScanGeometry& geometry, const lms3dPose& pose)
-  : Geometry(geometry)
-  , Pose(pose)
+/// Fills the slots of one turn.
+struct lms3dScanOutput::TurnSource
+{
+  // `beamOf` tells the beam of a return. One loop for each array keeps them simple enough to be
+  // vectorized, where all beams of the turn returned at least.
+  template <typename BeamOf>
+  void Fill(int count, std::size_t slot, const Returns& returns, const BeamOf& beamOf) const
+  {
+    double* point = returns.Point + 3 * slot;
+    for (int i = 0; i < count; ++i)
+    {
+      const std::array<double, 3> direction = this->Directions.GetDirection(this->Turn, beamOf(i));
+      const double range = this->Ranges[beamOf(i)];
+      point[3 * i] = this->Position[0] + range * direction[0];
+      point[3 * i + 1] = this->Position[1] + range * direction[1];
+      point[3 * i + 2] = this->Position[2] + range * direction[2];
+    }
+    this->FillEach(returns.Range + slot, count, [&](int i) { return this->Ranges[beamOf(i)]; });
+    const double* alpha = this->Geometry.GetAlphaAngles().data();
+    this->FillEach(
+      returns.Alpha + slot, count, [&](int i) { return static_cast<float>(alpha[beamOf(i)]); });
+    this->FillEach(
+      returns.BeamId + slot, count, [&](int i) { return this->FirstBeam + beamOf(i); });
+    this->FillEach(returns.CellId + slot, count,
+      [&](int i) { return this->Mesh.GetCell(this->Triangles[beamOf(i)]); });
+    std::fill_n(
+      returns.Beta + slot, count, static_cast<float>(this->Geometry.GetBetaAngles()[this->Turn]));
+    const vtkIdType first = static_cast<vtkIdType>(slot);
+    this->FillEach(returns.VertexOffset + slot, count, [&](int i) { return first + i; });
+    this->FillEach(returns.VertexPoint + slot, count, [&](int i) { return first + i; });
+  }
+
+  template <typename T, typename ValueOf>
+  static void FillEach(T* out, int count, const ValueOf& valueOf)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      out[i] = valueOf(i);
+    }
+  }
+
+  const lms3dScanGeometry& Geometry;
+  const lms3dBeamDirections& Directions;
+  const std::array<double, 3>& Position;
+  const lms3dTriangleMesh& Mesh;
+  const int Turn;
+  const int FirstBeam;
+  const double* Ranges;
+  const std::int32_t* Triangles;
+};
+
+bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
+  const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
   const vtkIdType beams =
     static_cast<vtkIdType>(geometry.GetNumberOfBeams()) * geometry.GetNumberOfTurns();
-  Allocate(this->Ranges.Get(), "Range", beams);
+  double* ranges = Renew(this->Ranges, "Range", beams);
   this->Triangles.resize(beams);
+  const lms3dBeamDirections directions(geometry, pose);
+  return lms3dScan(
+    caster, geometry, directions, pose, limits, progress, ranges, this->Triangles.data());
 }
 
-bool lms3dScanOutput::Cast(
-  const lms3dRayCaster& caster, const lms3dRangeLimits& limits, const lms3dProgress& progress)
+/// For each turn the slot of its first return, and their number at the end.
+std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& geometry) const
 {
-  return lms3dScan(caster, this->Geometry, this->Pose, limits, progress,
-    this->Ranges->GetPointer(0), this->Triangles.data());
-}
-
-lms3dScanOutput::Returns lms3dScanOutput::CountReturns() const
-{
-  const int beams = this->Geometry.GetNumberOfBeams();
-  const int turns = this->Geometry.GetNumberOfTurns();
-  Returns returns{};
-  returns.FirstOfTurn.assign(turns + 1, 0);
-  tbb::parallel_for(0, turns,
+  const int beams = geometry.GetNumberOfBeams();
+  std::vector<std::size_t> first(geometry.GetNumberOfTurns() + 1, 0);
+  tbb::parallel_for(0, geometry.GetNumberOfTurns(),
     [&](int turn)
     {
-      const auto first = this->Triangles.begin() + static_cast<std::ptrdiff_t>(turn) * beams;
-      returns.FirstOfTurn[turn + 1] =
-        beams - std::count(first, first + beams, lms3dBeamPacket::NoTriangle);
+      const std::int32_t* triangle =
+        this->Triangles.data() + static_cast<std::ptrdiff_t>(turn) * beams;
+      first[turn + 1] = beams - std::count(triangle, triangle + beams, lms3dBeamPacket::NoTriangle);
     });
-  std::partial_sum(
-    returns.FirstOfTurn.begin(), returns.FirstOfTurn.end(), returns.FirstOfTurn.begin());
-  return returns;
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  return first;
 }
 
-void lms3dScanOutput::FillTurn(int turn, std::size_t slot, const lms3dRayCaster& caster,
-  const lms3dScanGeometry::Directions& directions, const Returns& returns) const
+lms3dScanOutput::Returns lms3dScanOutput::MakeArrays(vtkIdType count)
 {
-  const int beams = this->Geometry.GetNumberOfBeams();
+  return { Renew(this->ReturnPoints, "Points", count, 3), Renew(this->ReturnRanges, "Range", count),
+    Renew(this->ReturnAlphas, "Alpha", count), Renew(this->ReturnBetas, "Beta", count),
+    Renew(this->ReturnBeamIds, "BeamId", count), Renew(this->ReturnCellIds, "CellId", count),
+    Renew(this->VertexOffsets, "Offsets", count + 1),
+    Renew(this->VertexPoints, "Connectivity", count) };
+}
+
+void lms3dScanOutput::FillTurn(int turn, std::size_t slot, const lms3dTriangleMesh& mesh,
+  const lms3dScanGeometry& geometry, const lms3dBeamDirections& directions,
+  const std::array<double, 3>& position, const Returns& returns) const
+{
+  const int beams = geometry.GetNumberOfBeams();
   const std::size_t firstBeam = static_cast<std::size_t>(turn) * beams;
-  for (int beam = 0; beam < beams; ++beam)
+  const TurnSource source = { geometry, directions, position, mesh, turn,
+    static_cast<int>(firstBeam), this->Ranges->GetPointer(0) + firstBeam,
+    this->Triangles.data() + firstBeam };
+  const std::vector<int> hits = GetHits(source.Triangles, beams);
+  const int count = static_cast<int>(hits.size());
+  if (count == beams)
   {
-    const std::int32_t triangle = this->Triangles[firstBeam + beam];
-    if (triangle == lms3dBeamPacket::NoTriangle)
-    {
-      continue;
-    }
-    const double range = this->Ranges->GetPointer(0)[firstBeam + beam];
-    const std::array<double, 3> direction = directions.GetDirection(turn, beam);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      returns.Point[3 * slot + axis] = this->Pose.Position[axis] + range * direction[axis];
-    }
-    returns.Range[slot] = range;
-    returns.Alpha[slot] = static_cast<float>(this->Geometry.GetAlphaAngles()[beam]);
-    returns.Beta[slot] = static_cast<float>(this->Geometry.GetBetaAngles()[turn]);
-    returns.BeamId[slot] = static_cast<int>(firstBeam) + beam;
-    returns.CellId[slot] = caster.GetMesh().Cells[triangle];
-    ++slot;
+    source.Fill(count, slot, returns, [](int i) { return i; });
+  }
+  else
+  {
+    source.Fill(count, slot, returns, [&hits](int i) { return hits[i]; });
   }
 }
 
-void lms3dScanOutput::FillScan(const lms3dRayCaster& caster, vtkPolyData* scan) const
+void lms3dScanOutput::FillScan(const lms3dTriangleMesh& mesh, const lms3dScanGeometry& geometry,
+  const lms3dPose& pose, vtkPolyData* scan)
 {
-  Returns returns = this->CountReturns();
-  const vtkIdType count = static_cast<vtkIdType>(returns.FirstOfTurn.back());
-
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  returns.Point = Allocate(coordinates.Get(), "Points", 3 * count);
-  vtkNew<vtkDoubleArray> range;
-  returns.Range = Allocate(range.Get(), "Range", count);
-  vtkNew<vtkFloatArray> alpha;
-  returns.Alpha = Allocate(alpha.Get(), "Alpha", count);
-  vtkNew<vtkFloatArray> beta;
-  returns.Beta = Allocate(beta.Get(), "Beta", count);
-  vtkNew<vtkIntArray> beamId;
-  returns.BeamId = Allocate(beamId.Get(), "BeamId", count);
-  vtkNew<vtkIdTypeArray> cellId;
-  returns.CellId = Allocate(cellId.Get(), "CellId", count);
-
-  const lms3dScanGeometry::Directions directions(this->Geometry, this->Pose);
-  tbb::parallel_for(0, this->Geometry.GetNumberOfTurns(),
+  const std::vector<std::size_t> first = this->CountReturns(geometry);
+  const vtkIdType count = static_cast<vtkIdType>(first.back());
+  const Returns returns = this->MakeArrays(count);
+  const lms3dBeamDirections directions(geometry, pose);
+  tbb::parallel_for(0, geometry.GetNumberOfTurns(),
     [&](int turn)
-    { this->FillTurn(turn, returns.FirstOfTurn[turn], caster, directions, returns); });
+    { this->FillTurn(turn, first[turn], mesh, geometry, directions, pose.Position, returns); });
+  returns.VertexOffset[count] = count;
 
   vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
+  points->SetData(this->ReturnPoints);
   scan->SetPoints(points);
-
-  vtkNew<vtkIdTypeArray> offsets;
-  vtkIdType* offset = Allocate(offsets.Get(), "Offsets", count + 1);
-  std::iota(offset, offset + count + 1, 0);
-  vtkNew<vtkIdTypeArray> connectivity;
-  vtkIdType* vertex = Allocate(connectivity.Get(), "Connectivity", count);
-  std::iota(vertex, vertex + count, 0);
   vtkNew<vtkCellArray> vertices;
-  vertices->SetData(offsets, connectivity);
+  vertices->SetData(this->VertexOffsets, this->VertexPoints);
   scan->SetVerts(vertices);
-
   vtkPointData* pointData = scan->GetPointData();
-  pointData->SetScalars(range);
-  pointData->AddArray(alpha);
-  pointData->AddArray(beta);
-  pointData->AddArray(beamId);
-  pointData->AddArray(cellId);
-  this->AddFieldData(scan);
+  pointData->SetScalars(this->ReturnRanges);
+  pointData->AddArray(this->ReturnAlphas);
+  pointData->AddArray(this->ReturnBetas);
+  pointData->AddArray(this->ReturnBeamIds);
+  pointData->AddArray(this->ReturnCellIds);
+  AddFieldData(geometry, pose, scan->GetFieldData());
 }
 
-void lms3dScanOutput::AddFieldData(vtkPolyData* scan) const
+void lms3dScanOutput::FillRangeImage(const lms3dScanGeometry& geometry, vtkImageData* image)
 {
-  const std::vector<double>& alpha = this->Geometry.GetAlphaAngles();
-  const std::vector<double>& beta = this->Geometry.GetBetaAngles();
-  std::array<double, 16> matrix{};
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix[4 * row + column] = this->Pose.Axes[column][row];
-    }
-    matrix[4 * row + 3] = this->Pose.Position[row];
-  }
-  matrix[15] = 1.0;
-
-  vtkFieldData* fieldData = scan->GetFieldData();
-  AddDoubles(fieldData, "AlphaAngles", alpha.data(), static_cast<vtkIdType>(alpha.size()));
-  AddDoubles(fieldData, "BetaAngles", beta.data(), static_cast<vtkIdType>(beta.size()));
-  AddDoubles(fieldData, "SensorToWorld", matrix.data(), static_cast<vtkIdType>(matrix.size()));
-}
-
-void lms3dScanOutput::FillRangeImage(vtkImageData* image) const
-{
-  ImageFrame frame(this->Geometry);
+  ImageFrame frame(geometry);
   image->SetExtent(frame.Extent);
   image->SetOrigin(frame.Origin);
   image->SetSpacing(frame.Spacing);
-  image->GetPointData()->SetScalars(this->Ranges.Get());
+  image->GetPointData()->SetScalars(this->Ranges);
 }

@@ -10,9 +10,14 @@
 #include "lms3dScanner.h"
 
 #include <vtkDoubleArray.h>
-#include <vtkNew.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkSmartPointer.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 class vtkImageData;
@@ -22,31 +27,43 @@ class vtkPolyData;
 /// Sets extent, origin and spacing (degrees) and the scalar type of the range image to come.
 void lms3dDescribeRangeImage(const lms3dScanGeometry& geometry, vtkInformation* info);
 
-/// All methods are to be called in the TBB arena whose threads they use.
+/**
+ * Makes the outputs of one scan after the other. It keeps a reference to each array that it made and
+ * fills it again once nobody else has one, which spares the system new memory for each scan. All
+ * methods are to be called in the TBB arena whose threads they use.
+ */
 class lms3dScanOutput
 {
 public:
-  lms3dScanOutput(const lms3dScanGeometry& geometry, const lms3dPose& pose);
+  /// Casts all beams; false where `progress` stopped it.
+  bool Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry, const lms3dPose& pose,
+    const lms3dRangeLimits& limits, const lms3dProgress& progress);
 
-  bool Cast(
-    const lms3dRayCaster& caster, const lms3dRangeLimits& limits, const lms3dProgress& progress);
-
-  void FillScan(const lms3dRayCaster& caster, vtkPolyData* scan) const;
-
-  /// Hands the ranges themselves over, without a copy.
-  void FillRangeImage(vtkImageData* image) const;
+  /// The outputs of the last Cast with the same arguments.
+  void FillScan(const lms3dTriangleMesh& mesh, const lms3dScanGeometry& geometry,
+    const lms3dPose& pose, vtkPolyData* scan);
+  void FillRangeImage(const lms3dScanGeometry& geometry, vtkImageData* image);
 
 private:
   struct Returns;
-  Returns CountReturns() const;
-  void FillTurn(int turn, std::size_t slot, const lms3dRayCaster& caster,
-    const lms3dScanGeometry::Directions& directions, const Returns& returns) const;
-  void AddFieldData(vtkPolyData* scan) const;
+  struct TurnSource;
+  std::vector<std::size_t> CountReturns(const lms3dScanGeometry& geometry) const;
+  Returns MakeArrays(vtkIdType count);
+  void FillTurn(int turn, std::size_t slot, const lms3dTriangleMesh& mesh,
+    const lms3dScanGeometry& geometry, const lms3dBeamDirections& directions,
+    const std::array<double, 3>& position, const Returns& returns) const;
 
-  const lms3dScanGeometry& Geometry;
-  const lms3dPose Pose;
-  vtkNew<vtkDoubleArray> Ranges;
+  vtkSmartPointer<vtkDoubleArray> Ranges;
   std::vector<std::int32_t> Triangles;
+
+  vtkSmartPointer<vtkDoubleArray> ReturnPoints;
+  vtkSmartPointer<vtkDoubleArray> ReturnRanges;
+  vtkSmartPointer<vtkFloatArray> ReturnAlphas;
+  vtkSmartPointer<vtkFloatArray> ReturnBetas;
+  vtkSmartPointer<vtkIntArray> ReturnBeamIds;
+  vtkSmartPointer<vtkIdTypeArray> ReturnCellIds;
+  vtkSmartPointer<vtkIdTypeArray> VertexOffsets;
+  vtkSmartPointer<vtkIdTypeArray> VertexPoints;
 };
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dScanner.h"
 
+#include "lms3dPacketKernels.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -11,24 +13,34 @@
 #include <cstddef>
 #include <limits>
 #include <thread>
+#include <vector>
 
 namespace
 {
 // A packet is nearly square in angle where it matters, at the horizon, so that its beams meet the
 // same boxes.
-constexpr int TileTurns = 4;
-constexpr int TileBeams = 4;
-static_assert(TileTurns * TileBeams == lms3dBeamPacket::Size, "a tile is a packet");
+constexpr int TileSide = 4;
+static_assert(TileSide * TileSide == lms3dBeamPacket::Size, "a tile is a packet");
 
+int CountTiles(int beamsOrTurns)
+{
+  return (beamsOrTurns + TileSide - 1) / TileSide;
+}
+
+/// Beam TileSide * i + j of a packet belongs to the tile's turn i and elevation j. Turns and beams
+/// beyond the grid's end repeat the last one, so that the packet stays coherent.
 class Scan
 {
 public:
-  Scan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry, const lms3dPose& pose,
-    const lms3dRangeLimits& limits, double* ranges, std::int32_t* triangles)
+  Scan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
+    const lms3dBeamDirections& directions, const lms3dPose& pose, const lms3dRangeLimits& limits,
+    double* ranges, std::int32_t* triangles)
     : Caster(caster)
-    , Directions(geometry, pose)
-    , Origin(pose.Position)
-    , Limits(limits)
+    , Directions(directions)
+    , Kernels(lms3dGetPacketKernels())
+    , Elevations(MakeElevations(geometry))
+    , Viewpoint{ { pose.Position[0], pose.Position[1], pose.Position[2] }, limits.Maximum }
+    , MinimumRange(limits.Minimum)
     , Turns(geometry.GetNumberOfTurns())
     , Beams(geometry.GetNumberOfBeams())
     , Ranges(ranges)
@@ -38,55 +50,97 @@ public:
 
   void CastRow(int firstTurn) const
   {
-    lms3dBeamPacket packet;
-    for (int firstBeam = 0; firstBeam < this->Beams; firstBeam += TileBeams)
+    const lms3dFanAxes axes = this->MakeAxes(firstTurn);
+    const int turns = std::min(TileSide, this->Turns - firstTurn);
+    std::vector<lms3dBeamPacket> packets(this->Elevations.size());
+    for (std::size_t i = 0; i < packets.size(); ++i)
     {
-      this->Aim(firstTurn, firstBeam, packet);
-      this->Caster.Cast(this->Origin.data(), this->Limits.Maximum, packet);
-      this->Store(firstTurn, firstBeam, packet);
+      this->Kernels.Aim(this->Elevations[i], axes, packets[i]);
+      packets[i].Active = GetActive(turns, this->CountBeams(i));
+    }
+    this->Caster.Cast(this->Viewpoint, packets.data(), static_cast<int>(packets.size()));
+    for (std::size_t i = 0; i < packets.size(); ++i)
+    {
+      this->ApplyLimits(packets[i]);
+      this->Store(firstTurn, turns, i, packets[i]);
     }
   }
 
 private:
-  // Beams beyond the grid's end repeat the last one, so that the packet stays coherent.
-  void Aim(int firstTurn, int firstBeam, lms3dBeamPacket& packet) const
+  static std::vector<lms3dElevations> MakeElevations(const lms3dScanGeometry& geometry)
   {
-    packet.Active = 0;
+    const int beams = geometry.GetNumberOfBeams();
+    std::vector<lms3dElevations> elevations(CountTiles(beams));
+    for (std::size_t tile = 0; tile < elevations.size(); ++tile)
+    {
+      for (int i = 0; i < lms3dBeamPacket::Size; ++i)
+      {
+        const int beam = std::min(static_cast<int>(tile) * TileSide + i % TileSide, beams - 1);
+        elevations[tile].Cosine[i] = geometry.GetAlphaCosine(beam);
+        elevations[tile].Sine[i] = geometry.GetAlphaSine(beam);
+      }
+    }
+    return elevations;
+  }
+
+  lms3dFanAxes MakeAxes(int firstTurn) const
+  {
+    lms3dFanAxes axes;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int i = 0; i < lms3dBeamPacket::Size; ++i)
+      {
+        const int turn = std::min(firstTurn + i / TileSide, this->Turns - 1);
+        axes.Horizontal[axis][i] = this->Directions.GetFanAxis(turn)[axis];
+      }
+      axes.Up[axis] = this->Directions.GetUp()[axis];
+    }
+    return axes;
+  }
+
+  int CountBeams(std::size_t tile) const
+  {
+    return std::min(TileSide, this->Beams - static_cast<int>(tile) * TileSide);
+  }
+
+  static std::uint32_t GetActive(int turns, int beams)
+  {
+    std::uint32_t active = 0;
+    for (int turn = 0; turn < turns; ++turn)
+    {
+      active |= ((1u << beams) - 1u) << (TileSide * turn);
+    }
+    return active;
+  }
+
+  void ApplyLimits(lms3dBeamPacket& packet) const
+  {
     for (int i = 0; i < lms3dBeamPacket::Size; ++i)
     {
-      const int turn = firstTurn + i / TileBeams;
-      const int beam = firstBeam + i % TileBeams;
-      const std::array<double, 3> direction = this->Directions.GetDirection(
-        std::min(turn, this->Turns - 1), std::min(beam, this->Beams - 1));
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        packet.Direction[axis][i] = direction[axis];
-      }
-      packet.Active |= static_cast<std::uint32_t>(turn < this->Turns && beam < this->Beams) << i;
+      const bool isReturn = (packet.Triangle[i] != lms3dBeamPacket::NoTriangle) &
+        (packet.Range[i] >= this->MinimumRange);
+      packet.Range[i] = isReturn ? packet.Range[i] : std::numeric_limits<double>::quiet_NaN();
+      packet.Triangle[i] = isReturn ? packet.Triangle[i] : lms3dBeamPacket::NoTriangle;
     }
   }
 
-  void Store(int firstTurn, int firstBeam, const lms3dBeamPacket& packet) const
+  void Store(int firstTurn, int turns, std::size_t tile, const lms3dBeamPacket& packet) const
   {
-    for (int i = 0; i < lms3dBeamPacket::Size; ++i)
+    const int beams = this->CountBeams(tile);
+    std::size_t slot = static_cast<std::size_t>(firstTurn) * this->Beams + tile * TileSide;
+    for (int turn = 0; turn < turns; ++turn, slot += this->Beams)
     {
-      if (!(packet.Active & (1u << i)))
-      {
-        continue;
-      }
-      const std::size_t slot = static_cast<std::size_t>(firstTurn + i / TileBeams) * this->Beams +
-        firstBeam + i % TileBeams;
-      const bool isReturn = packet.Triangle[i] != lms3dBeamPacket::NoTriangle &&
-        packet.Range[i] >= this->Limits.Minimum;
-      this->Ranges[slot] = isReturn ? packet.Range[i] : std::numeric_limits<double>::quiet_NaN();
-      this->Triangles[slot] = isReturn ? packet.Triangle[i] : lms3dBeamPacket::NoTriangle;
+      std::copy_n(packet.Range + TileSide * turn, beams, this->Ranges + slot);
+      std::copy_n(packet.Triangle + TileSide * turn, beams, this->Triangles + slot);
     }
   }
 
   const lms3dRayCaster& Caster;
-  const lms3dScanGeometry::Directions Directions;
-  const std::array<double, 3> Origin;
-  const lms3dRangeLimits Limits;
+  const lms3dBeamDirections& Directions;
+  const lms3dPacketKernels& Kernels;
+  const std::vector<lms3dElevations> Elevations;
+  const lms3dViewpoint Viewpoint;
+  const double MinimumRange;
   const int Turns;
   const int Beams;
   double* Ranges;
@@ -95,11 +149,11 @@ private:
 } // namespace
 
 bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
-  const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress,
-  double* ranges, std::int32_t* triangles)
+  const lms3dBeamDirections& directions, const lms3dPose& pose, const lms3dRangeLimits& limits,
+  const lms3dProgress& progress, double* ranges, std::int32_t* triangles)
 {
-  const Scan scan(caster, geometry, pose, limits, ranges, triangles);
-  const int rows = (geometry.GetNumberOfTurns() + TileTurns - 1) / TileTurns;
+  const Scan scan(caster, geometry, directions, pose, limits, ranges, triangles);
+  const int rows = CountTiles(geometry.GetNumberOfTurns());
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<int> rowsDone{ 0 };
   std::atomic<bool> stopped{ false };
@@ -109,7 +163,7 @@ bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
     {
       for (int row = range.begin(); row < range.end() && !stopped; ++row)
       {
-        scan.CastRow(row * TileTurns);
+        scan.CastRow(row * TileSide);
         ++rowsDone;
         if (std::this_thread::get_id() == caller && !progress(double(rowsDone) / rows))
         {

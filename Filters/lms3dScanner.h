@@ -29,7 +29,7 @@ struct lms3dRangeLimits
  * Returns false where `progress` stopped it.
  */
 bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
-  const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress,
-  double* ranges, std::int32_t* triangles);
+  const lms3dBeamDirections& directions, const lms3dPose& pose, const lms3dRangeLimits& limits,
+  const lms3dProgress& progress, double* ranges, std::int32_t* triangles);
 
 #endif

@@ -20,10 +20,15 @@ struct lms3dTriangleMesh
   /// Three indices into Points for each triangle.
   std::vector<std::array<std::uint32_t, 3>> Triangles;
 
-  /// For each triangle the scene's cell that it is a part of.
+  /// For each triangle the scene's cell that it is a part of; empty where that is its own number.
   std::vector<std::int64_t> Cells;
 
   std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
+
+  std::int64_t GetCell(std::size_t triangle) const
+  {
+    return this->Cells.empty() ? static_cast<std::int64_t>(triangle) : this->Cells[triangle];
+  }
 
   const double* GetCorner(std::size_t triangle, int corner) const
   {

@@ -82,7 +82,7 @@ std::string Pair(const T values[2])
 struct vtkLMS3DScanFilter::Internals
 {
   /// Builds only where the scene or the method is another than last time.
-  void Build(vtkDataObject* scene, lms3dRayCaster::Method method)
+  void Build(vtkDataObject* scene, int method)
   {
     const vtkMTimeType sceneTime = GetSceneTime(scene);
     if (this->Caster && this->Scene == scene && this->SceneTime == sceneTime &&
@@ -106,11 +106,12 @@ struct vtkLMS3DScanFilter::Internals
 
   std::unique_ptr<lms3dRayCaster> Caster;
   vtkTimeStamp BuildTime;
+  lms3dScanOutput Output;
 
 private:
   vtkDataObject* Scene = nullptr;
   vtkMTimeType SceneTime = 0;
-  lms3dRayCaster::Method Method = lms3dRayCaster::Method::Exact;
+  int Method = EXACT;
 };
 
 vtkLMS3DScanFilter::vtkLMS3DScanFilter()
@@ -133,7 +134,9 @@ vtkImageData* vtkLMS3DScanFilter::GetRangeImage()
 
 const char* vtkLMS3DScanFilter::GetIntersectionMethodAsString() const
 {
-  return this->IntersectionMethod == FAST ? "Fast" : "Exact";
+  static const char* const Names[] = { "Exact", "Fast", "AngleSum", "MollerTrumbore",
+    "StaticCellLocator" };
+  return Names[this->IntersectionMethod];
 }
 
 int vtkLMS3DScanFilter::FillInputPortInformation(int, vtkInformation* info)
@@ -240,24 +243,23 @@ int vtkLMS3DScanFilter::RequestData(
   try
   {
     vtkDataObject* scene = vtkDataObject::GetData(inputVector[0]);
-    arena.execute(
-      [&] {
-        this->Internal->Build(scene, static_cast<lms3dRayCaster::Method>(this->IntersectionMethod));
-      });
+    arena.execute([&] { this->Internal->Build(scene, this->IntersectionMethod); });
     this->UpdateProgress(BuildShare);
 
     const lms3dScanGeometry geometry(
       this->AlphaRange, this->AlphaResolution, this->BetaRange, this->BetaResolution);
-    lms3dScanOutput output(geometry, lms3dPose::FromOrientation(this->Position, this->Orientation));
+    const lms3dPose pose = lms3dPose::FromOrientation(this->Position, this->Orientation);
+    const lms3dRayCaster& caster = *this->Internal->Caster;
+    lms3dScanOutput& output = this->Internal->Output;
     const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
     arena.execute(
       [&]
       {
         if (output.Cast(
-              *this->Internal->Caster, { this->MinimumRange, this->MaximumRange }, progress))
+              caster, geometry, pose, { this->MinimumRange, this->MaximumRange }, progress))
         {
-          output.FillScan(*this->Internal->Caster, vtkPolyData::GetData(outputVector, 0));
-          output.FillRangeImage(vtkImageData::GetData(outputVector, 1));
+          output.FillScan(caster.GetMesh(), geometry, pose, vtkPolyData::GetData(outputVector, 0));
+          output.FillRangeImage(geometry, vtkImageData::GetData(outputVector, 1));
         }
       });
   }

@@ -137,18 +137,34 @@ public:
   /**
    * How a beam finds the surface.
    *
-   * EXACT: Embree finds candidates in single precision, a test in double with error bounds, and in
-   * quadruple precision where a bound leaves a sign open, decides. No beam passes between two
-   * triangles that share an edge.
+   * EXACT: Embree finds candidates; a test in double with error bounds, and in quadruple precision
+   * where a bound leaves a sign open, decides. No beam passes between two triangles that share an
+   * edge, and a range is right to 2 units in its last place. (Where two surfaces lie within 1e-13 of
+   * their range of one another, it may be that of either.)
    *
-   * FAST: Embree's single precision decides, and the range is computed anew in double from the
-   * triangle that it found. For previews: a beam within about 1e-6 of the scene's size from an edge
-   * may be given to the wrong side of it, which shows where poses and scenes lie on a common grid.
+   * FAST: Embree's single precision decides, and the range is measured in the plane of the triangle
+   * that it found. For previews: a beam within about 1e-6 of the scene's size from an edge may be
+   * given to the wrong side of it. Where poses and scenes lie on a common grid, so that beams run
+   * along edges and through silhouettes, some are missed or see what is behind; a sensor on a surface
+   * gets no return from the half space that it looks at through it.
+   *
+   * ANGLE_SUM: the founding paper's section 2.4, by brute force: the intersection with the triangle's
+   * plane lies inside where the angles between its corners sum to 2 pi, within 1e-6. As printed, the
+   * method mirrors planes through the origin, returns surfaces behind the sensor, takes a parallel
+   * plane for a range of 0, and compares with 2 pi exactly, which loses most beams.
+   *
+   * MOLLER_TRUMBORE: the textbook test (Moeller and Trumbore 1997) in double, by brute force. It may
+   * miss a beam on an edge.
+   *
+   * STATIC_CELL_LOCATOR: vtkStaticCellLocator with a tolerance of 1e-9.
    */
   enum IntersectionMethods
   {
     EXACT = 0,
-    FAST = 1
+    FAST = 1,
+    ANGLE_SUM = 2,
+    MOLLER_TRUMBORE = 3,
+    STATIC_CELL_LOCATOR = 4
   };
 
   ///@{
@@ -156,10 +172,16 @@ public:
    * How a beam finds the surface; the default is EXACT. A change builds the acceleration structure
    * anew.
    */
-  vtkSetClampMacro(IntersectionMethod, int, EXACT, FAST);
+  vtkSetClampMacro(IntersectionMethod, int, EXACT, STATIC_CELL_LOCATOR);
   vtkGetMacro(IntersectionMethod, int);
   void SetIntersectionMethodToExact() { this->SetIntersectionMethod(EXACT); }
   void SetIntersectionMethodToFast() { this->SetIntersectionMethod(FAST); }
+  void SetIntersectionMethodToAngleSum() { this->SetIntersectionMethod(ANGLE_SUM); }
+  void SetIntersectionMethodToMollerTrumbore() { this->SetIntersectionMethod(MOLLER_TRUMBORE); }
+  void SetIntersectionMethodToStaticCellLocator()
+  {
+    this->SetIntersectionMethod(STATIC_CELL_LOCATOR);
+  }
   const char* GetIntersectionMethodAsString() const;
   ///@}
 

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dEmbreeScene.h"
+
+#if LMS3D_EMBREE_MAJOR >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace
+{
+#if LMS3D_EMBREE_MAJOR >= 4
+using QueryContext = RTCRayQueryContext;
+#else
+using QueryContext = RTCIntersectContext;
+#endif
+
+static_assert(lms3dBeamPacket::Size == 16, "packets are cast by rtcIntersect16");
+
+// The share of the scene's diagonal by which boxes are widened. It outweighs the rounding of single
+// precision in vertices, origin, direction and traversal (together below 1e-6 of the diagonal as
+// long as rays start within a few diagonals), so no box is passed by that truth would enter.
+constexpr float BoxMargin = 4e-6f;
+
+// A hit that was just found must not hide one at the same range, nor a limit one just within it.
+constexpr float RangeMargin = 1.0f + 1e-6f;
+
+// ParaView deletes filters that a script left behind after Embree's static objects are gone (Python's
+// sys.exit does), and Embree then aborts. What is released so late is left to the system.
+bool ProcessEnds = false;
+const struct EndOfProcess
+{
+  ~EndOfProcess() { ProcessEnds = true; }
+} NoticeEndOfProcess;
+
+struct Release
+{
+  void operator()(RTCDevice device) const
+  {
+    if (!ProcessEnds)
+    {
+      rtcReleaseDevice(device);
+    }
+  }
+  void operator()(RTCScene scene) const
+  {
+    if (!ProcessEnds)
+    {
+      rtcReleaseScene(scene);
+    }
+  }
+};
+using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release>;
+using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;
+
+/// What the callback for candidates needs to know of the packet that is cast.
+struct Query
+{
+  // First, so that Embree's pointer to it is a pointer to the query.
+  QueryContext Context;
+  const lms3dViewpoint* Viewpoint;
+  double HeadStart;
+  lms3dBeamPacket* Packet;
+};
+static_assert(std::is_standard_layout_v<Query>, "a query starts with its context");
+
+void ThrowOnError(RTCDevice device)
+{
+  const RTCError error = rtcGetDeviceError(device);
+  if (error != RTC_ERROR_NONE)
+  {
+    throw std::runtime_error("Embree failed with its error " + std::to_string(error) +
+      (error == RTC_ERROR_OUT_OF_MEMORY ? " (out of memory)" : ""));
+  }
+}
+} // namespace
+
+struct lms3dEmbreeScene::Internals
+{
+  Internals(const lms3dTriangleMesh& mesh, const CandidateTest* test)
+    : Mesh(mesh)
+    , Test(test)
+    , Unit(mesh)
+    , EmbreeDevice(rtcNewDevice(nullptr))
+  {
+    ThrowOnError(this->EmbreeDevice.get());
+    this->EmbreeScene.reset(rtcNewScene(this->EmbreeDevice.get()));
+    RTCGeometry geometry = test ? this->MakeBoxes() : this->MakeTriangles();
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(this->EmbreeScene.get(), geometry);
+    rtcReleaseGeometry(geometry);
+    rtcSetSceneFlags(this->EmbreeScene.get(), RTC_SCENE_FLAG_ROBUST);
+    // For boxes the quick builder gives trees that are cast as quickly, in a third of the memory.
+    rtcSetSceneBuildQuality(
+      this->EmbreeScene.get(), test ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
+    rtcCommitScene(this->EmbreeScene.get());
+    ThrowOnError(this->EmbreeDevice.get());
+  }
+
+  RTCGeometry MakeBoxes()
+  {
+    RTCGeometry geometry = rtcNewGeometry(this->EmbreeDevice.get(), RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(
+      geometry, static_cast<unsigned int>(this->Mesh.GetNumberOfTriangles()));
+    rtcSetGeometryUserData(geometry, this);
+    rtcSetGeometryBoundsFunction(geometry, &Internals::GetBox, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, &Internals::TestCandidate);
+    return geometry;
+  }
+
+  RTCGeometry MakeTriangles()
+  {
+    RTCGeometry geometry = rtcNewGeometry(this->EmbreeDevice.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    float* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+      RTC_FORMAT_FLOAT3, 3 * sizeof(float), this->Mesh.Points.size()));
+    unsigned int* corner =
+      static_cast<unsigned int*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+        RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), this->Mesh.GetNumberOfTriangles()));
+    ThrowOnError(this->EmbreeDevice.get());
+    for (const std::array<double, 3>& point : this->Mesh.Points)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        *vertex++ = static_cast<float>(this->Unit.GetCoordinate(point.data(), axis));
+      }
+    }
+    for (const std::array<std::uint32_t, 3>& triangle : this->Mesh.Triangles)
+    {
+      corner = std::copy(triangle.begin(), triangle.end(), corner);
+    }
+    return geometry;
+  }
+
+  static void GetBox(const RTCBoundsFunctionArguments* args)
+  {
+    const Internals* self = static_cast<const Internals*>(args->geometryUserPtr);
+    float low[3], high[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double x[3];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        x[corner] = self->Unit.GetCoordinate(self->Mesh.GetCorner(args->primID, corner), axis);
+      }
+      low[axis] = static_cast<float>(std::min({ x[0], x[1], x[2] })) - BoxMargin;
+      high[axis] = static_cast<float>(std::max({ x[0], x[1], x[2] })) + BoxMargin;
+    }
+    *args->bounds_o = { low[0], low[1], low[2], 0.0f, high[0], high[1], high[2], 0.0f };
+  }
+
+  static void TestCandidate(const RTCIntersectFunctionNArguments* args)
+  {
+    const Internals* self = static_cast<const Internals*>(args->geometryUserPtr);
+    const Query* query = reinterpret_cast<const Query*>(args->context);
+    const std::uint32_t changed = self->Test->Test(*query->Viewpoint, args->primID, *query->Packet);
+    if (changed != 0)
+    {
+      self->TellEmbree(*query, changed, args);
+    }
+  }
+
+  // Embree may call with fewer rays than the packet has, so a ray's id tells which beam it is.
+  void TellEmbree(
+    const Query& query, std::uint32_t changed, const RTCIntersectFunctionNArguments* args) const
+  {
+    RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
+    RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, args->N);
+    for (unsigned int i = 0; i < args->N; ++i)
+    {
+      const unsigned int beam = RTCRayN_id(rays, args->N, i);
+      const bool isChanged = (changed >> beam) & 1u;
+      float& reach = RTCRayN_tfar(rays, args->N, i);
+      unsigned int& geometry = RTCHitN_geomID(hits, args->N, i);
+      const float range = this->GetReach(query.Packet->Range[beam] - query.HeadStart);
+      reach = isChanged ? range : reach;
+      geometry = isChanged ? args->geomID : geometry;
+    }
+  }
+
+  float GetReach(double range) const
+  {
+    return std::max(0.0f, static_cast<float>(this->Unit.GetDistance(range)) * RangeMargin);
+  }
+
+  void SetStarts(const double origin[3], double headStart, const lms3dBeamPacket& packet,
+    RTCRayHit16& rayhit) const
+  {
+    float* const starts[3] = { rayhit.ray.org_x, rayhit.ray.org_y, rayhit.ray.org_z };
+    for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double start = origin[axis] + headStart * packet.Direction[axis][beam];
+        starts[axis][beam] = static_cast<float>(this->Unit.Normalize(start, axis));
+      }
+    }
+  }
+
+  void Intersect(const int* valid, QueryContext& context, RTCRayHit16& rayhit) const
+  {
+#if LMS3D_EMBREE_MAJOR >= 4
+    rtcInitRayQueryContext(&context);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    arguments.context = &context;
+    rtcIntersect16(valid, this->EmbreeScene.get(), &rayhit, &arguments);
+#else
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, this->EmbreeScene.get(), &context, &rayhit);
+#endif
+  }
+
+  const lms3dTriangleMesh& Mesh;
+  const CandidateTest* Test;
+  const lms3dNormalization Unit;
+  Device EmbreeDevice;
+  Scene EmbreeScene;
+};
+
+lms3dEmbreeScene::lms3dEmbreeScene(const lms3dTriangleMesh& mesh)
+  : Internal(new Internals(mesh, nullptr))
+{
+}
+
+lms3dEmbreeScene::lms3dEmbreeScene(const lms3dTriangleMesh& mesh, const CandidateTest& test)
+  : Internal(new Internals(mesh, &test))
+{
+}
+
+lms3dEmbreeScene::~lms3dEmbreeScene() = default;
+
+void lms3dEmbreeScene::Cast(
+  const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const
+{
+  const Internals& self = *this->Internal;
+  const double headStart = self.Unit.GetHeadStart(viewpoint.Origin);
+  const float reach = self.GetReach(viewpoint.MaximumRange - headStart);
+  Query query;
+  query.Viewpoint = &viewpoint;
+  query.HeadStart = headStart;
+
+  RTCRayHit16 rayhit;
+  for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+  {
+    rayhit.ray.tnear[beam] = 0.0f;
+    rayhit.ray.time[beam] = 0.0f;
+    rayhit.ray.mask[beam] = ~0u;
+    rayhit.ray.id[beam] = static_cast<unsigned int>(beam);
+    rayhit.ray.flags[beam] = 0;
+    rayhit.hit.instID[0][beam] = RTC_INVALID_GEOMETRY_ID;
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    lms3dBeamPacket& packet = packets[i];
+    std::fill_n(packet.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
+    std::fill_n(packet.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
+    if (i == 0 || headStart > 0.0)
+    {
+      self.SetStarts(viewpoint.Origin, headStart, packet, rayhit);
+    }
+    std::memcpy(rayhit.ray.dir_x, packet.NarrowDirection[0], sizeof(rayhit.ray.dir_x));
+    std::memcpy(rayhit.ray.dir_y, packet.NarrowDirection[1], sizeof(rayhit.ray.dir_y));
+    std::memcpy(rayhit.ray.dir_z, packet.NarrowDirection[2], sizeof(rayhit.ray.dir_z));
+    std::fill_n(rayhit.ray.tfar, lms3dBeamPacket::Size, reach);
+    std::fill_n(rayhit.hit.geomID, lms3dBeamPacket::Size, RTC_INVALID_GEOMETRY_ID);
+    alignas(64) int valid[lms3dBeamPacket::Size];
+    for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+    {
+      valid[beam] = packet.Active & (1u << beam) ? -1 : 0;
+    }
+    query.Packet = &packet;
+    self.Intersect(valid, query.Context, rayhit);
+    if (!self.Test)
+    {
+      for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+      {
+        packet.Triangle[beam] = valid[beam] && rayhit.hit.geomID[beam] != RTC_INVALID_GEOMETRY_ID
+          ? static_cast<std::int32_t>(rayhit.hit.primID[beam])
+          : lms3dBeamPacket::NoTriangle;
+      }
+    }
+  }
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dPacketKernels.h"
+
+#include "lms3dPacketKernelSets.h"
+
+#include <vector>
+
+namespace
+{
+// From the narrowest to the widest.
+std::vector<const lms3dPacketKernels*> FindKernels()
+{
+  std::vector<const lms3dPacketKernels*> kernels = { &lms3dPacketKernelsBaseline };
+#ifdef LMS3D_X86_KERNELS
+  if (__builtin_cpu_supports("avx2"))
+  {
+    kernels.push_back(&lms3dPacketKernelsAVX2);
+  }
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+    __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
+  {
+    kernels.push_back(&lms3dPacketKernelsAVX512);
+  }
+#endif
+  return kernels;
+}
+
+const std::vector<const lms3dPacketKernels*>& GetAllKernels()
+{
+  static const std::vector<const lms3dPacketKernels*> kernels = FindKernels();
+  return kernels;
+}
+} // namespace
+
+const lms3dPacketKernels& lms3dGetPacketKernels()
+{
+  return *GetAllKernels().back();
+}
+
+int lms3dGetNumberOfPacketKernels()
+{
+  return static_cast<int>(GetAllKernels().size());
+}
+
+const lms3dPacketKernels& lms3dGetPacketKernels(int i)
+{
+  return *GetAllKernels()[i];
+}

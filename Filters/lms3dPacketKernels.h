@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The arithmetic that is done for all beams of a packet at once.
+ *
+ * It is compiled for several instruction sets, and the widest that the processor has is chosen when
+ * the program runs. Every one gives the same bits: the operations and their order are the same, and
+ * no compiler may contract a product and a sum.
+ */
+#ifndef lms3dPacketKernels_h
+#define lms3dPacketKernels_h
+
+#include "lms3dBeamPacket.h"
+
+#include <cstdint>
+
+/// Cosine and sine of the elevation of each beam of a packet.
+struct lms3dElevations
+{
+  alignas(64) double Cosine[lms3dBeamPacket::Size];
+  alignas(64) double Sine[lms3dBeamPacket::Size];
+};
+
+/// For each beam of a packet the horizontal axis of the fan, and the upward axis of all.
+struct lms3dFanAxes
+{
+  alignas(64) double Horizontal[3][lms3dBeamPacket::Size];
+  double Up[3];
+};
+
+/// The corners of a triangle seen from the sensor.
+struct lms3dSeenTriangle
+{
+  double Corner[3][3];
+};
+
+/// Where beams pass a triangle: bits of those that do, and of those for which double cannot tell.
+struct lms3dVerdicts
+{
+  std::uint32_t Hit;
+  std::uint32_t Doubt;
+};
+
+/// A number as the sum of two doubles.
+struct lms3dDoubleDouble
+{
+  double High;
+  double Low;
+};
+
+/// A plane, Normal.p = Offset, with p seen from the sensor.
+struct lms3dSeenPlane
+{
+  lms3dDoubleDouble Normal[3];
+  lms3dDoubleDouble Offset;
+};
+
+struct lms3dPacketKernels
+{
+  const char* Name;
+
+  /// Fills both directions of a packet.
+  void (*Aim)(const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamPacket& packet);
+
+  /// Decides where beams pass a triangle, by the signs of its edge functions.
+  lms3dVerdicts (*Classify)(const lms3dSeenTriangle& triangle, const lms3dBeamPacket& packet);
+
+  /**
+   * Takes the hits of some beams into the packet where they are the nearest so far, up to a maximum
+   * range; of two triangles at the same range the one with the smaller number stays. The range has
+   * about 13 digits. Beams for which double keeps fewer are left alone and told in `unsure`. Returns
+   * the beams that changed.
+   */
+  std::uint32_t (*TakeHits)(const lms3dSeenTriangle& seen, std::int32_t triangle,
+    std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet, std::uint32_t& unsure);
+
+  /// The plane through three corners, in world coordinates, with about 31 digits.
+  lms3dSeenPlane (*See)(const double* const* corners, const double* origin);
+
+  /// Offset / Normal.direction for all beams, within 2 units in the last place of a plane with area.
+  void (*Measure)(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double* ranges);
+};
+
+/// Those of the widest instruction set that the processor has.
+const lms3dPacketKernels& lms3dGetPacketKernels();
+
+/// All that this build has and the processor can run, for tests.
+int lms3dGetNumberOfPacketKernels();
+const lms3dPacketKernels& lms3dGetPacketKernels(int i);
+
+#endif

@@ -1,0 +1,8 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dPacketKernelsBody.h"
+
+#include "lms3dPacketKernelSets.h"
+
+const lms3dPacketKernels lms3dPacketKernelsBaseline = { "Baseline", Aim, Classify, TakeHits, See,
+  Measure };

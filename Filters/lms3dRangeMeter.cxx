@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dRangeMeter.h"
+
+#include "lms3dTriangle.h"
+
+namespace
+{
+bool HasHits(const lms3dBeamPacket& packet)
+{
+  std::int32_t common = lms3dBeamPacket::NoTriangle;
+  static_assert(lms3dBeamPacket::NoTriangle == -1, "all bits are set in NoTriangle alone");
+  for (std::int32_t triangle : packet.Triangle)
+  {
+    common &= triangle;
+  }
+  return common != lms3dBeamPacket::NoTriangle;
+}
+} // namespace
+
+lms3dRangeMeter::lms3dRangeMeter(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint)
+  : Mesh(mesh)
+  , Viewpoint(viewpoint)
+  , Kernels(lms3dGetPacketKernels())
+{
+}
+
+const lms3dSeenPlane& lms3dRangeMeter::GetPlane(std::int32_t triangle)
+{
+  Entry& entry = this->Entries[triangle % NumberOfEntries];
+  if (entry.Triangle != triangle)
+  {
+    entry.Triangle = triangle;
+    entry.Plane =
+      this->Kernels.See(lms3dGetCorners(this->Mesh, triangle).data(), this->Viewpoint.Origin);
+  }
+  return entry.Plane;
+}
+
+void lms3dRangeMeter::Measure(lms3dBeamPacket& packet)
+{
+  if (!HasHits(packet))
+  {
+    return;
+  }
+  bool isMeasured[lms3dBeamPacket::Size] = {};
+  for (int first = 0; first < lms3dBeamPacket::Size; ++first)
+  {
+    const std::int32_t triangle = packet.Triangle[first];
+    if (triangle == lms3dBeamPacket::NoTriangle || isMeasured[first])
+    {
+      continue;
+    }
+    double ranges[lms3dBeamPacket::Size];
+    this->Kernels.Measure(this->GetPlane(triangle), packet, ranges);
+    for (int beam = first; beam < lms3dBeamPacket::Size; ++beam)
+    {
+      if (packet.Triangle[beam] == triangle)
+      {
+        const bool isHit = ranges[beam] > 0.0 && ranges[beam] <= this->Viewpoint.MaximumRange;
+        packet.Range[beam] = isHit ? ranges[beam] : lms3dBeamPacket::NoRange;
+        packet.Triangle[beam] = isHit ? triangle : lms3dBeamPacket::NoTriangle;
+        isMeasured[beam] = true;
+      }
+    }
+  }
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A triangle seen from the sensor, and exactly where beams pass it.
+ *
+ * With a, b, c the corners seen from the sensor, a beam along D passes inside the triangle where the
+ * three edge functions D.(b x c), D.(c x a), D.(a x b) have one sign. Two triangles that share an edge
+ * compute the same number for it but for its sign, so no beam passes between them.
+ *
+ * A triangle is closed (an edge or a corner counts as a hit) and has two sides. A beam within its own
+ * plane, and a triangle without area, are never hit.
+ */
+#ifndef lms3dTriangle_h
+#define lms3dTriangle_h
+
+#include "lms3dPacketKernels.h"
+#include "lms3dTriangleMesh.h"
+
+#include <array>
+
+/// Three corners in world coordinates.
+using lms3dCorners = std::array<const double*, 3>;
+
+inline lms3dCorners lms3dGetCorners(const lms3dTriangleMesh& mesh, std::size_t triangle)
+{
+  return { mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1), mesh.GetCorner(triangle, 2) };
+}
+
+inline lms3dSeenTriangle lms3dSee(const lms3dCorners& corners, const double origin[3])
+{
+  lms3dSeenTriangle seen;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      seen.Corner[corner][axis] = corners[corner][axis] - origin[axis];
+    }
+  }
+  return seen;
+}
+
+/// Whether a beam passes inside, in quadruple precision: for those that double leaves in doubt.
+bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3]);
+
+#endif
