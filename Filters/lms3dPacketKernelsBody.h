@@ -41,8 +41,8 @@ void Aim(const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamP
   {
     for (int i = 0; i < Size; ++i)
     {
-      const double component = elevations.Cosine[i] * axes.Horizontal[axis][i] +
-        elevations.Sine[i] * axes.Up[axis];
+      const double component =
+        elevations.Cosine[i] * axes.Horizontal[axis][i] + elevations.Sine[i] * axes.Up[axis];
       packet.Direction[axis][i] = component;
       packet.NarrowDirection[axis][i] =
         static_cast<float>(Magnitude(component) < SmallestComponent ? 0.0 : component);

@@ -20,9 +20,12 @@
 #include <vtkPolygon.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace
 {
@@ -75,7 +78,19 @@ public:
     this->AppendLeaf(vtkDataSet::SafeDownCast(scene));
   }
 
-  lms3dTriangleMesh Mesh;
+  // A scene of nothing but triangles, all usable, needs no list of what cell each is a part of.
+  void DropOwnNumbers()
+  {
+    std::vector<std::int64_t>& cells = this->Scene.Mesh.Cells;
+    std::int64_t number = 0;
+    if (std::all_of(
+          cells.begin(), cells.end(), [&number](std::int64_t cell) { return cell == number++; }))
+    {
+      cells = {};
+    }
+  }
+
+  lms3dSceneTriangles Scene;
 
 private:
   void AppendLeaf(vtkDataSet* leaf)
@@ -84,7 +99,7 @@ private:
     {
       return;
     }
-    this->FirstPoint = this->Mesh.Points.size();
+    this->FirstPoint = this->Scene.Mesh.Points.size();
     if (vtkPolyData* surface = vtkPolyData::SafeDownCast(leaf))
     {
       this->AppendSurface(surface, nullptr);
@@ -109,8 +124,11 @@ private:
     {
       return;
     }
-    AppendPoints(surface->GetPoints(), this->Mesh.Points);
-    if (this->Mesh.Points.size() > std::numeric_limits<std::uint32_t>::max())
+    AppendPoints(surface->GetPoints(), this->Scene.Mesh.Points);
+    this->Scene.Mesh.Triangles.reserve(
+      this->Scene.Mesh.Triangles.size() + surface->GetNumberOfPolys());
+    this->Scene.Mesh.Cells.reserve(this->Scene.Mesh.Triangles.capacity());
+    if (this->Scene.Mesh.Points.size() > std::numeric_limits<std::uint32_t>::max())
     {
       throw std::runtime_error("The scene has more points than 32 bits can number; split it.");
     }
@@ -134,14 +152,19 @@ private:
       it->GetCurrentCell(count, points);
       this->Cell =
         this->FirstCell + (this->OriginalCells ? this->OriginalCells->GetValue(cell) : cell);
-      this->CheckPoints(count, points);
-      (this->*append)(count, points);
+      if (this->IsUsable(count, points))
+      {
+        (this->*append)(count, points);
+      }
     }
   }
 
-  void CheckPoints(vtkIdType count, const vtkIdType* points) const
+  // Skips a cell with a point that no beam can be cast against.
+  bool IsUsable(vtkIdType count, const vtkIdType* points)
   {
-    const vtkIdType pointsOfLeaf = this->Mesh.Points.size() - this->FirstPoint;
+    const std::vector<std::array<double, 3>>& all = this->Scene.Mesh.Points;
+    const vtkIdType pointsOfLeaf = static_cast<vtkIdType>(all.size() - this->FirstPoint);
+    bool isFinite = true;
     for (vtkIdType i = 0; i < count; ++i)
     {
       if (points[i] < 0 || points[i] >= pointsOfLeaf)
@@ -150,29 +173,26 @@ private:
           " of the scene uses point " + std::to_string(points[i]) + " of " +
           std::to_string(pointsOfLeaf) + ". Repair the cell.");
       }
-      for (double x : this->Mesh.Points[this->FirstPoint + points[i]])
+      for (double x : all[this->FirstPoint + points[i]])
       {
-        if (!(std::abs(x) <= LargestCoordinate))
-        {
-          throw std::runtime_error("Point " + std::to_string(points[i]) + " of cell " +
-            std::to_string(this->Cell) + " of the scene has the coordinate " + std::to_string(x) +
-            "; finite numbers up to 1e18 m are expected. Remove the cell or repair the point.");
-        }
+        isFinite = isFinite && std::abs(x) <= LargestCoordinate;
       }
     }
+    this->Scene.SkippedCells += isFinite ? 0 : 1;
+    return isFinite;
   }
 
   void AppendTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   {
-    if (this->Mesh.Triangles.size() >= MostTriangles)
+    if (this->Scene.Mesh.Triangles.size() >= MostTriangles)
     {
       throw std::runtime_error(
         "The scene has more triangles than 31 bits can number; split it or simplify it.");
     }
-    this->Mesh.Triangles.push_back({ static_cast<std::uint32_t>(this->FirstPoint + a),
+    this->Scene.Mesh.Triangles.push_back({ static_cast<std::uint32_t>(this->FirstPoint + a),
       static_cast<std::uint32_t>(this->FirstPoint + b),
       static_cast<std::uint32_t>(this->FirstPoint + c) });
-    this->Mesh.Cells.push_back(this->Cell);
+    this->Scene.Mesh.Cells.push_back(this->Cell);
   }
 
   void AppendStrip(vtkIdType count, const vtkIdType* points)
@@ -202,7 +222,8 @@ private:
     this->Polygon->PointIds->SetNumberOfIds(count);
     for (vtkIdType i = 0; i < count; ++i)
     {
-      this->Polygon->Points->SetPoint(i, this->Mesh.Points[this->FirstPoint + points[i]].data());
+      this->Polygon->Points->SetPoint(
+        i, this->Scene.Mesh.Points[this->FirstPoint + points[i]].data());
       this->Polygon->PointIds->SetId(i, i);
     }
     double normal[3];
@@ -233,9 +254,10 @@ private:
 };
 } // namespace
 
-lms3dTriangleMesh lms3dCollectTriangles(vtkDataObject* scene)
+lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene)
 {
   Collector collector;
   collector.Append(scene);
-  return std::move(collector.Mesh);
+  collector.DropOwnNumbers();
+  return std::move(collector.Scene);
 }

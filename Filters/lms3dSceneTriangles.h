@@ -9,18 +9,26 @@
 
 #include "lms3dTriangleMesh.h"
 
-#include <string>
+#include <cstdint>
 
 class vtkDataObject;
 
+struct lms3dSceneTriangles
+{
+  lms3dTriangleMesh Mesh;
+
+  /// Cells that were left out because one of their points is not finite, or beyond 1e18 m.
+  std::int64_t SkippedCells = 0;
+};
+
 /**
- * Appends all polygons and triangle strips of a vtkPolyData, the outer surface of any other data
- * set, or those of all leaves of a composite. The cells of a composite are numbered through, leaf
- * after leaf. Vertices and lines have no surface and are passed over.
+ * Takes all polygons and triangle strips of a vtkPolyData, the outer surface of any other data set, or
+ * those of all leaves of a composite. The cells of a composite are numbered through, leaf after leaf.
+ * Vertices, lines and polygons without area have no surface and are passed over.
  *
- * Throws std::runtime_error, with words for the user, where a vertex is not finite or beyond
- * 1e18 m, where a polygon cannot be triangulated, or where there are too many triangles.
+ * Throws std::runtime_error, with words for the user, where a cell uses a point that is not there,
+ * where a polygon cannot be triangulated, or where there are too many triangles.
  */
-lms3dTriangleMesh lms3dCollectTriangles(vtkDataObject* scene);
+lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene);
 
 #endif

@@ -28,6 +28,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -81,27 +82,45 @@ std::string Pair(const T values[2])
 
 struct vtkLMS3DScanFilter::Internals
 {
-  /// Builds only where the scene or the method is another than last time.
-  void Build(vtkDataObject* scene, int method)
+  bool IsBuiltFor(vtkDataObject* scene, int method) const
   {
-    const vtkMTimeType sceneTime = GetSceneTime(scene);
-    if (this->Caster && this->Scene == scene && this->SceneTime == sceneTime &&
-      this->Method == method)
-    {
-      return;
-    }
+    return this->Caster && this->Scene == scene && this->SceneTime == GetSceneTime(scene) &&
+      this->Method == method;
+  }
+
+  /// Returns the number of cells that were left out.
+  std::int64_t Build(vtkDataObject* scene, int method)
+  {
     this->Caster.reset();
-    lms3dTriangleMesh mesh = lms3dCollectTriangles(scene);
-    if (mesh.Triangles.empty())
+    lms3dSceneTriangles triangles = lms3dCollectTriangles(scene);
+    if (triangles.Mesh.Triangles.empty())
     {
-      throw std::runtime_error("The scene has no polygons, so there is nothing to scan. Connect a "
-                               "data set with polygons, triangle strips or volume cells.");
+      throw std::runtime_error(triangles.SkippedCells > 0
+          ? "The scene has no polygon whose points are all finite, so there is nothing to scan."
+          : "The scene has no polygons, so there is nothing to scan. Connect a data set with "
+            "polygons, triangle strips or volume cells.");
     }
-    this->Caster = lms3dRayCaster::New(method, std::move(mesh));
+    this->Caster = lms3dRayCaster::New(method, std::move(triangles.Mesh));
     this->Scene = scene;
-    this->SceneTime = sceneTime;
+    this->SceneTime = GetSceneTime(scene);
     this->Method = method;
     this->BuildTime.Modified();
+    return triangles.SkippedCells;
+  }
+
+  /// Tables of sines and cosines are made for new angles only.
+  const lms3dScanGeometry& GetGeometry(const vtkLMS3DScanFilter* filter)
+  {
+    const Angles angles = { filter->AlphaRange[0], filter->AlphaRange[1],
+      static_cast<double>(filter->AlphaResolution), filter->BetaRange[0], filter->BetaRange[1],
+      static_cast<double>(filter->BetaResolution) };
+    if (!this->Geometry || angles != this->GeometryAngles)
+    {
+      this->Geometry = std::make_unique<lms3dScanGeometry>(
+        filter->AlphaRange, filter->AlphaResolution, filter->BetaRange, filter->BetaResolution);
+      this->GeometryAngles = angles;
+    }
+    return *this->Geometry;
   }
 
   std::unique_ptr<lms3dRayCaster> Caster;
@@ -109,6 +128,10 @@ struct vtkLMS3DScanFilter::Internals
   lms3dScanOutput Output;
 
 private:
+  using Angles = std::array<double, 6>;
+
+  std::unique_ptr<lms3dScanGeometry> Geometry;
+  Angles GeometryAngles;
   vtkDataObject* Scene = nullptr;
   vtkMTimeType SceneTime = 0;
   int Method = EXACT;
@@ -243,11 +266,20 @@ int vtkLMS3DScanFilter::RequestData(
   try
   {
     vtkDataObject* scene = vtkDataObject::GetData(inputVector[0]);
-    arena.execute([&] { this->Internal->Build(scene, this->IntersectionMethod); });
+    if (!this->Internal->IsBuiltFor(scene, this->IntersectionMethod))
+    {
+      std::int64_t skipped = 0;
+      arena.execute([&] { skipped = this->Internal->Build(scene, this->IntersectionMethod); });
+      if (skipped > 0)
+      {
+        vtkWarningMacro(<< "The scene has " << skipped
+                        << " cells with a point that is not finite, or "
+                        << "beyond 1e18 m; they are left out.");
+      }
+    }
     this->UpdateProgress(BuildShare);
 
-    const lms3dScanGeometry geometry(
-      this->AlphaRange, this->AlphaResolution, this->BetaRange, this->BetaResolution);
+    const lms3dScanGeometry& geometry = this->Internal->GetGeometry(this);
     const lms3dPose pose = lms3dPose::FromOrientation(this->Position, this->Orientation);
     const lms3dRayCaster& caster = *this->Internal->Caster;
     lms3dScanOutput& output = this->Internal->Output;

@@ -11,6 +11,15 @@ from ..scene import READERS, UP_AXES, read_scene
 from ..simulation import Simulation
 
 
+METHODS = {
+    "exact": vtkLMS3DScanFilter.EXACT,
+    "fast": vtkLMS3DScanFilter.FAST,
+    "angle-sum": vtkLMS3DScanFilter.ANGLE_SUM,
+    "moller-trumbore": vtkLMS3DScanFilter.MOLLER_TRUMBORE,
+    "static-cell-locator": vtkLMS3DScanFilter.STATIC_CELL_LOCATOR,
+}
+
+
 def number(text):
     """A finite number."""
     value = float(text)
@@ -84,9 +93,10 @@ def _add_ranges(group, defaults):
         value = getattr(defaults, f"Get{name.title()}Range")()
         group.add_argument(f"--{name}-range", type=number, metavar="M", default=value,
                            help=f"metres, what is {word} gives no return (default: {value:g})")
-    group.add_argument("--method", choices=("exact", "fast"), default="exact",
-                       help="exact: no beam slips through an edge (default); fast: a little "
-                       "quicker, single precision")
+    group.add_argument("--method", choices=METHODS, default="exact",
+                       help="exact: no beam slips through an edge (default); fast: single "
+                       "precision; the others are slow, for comparison: the paper's sum of angles, "
+                       "Moeller-Trumbore, VTK's locator")
     group.add_argument("--threads", type=thread_count, metavar="N", default=0,
                        help="cores to use; the result is the same for any number "
                        "(default: 0, all)")
@@ -132,7 +142,6 @@ def simulation(options):
     sensor.SetMinimumRange(options.minimum_range)
     sensor.SetMaximumRange(options.maximum_range)
     sensor.SetNumberOfThreads(options.threads)
-    {"exact": sensor.SetIntersectionMethodToExact,
-     "fast": sensor.SetIntersectionMethodToFast}[options.method]()
+    sensor.SetIntersectionMethod(METHODS[options.method])
     result.reconstruction.SetDepthStep(options.depth_step)
     return result
