@@ -80,6 +80,9 @@ struct lms3dPacketKernels
 
   /// Offset / Normal.direction for all beams, within 2 units in the last place of a plane with area.
   void (*Measure)(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double* ranges);
+
+  /// Makes a range NaN where there is no hit, or the hit is nearer than a minimum and taken back.
+  void (*Finish)(double minimumRange, lms3dBeamPacket& packet);
 };
 
 /// Those of the widest instruction set that the processor has.

@@ -4,4 +4,5 @@
 
 #include "lms3dPacketKernelSets.h"
 
-const lms3dPacketKernels lms3dPacketKernelsAVX2 = { "AVX2", Aim, Classify, TakeHits, See, Measure };
+const lms3dPacketKernels lms3dPacketKernelsAVX2 = { "AVX2", Aim, Classify, TakeHits, See, Measure,
+  Finish };

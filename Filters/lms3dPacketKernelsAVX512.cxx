@@ -5,4 +5,4 @@
 #include "lms3dPacketKernelSets.h"
 
 const lms3dPacketKernels lms3dPacketKernelsAVX512 = { "AVX512", Aim, Classify, TakeHits, See,
-  Measure };
+  Measure, Finish };

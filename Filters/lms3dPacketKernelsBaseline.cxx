@@ -5,4 +5,4 @@
 #include "lms3dPacketKernelSets.h"
 
 const lms3dPacketKernels lms3dPacketKernelsBaseline = { "Baseline", Aim, Classify, TakeHits, See,
-  Measure };
+  Measure, Finish };

@@ -307,6 +307,17 @@ void Measure(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double*
     ranges[i] = measured[i];
   }
 }
+
+void Finish(double minimumRange, lms3dBeamPacket& packet)
+{
+  for (int i = 0; i < Size; ++i)
+  {
+    const bool isReturn =
+      (packet.Triangle[i] != lms3dBeamPacket::NoTriangle) & (packet.Range[i] >= minimumRange);
+    packet.Range[i] = isReturn ? packet.Range[i] : __builtin_nan("");
+    packet.Triangle[i] = isReturn ? packet.Triangle[i] : lms3dBeamPacket::NoTriangle;
+  }
+}
 } // namespace
 
 #endif

@@ -11,7 +11,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -52,16 +52,18 @@ public:
   {
     const lms3dFanAxes axes = this->MakeAxes(firstTurn);
     const int turns = std::min(TileSide, this->Turns - firstTurn);
-    std::vector<lms3dBeamPacket> packets(this->Elevations.size());
-    for (std::size_t i = 0; i < packets.size(); ++i)
+    const std::size_t tiles = this->Elevations.size();
+    // Not a vector, which would write zeros first.
+    const std::unique_ptr<lms3dBeamPacket[]> packets(new lms3dBeamPacket[tiles]);
+    for (std::size_t i = 0; i < tiles; ++i)
     {
       this->Kernels.Aim(this->Elevations[i], axes, packets[i]);
       packets[i].Active = GetActive(turns, this->CountBeams(i));
     }
-    this->Caster.Cast(this->Viewpoint, packets.data(), static_cast<int>(packets.size()));
-    for (std::size_t i = 0; i < packets.size(); ++i)
+    this->Caster.Cast(this->Viewpoint, packets.get(), static_cast<int>(tiles));
+    for (std::size_t i = 0; i < tiles; ++i)
     {
-      this->ApplyLimits(packets[i]);
+      this->Kernels.Finish(this->MinimumRange, packets[i]);
       this->Store(firstTurn, turns, i, packets[i]);
     }
   }
@@ -113,25 +115,25 @@ private:
     return active;
   }
 
-  void ApplyLimits(lms3dBeamPacket& packet) const
-  {
-    for (int i = 0; i < lms3dBeamPacket::Size; ++i)
-    {
-      const bool isReturn = (packet.Triangle[i] != lms3dBeamPacket::NoTriangle) &
-        (packet.Range[i] >= this->MinimumRange);
-      packet.Range[i] = isReturn ? packet.Range[i] : std::numeric_limits<double>::quiet_NaN();
-      packet.Triangle[i] = isReturn ? packet.Triangle[i] : lms3dBeamPacket::NoTriangle;
-    }
-  }
-
   void Store(int firstTurn, int turns, std::size_t tile, const lms3dBeamPacket& packet) const
   {
     const int beams = this->CountBeams(tile);
     std::size_t slot = static_cast<std::size_t>(firstTurn) * this->Beams + tile * TileSide;
     for (int turn = 0; turn < turns; ++turn, slot += this->Beams)
     {
-      std::copy_n(packet.Range + TileSide * turn, beams, this->Ranges + slot);
-      std::copy_n(packet.Triangle + TileSide * turn, beams, this->Triangles + slot);
+      const double* range = packet.Range + TileSide * turn;
+      const std::int32_t* triangle = packet.Triangle + TileSide * turn;
+      // A number that the compiler knows saves the call of a general copy.
+      if (beams == TileSide)
+      {
+        std::copy_n(range, TileSide, this->Ranges + slot);
+        std::copy_n(triangle, TileSide, this->Triangles + slot);
+      }
+      else
+      {
+        std::copy_n(range, beams, this->Ranges + slot);
+        std::copy_n(triangle, beams, this->Triangles + slot);
+      }
     }
   }
 
