@@ -193,7 +193,13 @@ std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& 
     {
       const std::int32_t* triangle =
         this->Triangles.data() + static_cast<std::ptrdiff_t>(turn) * beams;
-      first[turn + 1] = beams - std::count(triangle, triangle + beams, lms3dBeamPacket::NoTriangle);
+      // A count of the width of its elements is what compilers vectorize.
+      std::int32_t hits = 0;
+      for (int beam = 0; beam < beams; ++beam)
+      {
+        hits += triangle[beam] != lms3dBeamPacket::NoTriangle ? 1 : 0;
+      }
+      first[turn + 1] = static_cast<std::size_t>(hits);
     });
   std::partial_sum(first.begin(), first.end(), first.begin());
   return first;
@@ -238,7 +244,12 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh& mesh, const lms3dScanGeo
   const lms3dBeamDirections directions(geometry, pose);
   tbb::parallel_for(0, geometry.GetNumberOfTurns(),
     [&](int turn)
-    { this->FillTurn(turn, first[turn], mesh, geometry, directions, pose.Position, returns); });
+    {
+      if (first[turn] < first[turn + 1])
+      {
+        this->FillTurn(turn, first[turn], mesh, geometry, directions, pose.Position, returns);
+      }
+    });
   returns.VertexOffset[count] = count;
 
   vtkNew<vtkPoints> points;

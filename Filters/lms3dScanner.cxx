@@ -22,6 +22,9 @@ namespace
 constexpr int TileSide = 4;
 static_assert(TileSide * TileSide == lms3dBeamPacket::Size, "a tile is a packet");
 
+// Telling costs more than casting a row.
+constexpr double SmallestProgress = 0.02;
+
 int CountTiles(int beamsOrTurns)
 {
   return (beamsOrTurns + TileSide - 1) / TileSide;
@@ -159,6 +162,7 @@ bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<int> rowsDone{ 0 };
   std::atomic<bool> stopped{ false };
+  double told = 0.0;
 
   tbb::parallel_for(tbb::blocked_range<int>(0, rows),
     [&](const tbb::blocked_range<int>& range)
@@ -166,10 +170,11 @@ bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
       for (int row = range.begin(); row < range.end() && !stopped; ++row)
       {
         scan.CastRow(row * TileSide);
-        ++rowsDone;
-        if (std::this_thread::get_id() == caller && !progress(double(rowsDone) / rows))
+        const double done = static_cast<double>(++rowsDone) / rows;
+        if (std::this_thread::get_id() == caller && done >= told + SmallestProgress)
         {
-          stopped = true;
+          told = done;
+          stopped = !progress(done);
         }
       }
     });
