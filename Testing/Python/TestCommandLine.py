@@ -30,6 +30,7 @@ from vtkmodules.vtkIOXML import (
     vtkXMLPolyDataReader,
     vtkXMLPolyDataWriter,
     vtkXMLUnstructuredGridWriter,
+    vtkXMLWriter,
 )
 
 import lms3d
@@ -65,6 +66,8 @@ def write(writer, data, path):
     """Write with a VTK writer."""
     writer.SetInputData(data)
     writer.SetFileName(str(path))
+    if isinstance(writer, vtkXMLWriter):
+        writer.SetDataModeToBinary()  # not every VTK reads what its writers append by default
     writer.Write()
 
 

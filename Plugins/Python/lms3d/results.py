@@ -104,9 +104,11 @@ def _save_csv(scan, path, failure):
         raise Problem(f"{failure}: {error.strerror}") from error
 
 
+# VTK appends binary data to the file by default, which is no XML: some versions of its parser,
+# Debian 12's among them, refuse to read it again.
 _SAVERS = {
-    ".vtp": _saver(vtkXMLPolyDataWriter),
-    ".vti": _saver(vtkXMLImageDataWriter),
+    ".vtp": _saver(vtkXMLPolyDataWriter, vtkXMLPolyDataWriter.SetDataModeToBinary),
+    ".vti": _saver(vtkXMLImageDataWriter, vtkXMLImageDataWriter.SetDataModeToBinary),
     ".ply": _saver(vtkPLYWriter),
     ".stl": _saver(vtkSTLWriter, vtkSTLWriter.SetFileTypeToBinary),
     ".png": _saver(vtkPNGWriter),
