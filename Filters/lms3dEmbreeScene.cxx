@@ -9,6 +9,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <stdexcept>
@@ -29,6 +30,9 @@ static_assert(lms3dBeamPacket::Size == 16, "packets are cast by rtcIntersect16")
 // precision in vertices, origin, direction and traversal (together below 1e-6 of the diagonal as
 // long as rays start within a few diagonals), so no box is passed by that truth would enter.
 constexpr float BoxMargin = 4e-6f;
+
+// Beams that can hit start within two and a half diagonals of the centre; others are not cast.
+constexpr double FarthestStart = 10.0;
 
 // A hit that was just found must not hide one at the same range, nor a limit one just within it.
 constexpr float RangeMargin = 1.0f + 1e-6f;
@@ -190,18 +194,30 @@ struct lms3dEmbreeScene::Internals
     return std::max(0.0f, static_cast<float>(this->Unit.GetDistance(range)) * RangeMargin);
   }
 
-  void SetStarts(const double origin[3], double headStart, const lms3dBeamPacket& packet,
+  // Returns the beams that start within reach of the scene. One that points away from a far scene
+  // starts even farther away, where single precision, and Embree's assertions, end.
+  std::uint32_t SetStarts(const double origin[3], double headStart, const lms3dBeamPacket& packet,
     RTCRayHit16& rayhit) const
   {
     float* const starts[3] = { rayhit.ray.org_x, rayhit.ray.org_y, rayhit.ray.org_z };
+    std::uint32_t near = 0;
     for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
     {
+      double start[3];
+      bool isNear = true;
       for (int axis = 0; axis < 3; ++axis)
       {
-        const double start = origin[axis] + headStart * packet.Direction[axis][beam];
-        starts[axis][beam] = static_cast<float>(this->Unit.Normalize(start, axis));
+        start[axis] =
+          this->Unit.Normalize(origin[axis] + headStart * packet.Direction[axis][beam], axis);
+        isNear = isNear && std::abs(start[axis]) <= FarthestStart;
       }
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        starts[axis][beam] = isNear ? static_cast<float>(start[axis]) : 0.0f;
+      }
+      near |= static_cast<std::uint32_t>(isNear) << beam;
     }
+    return near;
   }
 
   void Intersect(const int* valid, QueryContext& context, RTCRayHit16& rayhit) const
@@ -249,6 +265,7 @@ void lms3dEmbreeScene::Cast(
   query.Viewpoint = &viewpoint;
   query.HeadStart = headStart;
 
+  std::uint32_t near = 0;
   RTCRayHit16 rayhit;
   for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
   {
@@ -266,7 +283,7 @@ void lms3dEmbreeScene::Cast(
     std::fill_n(packet.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
     if (i == 0 || headStart > 0.0)
     {
-      self.SetStarts(viewpoint.Origin, headStart, packet, rayhit);
+      near = self.SetStarts(viewpoint.Origin, headStart, packet, rayhit);
     }
     std::memcpy(rayhit.ray.dir_x, packet.NarrowDirection[0], sizeof(rayhit.ray.dir_x));
     std::memcpy(rayhit.ray.dir_y, packet.NarrowDirection[1], sizeof(rayhit.ray.dir_y));
@@ -276,7 +293,7 @@ void lms3dEmbreeScene::Cast(
     alignas(64) int valid[lms3dBeamPacket::Size];
     for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
     {
-      valid[beam] = packet.Active & (1u << beam) ? -1 : 0;
+      valid[beam] = packet.Active & near & (1u << beam) ? -1 : 0;
     }
     query.Packet = &packet;
     self.Intersect(valid, query.Context, rayhit);

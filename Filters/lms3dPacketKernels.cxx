@@ -13,12 +13,13 @@ std::vector<const lms3dPacketKernels*> FindKernels()
 {
   std::vector<const lms3dPacketKernels*> kernels = { &lms3dPacketKernelsBaseline };
 #ifdef LMS3D_X86_KERNELS
-  if (__builtin_cpu_supports("avx2"))
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
   {
     kernels.push_back(&lms3dPacketKernelsAVX2);
   }
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-    __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
+  if (__builtin_cpu_supports("fma") && __builtin_cpu_supports("avx512f") &&
+    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+    __builtin_cpu_supports("avx512bw"))
   {
     kernels.push_back(&lms3dPacketKernelsAVX512);
   }

@@ -13,20 +13,27 @@ constexpr double FullCircle = 360.0;
 // The largest deviation from a full circle that is rounding of the angles rather than a gap.
 constexpr double AngleTolerance = 1e-6;
 
-// Weighting both ends keeps the ends exact and the angles symmetric about the middle.
-std::vector<double> EqualSteps(double start, double end, int count, int intervals)
-{
-  std::vector<double> angles(count, start);
-  for (int i = 1; i < count; ++i)
-  {
-    angles[i] = (start * (intervals - i) + end * i) / intervals;
-  }
-  return angles;
-}
-
 bool IsFullCircle(double extent)
 {
   return std::abs(extent - FullCircle) <= AngleTolerance;
+}
+
+// The end of a full circle is its start again.
+int CountIntervals(const double range[2], int resolution)
+{
+  return IsFullCircle(range[1] - range[0]) ? resolution : resolution - 1;
+}
+
+// Weighting both ends keeps the ends exact and the angles symmetric about the middle.
+std::vector<double> EqualSteps(const double range[2], int resolution)
+{
+  const int intervals = CountIntervals(range, resolution);
+  std::vector<double> angles(resolution, range[0]);
+  for (int i = 1; i < resolution; ++i)
+  {
+    angles[i] = (range[0] * (intervals - i) + range[1] * i) / intervals;
+  }
+  return angles;
 }
 
 void SinesAndCosines(
@@ -101,9 +108,8 @@ lms3dPose lms3dPose::FromOrientation(const double position[3], const double orie
 
 lms3dScanGeometry::lms3dScanGeometry(
   const double alphaRange[2], int alphaResolution, const double betaRange[2], int betaResolution)
-  : AlphaAngles(EqualSteps(alphaRange[0], alphaRange[1], alphaResolution, alphaResolution - 1))
-  , BetaAngles(EqualSteps(betaRange[0], betaRange[1], betaResolution,
-      IsFullCircle(betaRange[1] - betaRange[0]) ? betaResolution : betaResolution - 1))
+  : AlphaAngles(EqualSteps(alphaRange, alphaResolution))
+  , BetaAngles(EqualSteps(betaRange, betaResolution))
 {
   this->FillTables();
 }
@@ -114,6 +120,11 @@ lms3dScanGeometry::lms3dScanGeometry(
   , BetaAngles(std::move(betaAngles))
 {
   this->FillTables();
+}
+
+double lms3dScanGeometry::GetStep(const double range[2], int resolution)
+{
+  return resolution > 1 ? (range[1] - range[0]) / CountIntervals(range, resolution) : 0.0;
 }
 
 void lms3dScanGeometry::FillTables()

@@ -47,6 +47,9 @@ public:
 
   lms3dScanGeometry(std::vector<double> alphaAngles, std::vector<double> betaAngles);
 
+  /// The step of such a range, without making its angles; 0 for a resolution of 1.
+  static double GetStep(const double range[2], int resolution);
+
   int GetNumberOfBeams() const { return static_cast<int>(this->AlphaAngles.size()); }
   int GetNumberOfTurns() const { return static_cast<int>(this->BetaAngles.size()); }
   const std::vector<double>& GetAlphaAngles() const { return this->AlphaAngles; }

@@ -74,16 +74,16 @@ std::vector<double> ToVector(vtkDoubleArray* array)
 lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
 {
   const vtkIdType count = scan->GetNumberOfPoints();
+  if (count == 0)
+  {
+    return; // As a scan that was stopped comes, without any array.
+  }
   this->Ranges = Take<vtkDoubleArray>(scan->GetPointData(), "Range", count);
   this->BeamIds = Take<vtkIntArray>(scan->GetPointData(), "BeamId", count);
   this->AlphaAngles = TakeAngles(scan->GetFieldData(), "AlphaAngles");
   this->BetaAngles = TakeAngles(scan->GetFieldData(), "BetaAngles");
   this->SensorToWorld = Take<vtkDoubleArray>(scan->GetFieldData(), "SensorToWorld", 16);
-  this->Points = vtkSmartPointer<vtkDoubleArray>::New();
-  if (count > 0)
-  {
-    this->Points = As<vtkDoubleArray>(scan->GetPoints()->GetData());
-  }
+  this->Points = As<vtkDoubleArray>(scan->GetPoints()->GetData());
   const std::int64_t beams = static_cast<std::int64_t>(this->AlphaAngles->GetNumberOfValues()) *
     this->BetaAngles->GetNumberOfValues();
   if (beams > std::numeric_limits<std::int32_t>::max())

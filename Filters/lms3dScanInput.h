@@ -23,7 +23,11 @@ class lms3dScanInput
 public:
   explicit lms3dScanInput(vtkPolyData* scan);
 
-  vtkIdType GetNumberOfReturns() const { return this->Ranges->GetNumberOfValues(); }
+  /// Where it is 0, there is nothing else to ask.
+  vtkIdType GetNumberOfReturns() const
+  {
+    return this->Ranges ? this->Ranges->GetNumberOfValues() : 0;
+  }
   const double* GetPoints() const { return this->Points->GetPointer(0); }
   const double* GetRanges() const { return this->Ranges->GetPointer(0); }
   const int* GetBeamIds() const { return this->BeamIds->GetPointer(0); }

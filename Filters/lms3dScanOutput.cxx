@@ -5,8 +5,11 @@
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -21,26 +24,28 @@
 
 namespace
 {
-// The kept array where it is ours alone, a new one where somebody looks at the last scan still.
 template <typename ArrayT>
-typename ArrayT::ValueType* Renew(
-  vtkSmartPointer<ArrayT>& array, const char* name, vtkIdType count, int components = 1)
+vtkSmartPointer<ArrayT> MakeArray(
+  lms3dMemoryPool& pool, const char* name, vtkIdType count, int components = 1)
 {
-  if (!array || array->GetReferenceCount() > 1)
-  {
-    array = vtkSmartPointer<ArrayT>::New();
-  }
+  using ValueType = typename ArrayT::ValueType;
+  const vtkIdType values = count * components;
+  auto array = vtkSmartPointer<ArrayT>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(count);
-  array->Modified();
-  return array->GetPointer(0);
+  array->SetArray(
+    static_cast<ValueType*>(pool.Take(static_cast<std::size_t>(values) * sizeof(ValueType))),
+    values, 0, vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
+  array->SetArrayFreeFunction(&lms3dMemoryPool::Return);
+  return array;
 }
 
 void AddDoubles(vtkFieldData* fieldData, const char* name, const double* values, vtkIdType count)
 {
-  vtkSmartPointer<vtkDoubleArray> array;
-  std::copy(values, values + count, Renew(array, name, count));
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(count);
+  std::copy(values, values + count, array->GetPointer(0));
   fieldData->AddArray(array);
 }
 
@@ -83,12 +88,20 @@ double GetSpacing(double step)
   return step > 0.0 ? step : 1.0;
 }
 
+/// One axis of the range image.
+struct Axis
+{
+  double Start;
+  double Step;
+  int Count;
+};
+
 struct ImageFrame
 {
-  explicit ImageFrame(const lms3dScanGeometry& geometry)
-    : Extent{ 0, geometry.GetNumberOfBeams() - 1, 0, geometry.GetNumberOfTurns() - 1, 0, 0 }
-    , Origin{ geometry.GetAlphaAngles().front(), geometry.GetBetaAngles().front(), 0.0 }
-    , Spacing{ GetSpacing(geometry.GetAlphaStep()), GetSpacing(geometry.GetBetaStep()), 1.0 }
+  ImageFrame(const Axis& alpha, const Axis& beta)
+    : Extent{ 0, alpha.Count - 1, 0, beta.Count - 1, 0, 0 }
+    , Origin{ alpha.Start, beta.Start, 0.0 }
+    , Spacing{ GetSpacing(alpha.Step), GetSpacing(beta.Step), 1.0 }
   {
   }
 
@@ -98,9 +111,12 @@ struct ImageFrame
 };
 } // namespace
 
-void lms3dDescribeRangeImage(const lms3dScanGeometry& geometry, vtkInformation* info)
+void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
+  const double betaRange[2], int betaResolution, vtkInformation* info)
 {
-  const ImageFrame frame(geometry);
+  const ImageFrame frame(
+    { alphaRange[0], lms3dScanGeometry::GetStep(alphaRange, alphaResolution), alphaResolution },
+    { betaRange[0], lms3dScanGeometry::GetStep(betaRange, betaResolution), betaResolution });
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), frame.Extent, 6);
   info->Set(vtkDataObject::ORIGIN(), frame.Origin, 3);
   info->Set(vtkDataObject::SPACING(), frame.Spacing, 3);
@@ -110,14 +126,59 @@ void lms3dDescribeRangeImage(const lms3dScanGeometry& geometry, vtkInformation* 
 /// Where the returns go: a slot for each in every array.
 struct lms3dScanOutput::Returns
 {
-  double* Point;
-  double* Range;
-  float* Alpha;
-  float* Beta;
-  int* BeamId;
-  vtkIdType* CellId;
-  vtkIdType* VertexOffset;
-  vtkIdType* VertexPoint;
+  Returns(lms3dMemoryPool& pool, vtkIdType count)
+    : Points(MakeArray<vtkDoubleArray>(pool, "Points", count, 3))
+    , Ranges(MakeArray<vtkDoubleArray>(pool, "Range", count))
+    , Alphas(MakeArray<vtkFloatArray>(pool, "Alpha", count))
+    , Betas(MakeArray<vtkFloatArray>(pool, "Beta", count))
+    , BeamIds(MakeArray<vtkIntArray>(pool, "BeamId", count))
+    , CellIds(MakeArray<vtkIdTypeArray>(pool, "CellId", count))
+    , VertexOffsets(MakeArray<vtkIdTypeArray>(pool, "Offsets", count + 1))
+    , VertexPoints(MakeArray<vtkIdTypeArray>(pool, "Connectivity", count))
+    , Point(this->Points->GetPointer(0))
+    , Range(this->Ranges->GetPointer(0))
+    , Alpha(this->Alphas->GetPointer(0))
+    , Beta(this->Betas->GetPointer(0))
+    , BeamId(this->BeamIds->GetPointer(0))
+    , CellId(this->CellIds->GetPointer(0))
+    , VertexOffset(this->VertexOffsets->GetPointer(0))
+    , VertexPoint(this->VertexPoints->GetPointer(0))
+  {
+  }
+
+  void MoveTo(vtkPolyData* scan) const
+  {
+    vtkNew<vtkPoints> points;
+    points->SetData(this->Points);
+    scan->SetPoints(points);
+    vtkNew<vtkCellArray> vertices;
+    vertices->SetData(this->VertexOffsets, this->VertexPoints);
+    scan->SetVerts(vertices);
+    vtkPointData* pointData = scan->GetPointData();
+    pointData->SetScalars(this->Ranges);
+    pointData->AddArray(this->Alphas);
+    pointData->AddArray(this->Betas);
+    pointData->AddArray(this->BeamIds);
+    pointData->AddArray(this->CellIds);
+  }
+
+  const vtkSmartPointer<vtkDoubleArray> Points;
+  const vtkSmartPointer<vtkDoubleArray> Ranges;
+  const vtkSmartPointer<vtkFloatArray> Alphas;
+  const vtkSmartPointer<vtkFloatArray> Betas;
+  const vtkSmartPointer<vtkIntArray> BeamIds;
+  const vtkSmartPointer<vtkIdTypeArray> CellIds;
+  const vtkSmartPointer<vtkIdTypeArray> VertexOffsets;
+  const vtkSmartPointer<vtkIdTypeArray> VertexPoints;
+
+  double* const Point;
+  double* const Range;
+  float* const Alpha;
+  float* const Beta;
+  int* const BeamId;
+  vtkIdType* const CellId;
+  vtkIdType* const VertexOffset;
+  vtkIdType* const VertexPoint;
 };
 
 /// Fills the slots of one turn.
@@ -176,11 +237,11 @@ bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry
 {
   const vtkIdType beams =
     static_cast<vtkIdType>(geometry.GetNumberOfBeams()) * geometry.GetNumberOfTurns();
-  double* ranges = Renew(this->Ranges, "Range", beams);
+  this->Ranges = MakeArray<vtkDoubleArray>(this->Pool, "Range", beams);
   this->Triangles.resize(beams);
   const lms3dBeamDirections directions(geometry, pose);
-  return lms3dScan(
-    caster, geometry, directions, pose, limits, progress, ranges, this->Triangles.data());
+  return lms3dScan(caster, geometry, directions, pose, limits, progress,
+    this->Ranges->GetPointer(0), this->Triangles.data());
 }
 
 /// For each turn the slot of its first return, and their number at the end.
@@ -203,15 +264,6 @@ std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& 
     });
   std::partial_sum(first.begin(), first.end(), first.begin());
   return first;
-}
-
-lms3dScanOutput::Returns lms3dScanOutput::MakeArrays(vtkIdType count)
-{
-  return { Renew(this->ReturnPoints, "Points", count, 3), Renew(this->ReturnRanges, "Range", count),
-    Renew(this->ReturnAlphas, "Alpha", count), Renew(this->ReturnBetas, "Beta", count),
-    Renew(this->ReturnBeamIds, "BeamId", count), Renew(this->ReturnCellIds, "CellId", count),
-    Renew(this->VertexOffsets, "Offsets", count + 1),
-    Renew(this->VertexPoints, "Connectivity", count) };
 }
 
 void lms3dScanOutput::FillTurn(int turn, std::size_t slot, const lms3dTriangleMesh& mesh,
@@ -240,7 +292,7 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh& mesh, const lms3dScanGeo
 {
   const std::vector<std::size_t> first = this->CountReturns(geometry);
   const vtkIdType count = static_cast<vtkIdType>(first.back());
-  const Returns returns = this->MakeArrays(count);
+  const Returns returns(this->Pool, count);
   const lms3dBeamDirections directions(geometry, pose);
   tbb::parallel_for(0, geometry.GetNumberOfTurns(),
     [&](int turn)
@@ -251,27 +303,19 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh& mesh, const lms3dScanGeo
       }
     });
   returns.VertexOffset[count] = count;
-
-  vtkNew<vtkPoints> points;
-  points->SetData(this->ReturnPoints);
-  scan->SetPoints(points);
-  vtkNew<vtkCellArray> vertices;
-  vertices->SetData(this->VertexOffsets, this->VertexPoints);
-  scan->SetVerts(vertices);
-  vtkPointData* pointData = scan->GetPointData();
-  pointData->SetScalars(this->ReturnRanges);
-  pointData->AddArray(this->ReturnAlphas);
-  pointData->AddArray(this->ReturnBetas);
-  pointData->AddArray(this->ReturnBeamIds);
-  pointData->AddArray(this->ReturnCellIds);
+  returns.MoveTo(scan);
   AddFieldData(geometry, pose, scan->GetFieldData());
+  this->Pool.FreeUnused();
 }
 
 void lms3dScanOutput::FillRangeImage(const lms3dScanGeometry& geometry, vtkImageData* image)
 {
-  ImageFrame frame(geometry);
+  ImageFrame frame(
+    { geometry.GetAlphaAngles().front(), geometry.GetAlphaStep(), geometry.GetNumberOfBeams() },
+    { geometry.GetBetaAngles().front(), geometry.GetBetaStep(), geometry.GetNumberOfTurns() });
   image->SetExtent(frame.Extent);
   image->SetOrigin(frame.Origin);
   image->SetSpacing(frame.Spacing);
   image->GetPointData()->SetScalars(this->Ranges);
+  this->Ranges = nullptr;
 }

@@ -7,12 +7,10 @@
 #ifndef lms3dScanOutput_h
 #define lms3dScanOutput_h
 
+#include "lms3dMemoryPool.h"
 #include "lms3dScanner.h"
 
 #include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
-#include <vtkIdTypeArray.h>
-#include <vtkIntArray.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -25,12 +23,12 @@ class vtkInformation;
 class vtkPolyData;
 
 /// Sets extent, origin and spacing (degrees) and the scalar type of the range image to come.
-void lms3dDescribeRangeImage(const lms3dScanGeometry& geometry, vtkInformation* info);
+void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
+  const double betaRange[2], int betaResolution, vtkInformation* info);
 
 /**
- * Makes the outputs of one scan after the other. It keeps a reference to each array that it made and
- * fills it again once nobody else has one, which spares the system new memory for each scan. All
- * methods are to be called in the TBB arena whose threads they use.
+ * Makes the outputs of one scan after the other, in memory that is used again. All methods are to be
+ * called in the TBB arena whose threads they use.
  */
 class lms3dScanOutput
 {
@@ -39,7 +37,7 @@ public:
   bool Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry, const lms3dPose& pose,
     const lms3dRangeLimits& limits, const lms3dProgress& progress);
 
-  /// The outputs of the last Cast with the same arguments.
+  /// The outputs of the last Cast with the same arguments; hands its ranges over to the image.
   void FillScan(const lms3dTriangleMesh& mesh, const lms3dScanGeometry& geometry,
     const lms3dPose& pose, vtkPolyData* scan);
   void FillRangeImage(const lms3dScanGeometry& geometry, vtkImageData* image);
@@ -48,22 +46,13 @@ private:
   struct Returns;
   struct TurnSource;
   std::vector<std::size_t> CountReturns(const lms3dScanGeometry& geometry) const;
-  Returns MakeArrays(vtkIdType count);
   void FillTurn(int turn, std::size_t slot, const lms3dTriangleMesh& mesh,
     const lms3dScanGeometry& geometry, const lms3dBeamDirections& directions,
     const std::array<double, 3>& position, const Returns& returns) const;
 
+  lms3dMemoryPool Pool;
   vtkSmartPointer<vtkDoubleArray> Ranges;
   std::vector<std::int32_t> Triangles;
-
-  vtkSmartPointer<vtkDoubleArray> ReturnPoints;
-  vtkSmartPointer<vtkDoubleArray> ReturnRanges;
-  vtkSmartPointer<vtkFloatArray> ReturnAlphas;
-  vtkSmartPointer<vtkFloatArray> ReturnBetas;
-  vtkSmartPointer<vtkIntArray> ReturnBeamIds;
-  vtkSmartPointer<vtkIdTypeArray> ReturnCellIds;
-  vtkSmartPointer<vtkIdTypeArray> VertexOffsets;
-  vtkSmartPointer<vtkIdTypeArray> VertexPoints;
 };
 
 #endif

@@ -48,6 +48,10 @@ void CopyPoints(ArrayT* array, std::vector<std::array<double, 3>>& points)
 
 void AppendPoints(vtkPoints* points, std::vector<std::array<double, 3>>& out)
 {
+  if (!points)
+  {
+    return;
+  }
   out.reserve(out.size() + points->GetNumberOfPoints());
   if (vtkFloatArray* floats = vtkFloatArray::FastDownCast(points->GetData()))
   {

@@ -11,6 +11,8 @@
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
@@ -44,11 +46,20 @@ constexpr double LargestPosition = 1e18;
 // What of the whole work building takes, in the eyes of the progress bar.
 constexpr double BuildShare = 0.3;
 
-// A composite does not tell when one of its leaves changes.
+// A composite does not tell when one of its parts changes.
 vtkMTimeType GetSceneTime(vtkDataObject* scene)
 {
   vtkMTimeType time = scene->GetMTime();
-  if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(scene))
+  if (vtkDataObjectTree* tree = vtkDataObjectTree::SafeDownCast(scene))
+  {
+    auto nodes = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+    nodes->VisitOnlyLeavesOff();
+    for (nodes->InitTraversal(); !nodes->IsDoneWithTraversal(); nodes->GoToNextItem())
+    {
+      time = std::max(time, nodes->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  else if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(scene))
   {
     auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
     for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
@@ -222,25 +233,27 @@ std::string vtkLMS3DScanFilter::GetPropertyError() const
 int vtkLMS3DScanFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  if (!this->GetPropertyError().empty())
+  // RequestData reports bad properties; an extent needs good ones.
+  if (this->GetPropertyError().empty())
   {
-    return 1; // RequestData reports it; an extent needs good resolutions.
+    lms3dDescribeRangeImage(this->AlphaRange, this->AlphaResolution, this->BetaRange,
+      this->BetaResolution, outputVector->GetInformationObject(1));
   }
-  const lms3dScanGeometry geometry(
-    this->AlphaRange, this->AlphaResolution, this->BetaRange, this->BetaResolution);
-  lms3dDescribeRangeImage(geometry, outputVector->GetInformationObject(1));
   return 1;
 }
 
 int vtkLMS3DScanFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // Every beam may meet any part of the scene, whatever part of the image is asked for.
+  // Every beam may meet any part of the scene, whatever part of the outputs is asked for.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  if (input->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (input->Has(Pipeline::WHOLE_EXTENT()))
   {
-    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-      input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
   return 1;
 }
@@ -249,6 +262,8 @@ int vtkLMS3DScanFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  // An image keeps its arrays from one execution to the next.
+  vtkImageData::GetData(outputVector, 1)->Initialize();
   const std::string propertyError = this->GetPropertyError();
   if (!propertyError.empty())
   {

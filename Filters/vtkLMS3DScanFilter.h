@@ -40,15 +40,16 @@
  * itself, a range that is empty or out of its limits, more than 2^31 - 1 beams. Cells with a point
  * that is not finite or beyond 1e18 m are left out, with one warning that counts them.
  *
- * What a scene may be: triangles without area are never hit. Of faces at the same place the one with
- * the smaller cell number is returned. Where triangles meet in a T, rounding of the vertex on the
+ * What a scene may be: triangles without area are never hit. Of faces at the same place either
+ * is returned, the same one each time. Where triangles meet in a T, rounding of the vertex on the
  * edge leaves a gap of some 1e-16 of the scene's size, and a beam that runs exactly there sees through
  * it. A sensor on a face, an edge or a vertex does not see what it stands on: only ranges above 0
  * count. Sizes of 1e-6 to 1e7 m and offsets up to 1e7 m cost no accuracy beyond the rounding of the
  * coordinates themselves.
  *
  * Memory, beside the input and the outputs: for EXACT and FAST 24 bytes a point and 12 a triangle (20
- * where cells are not all triangles) and Embree's structure; 4 bytes a beam.
+ * where cells are not all triangles) and Embree's structure; 4 bytes a beam. The memory of an output
+ * that nobody looks at any more is kept for the next scan.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkVRMLImporterSource

@@ -134,7 +134,15 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
   const lms3dProgress goesOn = lms3dReportTo(this, 0.0, 1.0);
   try
   {
+    if (std::isnan(this->DepthStep))
+    {
+      throw std::runtime_error("DepthStep is not a number; 0 or more metres are expected.");
+    }
     const lms3dScanInput scan(vtkPolyData::GetData(inputVector[0]));
+    if (scan.GetNumberOfReturns() == 0)
+    {
+      return 1;
+    }
     const lms3dRangeGrid grid(
       scan.GetGeometry(), scan.GetRanges(), scan.GetBeamIds(), scan.GetNumberOfReturns());
     if (!goesOn(0.3))

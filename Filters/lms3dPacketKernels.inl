@@ -8,8 +8,8 @@
  * inline function that other sources share: the linker would keep one of them, perhaps the one that
  * the processor cannot run.
  */
-#ifndef lms3dPacketKernelsBody_h
-#define lms3dPacketKernelsBody_h
+#ifndef lms3dPacketKernels_inl
+#define lms3dPacketKernels_inl
 
 #include "lms3dPacketKernels.h"
 
@@ -179,6 +179,8 @@ std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std
     return 0;
   }
 
+  // The range that counts is measured later, with more digits.
+  const double farthest = maximumRange * (1.0 + 1e-12);
   std::uint32_t bad = 0;
   std::uint32_t nearer = 0;
   alignas(64) double ranges[Size];
@@ -189,8 +191,7 @@ std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std
     const double range = offset / slope;
     ranges[i] = range;
     const bool isTie = (range == packet.Range[i]) & (triangle < packet.Triangle[i]);
-    const bool isNearer =
-      (range > 0.0) & (range <= maximumRange) & ((range < packet.Range[i]) | isTie);
+    const bool isNearer = (range > 0.0) & (range <= farthest) & ((range < packet.Range[i]) | isTie);
     bad |= Magnitude(slope) > smallestSlope ? 0u : 1u << i;
     nearer |= isNearer ? 1u << i : 0u;
   }
@@ -295,12 +296,14 @@ void Measure(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double*
       slope = sum.High;
       error += sum.Low + (product.Low + plane.Normal[axis].Low * direction);
     }
+    // At a grazing angle the error is no longer small beside the slope.
+    const Pair whole = Add(slope, error);
     // The quotient, and its correction by what remains.
-    const double quotient = plane.Offset.High / slope;
-    const Pair back = Multiply(quotient, slope);
+    const double quotient = plane.Offset.High / whole.High;
+    const Pair back = Multiply(quotient, whole.High);
     const double remainder =
-      ((plane.Offset.High - back.High) - back.Low) + (plane.Offset.Low - quotient * error);
-    measured[i] = quotient + remainder / slope;
+      ((plane.Offset.High - back.High) - back.Low) + (plane.Offset.Low - quotient * whole.Low);
+    measured[i] = quotient + remainder / whole.High;
   }
   for (int i = 0; i < Size; ++i)
   {
