@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dSceneTriangles.h"
 
+#include "lms3dPolygon.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
@@ -10,14 +12,11 @@
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
-#include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
-#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolygon.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
@@ -80,6 +79,18 @@ public:
       return;
     }
     this->AppendLeaf(vtkDataSet::SafeDownCast(scene));
+  }
+
+  // Points that no triangle uses may be anything; nobody has to look at them twice.
+  void ClearUnusable()
+  {
+    for (std::array<double, 3>& point : this->Scene.Mesh.Points)
+    {
+      for (double& x : point)
+      {
+        x = std::abs(x) <= LargestCoordinate ? x : 0.0;
+      }
+    }
   }
 
   // A scene of nothing but triangles, all usable, needs no list of what cell each is a part of.
@@ -216,41 +227,26 @@ private:
     }
     else if (count > 3)
     {
-      this->AppendEarClipped(count, points);
+      this->AppendCut(count, points);
     }
   }
 
-  void AppendEarClipped(vtkIdType count, const vtkIdType* points)
+  void AppendCut(vtkIdType count, const vtkIdType* points)
   {
-    this->Polygon->Points->SetNumberOfPoints(count);
-    this->Polygon->PointIds->SetNumberOfIds(count);
+    this->Corners.clear();
     for (vtkIdType i = 0; i < count; ++i)
     {
-      this->Polygon->Points->SetPoint(
-        i, this->Scene.Mesh.Points[this->FirstPoint + points[i]].data());
-      this->Polygon->PointIds->SetId(i, i);
+      this->Corners.push_back(this->Scene.Mesh.Points[this->FirstPoint + points[i]]);
     }
-    double normal[3];
-    vtkPolygon::ComputeNormal(this->Polygon->Points, normal);
-    if (vtkMath::Norm(normal) == 0.0)
+    const lms3dPolygonTriangles cut = lms3dCutPolygon(this->Corners);
+    this->Scene.CrossedCells += cut.IsSimple ? 0 : 1;
+    for (const std::array<int, 3>& triangle : cut.Triangles)
     {
-      return; // A polygon without area is no surface.
-    }
-    if (!this->Polygon->Triangulate(this->Ears) || this->Ears->GetNumberOfIds() != 3 * (count - 2))
-    {
-      throw std::runtime_error("Cell " + std::to_string(this->Cell) +
-        " of the scene, a polygon of " + std::to_string(count) +
-        " points, cannot be triangulated; it crosses itself or has a hole. Split it first.");
-    }
-    for (vtkIdType i = 0; i < this->Ears->GetNumberOfIds(); i += 3)
-    {
-      this->AppendTriangle(points[this->Ears->GetId(i)], points[this->Ears->GetId(i + 1)],
-        points[this->Ears->GetId(i + 2)]);
+      this->AppendTriangle(points[triangle[0]], points[triangle[1]], points[triangle[2]]);
     }
   }
 
-  vtkNew<vtkPolygon> Polygon;
-  vtkNew<vtkIdList> Ears;
+  std::vector<std::array<double, 3>> Corners;
   vtkIdTypeArray* OriginalCells = nullptr;
   std::size_t FirstPoint = 0;
   std::int64_t FirstCell = 0;
@@ -263,5 +259,6 @@ lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene)
   Collector collector;
   collector.Append(scene);
   collector.DropOwnNumbers();
+  collector.ClearUnusable();
   return std::move(collector.Scene);
 }

@@ -19,6 +19,9 @@ struct lms3dSceneTriangles
 
   /// Cells that were left out because one of their points is not finite, or beyond 1e18 m.
   std::int64_t SkippedCells = 0;
+
+  /// Polygons that were left out because they cross themselves.
+  std::int64_t CrossedCells = 0;
 };
 
 /**
@@ -26,8 +29,8 @@ struct lms3dSceneTriangles
  * those of all leaves of a composite. The cells of a composite are numbered through, leaf after leaf.
  * Vertices, lines and polygons without area have no surface and are passed over.
  *
- * Throws std::runtime_error, with words for the user, where a cell uses a point that is not there,
- * where a polygon cannot be triangulated, or where there are too many triangles.
+ * Throws std::runtime_error, with words for the user, where a cell uses a point that is not there, or
+ * where there are too many triangles.
  */
 lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene);
 

@@ -76,6 +76,23 @@ bool IsFinite(const double (&values)[N])
   return std::all_of(values, values + N, [](double x) { return std::isfinite(x); });
 }
 
+std::string TellLeftOut(const lms3dSceneTriangles& scene)
+{
+  std::ostringstream words;
+  if (scene.SkippedCells > 0)
+  {
+    words << "The scene has " << scene.SkippedCells
+          << " cells with a point that is not finite, or beyond 1e18 m; they are left out. ";
+  }
+  if (scene.CrossedCells > 0)
+  {
+    words
+      << "The scene has " << scene.CrossedCells
+      << " polygons that cross themselves; they are left out. Split them to have them scanned. ";
+  }
+  return words.str();
+}
+
 // Two different ends, or one beam that needs only the first.
 bool IsProperRange(const double range[2], int resolution)
 {
@@ -99,24 +116,25 @@ struct vtkLMS3DScanFilter::Internals
       this->Method == method;
   }
 
-  /// Returns the number of cells that were left out.
-  std::int64_t Build(vtkDataObject* scene, int method)
+  /// Returns words on the cells that were left out, empty where all were taken.
+  std::string Build(vtkDataObject* scene, int method)
   {
     this->Caster.reset();
     lms3dSceneTriangles triangles = lms3dCollectTriangles(scene);
+    const std::string leftOut = TellLeftOut(triangles);
     if (triangles.Mesh.Triangles.empty())
     {
-      throw std::runtime_error(triangles.SkippedCells > 0
-          ? "The scene has no polygon whose points are all finite, so there is nothing to scan."
-          : "The scene has no polygons, so there is nothing to scan. Connect a data set with "
-            "polygons, triangle strips or volume cells.");
+      throw std::runtime_error(leftOut.empty()
+          ? "The scene has no polygons, so there is nothing to scan. Connect a data set with "
+            "polygons, triangle strips or volume cells."
+          : "There is nothing left to scan. " + leftOut);
     }
     this->Caster = lms3dRayCaster::New(method, std::move(triangles.Mesh));
     this->Scene = scene;
     this->SceneTime = GetSceneTime(scene);
     this->Method = method;
     this->BuildTime.Modified();
-    return triangles.SkippedCells;
+    return leftOut;
   }
 
   /// Tables of sines and cosines are made for new angles only.
@@ -283,13 +301,11 @@ int vtkLMS3DScanFilter::RequestData(
     vtkDataObject* scene = vtkDataObject::GetData(inputVector[0]);
     if (!this->Internal->IsBuiltFor(scene, this->IntersectionMethod))
     {
-      std::int64_t skipped = 0;
-      arena.execute([&] { skipped = this->Internal->Build(scene, this->IntersectionMethod); });
-      if (skipped > 0)
+      std::string leftOut;
+      arena.execute([&] { leftOut = this->Internal->Build(scene, this->IntersectionMethod); });
+      if (!leftOut.empty())
       {
-        vtkWarningMacro(<< "The scene has " << skipped
-                        << " cells with a point that is not finite, or "
-                        << "beyond 1e18 m; they are left out.");
+        vtkWarningMacro(<< leftOut);
       }
     }
     this->UpdateProgress(BuildShare);

@@ -36,9 +36,9 @@
  * when the pose or the angles do. The outputs are the same to the bit for any NumberOfThreads.
  *
  * Bad input and bad properties give an error that says what to do, the error code
- * vtkErrorCode::UserError, and empty outputs: an input without polygons, a polygon that crosses
- * itself, a range that is empty or out of its limits, more than 2^31 - 1 beams. Cells with a point
- * that is not finite or beyond 1e18 m are left out, with one warning that counts them.
+ * vtkErrorCode::UserError, and empty outputs: an input without polygons, a range that is empty
+ * or out of its limits, more than 2^31 - 1 beams. Cells with a point that is not finite or beyond
+ * 1e18 m, and polygons that cross themselves, are left out, with one warning that counts them.
  *
  * What a scene may be: triangles without area are never hit. Of faces at the same place either
  * is returned, the same one each time. Where triangles meet in a T, rounding of the vertex on the

@@ -137,7 +137,7 @@ TEST(LMS3DScanFilterErrors, ASceneWithoutAFinitePolygon)
 {
   for (double bad : { NaN, Infinity, -Infinity, 1e19 })
   {
-    ExpectBadScene(MakePolygon({ { 0, 0, 1 }, { 1, 0, bad }, { 0, 1, 1 } }), "all finite");
+    ExpectBadScene(MakePolygon({ { 0, 0, 1 }, { 1, 0, bad }, { 0, 1, 1 } }), "not finite");
   }
 }
 
@@ -160,12 +160,12 @@ TEST(LMS3DScanFilterErrors, ACellWithAPointThatIsNotThere)
   ExpectBadScene(ball, "uses point 100000");
 }
 
-TEST(LMS3DScanFilterErrors, APolygonThatCannotBeTriangulated)
+TEST(LMS3DScanFilterErrors, APolygonThatCrossesItself)
 {
   // A star that crosses itself.
   ExpectBadScene(
     MakePolygon({ { 0, 3, 1 }, { 2, -3, 1 }, { -3, 1, 1 }, { 3, 1, 1 }, { -2, -3, 1 } }),
-    "cannot be triangulated");
+    "cross themselves");
 }
 
 TEST(LMS3DScanFilterErrors, APolygonWithoutAreaIsNone)
@@ -176,4 +176,40 @@ TEST(LMS3DScanFilterErrors, APolygonWithoutAreaIsNone)
   scan->SetInputDataObject(scene);
   EXPECT_EQ(UpdateAndGetError(scan), "");
   EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 361 * 360);
+}
+
+TEST(LMS3DScanFilterErrors, PolygonsThatAreHardToCut)
+{
+  const double thin = 1e-7;
+  const std::vector<Point> polygons[] = {
+    { { 5, -5, -5 }, { 5, 5, -5 }, { 5, 5, -5 }, { 5, 5, 5 }, { 5, -5, 5 } }, // a point twice
+    { { 5, -5, -5 }, { 5, 5, -5 }, { 5, 5, 5 }, { 5, -5, 5 }, { 5, -5, -5 } }, // closed by hand
+    { { 5, -5, -5 }, { 5, 5, -5 }, { 5, 5, 0 }, { 5, 5, 5 }, { 5, -5, 5 } }, // a point on a side
+    { { 5, -20, -thin }, { 5, 20, -thin }, { 5, 20, thin }, { 5, -20, thin } }, // very thin
+  };
+  for (const std::vector<Point>& polygon : polygons)
+  {
+    vtkNew<vtkLMS3DScanFilter> scan;
+    scan->SetInputDataObject(MakePolygon(polygon));
+    scan->SetAlphaRange(0.0, 0.0);
+    scan->SetAlphaResolution(1);
+    scan->SetBetaRange(-40.0, 40.0);
+    scan->SetBetaResolution(81);
+    EXPECT_EQ(UpdateAndGetError(scan), "");
+    EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 81);
+  }
+}
+
+TEST(LMS3DScanFilterErrors, AHoleThatABridgeJoinsToTheRim)
+{
+  vtkNew<vtkLMS3DScanFilter> scan;
+  scan->SetInputDataObject(MakePolygon({ { 5, -9, -9 }, { 5, 9, -9 }, { 5, 9, 9 }, { 5, -9, 9 },
+    { 5, -9, -9 }, { 5, -1, -1 }, { 5, -1, 1 }, { 5, 1, 1 }, { 5, 1, -1 }, { 5, -1, -1 } }));
+  scan->SetAlphaRange(0.0, 0.0);
+  scan->SetAlphaResolution(1);
+  scan->SetBetaRange(-30.0, 30.0);
+  scan->SetBetaResolution(61);
+  EXPECT_EQ(UpdateAndGetError(scan), "");
+  // The window is seen under atan(1 / 5), 11.3 degrees, to either side.
+  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 61 - 23);
 }
