@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -58,6 +59,17 @@ std::array<double, 3> TransformPoint(vtkMatrix4x4* matrix, const double point[3]
   return { out[0], out[1], out[2] };
 }
 
+// A polygon or strip of n corners makes n - 2 triangles.
+vtkIdType CountTriangles(vtkCellArray* cells)
+{
+  vtkIdType count = 0;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    count += std::max<vtkIdType>(cells->GetCellSize(cell) - 2, 0);
+  }
+  return count;
+}
+
 void AppendTriangles(vtkPolyData* surface, lms3dShape& shape)
 {
   auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(surface->GetPolys()->NewIterator());
@@ -70,13 +82,14 @@ void AppendTriangles(vtkPolyData* surface, lms3dShape& shape)
   }
 }
 
-lms3dShape ReadActor(vtkActor* actor)
+void AppendShape(vtkActor* actor, lms3dScene& scene)
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->PassVertsOff();
   triangles->PassLinesOff();
   actor->GetMapper()->Update();
-  triangles->SetInputDataObject(actor->GetMapper()->GetInputDataObject(0, 0));
+  auto* read = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  triangles->SetInputData(read);
   triangles->Update();
   vtkPolyData* surface = triangles->GetOutput();
 
@@ -87,7 +100,15 @@ lms3dShape ReadActor(vtkActor* actor)
     shape.Points.push_back(TransformPoint(actor->GetMatrix(), surface->GetPoint(i)));
   }
   AppendTriangles(surface, shape);
-  return shape;
+
+  const vtkIdType expected = CountTriangles(read->GetPolys()) + CountTriangles(read->GetStrips());
+  const vtkIdType lost = expected - static_cast<vtkIdType>(shape.Triangles.size());
+  if (lost > 0)
+  {
+    scene.Messages.push_back("shape " + std::to_string(scene.Shapes.size()) + ": " +
+      std::to_string(lost) + " of " + std::to_string(expected) + " triangles could not be made");
+  }
+  scene.Shapes.push_back(std::move(shape));
 }
 } // namespace
 
@@ -114,7 +135,7 @@ lms3dScene lms3dReadWithVTKImporter(
   {
     if (actor->GetMapper() && actor->GetMapper()->GetNumberOfInputConnections(0) > 0)
     {
-      scene.Shapes.push_back(ReadActor(actor));
+      AppendShape(actor, scene);
     }
     if (!progress(static_cast<double>(scene.Shapes.size()) / count))
     {

@@ -150,7 +150,7 @@ vtkVRMLImporterSource::vtkVRMLImporterSource()
 
 vtkVRMLImporterSource::~vtkVRMLImporterSource()
 {
-  this->SetFileName(nullptr);
+  delete[] this->FileName;
 }
 
 int vtkVRMLImporterSource::CanReadFile(const char* fileName)
@@ -235,6 +235,7 @@ void vtkVRMLImporterSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  os << indent << "Engine: VTKImporter\n";
   os << indent << "UpAxis: " << (this->UpAxis == Y ? "Y" : "AsInFile") << '\n';
   os << indent << "NumberOfMessages: " << this->GetNumberOfMessages() << '\n';
 }

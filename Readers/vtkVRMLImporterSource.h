@@ -20,8 +20,13 @@
  *
  * Errors, with an empty output: no FileName (vtkErrorCode::NoFileNameError), a file that does not
  * exist or is no regular file (FileNotFoundError), cannot be opened (CannotOpenFileError), does not
- * begin with "#VRML V2.0" (UnrecognizedFileTypeError), or has no surface (FileFormatError). What the
- * importer itself complains of is kept as messages and reported as one warning.
+ * begin with "#VRML V2.0" (UnrecognizedFileTypeError), or has no surface (FileFormatError).
+ *
+ * What is known not to have been read is kept as messages and reported as one warning: VTK's errors
+ * and warnings, among them the first node type that VRML does not have, and polygons that cannot be
+ * triangulated. The rest is lost without a message: the importer prints syntax errors to the terminal
+ * only and ends there, and passes over VRML's nodes that it does not know (PROTO, Inline,
+ * ElevationGrid, ...).
  *
  * @sa
  * vtkLMS3DScanFilter vtkVRMLImporter
@@ -56,6 +61,23 @@ public:
   ///@}
 
   /**
+   * What reads the file. VTK_IMPORTER is vtkVRMLImporter.
+   */
+  enum Engines
+  {
+    VTK_IMPORTER = 1
+  };
+
+  ///@{
+  /**
+   * What reads the file; the default is VTK_IMPORTER.
+   */
+  vtkSetClampMacro(Engine, int, VTK_IMPORTER, VTK_IMPORTER);
+  vtkGetMacro(Engine, int);
+  void SetEngineToVTKImporter() { this->SetEngine(VTK_IMPORTER); }
+  ///@}
+
+  /**
    * What UpAxis can be. AS_IN_FILE leaves coordinates as they are. Y says that the file has y up, as
    * VRML browsers and modellers assume, and turns it by 90 degrees about x, so that z is up as in the
    * sensor frame: (x, y, z) becomes (x, -z, y).
@@ -78,8 +100,8 @@ public:
 
   ///@{
   /**
-   * What was not read at the last execution, from message 0 on. A number out of range gives an empty
-   * message.
+   * What is known not to have been read at the last execution, from message 0 on. A number out of
+   * range gives an empty message.
    */
   int GetNumberOfMessages() const { return static_cast<int>(this->Messages.size()); }
   std::string GetMessage(int i) const;
@@ -99,6 +121,7 @@ private:
   int Fail(unsigned long errorCode, const std::string& words);
 
   char* FileName = nullptr;
+  int Engine = VTK_IMPORTER;
   int UpAxis = AS_IN_FILE;
   std::vector<std::string> Messages;
 };

@@ -4,7 +4,9 @@
 
 #include "vtkVRMLImporterSource.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -14,6 +16,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace
 {
@@ -150,6 +153,55 @@ TEST_F(VRMLImporterSource, ReportsWhatIsNoScene)
   this->Write("#VRML V2.0 utf8\nWorldInfo { title \"nothing\" }\n");
   this->Reader->Modified();
   this->ExpectError(vtkErrorCode::FileFormatError, "no surface");
+}
+
+TEST_F(VRMLImporterSource, WarnsOfPolygonsThatCannotBeTriangulated)
+{
+  const std::string crossed = R"(Shape { geometry IndexedFaceSet {
+  coord Coordinate { point [ 0 0 0, 1 1 0, 1 0 0, 0 1 0 ] }
+  coordIndex [ 0, 1, 2, -1, 0, 1, 2, 3, -1 ]
+} }
+)";
+  this->Write(Square + crossed + crossed);
+  this->Reader->SetFileName(this->File.string().c_str());
+  std::string warning;
+  vtkNew<vtkCallbackCommand> keeper;
+  keeper->SetClientData(&warning);
+  keeper->SetCallback([](vtkObject*, unsigned long, void* clientData, void* callData)
+    { *static_cast<std::string*>(clientData) += static_cast<const char*>(callData); });
+  this->Reader->AddObserver(vtkCommand::WarningEvent, keeper);
+  EXPECT_EQ(UpdateAndGetError(this->Reader), "");
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 4);
+  ASSERT_EQ(this->Reader->GetNumberOfMessages(), 2);
+  EXPECT_EQ(this->Reader->GetMessage(0), "shape 1: 2 of 3 triangles could not be made");
+  EXPECT_EQ(this->Reader->GetMessage(1), "shape 2: 2 of 3 triangles could not be made");
+  EXPECT_NE(warning.find(this->Reader->GetMessage(0)), std::string::npos) << warning;
+}
+
+TEST_F(VRMLImporterSource, CountsNoTrianglesLostThatWereNone)
+{
+  this->Write("#VRML V2.0 utf8\nShape { geometry Box {} } Shape { geometry Sphere {} }"
+              "Shape { geometry Cone {} } Shape { geometry Cylinder {} }"
+              "Shape { geometry IndexedFaceSet { coord Coordinate { point [ 0 0 0, 1 0 0, 1 1 0 ] }"
+              " coordIndex [ 0, 1, -1, 0, 1, 2, -1 ] } }\n");
+  this->Reader->SetFileName(this->File.string().c_str());
+  EXPECT_EQ(UpdateAndGetError(this->Reader), "");
+  EXPECT_EQ(this->Reader->GetNumberOfMessages(), 0);
+}
+
+TEST_F(VRMLImporterSource, HasOneEngine)
+{
+  EXPECT_EQ(this->Reader->GetEngine(), vtkVRMLImporterSource::VTK_IMPORTER);
+  for (int engine : { -1, 0, 1, 2 })
+  {
+    this->Reader->SetEngine(engine);
+    EXPECT_EQ(this->Reader->GetEngine(), vtkVRMLImporterSource::VTK_IMPORTER);
+  }
+  this->Reader->SetEngineToVTKImporter();
+  EXPECT_EQ(this->Reader->GetEngine(), 1);
+  std::ostringstream words;
+  this->Reader->Print(words);
+  EXPECT_NE(words.str().find("Engine: VTKImporter"), std::string::npos) << words.str();
 }
 
 TEST_F(VRMLImporterSource, KnowsItsFiles)

@@ -276,6 +276,10 @@ class TestOptions(CommandLineTest):
         self.assertLess(counts[0], counts[2])
         self.assertEqual(counts[2], 2 * (COARSE_BEAMS - 1) * COARSE_TURNS)
 
+    def test_the_largest_numbers_that_are_taken(self):
+        self.done("scan", ROOM, *POSE, *COARSE, "--threads", 1024, "--maximum-range", "1e18",
+                  "-o", self.folder / "largest.vtp")
+
     def test_numbers_below_zero_in_any_notation(self):
         self.done("scan", ROOM, "--position", "-1e-1", "-.5", "+1", *COARSE,
                   "-o", self.folder / "negative.vtp")
@@ -403,11 +407,23 @@ class TestProblems(CommandLineTest):
             "alpha falls": ("scan", ROOM, *POSE, *output, "--alpha-range", 10, -10),
             "more than a circle": ("scan", ROOM, *POSE, *output, "--beta-range", 0, 361),
             "no beam": ("scan", ROOM, *POSE, *output, "--alpha-resolution", 0),
+            "more beams than an int": ("scan", ROOM, *POSE, *output, "--alpha-resolution", 2**31),
+            "more turns than an int": ("scan", ROOM, *POSE, *output,
+                                       "--beta-resolution", 99999999999),
             "half a turn": ("scan", ROOM, *POSE, *output, "--beta-resolution", 1.5),
+            "position too far": ("scan", ROOM, "--position", 0, "-1.1e18", 0, *output),
+            "view from too far": ("view", ROOM, "--position", "1e19", 0, 0),
             "range below zero": ("scan", ROOM, *POSE, *output, "--minimum-range", -1),
             "ranges fall": ("scan", ROOM, *POSE, *output, "--minimum-range", 5,
                             "--maximum-range", 2),
+            "no range": ("scan", ROOM, *POSE, *output, "--maximum-range", 0),
             "threads below zero": ("scan", ROOM, *POSE, *output, "--threads", -1),
+            "too many threads": ("scan", ROOM, *POSE, *output, "--threads", 1025),
+            "more threads than an int": ("scan", ROOM, *POSE, *output, "--threads", 99999999999),
+            "picture too large": ("scan", ROOM, *POSE, "--picture", self.folder / "out.png",
+                                  "--size", 99999999999, 620),
+            "picture wider than OpenGL draws": ("scan", ROOM, *POSE, "--picture",
+                                                self.folder / "out.png", "--size", 16385, 620),
             "unknown method": ("scan", ROOM, *POSE, *output, "--method", "guess"),
             "unknown axis": ("scan", ROOM, *POSE, *output, "--up-axis", "x"),
             "no depth": ("scan", ROOM, *POSE, *output, "--depth-step", 0),
@@ -441,6 +457,14 @@ class TestProblems(CommandLineTest):
         words = self.refused(1, "scan", "nowhere.wrl", *POSE, "-o", self.target)
         self.assertIn("nowhere.wrl", words)
 
+    def test_a_scene_that_is_a_folder(self):
+        for name in ("scene", "scene.wrl"):
+            with self.subTest(name):
+                folder = self.folder / name
+                folder.mkdir()
+                words = self.refused(1, "scan", folder, *POSE, "-o", self.target)
+                self.assertIn(f"'{folder}': that is a folder", words)
+
     def test_broken_scenes_are_refused_in_vtks_words(self):
         for ending, expected in (("wrl", "VRML"), ("vtp", "XML"), ("stl", "solid"),
                                  ("ply", "PLY"), ("obj", "no triangles")):
@@ -457,10 +481,18 @@ class TestProblems(CommandLineTest):
         self.assertIn("no beam returned", words)
         self.assertIn("500 0 0", words)
 
-    def test_what_the_filter_refuses_is_said_in_its_words(self):
-        words = self.refused(1, "scan", ROOM, *POSE, "-o", self.target,
+    def test_more_beams_than_can_be_numbered(self):
+        words = self.refused(2, "scan", ROOM, *POSE, "-o", self.target,
                              "--alpha-resolution", 100000, "--beta-resolution", 100000)
+        self.assertIn("10000000000 beams", words)
         self.assertIn("2147483647", words)
+
+    def test_what_the_filter_refuses_is_said_in_its_words(self):
+        far = self.folder / "far.obj"
+        far.write_text("v 0 0 0\nv 1 0 0\nv 0 1e19 0\nf 1 2 3\n")
+        words = self.refused(1, "scan", far, *POSE, "-o", self.target)
+        self.assertIn("nothing left to scan", words)
+        self.assertIn("1e18", words)
 
     def test_places_that_cannot_be_written_to(self):
         nowhere = self.folder / "missing" / "out.vtp"

@@ -63,7 +63,9 @@ class Scene:
 
 
 def check_readable(path):
-    """Raise UsageProblem for an ending that no reader knows, Problem for a missing file."""
+    """Raise UsageProblem for an ending that no reader knows, Problem where there is no file."""
+    if Path(path).is_dir():
+        raise Problem(f"cannot read scene '{path}': that is a folder")
     if Path(path).suffix.lower() not in READERS:
         raise UsageProblem(f"cannot read scene '{path}': the ending is not one of "
                            + " ".join(READERS))

@@ -5,10 +5,18 @@
 from ..figure import DEFAULT_SIZE
 from .sensor_options import count
 
+_LARGEST_SIDE = 2**14  # pixels, what OpenGL 4.1 and newer can draw at least
+
+
+def pixel_count(text):
+    """A whole number of pixels that can be drawn."""
+    return count(text, _LARGEST_SIDE)
+
 
 def add_size(parser):
     """Add the size of the picture or window."""
     width, height = DEFAULT_SIZE
-    parser.add_argument("--size", nargs=2, type=count, metavar=("WIDTH", "HEIGHT"),
+    parser.add_argument("--size", nargs=2, type=pixel_count, metavar=("WIDTH", "HEIGHT"),
                         default=DEFAULT_SIZE,
-                        help=f"pixels of the picture (default: {width} {height})")
+                        help=f"pixels of the picture, up to {_LARGEST_SIDE} each "
+                        f"(default: {width} {height})")

@@ -19,6 +19,11 @@ METHODS = {
     "static-cell-locator": vtkLMS3DScanFilter.STATIC_CELL_LOCATOR,
 }
 
+# What vtkLMS3DScanFilter takes. A count is an int to VTK.
+_LARGEST_COUNT = 2**31 - 1
+_MOST_THREADS = 1024
+_FARTHEST = 1e18  # metres
+
 
 def number(text):
     """A finite number."""
@@ -36,17 +41,19 @@ def positive(text):
     return value
 
 
-def count(text):
-    """A whole number from 1."""
+def count(text, most=_LARGEST_COUNT):
+    """A whole number from 1 to `most`."""
     value = int(text)
     if value < 1:
         raise argparse.ArgumentTypeError(f"{text.strip()} is below 1")
+    if value > most:
+        raise argparse.ArgumentTypeError(f"{text.strip()} is above {most}")
     return value
 
 
 def thread_count(text):
     """A whole number from 0, which stands for all cores."""
-    return 0 if int(text) == 0 else count(text)
+    return 0 if int(text) == 0 else count(text, _MOST_THREADS)
 
 
 def add_scene(parser):
@@ -98,7 +105,7 @@ def _add_ranges(group, defaults):
                        "precision; the others are slow, for comparison: the paper's sum of angles, "
                        "Moeller-Trumbore, VTK's locator")
     group.add_argument("--threads", type=thread_count, metavar="N", default=0,
-                       help="cores to use; the result is the same for any number "
+                       help="cores to use, up to 1024; the result is the same for any number "
                        "(default: 0, all)")
 
 
@@ -111,7 +118,15 @@ def add_map(parser):
 
 
 def check(options):
-    """Raise UsageProblem where two numbers contradict each other, before anything is read."""
+    """Raise UsageProblem where the sensor cannot be so, before anything is read."""
+    if any(abs(x) > _FARTHEST for x in options.position or ()):
+        raise UsageProblem("--position {:g} {:g} {:g}: must lie within {:g} of 0".format(
+            *options.position, _FARTHEST))
+    beams = options.alpha_resolution * options.beta_resolution
+    if beams > _LARGEST_COUNT:
+        raise UsageProblem(
+            f"--alpha-resolution {options.alpha_resolution} --beta-resolution "
+            f"{options.beta_resolution}: {beams} beams, at most {_LARGEST_COUNT} are possible")
     low, high = options.alpha_range
     if not (-90 <= low and high <= 90 and _rises(low, high, options.alpha_resolution)):
         raise UsageProblem(f"--alpha-range {low:g} {high:g}: must rise and lie within -90 90")
@@ -119,9 +134,9 @@ def check(options):
     if not (high - low <= 360 and _rises(low, high, options.beta_resolution)):
         raise UsageProblem(f"--beta-range {low:g} {high:g}: must rise, by 360 at most")
     low, high = options.minimum_range, options.maximum_range
-    if not 0 <= low <= high:
-        raise UsageProblem(f"--minimum-range {low:g} --maximum-range {high:g}: must be 0 or more "
-                           "and rise")
+    if not (0 <= low <= high and high > 0):
+        raise UsageProblem(f"--minimum-range {low:g} --maximum-range {high:g}: must rise, from 0 "
+                           "or more to above 0")
 
 
 def _rises(low, high, resolution):
