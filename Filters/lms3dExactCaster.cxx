@@ -10,7 +10,7 @@ namespace
 {
 /**
  * Embree finds candidates; float rejects most of them, double with an error bound decides, and
- * quadruple precision where the bound leaves a sign open. The range is measured anew once the nearest
+ * arithmetic without rounding where the bound leaves a sign open. The range is measured anew once the nearest
  * triangle is known.
  */
 class ExactCaster final
@@ -62,7 +62,15 @@ private:
     std::uint32_t doubt, const lms3dViewpoint& viewpoint, lms3dBeamPacket& packet) const
   {
     double ranges[lms3dBeamPacket::Size];
-    this->Kernels.Measure(this->Kernels.See(corners.data(), viewpoint.Origin), packet, ranges);
+    const lms3dSeenPlane plane = this->Kernels.See(corners.data(), viewpoint.Origin);
+    if (lms3dIsNearPlane(corners, viewpoint.Origin, plane))
+    {
+      lms3dMeasureNearPlane(corners, viewpoint.Origin, packet, ranges);
+    }
+    else
+    {
+      this->Kernels.Measure(plane, packet, ranges);
+    }
     std::uint32_t changed = 0;
     for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
     {

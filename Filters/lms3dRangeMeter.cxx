@@ -25,16 +25,32 @@ lms3dRangeMeter::lms3dRangeMeter(const lms3dTriangleMesh& mesh, const lms3dViewp
 {
 }
 
-const lms3dSeenPlane& lms3dRangeMeter::GetPlane(std::int32_t triangle)
+const lms3dRangeMeter::Entry& lms3dRangeMeter::GetEntry(std::int32_t triangle)
 {
   Entry& entry = this->Entries[triangle % NumberOfEntries];
   if (entry.Triangle != triangle)
   {
+    const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
     entry.Triangle = triangle;
-    entry.Plane =
-      this->Kernels.See(lms3dGetCorners(this->Mesh, triangle).data(), this->Viewpoint.Origin);
+    entry.Plane = this->Kernels.See(corners.data(), this->Viewpoint.Origin);
+    entry.IsNear = lms3dIsNearPlane(corners, this->Viewpoint.Origin, entry.Plane);
   }
-  return entry.Plane;
+  return entry;
+}
+
+void lms3dRangeMeter::MeasureAll(
+  std::int32_t triangle, const lms3dBeamPacket& packet, double* ranges)
+{
+  const Entry& entry = this->GetEntry(triangle);
+  if (entry.IsNear)
+  {
+    lms3dMeasureNearPlane(
+      lms3dGetCorners(this->Mesh, triangle), this->Viewpoint.Origin, packet, ranges);
+  }
+  else
+  {
+    this->Kernels.Measure(entry.Plane, packet, ranges);
+  }
 }
 
 void lms3dRangeMeter::Measure(lms3dBeamPacket& packet)
@@ -52,7 +68,7 @@ void lms3dRangeMeter::Measure(lms3dBeamPacket& packet)
       continue;
     }
     double ranges[lms3dBeamPacket::Size];
-    this->Kernels.Measure(this->GetPlane(triangle), packet, ranges);
+    this->MeasureAll(triangle, packet, ranges);
     for (int beam = first; beam < lms3dBeamPacket::Size; ++beam)
     {
       if (packet.Triangle[beam] == triangle)

@@ -20,13 +20,16 @@ public:
   void Measure(lms3dBeamPacket& packet);
 
 private:
-  const lms3dSeenPlane& GetPlane(std::int32_t triangle);
-
   struct Entry
   {
     std::int32_t Triangle = lms3dBeamPacket::NoTriangle;
+    bool IsNear;
     lms3dSeenPlane Plane;
   };
+
+  const Entry& GetEntry(std::int32_t triangle);
+  void MeasureAll(std::int32_t triangle, const lms3dBeamPacket& packet, double* ranges);
+
   static constexpr int NumberOfEntries = 64;
 
   const lms3dTriangleMesh& Mesh;

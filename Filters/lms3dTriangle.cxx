@@ -2,64 +2,165 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dTriangle.h"
 
+#include <cmath>
+
 namespace
 {
-#ifdef __SIZEOF_FLOAT128__
-__extension__ using Quad = __float128;
-#else
-using Quad = long double;
-#endif
-
-using QuadVector = std::array<Quad, 3>;
-
-// Rounding of an edge function relative to |p| |q| in the 1-norm stays below 9 units of 1e-34.
-constexpr double QuadEdgeError = 1e-31;
-
-QuadVector Subtract(const double* p, const double* q)
+/// A sum without rounding: doubles that do not overlap, from the smallest to the largest (Shewchuk
+/// 1997, "Adaptive precision floating-point arithmetic").
+class ExactSum
 {
-  return { Quad(p[0]) - q[0], Quad(p[1]) - q[1], Quad(p[2]) - q[2] };
-}
-
-QuadVector Cross(const QuadVector& p, const QuadVector& q)
-{
-  return { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0] };
-}
-
-Quad Dot(const QuadVector& p, const QuadVector& q)
-{
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-}
-
-Quad SumOfMagnitudes(const QuadVector& p)
-{
-  Quad sum = 0;
-  for (Quad component : p)
+public:
+  void Add(double x)
   {
-    sum += component < 0 ? -component : component;
+    int kept = 0;
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const double sum = x + this->Terms[i];
+      const double part = sum - x;
+      const double error = (x - (sum - part)) + (this->Terms[i] - part);
+      this->Terms[kept] = error;
+      kept += error != 0.0;
+      x = sum;
+    }
+    this->Terms[kept] = x;
+    this->Count = kept + (x != 0.0);
+  }
+
+  void AddProduct(double x, double y, double z)
+  {
+    const double product = x * y;
+    const double error = std::fma(x, y, -product);
+    this->AddProduct(product, z);
+    this->AddProduct(error, z);
+  }
+
+  double GetValue() const
+  {
+    double sum = 0.0;
+    for (int i = 0; i < this->Count; ++i)
+    {
+      sum += this->Terms[i];
+    }
+    return sum;
+  }
+
+  // That of the largest term, which outweighs all others.
+  int GetSign() const
+  {
+    const double largest = this->Count > 0 ? this->Terms[this->Count - 1] : 0.0;
+    return (largest > 0.0) - (largest < 0.0);
+  }
+
+private:
+  void AddProduct(double x, double y)
+  {
+    const double product = x * y;
+    if (product != 0.0)
+    {
+      this->Add(std::fma(x, y, -product));
+      this->Add(product);
+    }
+  }
+
+  // Four for each of the 48 products of a determinant.
+  std::array<double, 192 + 1> Terms;
+  int Count = 0;
+};
+
+/// p - q as the sum of two doubles for each axis, the rounding error last.
+using Difference = std::array<std::array<double, 2>, 3>;
+
+Difference Subtract(const double* p, const double* q)
+{
+  Difference difference;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double rounded = p[axis] - q[axis];
+    const double part = rounded - p[axis];
+    difference[axis] = { rounded, (p[axis] - (rounded - part)) - (q[axis] + part) };
+  }
+  return difference;
+}
+
+/// Adds x times the determinant's cofactor of an axis.
+void AddCofactor(ExactSum& sum, double x, int axis, const Difference& p, const Difference& q)
+{
+  const int next = (axis + 1) % 3;
+  const int last = (axis + 2) % 3;
+  for (int i = 0; i < 4; ++i)
+  {
+    sum.AddProduct(p[next][i / 2], q[last][i % 2], x);
+    sum.AddProduct(p[last][i / 2], q[next][i % 2], -x);
+  }
+}
+
+ExactSum GetDeterminant(const double direction[3], const Difference& p, const Difference& q)
+{
+  ExactSum sum;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    AddCofactor(sum, direction[axis], axis, p, q);
   }
   return sum;
 }
 
-int GetSign(const QuadVector& direction, const QuadVector& p, const QuadVector& q)
+ExactSum GetDeterminant(const Difference& a, const Difference& p, const Difference& q)
 {
-  const Quad value = Dot(direction, Cross(p, q));
-  const Quad error = Quad(QuadEdgeError) * SumOfMagnitudes(p) * SumOfMagnitudes(q);
-  return (value > error) - (value < -error);
+  ExactSum sum;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    AddCofactor(sum, a[axis][1], axis, p, q);
+    AddCofactor(sum, a[axis][0], axis, p, q);
+  }
+  return sum;
 }
+
+double SumOfMagnitudes(const Difference& p)
+{
+  return std::abs(p[0][0]) + std::abs(p[1][0]) + std::abs(p[2][0]);
+}
+
+// Where the sensor is nearer to a plane than this share of the triangle's size and distance, the
+// plane's 31 digits leave too few of the range, and may put a sensor that stands on it beside it.
+constexpr double NearPlane = 1e-12;
 } // namespace
 
 bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3])
 {
-  const QuadVector d = { direction[0], direction[1], direction[2] };
-  const QuadVector seen[3] = { Subtract(corners[0], origin), Subtract(corners[1], origin),
+  const Difference seen[3] = { Subtract(corners[0], origin), Subtract(corners[1], origin),
     Subtract(corners[2], origin) };
   int positive = 0;
   int negative = 0;
   for (int i = 0; i < 3; ++i)
   {
-    const int sign = GetSign(d, seen[(i + 1) % 3], seen[(i + 2) % 3]);
+    const int sign = GetDeterminant(direction, seen[(i + 1) % 3], seen[(i + 2) % 3]).GetSign();
     positive += sign > 0;
     negative += sign < 0;
   }
   return (positive == 0) != (negative == 0);
+}
+
+bool lms3dIsNearPlane(
+  const lms3dCorners& corners, const double origin[3], const lms3dSeenPlane& plane)
+{
+  const double size = SumOfMagnitudes(Subtract(corners[0], origin)) *
+    SumOfMagnitudes(Subtract(corners[1], corners[0])) *
+    SumOfMagnitudes(Subtract(corners[2], corners[0]));
+  return std::abs(plane.Offset.High) <= NearPlane * size;
+}
+
+void lms3dMeasureNearPlane(const lms3dCorners& corners, const double origin[3],
+  const lms3dBeamPacket& packet, double* ranges)
+{
+  const Difference a = Subtract(corners[0], origin);
+  const Difference p = Subtract(corners[1], corners[0]);
+  const Difference q = Subtract(corners[2], corners[0]);
+  const double offset = GetDeterminant(a, p, q).GetValue();
+  for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+  {
+    const double direction[3] = { packet.Direction[0][beam], packet.Direction[1][beam],
+      packet.Direction[2][beam] };
+    ranges[beam] = offset == 0.0 ? 0.0 : offset / GetDeterminant(direction, p, q).GetValue();
+  }
 }

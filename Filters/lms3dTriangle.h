@@ -40,7 +40,16 @@ inline lms3dSeenTriangle lms3dSee(const lms3dCorners& corners, const double orig
   return seen;
 }
 
-/// Whether a beam passes inside, in quadruple precision: for those that double leaves in doubt.
+/// Whether a beam passes inside, without rounding: for those that double leaves in doubt.
 bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3]);
+
+/// Whether the sensor stands on a triangle's plane, or so nearly that the plane's 31 digits may put it
+/// beside.
+bool lms3dIsNearPlane(
+  const lms3dCorners& corners, const double origin[3], const lms3dSeenPlane& plane);
+
+/// The ranges of all beams of a packet in such a plane, without rounding but for the last.
+void lms3dMeasureNearPlane(const lms3dCorners& corners, const double origin[3],
+  const lms3dBeamPacket& packet, double* ranges);
 
 #endif

@@ -148,8 +148,8 @@ public:
   /**
    * How a beam finds the surface.
    *
-   * EXACT: Embree finds candidates; a test in double with error bounds, and in quadruple precision
-   * where a bound leaves a sign open, decides. No beam passes between two triangles that share an
+   * EXACT: Embree finds candidates; a test in double with error bounds, and without rounding where a
+   * bound leaves a sign open (Shewchuk 1997), decides. No beam passes between two triangles that share an
    * edge, and a range is right to 2 units in its last place. (Where two surfaces lie within 1e-13 of
    * their range of one another, it may be that of either.)
    *
