@@ -1,0 +1,470 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The exact caster below VTK: no beam lost, none invented, every range right to its last bits.
+ *
+ * Builds with a sanitizer, and Debug, define LMS3D_FEWER_BEAMS, which takes one beam of 50.
+ */
+#include "CasterFixtures.h"
+#include "SceneFixtures.h"
+
+#include "lms3dPacketKernels.h"
+#include "lms3dTriangle.h"
+#include "vtkLMS3DScanFilter.h"
+
+#include <vtkImageData.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <tuple>
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+#ifdef LMS3D_FEWER_BEAMS
+constexpr std::size_t Fewer = 50;
+#else
+constexpr std::size_t Fewer = 1;
+#endif
+
+// Units in the last place by which a range may differ from the true one.
+constexpr double RangeError = 4.0;
+
+void ExpectExact(const Tally& tally)
+{
+  EXPECT_EQ(tally.Misses, 0) << tally;
+  EXPECT_EQ(tally.FalseHits, 0) << tally;
+  EXPECT_LE(tally.WorstError, RangeError) << tally;
+  std::ostringstream words;
+  words << tally;
+  testing::Test::RecordProperty("Tally", words.str());
+}
+
+// --- Closed meshes ------------------------------------------------------------------------------
+
+/// Closed meshes around the origin, and where sensors stand within all of them.
+struct Enclosure
+{
+  const char* Name;
+  std::vector<lms3dTriangleMesh> (*Make)();
+  std::vector<Vector> Sensors;
+};
+
+std::vector<lms3dTriangleMesh> MakeIcospheres()
+{
+  std::vector<lms3dTriangleMesh> meshes;
+  meshes.reserve(6);
+  for (int level = 0; level < 6; ++level)
+  {
+    meshes.push_back(MakeIcosphere(level));
+  }
+  return meshes;
+}
+
+std::vector<lms3dTriangleMesh> MakeCubes()
+{
+  return { MakeCube(1), MakeCube(3), MakeCube(8) };
+}
+
+std::vector<lms3dTriangleMesh> MakeRoom()
+{
+  return { MakeMesh(ReadRoom()) };
+}
+
+std::vector<lms3dTriangleMesh> MakeTurnedRoom()
+{
+  return { Map(MakeMesh(ReadRoom()), Turn) };
+}
+
+const Vector InRoom = { 0.3, -0.2, 1.0 };
+
+const Enclosure Enclosures[] = {
+  { "Icospheres", MakeIcospheres, { { 0, 0, 0 }, { 0.31, -0.42, 0.17 }, { 0, 0, 0.7 } } },
+  { "Cubes", MakeCubes, { { 0, 0, 0 }, { 0.5, 0.25, -0.75 }, { 0.31, -0.42, 0.9 } } },
+  { "Room", MakeRoom, { InRoom, { 0.25, -0.25, 1.0 } } },
+  { "TurnedRoom", MakeTurnedRoom, { Turn(InRoom), Turn({ 0.25, -0.25, 1.0 }) } },
+};
+
+void PrintTo(const Enclosure& enclosure, std::ostream* os)
+{
+  *os << enclosure.Name;
+}
+
+using Placement = std::tuple<Enclosure, double, double>;
+
+class EachEnclosure : public testing::TestWithParam<Placement>
+{
+};
+
+std::string GetName(const testing::TestParamInfo<Placement>& info)
+{
+  std::ostringstream name;
+  name << std::get<0>(info.param).Name << "_Scale" << std::get<1>(info.param) << "_Offset"
+       << std::get<2>(info.param);
+  std::string text = name.str();
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c == '.' || c == '+' || c == '-'; }, '_');
+  return text;
+}
+
+/// From within a closed mesh all beams hit. What the reference says of one packet of so many tells
+/// enough of the others.
+Tally JudgeEnclosed(const Target& target, const Vector& origin, std::size_t number)
+{
+  constexpr std::size_t Sample = 40;
+  Random random(number);
+  const std::size_t triangle = random.GetBits() % target.GetMesh().GetNumberOfTriangles();
+  const Beams beams = target.AimAt(triangle, origin, random);
+  if (number % Sample == 0)
+  {
+    return Judge(target, origin, beams);
+  }
+  lms3dBeamPacket packet = Aim(beams);
+  target.Caster->Cast({ { origin[0], origin[1], origin[2] }, Infinity }, &packet, 1);
+  Tally tally;
+  tally.Beams = lms3dBeamPacket::Size;
+  tally.Hits = lms3dBeamPacket::Size;
+  for (double range : packet.Range)
+  {
+    tally.Misses += range == lms3dBeamPacket::NoRange;
+    tally.FalseHits += !(range > 0.0);
+  }
+  return tally;
+}
+} // namespace
+
+// 36 x 280,800 beams.
+TEST_P(EachEnclosure, LosesNoBeamAndInventsNone)
+{
+  constexpr std::size_t Packets = 17550 / Fewer;
+  const Enclosure& enclosure = std::get<0>(GetParam());
+  const double scale = std::get<1>(GetParam());
+  const double offset = std::get<2>(GetParam());
+  const Vector center = { offset, -0.7 * offset, 0.3 * offset };
+  const std::vector<lms3dTriangleMesh> meshes = enclosure.Make();
+  Tally sum;
+  for (const lms3dTriangleMesh& mesh : meshes)
+  {
+    ASSERT_TRUE(IsClosed(mesh));
+    const Target target(Move(mesh, scale, center));
+    sum += JudgeEach(Packets / meshes.size(),
+      [&](std::size_t i)
+      {
+        const std::vector<Vector>& sensors = enclosure.Sensors;
+        return JudgeEnclosed(target, scale * sensors[i % sensors.size()] + center, i);
+      });
+  }
+  EXPECT_EQ(sum.Hits, sum.Beams);
+  ExpectExact(sum);
+}
+
+INSTANTIATE_TEST_SUITE_P(ExactRayCasting, EachEnclosure,
+  testing::Combine(
+    testing::ValuesIn(Enclosures), testing::Values(1e-3, 1.0, 1e3), testing::Values(0.0, 1e5, 5e6)),
+  GetName);
+
+// --- Beams exactly through corners and edges ------------------------------------------------------
+
+namespace
+{
+/// All directions whose components are multiples of 1/steps and whose largest component is 1.
+std::vector<Beams> MakeGridDirections(int steps)
+{
+  std::vector<Vector> directions;
+  for (int x = -steps; x <= steps; ++x)
+  {
+    for (int y = -steps; y <= steps; ++y)
+    {
+      for (int z = -steps; z <= steps; ++z)
+      {
+        if (std::max({ std::abs(x), std::abs(y), std::abs(z) }) == steps)
+        {
+          directions.push_back({ double(x) / steps, double(y) / steps, double(z) / steps });
+        }
+      }
+    }
+  }
+  std::vector<Beams> packets(directions.size() / lms3dBeamPacket::Size);
+  for (std::size_t i = 0; i < packets.size() * lms3dBeamPacket::Size; ++i)
+  {
+    packets[i / lms3dBeamPacket::Size][i % lms3dBeamPacket::Size] = directions[i];
+  }
+  return packets;
+}
+
+Tally JudgeOnGrid(const Target& target, double scale, const Vector& center, int reach)
+{
+  const std::vector<Beams> packets = MakeGridDirections(8);
+  constexpr std::size_t Sensors = Fewer > 1 ? 4 : 30;
+  return JudgeEach(Sensors,
+    [&](std::size_t number)
+    {
+      Random random(number);
+      Vector sensor;
+      for (double& x : sensor)
+      {
+        x = static_cast<double>(random.GetBits() % (2 * reach - 1)) + 1.0 - reach;
+      }
+      Tally sum;
+      for (const Beams& beams : packets)
+      {
+        sum += Judge(target, (scale / 8.0) * sensor + center, beams);
+      }
+      return sum;
+    });
+}
+
+/// Boxes whose corners are whole numbers: some share faces, edges or corners.
+lms3dTriangleMesh MakeBlocks()
+{
+  lms3dTriangleMesh blocks;
+  Random random(1);
+  const auto getPlace = [&random] { return static_cast<double>(random.GetBits() % 6) * 2.0 - 5.0; };
+  for (int i = 0; i < 30; ++i)
+  {
+    Append(Move(MakeCube(1), 1.0, { getPlace(), getPlace(), getPlace() }), blocks);
+  }
+  return blocks;
+}
+} // namespace
+
+TEST(ExactRayCasting, LosesNoBeamThroughCornersAndEdgesOfACube)
+{
+  for (double offset : { 0.0, 0x1p22 })
+  {
+    for (double scale : { 0x1p-10, 1.0, 0x1p10 })
+    {
+      const Vector center = { offset, -offset, 0.5 * offset };
+      const Target target(Move(MakeCube(8), scale, center));
+      const Tally sum = JudgeOnGrid(target, scale, center, 8);
+      EXPECT_EQ(sum.Hits, sum.Beams);
+      ExpectExact(sum);
+    }
+  }
+}
+
+TEST(ExactRayCasting, SeesBlocksOnItsOwnGrid)
+{
+  // Beams run along faces, edges and silhouettes; the sensor may stand on a face, or within a block.
+  for (double offset : { 0.0, 0x1p22 })
+  {
+    const Vector center = { offset, -offset, 0.5 * offset };
+    const Target target(Move(MakeBlocks(), 1.0, center));
+    const Tally sum = JudgeOnGrid(target, 8.0, center, 8);
+    EXPECT_GT(sum.Hits, sum.Beams / 4);
+    EXPECT_LT(sum.Hits, sum.Beams);
+    ExpectExact(sum);
+  }
+}
+
+TEST(ExactRayCasting, SeesSilhouettesFromOutside)
+{
+  for (double distance : { 1.1, 3.0, 1e3, 1e7 })
+  {
+    const Target target(MakeIcosphere(3));
+    const Tally sum = JudgeEach(500 / std::min<std::size_t>(Fewer, 10),
+      [&](std::size_t number)
+      {
+        Random random(number);
+        const Vector axis = number % 2 ? Vector{ 0.0, 0.0, 1.0 } : random.GetDirection();
+        const std::size_t triangle = random.GetBits() % target.GetMesh().GetNumberOfTriangles();
+        const Vector sensor = distance * axis;
+        return Judge(target, sensor, target.AimAt(triangle, sensor, random));
+      });
+    EXPECT_GT(sum.Hits, sum.Beams / 2);
+    ExpectExact(sum);
+  }
+}
+
+// --- Ranges of badly shaped triangles -------------------------------------------------------------
+
+namespace
+{
+/// Triangles a metre long anywhere within 10 m, so many times longer than wide.
+lms3dTriangleMesh MakeNeedles(double aspect)
+{
+  std::vector<std::array<Vector, 3>> needles;
+  Random random(7);
+  for (int i = 0; i < 500; ++i)
+  {
+    const Vector a = { random.Get(-10, 10), random.Get(-10, 10), random.Get(-10, 10) };
+    const Vector along = random.GetDirection();
+    const Vector across = random.GetDirection();
+    needles.push_back({ a, a + along, a + random.Get() * along + (1.0 / aspect) * across });
+  }
+  return MakeMesh(needles);
+}
+
+Tally JudgeAllTriangles(const Target& target, const Vector& sensor, std::size_t packets)
+{
+  return JudgeEach(std::max<std::size_t>(1, packets / Fewer),
+    [&](std::size_t number)
+    {
+      Random random(number);
+      const std::size_t triangle = random.GetBits() % target.GetMesh().GetNumberOfTriangles();
+      return Judge(target, sensor, target.AimAt(triangle, sensor, random));
+    });
+}
+
+lms3dTriangleMesh MakeSquare(double halfSize)
+{
+  const double h = halfSize;
+  return MakeMesh({ { { { -h, -h, 0 }, { h, -h, 0 }, { h, h, 0 } } },
+    { { { -h, -h, 0 }, { h, h, 0 }, { -h, h, 0 } } } });
+}
+} // namespace
+
+TEST(ExactRayCasting, MeasuresNeedles)
+{
+  for (double aspect : { 1e1, 1e3, 1e5, 1e7, 1e9 })
+  {
+    const Target target(MakeNeedles(aspect));
+    ExpectExact(JudgeAllTriangles(target, { 0.1, 0.2, 0.3 }, 1000));
+  }
+}
+
+TEST(ExactRayCasting, MeasuresAFloorAtGrazingAngles)
+{
+  for (double height : { 1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13 })
+  {
+    const Vector sensor = { 0.25, -0.5, height };
+    const Target level(MakeSquare(100.0));
+    ExpectExact(JudgeAllTriangles(level, sensor, 500));
+    const Target turned(Map(MakeSquare(100.0), Turn));
+    ExpectExact(JudgeAllTriangles(turned, Turn(sensor), 500));
+  }
+}
+
+// --- Kernels and threads --------------------------------------------------------------------------
+
+namespace
+{
+/// All that the kernels compute of some triangle and packet.
+struct KernelResults
+{
+  lms3dBeamPacket Aimed;
+  lms3dVerdicts Verdicts;
+  std::uint32_t Changed;
+  std::uint32_t Unsure;
+  lms3dBeamPacket Taken;
+  lms3dSeenPlane Plane;
+  double Ranges[lms3dBeamPacket::Size];
+};
+
+/// What the kernels are given, of all kinds: with zeros, tiny and equal numbers among them.
+struct KernelInput
+{
+  explicit KernelInput(Random& random)
+  {
+    for (Vector& corner : this->Corners)
+    {
+      corner = { GetNastyNumber(random), GetNastyNumber(random), GetNastyNumber(random) };
+    }
+    this->Origin = { GetNastyNumber(random), GetNastyNumber(random), GetNastyNumber(random) };
+    if (random.GetBits() % 4 == 0)
+    {
+      this->Corners[2] = this->Corners[random.GetBits() % 2]; // Without area.
+    }
+    if (random.GetBits() % 8 == 0)
+    {
+      this->Origin = this->Corners[0];
+    }
+    for (int i = 0; i < lms3dBeamPacket::Size; ++i)
+    {
+      const Vector axis = random.GetBits() % 2 ? random.GetDirection() : Vector{ 1.0, -1e-17, 0.0 };
+      this->Elevations.Cosine[i] = GetNastyNumber(random) / 1e7;
+      this->Elevations.Sine[i] = random.Get(-1.0, 1.0);
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Axes.Horizontal[k][i] = axis[k];
+        this->Axes.Up[k] = k == 2 ? 1.0 : 0.0;
+      }
+    }
+  }
+
+  static double GetNastyNumber(Random& random)
+  {
+    const double sizes[] = { 0.0, 1e-9, 1.0, 1.0, 1e7 };
+    const double size = sizes[random.GetBits() % 5];
+    return random.GetBits() % 2 ? size * random.Get(-1.0, 1.0)
+                                : std::copysign(size, random.Get(-1, 1));
+  }
+
+  Vector Corners[3];
+  Vector Origin;
+  lms3dElevations Elevations;
+  lms3dFanAxes Axes;
+};
+
+/// The bytes of the results.
+std::string Compute(const lms3dPacketKernels& kernels, const KernelInput& input)
+{
+  const lms3dCorners corners = { input.Corners[0].data(), input.Corners[1].data(),
+    input.Corners[2].data() };
+  KernelResults results;
+  std::memset(static_cast<void*>(&results), 0, sizeof(results));
+  lms3dBeamPacket& packet = results.Aimed;
+  kernels.Aim(input.Elevations, input.Axes, packet);
+  std::fill_n(packet.Range, lms3dBeamPacket::Size, 1.0);
+  std::fill_n(packet.Triangle, lms3dBeamPacket::Size, 5);
+  packet.Active = 0x7fffu;
+  const lms3dSeenTriangle seen = lms3dSee(corners, input.Origin.data());
+  results.Verdicts = kernels.Classify(seen, packet);
+  results.Taken = packet;
+  results.Changed = kernels.TakeHits(seen, 3, 0xffffu, 1e6, results.Taken, results.Unsure);
+  results.Plane = kernels.See(corners.data(), input.Origin.data());
+  kernels.Measure(results.Plane, packet, results.Ranges);
+  return { reinterpret_cast<const char*>(&results), sizeof(results) };
+}
+} // namespace
+
+TEST(PacketKernels, GiveTheSameBitsWithAllInstructions)
+{
+  Random random(11);
+  for (int i = 0; i < 20000; ++i)
+  {
+    const KernelInput input(random);
+    const std::string expected = Compute(lms3dGetPacketKernels(0), input);
+    for (int k = 1; k < lms3dGetNumberOfPacketKernels(); ++k)
+    {
+      ASSERT_TRUE(Compute(lms3dGetPacketKernels(k), input) == expected)
+        << lms3dGetPacketKernels(k).Name << ", input " << i;
+    }
+  }
+}
+
+class EveryMethod : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(EveryMethod, GivesTheSameBitsForAnyNumberOfThreads)
+{
+  vtkNew<vtkLMS3DScanFilter> scan;
+  scan->SetInputDataObject(ReadRoom());
+  scan->SetIntersectionMethod(GetParam());
+  scan->SetPosition(0.3, -0.2, 1.0);
+  scan->SetAlphaResolution(61);
+  scan->SetBetaResolution(59);
+  scan->SetNumberOfThreads(1);
+  scan->Update();
+  const std::uint64_t expectedScan = Hash(scan->GetOutput());
+  const std::uint64_t expectedImage = Hash(scan->GetRangeImage());
+  for (int threads : { 2, 3, 8 })
+  {
+    scan->SetNumberOfThreads(threads);
+    scan->Update();
+    EXPECT_EQ(Hash(scan->GetOutput()), expectedScan) << threads << " threads";
+    EXPECT_EQ(Hash(scan->GetRangeImage()), expectedImage) << threads << " threads";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ExactRayCasting, EveryMethod,
+  testing::Range(int(vtkLMS3DScanFilter::EXACT), vtkLMS3DScanFilter::STATIC_CELL_LOCATOR + 1));

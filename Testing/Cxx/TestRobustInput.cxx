@@ -1,0 +1,430 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Scenes that are badly made, very large, very far or very small, and sensors that stand on
+ * them: what the header of vtkLMS3DScanFilter promises of each, for the exact method.
+ */
+#include "CasterFixtures.h"
+#include "SceneFixtures.h"
+
+#include "vtkLMS3DScanFilter.h"
+
+#include <vtkCellArray.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+// Units in the last place by which a range may differ from the true one.
+constexpr double RangeError = 4.0;
+
+void ExpectExact(const Tally& tally)
+{
+  EXPECT_EQ(tally.Misses, 0) << tally;
+  EXPECT_EQ(tally.FalseHits, 0) << tally;
+  EXPECT_LE(tally.WorstError, RangeError) << tally;
+}
+
+// From within a closed mesh.
+void ExpectExactAndWhole(const Tally& tally)
+{
+  EXPECT_EQ(tally.Hits, tally.Beams) << tally;
+  ExpectExact(tally);
+}
+
+/// Packets at triangles here and there in the mesh.
+Tally JudgeTriangles(const Target& target, const Vector& sensor, std::size_t packets)
+{
+  return JudgeEach(packets,
+    [&](std::size_t number)
+    {
+      Random random(number);
+      const std::size_t triangle = random.GetBits() % target.GetMesh().GetNumberOfTriangles();
+      return Judge(target, sensor, target.AimAt(triangle, sensor, random));
+    });
+}
+
+/// Packets in all directions.
+Tally JudgeAllAround(const Target& target, const Vector& sensor, std::size_t packets)
+{
+  return JudgeEach(packets,
+    [&](std::size_t number)
+    {
+      Random random(number);
+      Beams beams;
+      std::generate(beams.begin(), beams.end(), [&random] { return random.GetDirection(); });
+      return Judge(target, sensor, beams);
+    });
+}
+
+/// The packet of a few beams that were cast.
+lms3dBeamPacket Cast(const Target& target, const Vector& sensor, const Beams& beams)
+{
+  lms3dBeamPacket packet = Aim(beams);
+  target.Caster->Cast({ { sensor[0], sensor[1], sensor[2] }, Infinity }, &packet, 1);
+  return packet;
+}
+
+Beams MakeSame(const Vector& direction)
+{
+  Beams beams;
+  beams.fill(direction);
+  return beams;
+}
+} // namespace
+
+// --- Bad triangles --------------------------------------------------------------------------------
+
+TEST(RobustInput, NeverHitsTrianglesWithoutArea)
+{
+  // Points, and lines that the beams meet, before a ball that they must see undisturbed.
+  const lms3dTriangleMesh ball = MakeIcosphere(3);
+  lms3dTriangleMesh mesh = ball;
+  for (int i = 0; i < 300; ++i)
+  {
+    const Vector p = 0.5 * ball.Points[i];
+    const Vector q = 0.5 * ball.Points[i + 1];
+    Append(MakeMesh({ { { p, p, p } }, { { p, q, p } }, { { p, q, q } } }), mesh);
+    Append(MakeMesh({ { { p, 2.0 * p, 1.5 * p } } }), mesh); // Collinear with the sensor as well.
+  }
+  const Target target(mesh);
+  ExpectExactAndWhole(JudgeTriangles(target, { 0.0, 0.0, 0.0 }, 200));
+  ExpectExactAndWhole(JudgeTriangles(target, { 0.1, 0.2, -0.3 }, 200));
+}
+
+TEST(RobustInput, SeesASceneOfNothingButATriangleWithoutArea)
+{
+  const Target target(MakeMesh({ { { { 1, 0, 0 }, { 1, 1, 0 }, { 1, 2, 0 } } } }));
+  const Tally sum = JudgeTriangles(target, { 0.0, 0.0, 0.0 }, 10);
+  EXPECT_EQ(sum.Hits, 0);
+  ExpectExact(sum);
+}
+
+TEST(RobustInput, ClosesASurfaceOfNeedles)
+{
+  // A fan of slivers, from a wall's foot to its top, in two rows that share their corners.
+  for (double aspect : { 1e3, 1e5, 1e7, 1e9 })
+  {
+    lms3dTriangleMesh mesh;
+    for (int i = 0; i <= 200; ++i)
+    {
+      const double x = (i - 100) / aspect;
+      mesh.Points.push_back({ x, 1.0, -0.5 });
+      mesh.Points.push_back({ x, 1.0, 0.5 });
+    }
+    for (std::uint32_t i = 0; i < 400; i += 2)
+    {
+      mesh.Triangles.push_back({ i, i + 2, i + 1 });
+      mesh.Triangles.push_back({ i + 1, i + 2, i + 3 });
+    }
+    for (bool isTurned : { false, true })
+    {
+      const Target target(isTurned ? Map(mesh, Turn) : mesh);
+      const Vector sensor = isTurned ? Turn({ 0.0, 0.0, 0.25 }) : Vector{ 0.0, 0.0, 0.25 };
+      ExpectExact(JudgeTriangles(target, sensor, 500));
+    }
+  }
+}
+
+TEST(RobustInput, SeesDuplicatedFacesAsOne)
+{
+  // Each face three times, once reversed and once from another corner.
+  const lms3dTriangleMesh ball = MakeIcosphere(2);
+  const std::int32_t faces = static_cast<std::int32_t>(ball.GetNumberOfTriangles());
+  lms3dTriangleMesh reversed = ball;
+  lms3dTriangleMesh turned = ball;
+  for (std::int32_t i = 0; i < faces; ++i)
+  {
+    const auto& [a, b, c] = ball.Triangles[i];
+    reversed.Triangles[i] = { a, c, b };
+    turned.Triangles[i] = { b, c, a };
+  }
+  lms3dTriangleMesh mesh = ball;
+  Append(reversed, mesh);
+  Append(turned, mesh);
+  const Target once(mesh);
+  const Target again(mesh);
+  const Vector sensor = { 0.1, 0.2, -0.3 };
+  for (std::int32_t face = 0; face < faces; ++face)
+  {
+    Random random(face);
+    Beams beams = once.AimAt(face, sensor, random);
+    beams[0] = beams[15]; // The corners and edges of a face are those of others too.
+    const lms3dBeamPacket packet = Cast(once, sensor, beams);
+    const lms3dBeamPacket other = Cast(again, sensor, beams);
+    ASSERT_EQ(packet.Triangle[0] % faces, face);
+    ASSERT_TRUE(std::equal(std::begin(packet.Range), std::end(packet.Range), other.Range));
+    ASSERT_TRUE(std::equal(std::begin(packet.Triangle), std::end(packet.Triangle), other.Triangle));
+  }
+  ExpectExactAndWhole(JudgeTriangles(once, sensor, 500));
+}
+
+TEST(RobustInput, LeavesNothingButTrueGapsAtTJunctions)
+{
+  // A triangle beside two that end in the middle of its side: rounded, the middle is off the side by
+  // 1e-16, and what the beams see there is what is there.
+  const Vector a = Turn({ -1.0, 2.0, -1.0 });
+  const Vector b = Turn({ 1.1, 2.0, 1.3 });
+  const Vector middle = a + 0.37 * (b - a);
+  const Vector left = Turn({ -1.0, 2.0, 1.0 });
+  const Vector right = Turn({ 1.0, 2.0, -1.0 });
+  const Target target(
+    MakeMesh({ { { a, b, left } }, { { a, middle, right } }, { { middle, b, right } } }));
+  const Vector sensor = { 0.1, 0.2, 0.3 };
+  const Tally sum = JudgeTriangles(target, sensor, 2000);
+  ExpectExact(sum);
+  // All aim at the surface, and only those at its sides and in the gap may pass.
+  EXPECT_GT(sum.Hits, sum.Beams * 2 / 3);
+
+  // A beam that passes the side by 1e-12 hits whichever triangle it passes into.
+  Random random(3);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Vector onSide = a + random.Get(0.1, 0.9) * (b - a);
+    for (const Vector& inside : { left, right })
+    {
+      const Vector aim = onSide + 1e-12 * (inside - onSide);
+      const lms3dBeamPacket packet = Cast(target, sensor, MakeSame(Normalize(aim - sensor)));
+      ASSERT_NE(packet.Triangle[0], lms3dBeamPacket::NoTriangle);
+      ASSERT_EQ(packet.Triangle[0] == 0, inside == left);
+    }
+  }
+}
+
+// --- Where the sensor stands ----------------------------------------------------------------------
+
+TEST(RobustInput, SeesFreeSpaceFromAFaceAnEdgeAndAVertex)
+{
+  // On a cube's top: whatever looks up is free, and below are the cube's other sides.
+  const Target cube(MakeCube(2));
+  for (const Vector& sensor : { Vector{ 0.25, 0.5, 1.0 }, Vector{ 0.5, 0.5, 1.0 },
+         Vector{ 0.0, 0.0, 1.0 }, Vector{ 1.0, 0.25, 1.0 }, Vector{ 1.0, 1.0, 1.0 } })
+  {
+    ExpectExact(JudgeAllAround(cube, sensor, 200));
+    for (const Vector& free :
+      { Vector{ 0, 0, 1 }, Vector{ 0.8, 0.0, 0.6 }, Vector{ -0.6, 0.0, 0.8 } })
+    {
+      EXPECT_EQ(Cast(cube, sensor, MakeSame(free)).Triangle[0], lms3dBeamPacket::NoTriangle);
+    }
+    if (sensor[0] < 1.0)
+    {
+      EXPECT_EQ(Cast(cube, sensor, MakeSame({ 0, 0, -1 })).Range[0], 2.0);
+    }
+  }
+}
+
+TEST(RobustInput, ReturnsNothingAtARangeOfZero)
+{
+  // A vertex of a ball, and points of its faces, which rounding puts on either side of them.
+  const Target ball(MakeIcosphere(3));
+  const lms3dTriangleMesh& mesh = ball.GetMesh();
+  for (std::size_t triangle = 0; triangle < 200; ++triangle)
+  {
+    const Vector& a = mesh.Points[mesh.Triangles[triangle][0]];
+    const Vector& b = mesh.Points[mesh.Triangles[triangle][1]];
+    const Vector& c = mesh.Points[mesh.Triangles[triangle][2]];
+    for (const Vector& sensor : { a, 0.5 * (a + b), 0.4 * a + 0.3 * b + 0.3 * c })
+    {
+      ExpectExact(JudgeAllAround(ball, sensor, 4));
+    }
+    const lms3dBeamPacket packet = Cast(ball, a, MakeSame(-1.0 * a));
+    ASSERT_GT(packet.Range[0], 1.9) << "through the ball from its vertex";
+  }
+}
+
+TEST(RobustInput, SeesASceneFromFarAway)
+{
+  for (double diagonals : { 1e3, 1e4, 1e5, 1e6, 1e7 })
+  {
+    const Target target(MakeIcosphere(3));
+    Random random(5);
+    const Vector sensor = 2.0 * std::sqrt(3.0) * diagonals * random.GetDirection();
+    const Tally sum = JudgeTriangles(target, sensor, 300);
+    EXPECT_GT(sum.Hits, sum.Beams * 3 / 4) << diagonals;
+    ExpectExact(sum);
+  }
+}
+
+// --- Sizes and offsets ----------------------------------------------------------------------------
+
+TEST(RobustInput, SeesScenesOfAnySizeAtAnyOffset)
+{
+  for (double size : { 1e-6, 1e-3, 1.0, 1e3, 1e5, 1e7 })
+  {
+    for (double offset : { 0.0, 1e5, 1e7 })
+    {
+      // A ball of 1e-6 m at an offset of 1e7 m has no shape left: rounding is 2e-9 m.
+      const Vector center = { offset, 0.3 * offset, -0.7 * offset };
+      const Target target(Move(MakeIcosphere(2), size, center));
+      const Vector sensor = size * Vector{ 0.1, 0.2, -0.3 } + center;
+      const Tally sum = JudgeTriangles(target, sensor, 200);
+      EXPECT_EQ(sum.Hits, sum.Beams) << size << " m at " << offset << " m";
+      ExpectExact(sum);
+    }
+  }
+}
+
+TEST(RobustInput, SeesATerrainWithAVeryLargeSkirt)
+{
+  // Embree's single precision is that of the whole scene.
+  lms3dTriangleMesh mesh = Move(MakeCube(20), 1.0, { 0.0, 0.0, -2.0 });
+  Append(Move(MakeCube(1), 1e6, { 0.0, 0.0, 0.0 }), mesh);
+  const Target target(mesh);
+  ExpectExactAndWhole(JudgeTriangles(target, { 0.1, 0.2, 0.3 }, 1000));
+}
+
+// --- Many surfaces, one behind the other ----------------------------------------------------------
+
+TEST(RobustInput, TellsNearShellsApart)
+{
+  for (double gap : { 1e-5, 1e-7, 1e-9, 1e-11 })
+  {
+    const lms3dTriangleMesh ball = MakeIcosphere(3);
+    lms3dTriangleMesh mesh = Move(ball, 1.0 + gap, {});
+    Append(ball, mesh);
+    const Target target(mesh);
+    const Vector sensor = { 0.1, 0.2, -0.3 };
+    ExpectExactAndWhole(JudgeTriangles(target, sensor, 500));
+
+    // The inner shell, whose triangles have the larger numbers.
+    Random random(1);
+    const lms3dBeamPacket packet = Cast(target, sensor, target.AimAt(7, sensor, random));
+    for (std::int32_t triangle : packet.Triangle)
+    {
+      EXPECT_GE(triangle, static_cast<std::int32_t>(ball.GetNumberOfTriangles())) << gap;
+    }
+  }
+}
+
+TEST(RobustInput, SeesTheInnermostOfManyBoxes)
+{
+  lms3dTriangleMesh mesh;
+  for (int i = 100; i > 0; --i)
+  {
+    Append(Move(MakeCube(1), 1.0 + 0.01 * i, {}), mesh);
+  }
+  const Target target(mesh);
+  const Vector sensor = { 0.1, 0.2, -0.3 };
+  ExpectExactAndWhole(JudgeTriangles(target, sensor, 60));
+  ExpectExactAndWhole(JudgeTriangles(target, { 0.0, 0.0, 0.0 }, 60));
+  EXPECT_EQ(Cast(target, { 0, 0, 0 }, MakeSame({ 1, 0, 0 })).Range[0], 1.01);
+}
+
+// --- Cells that are not finite --------------------------------------------------------------------
+
+namespace
+{
+class EachEmbreeMethod : public testing::TestWithParam<int>
+{
+};
+
+/// A triangle before the ball with one bad coordinate.
+vtkSmartPointer<vtkPolyData> MakeBadTriangle(double bad, int corner)
+{
+  vtkSmartPointer<vtkPolyData> triangle =
+    MakePolygon({ { 0.1, -0.1, -0.1 }, { 0.1, 0.2, -0.1 }, { 0.1, 0.0, 0.2 } });
+  triangle->GetPoints()->SetPoint(corner, 0.1, corner == 1 ? bad : 0.0, corner == 1 ? 0.0 : bad);
+  return triangle;
+}
+
+void Prepare(vtkLMS3DScanFilter* scan, vtkPolyData* scene, int method)
+{
+  scan->SetInputData(scene);
+  scan->SetIntersectionMethod(method);
+  scan->SetAlphaResolution(31);
+  scan->SetBetaResolution(36);
+}
+
+std::size_t Count(const std::string& text, const std::string& word)
+{
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+  {
+    ++count;
+  }
+  return count;
+}
+
+std::string UpdateAndGetWarning(vtkLMS3DScanFilter* scan)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  const unsigned long tag = scan->AddObserver(vtkCommand::WarningEvent, observer);
+  EXPECT_EQ(UpdateAndGetError(scan), "");
+  scan->RemoveObserver(tag);
+  return observer->GetWarningMessage();
+}
+} // namespace
+
+TEST_P(EachEmbreeMethod, LeavesCellsOutThatAreNotFinite)
+{
+  vtkSmartPointer<vtkPolyData> ball = MakeBall(1.0, 24);
+  vtkSmartPointer<vtkPolyData> floor = MakeFloor(1.0, -5.0);
+  vtkNew<vtkLMS3DScanFilter> clean;
+  Prepare(clean, Join(ball, floor), GetParam());
+  EXPECT_EQ(UpdateAndGetWarning(clean), "");
+  ASSERT_EQ(clean->GetOutput()->GetNumberOfPoints(), 31 * 36);
+
+  vtkSmartPointer<vtkPolyData> scene = ball;
+  int count = 0;
+  for (double bad : { NaN, Infinity, -Infinity, 1e300, -2e18 })
+  {
+    scene = Join(scene, MakeBadTriangle(bad, count++ % 3));
+  }
+  // A good cell after the bad ones.
+  scene = Join(scene, floor);
+  vtkNew<vtkLMS3DScanFilter> scan;
+  Prepare(scan, scene, GetParam());
+  const std::string warning = UpdateAndGetWarning(scan);
+  EXPECT_EQ(Count(warning, "cells with a point that is not finite"), 1u) << warning;
+  EXPECT_NE(warning.find(" 5 cells with a point that is not finite"), std::string::npos) << warning;
+  EXPECT_EQ(scan->GetErrorCode(), vtkErrorCode::NoError);
+  EXPECT_EQ(Hash(scan->GetRangeImage()), Hash(clean->GetRangeImage()));
+  EXPECT_EQ(Hash(scan->GetOutput()), Hash(clean->GetOutput()));
+}
+
+TEST_P(EachEmbreeMethod, KeepsTheNumbersOfTheCellsBehindThoseLeftOut)
+{
+  vtkNew<vtkLMS3DScanFilter> scan;
+  Prepare(scan, Join(MakeBadTriangle(NaN, 0), MakeFloor(1.0, -1.0)), GetParam());
+  EXPECT_NE(UpdateAndGetWarning(scan), "");
+  ASSERT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(scan->GetOutput()->GetPointData()->GetArray("CellId")->GetRange()[0], 1.0);
+}
+
+TEST_P(EachEmbreeMethod, WarnsOnlyWhenItBuilds)
+{
+  vtkNew<vtkLMS3DScanFilter> scan;
+  Prepare(scan, Join(MakeBall(1.0, 8), MakeBadTriangle(NaN, 0)), GetParam());
+  EXPECT_NE(UpdateAndGetWarning(scan), "");
+  scan->SetPosition(0.1, 0.0, 0.0);
+  EXPECT_EQ(UpdateAndGetWarning(scan), "");
+}
+
+TEST_P(EachEmbreeMethod, RefusesASceneWithoutAUsableCell)
+{
+  vtkNew<vtkLMS3DScanFilter> scan;
+  Prepare(scan, Join(MakeBadTriangle(NaN, 0), MakeBadTriangle(1e19, 1)), GetParam());
+  EXPECT_NE(UpdateAndGetError(scan), "");
+  EXPECT_EQ(scan->GetErrorCode(), vtkErrorCode::UserError);
+  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(scan->GetRangeImage()->GetNumberOfPoints(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(RobustInput, EachEmbreeMethod,
+  testing::Values(vtkLMS3DScanFilter::EXACT, vtkLMS3DScanFilter::FAST),
+  [](const auto& method) { return method.param == vtkLMS3DScanFilter::EXACT ? "Exact" : "Fast"; });
