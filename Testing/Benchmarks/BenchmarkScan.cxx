@@ -1,101 +1,212 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file
- * @brief Times a scan after a change of pose, and the local map, beside the raw cost of its beams.
- *
- * Each number is the best of many runs. The bound is what Embree's single-precision packets take for
- * the same beams in the same run, with no output made.
- */
-#include "RawEmbreeScan.h"
+#include "Benchmarks.h"
 
-#include "vtkLMS3DScanFilter.h"
-#include "vtkLMS3DSurfaceReconstructionFilter.h"
-#include "vtkVRMLImporterSource.h"
-
-#include <vtkNew.h>
-#include <vtkPolyData.h>
+#include "ScanContender.h"
+#include "Scenes.h"
+#include "Table.h"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <cstdio>
-#include <functional>
 #include <limits>
-#include <string>
+#include <optional>
 
 namespace
 {
-constexpr int Runs = 50;
+constexpr double Beams = 361.0 * 360.0;
+constexpr double None = std::numeric_limits<double>::quiet_NaN();
+constexpr double Megabyte = 1024.0 * 1024.0;
 
-double GetBestMilliseconds(const std::function<void()>& work)
+// Brute force takes seconds beyond.
+constexpr vtkIdType MostTrianglesOfBruteForce = 5000;
+
+// The reference takes some microseconds for a beam that meets a small scene, and milliseconds where
+// it passes near many triangles.
+constexpr int BeamsOfTruth = 129960;
+constexpr int BeamsOfTruthOfLargeScene = 10000;
+constexpr vtkIdType LargeScene = 50000;
+
+// Below, what is held beside the scene outweighs it.
+constexpr vtkIdType FewestTrianglesForMemory = 10000;
+
+// Milliseconds for which one contender is timed before it is the next one's turn.
+constexpr double BudgetOfTurn = 60.0;
+
+constexpr int RoundsOfSlow = 3;
+
+// Two threads that are this much faster than one had both cores.
+constexpr double SpeedUpWhenQuiet = 1.85;
+
+std::vector<int> GetMethods(const BenchmarkOptions& options)
 {
-  using Clock = std::chrono::steady_clock;
-  double best = std::numeric_limits<double>::infinity();
-  for (int run = 0; run < Runs; ++run)
+  std::vector<int> methods;
+  for (int method : ScanSubject::GetMethods())
   {
-    const Clock::time_point start = Clock::now();
-    work();
-    best = std::min(best, std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-  }
-  return best;
-}
-
-void PrintRow(const std::string& scene, const char* work, int threads, double ms, double bound)
-{
-  std::printf("%-8s  %-13s  %7d  %9.3f  %13.2f\n", scene.c_str(), work, threads, ms, ms / bound);
-}
-
-void TimeScene(const std::string& name, const double sensor[3])
-{
-  vtkNew<vtkVRMLImporterSource> reader;
-  reader->SetFileName((LMS3D_DATA_DIR "/" + name + ".wrl").c_str());
-  reader->Update();
-  RawEmbreeScan raw(reader->GetOutput(), sensor);
-  vtkNew<vtkLMS3DScanFilter> scan;
-  scan->SetInputConnection(reader->GetOutputPort());
-  scan->SetPosition(sensor);
-  vtkNew<vtkLMS3DSurfaceReconstructionFilter> map;
-  map->SetInputConnection(scan->GetOutputPort());
-
-  for (int threads : { 1, 2 })
-  {
-    const double bound = GetBestMilliseconds([&] { raw.Cast(threads); });
-    PrintRow(name, "raw packets", threads, bound, bound);
-    scan->SetNumberOfThreads(threads);
-    for (int method : { vtkLMS3DScanFilter::FAST, vtkLMS3DScanFilter::EXACT })
+    const std::vector<std::string>& names = options.Methods;
+    if (names.empty() ||
+      std::find(names.begin(), names.end(), ScanSubject::GetName(method)) != names.end())
     {
-      scan->SetIntersectionMethod(method);
-      scan->Update();
-      const double ms = GetBestMilliseconds(
-        [&]
-        {
-          scan->Modified();
-          scan->Update();
-        });
-      PrintRow(name, (std::string("scan, ") + scan->GetIntersectionMethodAsString()).c_str(),
-        threads, ms, bound);
+      methods.push_back(method);
     }
   }
-  map->Update();
-  const double bound = GetBestMilliseconds([&] { raw.Cast(2); });
-  const double ms = GetBestMilliseconds(
-    [&]
+  return methods;
+}
+
+std::vector<ScanContender> MakeContenders(
+  const BenchmarkScene& scene, const BenchmarkOptions& options)
+{
+  const vtkIdType triangles = scene.Surface->GetNumberOfPolys();
+  const ScanTruth truth(
+    scene, triangles > LargeScene ? BeamsOfTruthOfLargeScene : BeamsOfTruth, ScanMaximumRange);
+  std::printf("%s: %lld triangles, %d beams compared with the exact reference\n\n",
+    scene.Name.c_str(), static_cast<long long>(triangles), truth.GetNumberOfBeams());
+  std::vector<ScanContender> contenders;
+  contenders.push_back(ScanContender::MakeRaw(scene));
+  for (int method : GetMethods(options))
+  {
+    if (ScanSubject::IsBruteForce(method) &&
+      (triangles > MostTrianglesOfBruteForce || options.IsQuick))
     {
-      map->Modified();
-      map->Update();
-    });
-  PrintRow(name, "map", 2, ms, bound);
+      ScanContender absent;
+      absent.Name = ScanSubject::GetName(method);
+      contenders.push_back(std::move(absent));
+    }
+    else
+    {
+      contenders.push_back(ScanContender::MakeMethod(scene, method, truth));
+    }
+  }
+  return contenders;
+}
+
+void TimeRound(std::vector<ScanContender>& contenders, bool withSlow)
+{
+  for (int threads : { 1, 2 })
+  {
+    for (ScanContender& contender : contenders)
+    {
+      if (contender.IsPresent() && (withSlow || !contender.IsSlow))
+      {
+        double& best = contender.ByThreads[threads].Scan;
+        best = std::min(best, contender.GetScanMilliseconds(BudgetOfTurn, threads));
+      }
+    }
+  }
+}
+
+// ScanContenders take turns, so that whatever disturbs the machine for a while disturbs all of them. While
+// another process has one of the cores, only waiting helps.
+void TimeScans(std::vector<ScanContender>& contenders, bool isQuick)
+{
+  const int fewest = isQuick ? 3 : 12;
+  const int most = isQuick ? 10 : 60;
+  const auto isDisturbed = [](ScanContender& contender) {
+    return contender.IsPresent() && !contender.IsSlow && contender.GetSpeedUp() < SpeedUpWhenQuiet;
+  };
+  for (int round = 0; round < most; ++round)
+  {
+    TimeRound(contenders, round < (isQuick ? 1 : RoundsOfSlow));
+    if (round + 1 >= fewest && std::none_of(contenders.begin(), contenders.end(), isDisturbed))
+    {
+      return;
+    }
+  }
+}
+
+void TimeBuilds(std::vector<ScanContender>& contenders, const BenchmarkScene& scene, bool isQuick)
+{
+  const int runs = !isQuick && scene.Surface->GetNumberOfPolys() <= 1000000 ? 5 : 2;
+  for (ScanContender& contender : contenders)
+  {
+    for (auto& [threads, times] : contender.ByThreads)
+    {
+      for (int run = 0; run < (contender.IsSlow ? 1 : runs); ++run)
+      {
+        times.Build = std::min(times.Build, contender.GetBuildMilliseconds(scene, threads));
+      }
+    }
+  }
+}
+
+std::string FormatBytesPerTriangle(const ScanContender& contender, vtkIdType triangles)
+{
+  return triangles < FewestTrianglesForMemory ? "-"
+                                              : Table::Format(contender.SceneBytes / triangles, 0);
+}
+
+void AddRow(const BenchmarkScene& scene, const ScanContender& contender, int threads, double bound,
+  Table& table)
+{
+  const vtkIdType triangles = scene.Surface->GetNumberOfPolys();
+  const auto found = contender.ByThreads.find(threads);
+  if (found == contender.ByThreads.end())
+  {
+    Table::Row row = { scene.Name, contender.Name, std::to_string(threads) };
+    row.resize(14, "-");
+    table.AddRow(row);
+    return;
+  }
+  const ScanTimes& times = found->second;
+  const std::optional<ScanErrors>& errors = contender.Errors;
+  table.AddRow({ scene.Name, contender.Name, std::to_string(threads), Table::Format(times.Build, 1),
+    Table::Format(times.Scan, 3), Table::Format(Beams / times.Scan / 1000.0, 1),
+    Table::Format(times.Scan / bound, 2), FormatBytesPerTriangle(contender, triangles),
+    Table::Format(contender.PeakBytes / Megabyte, 0), std::to_string(contender.Hits),
+    errors ? std::to_string(errors->Misses) : "-", errors ? std::to_string(errors->FalseHits) : "-",
+    Table::FormatPower(errors ? errors->Median : None),
+    Table::FormatPower(errors ? errors->Worst : None) });
+}
+
+void PrintNotes(std::vector<ScanContender>& contenders)
+{
+  std::string speedUps;
+  std::string outputs;
+  for (ScanContender& contender : contenders)
+  {
+    if (contender.IsPresent())
+    {
+      speedUps += ' ' + contender.Name + ' ' + Table::Format(contender.GetSpeedUp(), 2) + ';';
+    }
+    if (std::isfinite(contender.OutputBytes))
+    {
+      outputs += ' ' + contender.Name + ' ' + Table::Format(contender.OutputBytes / Beams, 0) + ';';
+    }
+  }
+  std::printf("2 threads against 1:%s\nbytes held for the outputs, per beam:%s\n\n",
+    speedUps.c_str(), outputs.c_str());
+  std::fflush(stdout);
+}
+
+void TimeScene(const std::string& name, const BenchmarkOptions& options, Table& table)
+{
+  const BenchmarkScene scene = MakeScene(name);
+  std::vector<ScanContender> contenders = MakeContenders(scene, options);
+  TimeScans(contenders, options.IsQuick);
+  TimeBuilds(contenders, scene, options.IsQuick);
+  for (int threads : { 1, 2 })
+  {
+    const double bound = contenders.front().ByThreads[threads].Scan;
+    for (const ScanContender& contender : contenders)
+    {
+      AddRow(scene, contender, threads, bound, table);
+    }
+  }
+  table.Print();
+  PrintNotes(contenders);
 }
 } // namespace
 
-int main()
+void RunScanBenchmark(const BenchmarkOptions& options)
 {
-  std::printf(
-    "A scan of 361 x 360 beams after a change of pose, all outputs made; best of %d.\n\n", Runs);
-  std::printf("%-8s  %-13s  %7s  %9s  %13s\n", "scene", "work", "threads", "ms", "raw packets x");
-  const double inRoom[3] = { 0.3, -0.2, 1.0 };
-  TimeScene("room", inRoom);
-  const double byTeapot[3] = { 0.10, -0.33, 0.30 };
-  TimeScene("teapot", byTeapot);
-  return 0;
+  Table table({ "scene", "method", "threads", "build ms", "scan ms", "Mbeams/s", "x raw",
+    "B/triangle", "peak MB", "hits", "misses", "false hits", "median error", "worst error" });
+  for (const std::string& name : options.Scenes)
+  {
+    TimeScene(name, options, table);
+  }
+  if (!options.CSVFile.empty())
+  {
+    table.Save(options.CSVFile);
+  }
 }

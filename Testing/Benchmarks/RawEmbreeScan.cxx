@@ -2,26 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RawEmbreeScan.h"
 
-#if LMS3D_EMBREE_MAJOR >= 4
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
+#include "CoherentCaster.h"
+#include "EmbreeHandles.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <vtkCellArray.h>
-#include <vtkIdList.h>
-#include <vtkMath.h>
-#include <vtkNew.h>
+#include <vtkCellArrayIterator.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace
@@ -30,142 +25,195 @@ constexpr int Beams = 361;
 constexpr int Turns = 360;
 constexpr int PacketSize = 16;
 constexpr int TileSide = 4;
+constexpr int Rows = Turns / TileSide;
+constexpr int TilesPerRow = (Beams + TileSide - 1) / TileSide;
+
+/// A number for each ray of a packet.
+struct alignas(64) Lanes
+{
+  float Value[PacketSize];
+};
 
 // Coherent packets are lost where a component of a direction is a tiny negative number.
-float Component(double x)
+float Flush(double x)
 {
   return std::abs(x) < 1e-15 ? 0.0f : static_cast<float>(x);
 }
 
-void SetRay(RTCRayHit16& packet, int i, int turn, int beam)
+float GetSine(double degrees)
 {
-  const double alpha = vtkMath::RadiansFromDegrees(-90.0 + 0.5 * std::min(beam, Beams - 1));
-  const double beta = vtkMath::RadiansFromDegrees(double(turn));
-  packet.ray.org_x[i] = packet.ray.org_y[i] = packet.ray.org_z[i] = 0.0f;
-  packet.ray.dir_x[i] = Component(std::cos(alpha) * std::cos(beta));
-  packet.ray.dir_y[i] = Component(-std::cos(alpha) * std::sin(beta));
-  packet.ray.dir_z[i] = Component(std::sin(alpha));
-  packet.ray.tnear[i] = 0.0f;
-  packet.ray.tfar[i] = 80.0f;
-  packet.ray.time[i] = 0.0f;
-  packet.ray.mask[i] = ~0u;
-  packet.ray.id[i] = i;
-  packet.ray.flags[i] = 0;
-  packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-  packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  return Flush(std::sin(degrees * 3.14159265358979323846 / 180.0));
 }
 
-struct Tile
+/// Sines and cosines of the elevations of each tile in a row, and of the platform angles of each row.
+/// For the upright sensor x is cos(alpha) cos(beta), y is -cos(alpha) sin(beta), z is sin(alpha).
+struct Tables
 {
-  RTCRayHit16 Packet;
-  alignas(64) int Valid[PacketSize];
-};
-
-std::vector<Tile> MakeTiles()
-{
-  std::vector<Tile> tiles;
-  for (int turn = 0; turn < Turns; turn += TileSide)
+  Tables()
   {
-    for (int beam = 0; beam < Beams; beam += TileSide)
+    for (int i = 0; i < PacketSize; ++i)
     {
-      Tile tile;
-      for (int i = 0; i < PacketSize; ++i)
+      for (int tile = 0; tile < TilesPerRow; ++tile)
       {
-        SetRay(tile.Packet, i, turn + i / TileSide, beam + i % TileSide);
-        tile.Valid[i] = beam + i % TileSide < Beams ? -1 : 0;
+        const double alpha = -90.0 + 0.5 * std::min(tile * TileSide + i % TileSide, Beams - 1);
+        this->AlphaSine[tile].Value[i] = GetSine(alpha);
+        this->AlphaCosine[tile].Value[i] = GetSine(90.0 - std::abs(alpha));
       }
-      tiles.push_back(tile);
+      for (int row = 0; row < Rows; ++row)
+      {
+        const int turn = row * TileSide + i / TileSide;
+        const double beta = turn;
+        this->FanX[row].Value[i] = GetSine(90.0 - beta);
+        this->FanY[row].Value[i] = -GetSine(beta) + 0.0f;
+      }
     }
   }
-  return tiles;
+
+  std::array<Lanes, TilesPerRow> AlphaSine;
+  std::array<Lanes, TilesPerRow> AlphaCosine;
+  std::array<Lanes, Rows> FanX;
+  std::array<Lanes, Rows> FanY;
+};
+
+RTCRayHit16 MakePacket(const float origin[3])
+{
+  RTCRayHit16 packet;
+  for (unsigned int i = 0; i < PacketSize; ++i)
+  {
+    packet.ray.org_x[i] = origin[0];
+    packet.ray.org_y[i] = origin[1];
+    packet.ray.org_z[i] = origin[2];
+    packet.ray.tnear[i] = 0.0f;
+    packet.ray.time[i] = 0.0f;
+    packet.ray.mask[i] = ~0u;
+    packet.ray.id[i] = i;
+    packet.ray.flags[i] = 0;
+    packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  return packet;
 }
 
-int CastTile(RTCScene scene, const Tile& tile)
+void FillVertices(vtkPolyData* surface, const double centre[3], float* vertex)
 {
-  RTCRayHit16 packet = tile.Packet;
-#if LMS3D_EMBREE_MAJOR >= 4
-  RTCIntersectArguments arguments;
-  rtcInitIntersectArguments(&arguments);
-  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-  rtcIntersect16(tile.Valid, scene, &packet, &arguments);
-#else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(tile.Valid, scene, &context, &packet);
-#endif
-  int hits = 0;
-  for (int i = 0; i < PacketSize; ++i)
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
-    hits += tile.Valid[i] && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+    double point[3];
+    surface->GetPoint(i, point);
+    vertex = std::transform(point, point + 3, centre, vertex,
+      [](double x, double origin) { return static_cast<float>(x - origin); });
   }
-  return hits;
+}
+
+void FillCorners(vtkPolyData* surface, unsigned int* corner)
+{
+  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(surface->GetPolys()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType count;
+    const vtkIdType* points;
+    it->GetCurrentCell(count, points);
+    corner = std::transform(
+      points, points + 3, corner, [](vtkIdType point) { return static_cast<unsigned int>(point); });
+  }
 }
 } // namespace
 
 struct RawEmbreeScan::Internals
 {
-  RTCDevice Device = rtcNewDevice(nullptr);
-  RTCScene Scene = rtcNewScene(this->Device);
-  std::vector<Tile> Tiles = MakeTiles();
-
-  Internals() = default;
-  Internals(const Internals&) = delete;
-  Internals& operator=(const Internals&) = delete;
-  ~Internals()
+  void CastRow(int row, int* hits) const
   {
-    rtcReleaseScene(this->Scene);
-    rtcReleaseDevice(this->Device);
+    alignas(64) int valid[PacketSize];
+    std::fill_n(valid, PacketSize, -1);
+    RTCRayHit16 packet = MakePacket(this->Origin);
+    CoherentCaster caster(this->Scene.get());
+    const float* fanX = this->Beam.FanX[row].Value;
+    const float* fanY = this->Beam.FanY[row].Value;
+    for (int tile = 0; tile < TilesPerRow; ++tile)
+    {
+      const float* cosine = this->Beam.AlphaCosine[tile].Value;
+      const float* sine = this->Beam.AlphaSine[tile].Value;
+      for (int i = 0; i < PacketSize; ++i)
+      {
+        packet.ray.dir_x[i] = cosine[i] * fanX[i];
+        packet.ray.dir_y[i] = cosine[i] * fanY[i];
+        packet.ray.dir_z[i] = sine[i];
+        packet.ray.tfar[i] = this->MaximumRange;
+        packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+      }
+      if (tile == TilesPerRow - 1)
+      {
+        for (int i = 0; i < PacketSize; ++i)
+        {
+          valid[i] = tile * TileSide + i % TileSide < Beams ? -1 : 0;
+        }
+      }
+      caster.Intersect(valid, packet);
+      for (int i = 0; hits && i < PacketSize; ++i)
+      {
+        *hits += valid[i] && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+      }
+    }
   }
+
+  Tables Beam;
+  EmbreeDevice Device{ rtcNewDevice(nullptr) };
+  EmbreeScene Scene{ rtcNewScene(this->Device.get()) };
+  float Origin[3];
+  float MaximumRange;
 };
 
-RawEmbreeScan::RawEmbreeScan(vtkPolyData* surface, const double sensor[3])
+RawEmbreeScan::RawEmbreeScan(
+  vtkPolyData* surface, const double sensor[3], double maximumRange, int threads)
   : Internal(new Internals)
 {
-  RTCGeometry geometry = rtcNewGeometry(this->Internal->Device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  float* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-    RTC_FORMAT_FLOAT3, 3 * sizeof(float), surface->GetNumberOfPoints()));
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  double centre[3];
+  surface->GetCenter(centre);
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const double* point = surface->GetPoint(i);
-    vertex = std::transform(point, point + 3, sensor, vertex,
-      [](double x, double origin) { return static_cast<float>(x - origin); });
+    this->Internal->Origin[axis] = static_cast<float>(sensor[axis] - centre[axis]);
   }
-  unsigned int* corner =
+  this->Internal->MaximumRange = static_cast<float>(maximumRange);
+
+  RTCGeometry geometry = rtcNewGeometry(this->Internal->Device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  FillVertices(surface, centre,
+    static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+      RTC_FORMAT_FLOAT3, 3 * sizeof(float), surface->GetNumberOfPoints())));
+  FillCorners(surface,
     static_cast<unsigned int*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
-      RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), surface->GetNumberOfPolys()));
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
-  {
-    surface->GetPolys()->GetCellAtId(i, corners);
-    corner = std::copy(corners->begin(), corners->end(), corner);
-  }
+      RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), surface->GetNumberOfPolys())));
   rtcCommitGeometry(geometry);
-  rtcAttachGeometry(this->Internal->Scene, geometry);
+  rtcAttachGeometry(this->Internal->Scene.get(), geometry);
   rtcReleaseGeometry(geometry);
-  rtcSetSceneFlags(this->Internal->Scene, RTC_SCENE_FLAG_ROBUST);
-  rtcCommitScene(this->Internal->Scene);
+  rtcSetSceneFlags(this->Internal->Scene.get(), RTC_SCENE_FLAG_ROBUST);
+  tbb::task_arena arena(threads);
+  arena.execute([&] { rtcCommitScene(this->Internal->Scene.get()); });
 }
 
 RawEmbreeScan::~RawEmbreeScan() = default;
 
-int RawEmbreeScan::Cast(int threads)
+void RawEmbreeScan::Cast(int threads) const
 {
   tbb::task_arena arena(threads);
-  const std::vector<Tile>& tiles = this->Internal->Tiles;
-  return arena.execute(
+  arena.execute(
     [&]
     {
-      return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, tiles.size(), 128), 0,
-        [&](const tbb::blocked_range<std::size_t>& range, int hits)
+      tbb::parallel_for(tbb::blocked_range<int>(0, Rows),
+        [&](const tbb::blocked_range<int>& range)
         {
-          for (std::size_t i = range.begin(); i < range.end(); ++i)
+          for (int row = range.begin(); row < range.end(); ++row)
           {
-            hits += CastTile(this->Internal->Scene, tiles[i]);
+            this->Internal->CastRow(row, nullptr);
           }
-          return hits;
-        },
-        std::plus<int>());
+        });
     });
+}
+
+int RawEmbreeScan::CountHits() const
+{
+  int hits = 0;
+  for (int row = 0; row < Rows; ++row)
+  {
+    this->Internal->CastRow(row, &hits);
+  }
+  return hits;
 }

@@ -11,15 +11,23 @@
 
 class vtkPolyData;
 
-/// The default grid of 361 x 360 beams against a surface of triangles, in single precision.
+/**
+ * The default grid of 361 x 360 beams, sensor upright, against a surface of triangles, all in single
+ * precision: a robust scene with its centre as origin, coherent packets of 4 x 4 beams, directions made
+ * on the fly from tables of sines and cosines, hits neither read nor written anywhere.
+ */
 class RawEmbreeScan
 {
 public:
-  RawEmbreeScan(vtkPolyData* surface, const double sensor[3]);
+  /// Builds with so many threads.
+  RawEmbreeScan(vtkPolyData* surface, const double sensor[3], double maximumRange, int threads);
   ~RawEmbreeScan();
 
-  /// Casts all beams, and keeps only how many of them hit.
-  int Cast(int threads);
+  /// Casts all beams.
+  void Cast(int threads) const;
+
+  /// Casts all beams and tells how many hit.
+  int CountHits() const;
 
 private:
   struct Internals;

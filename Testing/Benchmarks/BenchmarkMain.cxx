@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief lms3dBenchmark: reads the command line and runs what it asks for.
+ */
+#include "Benchmarks.h"
+#include "Scenes.h"
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+
+namespace
+{
+constexpr int ExitUsage = 2;
+
+struct Benchmark
+{
+  const char* Name;
+  const char* Summary;
+  void (*Run)(const BenchmarkOptions& options);
+  std::vector<std::string> QuickScenes;
+};
+
+const std::array<Benchmark, 3>& GetBenchmarks()
+{
+  static const std::array<Benchmark, 3> benchmarks = {
+    { { "scan", "a scan after a change of pose, every method, beside the raw cost of its beams",
+        &RunScanBenchmark, { "room", "castle", "teapot", "terrain1e5" } },
+      { "first", "the first scan, building included, beside Embree's own build", &RunFirstBenchmark,
+        { "room", "terrain1e5" } },
+      { "map", "the local map beside its scan", &RunMapBenchmark, { "room", "teapot" } } }
+  };
+  return benchmarks;
+}
+
+void PrintHelp()
+{
+  std::printf("Usage: ./run bench BENCHMARK [--quick] [--scenes NAME...] [--methods NAME...] "
+              "[--csv FILE]\n\n"
+              "Benchmarks; without one, all of them run with --quick:\n");
+  for (const Benchmark& benchmark : GetBenchmarks())
+  {
+    std::printf("  %-6s %s\n", benchmark.Name, benchmark.Summary);
+  }
+  std::printf(
+    "  %-6s %s\n", "peers", "other ray casters for Python beside LMS3D; by ./run bench alone");
+  std::printf("\nScenes:");
+  for (const std::string& name : GetSceneNames())
+  {
+    std::printf(" %s", name.c_str());
+  }
+  std::printf("\n--methods: of the benchmark scan, Fast Exact MollerTrumbore AngleSum "
+              "StaticCellLocator\n\n");
+}
+
+BenchmarkOptions ReadOptions(int count, char** words)
+{
+  BenchmarkOptions options;
+  std::vector<std::string>* list = nullptr;
+  for (int i = 0; i < count; ++i)
+  {
+    const std::string word = words[i];
+    if (word == "--quick")
+    {
+      options.IsQuick = true;
+      list = nullptr;
+    }
+    else if (word == "--csv" && i + 1 < count)
+    {
+      options.CSVFile = words[++i];
+      list = nullptr;
+    }
+    else if (word == "--scenes" || word == "--methods")
+    {
+      list = word == "--scenes" ? &options.Scenes : &options.Methods;
+    }
+    else if (list && word[0] != '-')
+    {
+      list->push_back(word);
+    }
+    else
+    {
+      throw std::invalid_argument("cannot understand \"" + word + "\"");
+    }
+  }
+  return options;
+}
+
+void Run(const Benchmark& benchmark, BenchmarkOptions options)
+{
+  if (options.Scenes.empty())
+  {
+    options.Scenes = options.IsQuick ? benchmark.QuickScenes : GetSceneNames();
+  }
+  std::printf("%s: %s\n\n", benchmark.Name, benchmark.Summary);
+  benchmark.Run(options);
+}
+
+void RunAllQuickly()
+{
+  PrintHelp();
+  BenchmarkOptions options;
+  options.IsQuick = true;
+  for (const Benchmark& benchmark : GetBenchmarks())
+  {
+    Run(benchmark, options);
+  }
+}
+
+int RunNamed(int argc, char** argv)
+{
+  for (const Benchmark& benchmark : GetBenchmarks())
+  {
+    if (std::strcmp(benchmark.Name, argv[1]) == 0)
+    {
+      Run(benchmark, ReadOptions(argc - 2, argv + 2));
+      return 0;
+    }
+  }
+  PrintHelp();
+  const bool isHelp = std::strcmp(argv[1], "help") == 0 || std::strcmp(argv[1], "--help") == 0;
+  return isHelp ? 0 : ExitUsage;
+}
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    if (argc > 1)
+    {
+      return RunNamed(argc, argv);
+    }
+    RunAllQuickly();
+    return 0;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "lms3dBenchmark: %s\n", error.what());
+    return ExitUsage;
+  }
+}

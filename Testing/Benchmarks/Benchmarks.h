@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The benchmarks, each a table.
+ */
+#ifndef Benchmarks_h
+#define Benchmarks_h
+
+#include <string>
+#include <vector>
+
+struct BenchmarkOptions
+{
+  std::vector<std::string> Scenes;
+  /// Names of vtkLMS3DScanFilter's methods; all where empty.
+  std::vector<std::string> Methods;
+  /// Where to save the table, or empty.
+  std::string CSVFile;
+  bool IsQuick = false;
+};
+
+/// A scan after a change of pose alone, by every method, beside the raw cost of its beams.
+void RunScanBenchmark(const BenchmarkOptions& options);
+
+/// The first scan, building included, beside Embree's own build.
+void RunFirstBenchmark(const BenchmarkOptions& options);
+
+/// The local map beside the scan that it is made of.
+void RunMapBenchmark(const BenchmarkOptions& options);
+
+#endif
