@@ -121,7 +121,7 @@ struct vtkLMS3DScanFilter::Internals
   {
     this->Caster.reset();
     lms3dSceneTriangles triangles = lms3dCollectTriangles(scene);
-    const std::string leftOut = TellLeftOut(triangles);
+    std::string leftOut = TellLeftOut(triangles);
     if (triangles.Mesh.Triangles.empty())
     {
       throw std::runtime_error(leftOut.empty()
