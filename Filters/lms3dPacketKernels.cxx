@@ -4,6 +4,8 @@
 
 #include "lms3dPacketKernelSets.h"
 
+#include <cstdlib>
+#include <cstring>
 #include <vector>
 
 namespace
@@ -32,11 +34,26 @@ const std::vector<const lms3dPacketKernels*>& GetAllKernels()
   static const std::vector<const lms3dPacketKernels*> kernels = FindKernels();
   return kernels;
 }
+
+// The widest, or those that the environment names, so that what the others cost can be measured.
+const lms3dPacketKernels& ChooseKernels()
+{
+  const char* name = std::getenv("LMS3D_KERNELS");
+  for (const lms3dPacketKernels* kernels : GetAllKernels())
+  {
+    if (name && std::strcmp(name, kernels->Name) == 0)
+    {
+      return *kernels;
+    }
+  }
+  return *GetAllKernels().back();
+}
 } // namespace
 
 const lms3dPacketKernels& lms3dGetPacketKernels()
 {
-  return *GetAllKernels().back();
+  static const lms3dPacketKernels& kernels = ChooseKernels();
+  return kernels;
 }
 
 int lms3dGetNumberOfPacketKernels()

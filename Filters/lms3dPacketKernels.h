@@ -85,7 +85,8 @@ struct lms3dPacketKernels
   void (*Finish)(double minimumRange, lms3dBeamPacket& packet);
 };
 
-/// Those of the widest instruction set that the processor has.
+/// Those of the widest instruction set that the processor has, unless the environment variable
+/// LMS3D_KERNELS names narrower ones: Baseline, AVX2 or AVX512.
 const lms3dPacketKernels& lms3dGetPacketKernels();
 
 /// All that this build has and the processor can run, for tests.

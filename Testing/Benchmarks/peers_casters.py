@@ -103,7 +103,6 @@ def _lms3d(method, threads=0):
         filter_.SetPosition(scene["sensor"])
         getattr(filter_, f"SetIntersectionMethodTo{method}")()
         filter_.SetMaximumRange(float(scene["reach"]))
-        filter_.Update()
 
         def scan():
             filter_.Modified()
@@ -160,11 +159,19 @@ def _time(work):
     return time.perf_counter() - start, result
 
 
+def _load(peer, scene):
+    """Scan with one triangle and one beam, so that libraries are loaded before the clock starts."""
+    PEERS[peer][1]({**scene, "triangles": scene["triangles"][:1],
+                    "directions": scene["directions"][:1]})()
+
+
 def main(peer, scene_file, result_file):
     """Build, scan many times, save the ranges and the best time."""
     scene = dict(numpy.load(scene_file))
+    _load(peer, scene)
     build, scan = _time(lambda: PEERS[peer][1](scene))
-    best, (ranges, points) = _time(scan)
+    first, (ranges, points) = _time(scan)
+    best = first
     end = time.perf_counter() + SECONDS
     scans = 1
     while best < LONG_SCAN and (scans < FEWEST_SCANS or time.perf_counter() < end):
@@ -173,7 +180,7 @@ def main(peer, scene_file, result_file):
         scans += 1
     ranges = numpy.where(ranges <= scene["reach"], ranges, numpy.inf)
     assert points.shape[1] == 3
-    numpy.savez(result_file, ranges=ranges, build=build, scan=best, scans=scans)
+    numpy.savez(result_file, ranges=ranges, build=build + first - best, scan=best, scans=scans)
 
 
 if __name__ == "__main__":
