@@ -16,6 +16,7 @@
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
+#include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -74,6 +75,15 @@ template <std::size_t N>
 bool IsFinite(const double (&values)[N])
 {
   return std::all_of(values, values + N, [](double x) { return std::isfinite(x); });
+}
+
+// A scan is one piece; those who ask for another, such as a second process, get an empty one.
+bool IsFirstPiece(vtkInformation* request, vtkInformationVector* outputVector)
+{
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  vtkInformation* output = outputVector->GetInformationObject(port);
+  const auto piece = vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER();
+  return !output->Has(piece) || output->Get(piece) <= 0;
 }
 
 std::string TellLeftOut(const lms3dSceneTriangles& scene)
@@ -277,11 +287,15 @@ int vtkLMS3DScanFilter::RequestUpdateExtent(
 }
 
 int vtkLMS3DScanFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   // An image keeps its arrays from one execution to the next.
   vtkImageData::GetData(outputVector, 1)->Initialize();
+  if (!IsFirstPiece(request, outputVector))
+  {
+    return 1;
+  }
   const std::string propertyError = this->GetPropertyError();
   if (!propertyError.empty())
   {

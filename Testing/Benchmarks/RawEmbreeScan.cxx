@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <vector>
 
 namespace
@@ -120,6 +121,12 @@ void FillCorners(vtkPolyData* surface, unsigned int* corner)
 
 struct RawEmbreeScan::Internals
 {
+  // Kept, since making one takes some microseconds.
+  tbb::task_arena& GetArena(int threads)
+  {
+    return this->Arenas.try_emplace(threads, threads).first->second;
+  }
+
   void CastRow(int row, int* hits) const
   {
     alignas(64) int valid[PacketSize];
@@ -158,6 +165,7 @@ struct RawEmbreeScan::Internals
   Tables Beam;
   EmbreeDevice Device{ rtcNewDevice(nullptr) };
   EmbreeScene Scene{ rtcNewScene(this->Device.get()) };
+  std::map<int, tbb::task_arena> Arenas;
   float Origin[3];
   float MaximumRange;
 };
@@ -193,8 +201,7 @@ RawEmbreeScan::~RawEmbreeScan() = default;
 
 void RawEmbreeScan::Cast(int threads) const
 {
-  tbb::task_arena arena(threads);
-  arena.execute(
+  this->Internal->GetArena(threads).execute(
     [&]
     {
       tbb::parallel_for(tbb::blocked_range<int>(0, Rows),

@@ -562,3 +562,47 @@ TEST(LMS3DScanFilter, StopsWhenAskedAndIsWholeAgainAfterwards)
   scan->Update();
   EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 361 * 360);
 }
+
+TEST(LMS3DScanFilter, IsOnePieceOfAllTheScene)
+{
+  vtkNew<vtkSphereSource> source;
+  vtkNew<vtkLMS3DScanFilter> scan;
+  scan->SetInputConnection(source->GetOutputPort());
+  SetGrid(scan, 9, 8);
+  scan->UpdatePiece(1, 2, 0);
+  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
+  scan->UpdatePiece(0, 2, 0);
+  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 72);
+}
+
+TEST(LMS3DScanFilter, NoticesABlockThatIsTakenAway)
+{
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, MakeBall(2.0));
+  inner->SetBlock(1, MakeBall(1.0));
+  vtkNew<vtkMultiBlockDataSet> outer;
+  outer->SetBlock(0, inner);
+  auto scan = MakeScan(outer);
+  SetGrid(scan, 9, 8);
+  scan->Update();
+  EXPECT_LT(GetRange(scan, 0), 1.1);
+  inner->SetBlock(1, nullptr);
+  scan->Modified();
+  scan->Update();
+  EXPECT_GT(GetRange(scan, 0), 1.9);
+}
+
+TEST(LMS3DScanFilter, MayStandAsFarAwayAsItLikes)
+{
+  for (double radius : { 1e-30, 1e-6, 1e-3 })
+  {
+    for (double distance : { 1.0, 1e13, 1e18 })
+    {
+      auto scan = MakeScan(MakeBall(radius, 8));
+      scan->SetPosition(distance, -distance, distance);
+      scan->SetMaximumRange(std::numeric_limits<double>::infinity());
+      SetGrid(scan, 19, 18);
+      EXPECT_EQ(UpdateAndGetError(scan), "");
+    }
+  }
+}
