@@ -9,16 +9,16 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-// The largest deviation of the sum of angles from 2 pi of a point that counts as inside, radians. The
-// arc cosine loses half the digits near pi, so that points on an edge deviate by some 1e-8; a larger
-// tolerance takes points beside the triangle for inside.
+// The largest deviation of the sum of angles from 2 pi of a point that counts as inside, radians.
+// The arc cosine loses half the digits near pi, so that points on an edge deviate by some 1e-8; a
+// larger tolerance takes points beside the triangle for inside.
 constexpr double Tolerance = 1e-6;
 
 /**
- * The paper's section 2.4: the intersection with the triangle's plane lies in the triangle where the
- * angles that its corners span there sum to 2 pi. Its slips are repaired: the plane's sign is that of
- * its equation, only ranges above 0 count, a beam parallel to the plane misses it, and the sum is
- * compared with a tolerance.
+ * The paper's section 2.4: the intersection with the triangle's plane lies in the triangle where
+ * the angles that its corners span there sum to 2 pi. Its slips are repaired: the plane's sign is
+ * that of its equation, only ranges above 0 count, a beam parallel to the plane misses it, and the
+ * sum is compared with a tolerance.
  */
 class AngleSumTest
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Beams that are cast together: neighbours in the grid, so that they meet the same triangles.
+ * @brief Beams that are cast together: neighbours in the grid, which meet the same triangles.
  */
 #ifndef lms3dBeamPacket_h
 #define lms3dBeamPacket_h

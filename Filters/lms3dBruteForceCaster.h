@@ -12,8 +12,8 @@
 
 /**
  * `TestT` is made from the corners of a triangle seen from the sensor, and its method
- * double GetRange(const double direction[3]) const returns the range of a beam, or anything not above
- * 0 (or not a number) where it misses.
+ * double GetRange(const double direction[3]) const returns the range of a beam, or anything not
+ * above 0 (or not a number) where it misses.
  */
 template <typename TestT>
 class lms3dBruteForceCaster final : public lms3dRayCaster

@@ -37,8 +37,8 @@ constexpr double FarthestStart = 10.0;
 // A hit that was just found must not hide one at the same range, nor a limit one just within it.
 constexpr float RangeMargin = 1.0f + 1e-6f;
 
-// ParaView deletes filters that a script left behind after Embree's static objects are gone (Python's
-// sys.exit does), and Embree then aborts. What is released so late is left to the system.
+// ParaView deletes filters that a script left behind after Embree's static objects are gone
+// (Python's sys.exit does), and Embree then aborts. What is released so late is left to the system.
 bool ProcessEnds = false;
 const struct EndOfProcess
 {

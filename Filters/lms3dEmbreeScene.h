@@ -4,8 +4,8 @@
  * @file
  * @brief A scene in Embree; its source is the only one that knows Embree.
  *
- * Embree works in single precision. It gets the scene moved to the origin and scaled to a diagonal of
- * 1, and the rays start near the scene, so that it culls equally well at any offset and scale.
+ * Embree works in single precision. It gets the scene moved to the origin and scaled to a diagonal
+ * of 1, and the rays start near the scene, so that it culls equally well at any offset and scale.
  */
 #ifndef lms3dEmbreeScene_h
 #define lms3dEmbreeScene_h
@@ -21,8 +21,8 @@ class lms3dEmbreeScene
 {
 public:
   /**
-   * Decides which beams of a packet hit a triangle that Embree cannot rule out, and takes their ranges
-   * into the packet where they are the nearest so far. Returns the beams that changed.
+   * Decides which beams of a packet hit a triangle that Embree cannot rule out, and takes their
+   * ranges into the packet where they are the nearest so far. Returns the beams that changed.
    */
   class CandidateTest
   {

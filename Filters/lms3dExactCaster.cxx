@@ -10,8 +10,8 @@ namespace
 {
 /**
  * Embree finds candidates; float rejects most of them, double with an error bound decides, and
- * arithmetic without rounding where the bound leaves a sign open. The range is measured anew once the nearest
- * triangle is known.
+ * arithmetic without rounding where the bound leaves a sign open. The range is measured anew once
+ * the nearest triangle is known.
  */
 class ExactCaster final
   : public lms3dRayCaster

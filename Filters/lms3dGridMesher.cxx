@@ -122,8 +122,8 @@ double lms3dGridMesher::GetSquaredDistance(std::int64_t a, std::int64_t b) const
 void lms3dGridMesher::AppendCell(const Cell& cell, std::vector<Triangle>& out) const
 {
   const std::array<std::int64_t, 4>& corner = cell.Corners;
-  // The triangle at a corner has the cell's sides before and after the corner. At a pole two corners
-  // are one, and the triangle between them has no area.
+  // The triangle at a corner has the cell's sides before and after the corner. At a pole two
+  // corners are one, and the triangle between them has no area.
   const auto isWhole = [&](int i)
   {
     const std::int64_t before = corner[(i + 3) % 4];

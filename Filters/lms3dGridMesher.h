@@ -14,18 +14,18 @@
 #include <vector>
 
 /**
- * Two triangles for each cell of the grid, along its shorter diagonal, one for each cell at a pole. A
- * triangle is made where both of its sides along the grid join returns of one surface.
+ * Two triangles for each cell of the grid, along its shorter diagonal, one for each cell at a pole.
+ * A triangle is made where both of its sides along the grid join returns of one surface.
  *
  * Neighbours a and b belong to one surface where their ranges differ by no more than the tolerance,
- * or where the plane through a and the return before it meets b's beam within the tolerance of b (or
- * the same from b's side): so a floor that is met at a grazing angle stays whole, however far apart
- * its returns are. On a plane, neighbours w of 1/range obey w[i-1] + w[i+1] = 2 cos(step) w[i]; that is
- * exact along a fan, and along a turn for planes that are level or upright.
+ * or where the plane through a and the return before it meets b's beam within the tolerance of b
+ * (or the same from b's side): so a floor that is met at a grazing angle stays whole, however far
+ * apart its returns are. On a plane, neighbours w of 1/range obey w[i-1] + w[i+1] = 2 cos(step)
+ * w[i]; that is exact along a fan, and along a turn for planes that are level or upright.
  *
- * The tolerance is `depthStep` (metres) plus a share of the nearer range: 2 % or, where neighbours are
- * farther apart, the angle between them in radians, so that a coarse scan joins what leans by 45
- * degrees as well.
+ * The tolerance is `depthStep` (metres) plus a share of the nearer range: 2 % or, where neighbours
+ * are farther apart, the angle between them in radians, so that a coarse scan joins what leans by
+ * 45 degrees as well.
  */
 class lms3dGridMesher
 {

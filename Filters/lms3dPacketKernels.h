@@ -69,8 +69,8 @@ struct lms3dPacketKernels
   /**
    * Takes the hits of some beams into the packet where they are the nearest so far, up to a maximum
    * range; of two triangles at the same range the one with the smaller number stays. The range has
-   * about 13 digits. Beams for which double keeps fewer are left alone and told in `unsure`. Returns
-   * the beams that changed.
+   * about 13 digits. Beams for which double keeps fewer are left alone and told in `unsure`.
+   * Returns the beams that changed.
    */
   std::uint32_t (*TakeHits)(const lms3dSeenTriangle& seen, std::int32_t triangle,
     std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet, std::uint32_t& unsure);
@@ -78,7 +78,8 @@ struct lms3dPacketKernels
   /// The plane through three corners, in world coordinates, with about 31 digits.
   lms3dSeenPlane (*See)(const double* const* corners, const double* origin);
 
-  /// Offset / Normal.direction for all beams, within 2 units in the last place of a plane with area.
+  /// Offset / Normal.direction for all beams, within 2 units in the last place of a plane with
+  /// area.
   void (*Measure)(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double* ranges);
 
   /// Makes a range NaN where there is no hit, or the hit is nearer than a minimum and taken back.

@@ -21,8 +21,8 @@ constexpr int Size = lms3dBeamPacket::Size;
 // taken as positive while the packet was sorted by the sign.
 constexpr double SmallestComponent = 1e-15;
 
-// Rounding of an edge function relative to |p| |q| in the 1-norm: the differences (1 unit each), the
-// cross product (2) and the dot product (3) stay below 9 units of 1.1e-16 or 6e-8.
+// Rounding of an edge function relative to |p| |q| in the 1-norm: the differences (1 unit each),
+// the cross product (2) and the dot product (3) stay below 9 units of 1.1e-16 or 6e-8.
 constexpr double DoubleEdgeError = 2e-15;
 constexpr float FloatEdgeError = 2e-6f;
 
@@ -206,7 +206,8 @@ std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std
   return changed;
 }
 
-// --- Arithmetic with twice the digits (Dekker 1971, Knuth): pairs whose sum is the number ----------
+// --- Arithmetic with twice the digits (Dekker 1971, Knuth): pairs whose sum is the number
+// ----------
 
 using Pair = lms3dDoubleDouble;
 

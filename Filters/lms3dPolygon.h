@@ -19,9 +19,9 @@ struct lms3dPolygonTriangles
 };
 
 /**
- * Clips ears in the polygon's own plane (that of Newell's normal). Concave polygons, repeated corners,
- * very thin ones and holes that a bridge joins to the rim are cut right. A polygon without area has no
- * triangles.
+ * Clips ears in the polygon's own plane (that of Newell's normal). Concave polygons, repeated
+ * corners, very thin ones and holes that a bridge joins to the rim are cut right. A polygon without
+ * area has no triangles.
  */
 lms3dPolygonTriangles lms3dCutPolygon(const std::vector<std::array<double, 3>>& corners);
 

@@ -14,8 +14,8 @@
 #include <vector>
 
 /**
- * Each place holds a range and a vertex. The places of a pole, where the beams of all turns are one,
- * share one vertex: the return with the median range.
+ * Each place holds a range and a vertex. The places of a pole, where the beams of all turns are
+ * one, share one vertex: the return with the median range.
  */
 class lms3dRangeGrid
 {
@@ -24,7 +24,8 @@ public:
 
   /**
    * `ranges` and `beamIds` belong to `count` returns. Throws std::runtime_error, with words for the
-   * user, where a range is not a finite number above 0, or a beam is out of the grid or given twice.
+   * user, where a range is not a finite number above 0, or a beam is out of the grid or given
+   * twice.
    */
   lms3dRangeGrid(
     lms3dScanGeometry geometry, const double* ranges, const int* beamIds, std::int64_t count);

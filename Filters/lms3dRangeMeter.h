@@ -16,7 +16,8 @@ class lms3dRangeMeter
 public:
   lms3dRangeMeter(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint);
 
-  /// Sets Range of all beams with a Triangle; takes the hit back where it is not above 0, or too far.
+  /// Sets Range of all beams with a Triangle; takes the hit back where it is not above 0, or too
+  /// far.
   void Measure(lms3dBeamPacket& packet);
 
 private:

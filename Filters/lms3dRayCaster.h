@@ -21,9 +21,9 @@ class lms3dRayCaster
 {
 public:
   /**
-   * Takes the mesh over, which has at least one triangle, and builds what the method needs, with the
-   * threads of the calling TBB arena. Throws std::runtime_error where that fails, for want of memory
-   * for instance.
+   * Takes the mesh over, which has at least one triangle, and builds what the method needs, with
+   * the threads of the calling TBB arena. Throws std::runtime_error where that fails, for want of
+   * memory for instance.
    */
   static std::unique_ptr<lms3dRayCaster> New(int method, lms3dTriangleMesh mesh);
 
@@ -32,8 +32,8 @@ public:
   lms3dRayCaster& operator=(const lms3dRayCaster&) = delete;
 
   /**
-   * Casts the active beams of some packets, and fills their Range and Triangle with the nearest hit at
-   * a range above 0 and up to the viewpoint's maximum. May be called from many threads.
+   * Casts the active beams of some packets, and fills their Range and Triangle with the nearest hit
+   * at a range above 0 and up to the viewpoint's maximum. May be called from many threads.
    */
   virtual void Cast(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const = 0;
 

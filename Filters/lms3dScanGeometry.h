@@ -82,8 +82,8 @@ private:
 };
 
 /**
- * The beams of a posed sensor: the sum of the fan's horizontal axis in a turn, times the cosine of the
- * elevation, and of the upward axis, times its sine.
+ * The beams of a posed sensor: the sum of the fan's horizontal axis in a turn, times the cosine of
+ * the elevation, and of the upward axis, times its sine.
  */
 class lms3dBeamDirections
 {

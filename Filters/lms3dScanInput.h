@@ -17,7 +17,8 @@
 
 class vtkPolyData;
 
-/// Throws std::runtime_error, with words for the user, where an array is missing or of a wrong size.
+/// Throws std::runtime_error, with words for the user, where an array is missing or of a wrong
+/// size.
 class lms3dScanInput
 {
 public:

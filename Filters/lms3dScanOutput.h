@@ -27,8 +27,8 @@ void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
   const double betaRange[2], int betaResolution, vtkInformation* info);
 
 /**
- * Makes the outputs of one scan after the other, in memory that is used again. All methods are to be
- * called in the TBB arena whose threads they use.
+ * Makes the outputs of one scan after the other, in memory that is used again. All methods are to
+ * be called in the TBB arena whose threads they use.
  */
 class lms3dScanOutput
 {

@@ -13,7 +13,8 @@
 #include <cstdint>
 #include <functional>
 
-/// Is told the share done, 0 to 1, always by the thread that started the work; returns false to stop.
+/// Is told the share done, 0 to 1, always by the thread that started the work; returns false to
+/// stop.
 using lms3dProgress = std::function<bool(double)>;
 
 struct lms3dRangeLimits
@@ -23,10 +24,10 @@ struct lms3dRangeLimits
 };
 
 /**
- * Fills `ranges` (metres, NaN where there is no return) and `triangles` (lms3dBeamPacket::NoTriangle
- * there), both ordered by turn, then beam. A beam whose nearest surface lies outside the limits gives
- * no return. Uses the threads of the calling TBB arena; the result does not depend on their number.
- * Returns false where `progress` stopped it.
+ * Fills `ranges` (metres, NaN where there is no return) and `triangles`
+ * (lms3dBeamPacket::NoTriangle there), both ordered by turn, then beam. A beam whose nearest
+ * surface lies outside the limits gives no return. Uses the threads of the calling TBB arena; the
+ * result does not depend on their number. Returns false where `progress` stopped it.
  */
 bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dBeamDirections& directions, const lms3dPose& pose, const lms3dRangeLimits& limits,

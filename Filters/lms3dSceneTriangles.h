@@ -25,12 +25,12 @@ struct lms3dSceneTriangles
 };
 
 /**
- * Takes all polygons and triangle strips of a vtkPolyData, the outer surface of any other data set, or
- * those of all leaves of a composite. The cells of a composite are numbered through, leaf after leaf.
- * Vertices, lines and polygons without area have no surface and are passed over.
+ * Takes all polygons and triangle strips of a vtkPolyData, the outer surface of any other data set,
+ * or those of all leaves of a composite. The cells of a composite are numbered through, leaf after
+ * leaf. Vertices, lines and polygons without area have no surface and are passed over.
  *
- * Throws std::runtime_error, with words for the user, where a cell uses a point that is not there, or
- * where there are too many triangles.
+ * Throws std::runtime_error, with words for the user, where a cell uses a point that is not there,
+ * or where there are too many triangles.
  */
 lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene);
 

@@ -4,12 +4,12 @@
  * @file
  * @brief A triangle seen from the sensor, and exactly where beams pass it.
  *
- * With a, b, c the corners seen from the sensor, a beam along D passes inside the triangle where the
- * three edge functions D.(b x c), D.(c x a), D.(a x b) have one sign. Two triangles that share an edge
- * compute the same number for it but for its sign, so no beam passes between them.
+ * With a, b, c the corners seen from the sensor, a beam along D passes inside the triangle where
+ * the three edge functions D.(b x c), D.(c x a), D.(a x b) have one sign. Two triangles that share
+ * an edge compute the same number for it but for its sign, so no beam passes between them.
  *
- * A triangle is closed (an edge or a corner counts as a hit) and has two sides. A beam within its own
- * plane, and a triangle without area, are never hit.
+ * A triangle is closed (an edge or a corner counts as a hit) and has two sides. A beam within its
+ * own plane, and a triangle without area, are never hit.
  */
 #ifndef lms3dTriangle_h
 #define lms3dTriangle_h
@@ -43,8 +43,8 @@ inline lms3dSeenTriangle lms3dSee(const lms3dCorners& corners, const double orig
 /// Whether a beam passes inside, without rounding: for those that double leaves in doubt.
 bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3]);
 
-/// Whether the sensor stands on a triangle's plane, or so nearly that the plane's 31 digits may put it
-/// beside.
+/// Whether the sensor stands on a triangle's plane, or so nearly that the plane's 31 digits may put
+/// it beside.
 bool lms3dIsNearPlane(
   const lms3dCorners& corners, const double origin[3], const lms3dSeenPlane& plane);
 

@@ -18,8 +18,8 @@
  * data set (its outer surface), or a composite of them. Both sides of a surface return. Units are
  * metres and degrees.
  *
- * Output 0, the scan, is a vtkPolyData in world coordinates with one vertex for each return, ordered
- * by turn, then beam. Its point data:
+ * Output 0, the scan, is a vtkPolyData in world coordinates with one vertex for each return,
+ * ordered by turn, then beam. Its point data:
  * - `Range` (float64): the distance from the sensor, metres;
  * - `Alpha`, `Beta` (float32): the beam's angles, degrees;
  * - `BeamId` (int32): turn * AlphaResolution + beam;
@@ -42,14 +42,14 @@
  *
  * What a scene may be: triangles without area are never hit. Of faces at the same place either
  * is returned, the same one each time. Where triangles meet in a T, rounding of the vertex on the
- * edge leaves a gap of some 1e-16 of the scene's size, and a beam that runs exactly there sees through
- * it. A sensor on a face, an edge or a vertex does not see what it stands on: only ranges above 0
- * count. Sizes of 1e-6 to 1e7 m and offsets up to 1e7 m cost no accuracy beyond the rounding of the
- * coordinates themselves.
+ * edge leaves a gap of some 1e-16 of the scene's size, and a beam that runs exactly there sees
+ * through it. A sensor on a face, an edge or a vertex does not see what it stands on: only ranges
+ * above 0 count. Sizes of 1e-6 to 1e7 m and offsets up to 1e7 m cost no accuracy beyond the
+ * rounding of the coordinates themselves.
  *
- * Memory, beside the input and the outputs: for EXACT and FAST 24 bytes a point and 12 a triangle (20
- * where cells are not all triangles) and Embree's structure; 4 bytes a beam. The memory of an output
- * that nobody looks at any more is kept for the next scan.
+ * Memory, beside the input and the outputs: for EXACT and FAST 24 bytes a point and 12 a triangle
+ * (20 where cells are not all triangles) and Embree's structure; 4 bytes a beam. The memory of an
+ * output that nobody looks at any more is kept for the next scan.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkVRMLImporterSource
@@ -84,8 +84,8 @@ public:
   ///@{
   /**
    * The sensor's orientation in the scene as angles about x, y and z, degrees, applied as those of
-   * vtkProp3D: RotateZ, RotateX, RotateY. Any finite numbers; the default is (0, 0, 0), the fan's axis
-   * up along z.
+   * vtkProp3D: RotateZ, RotateX, RotateY. Any finite numbers; the default is (0, 0, 0), the fan's
+   * axis up along z.
    */
   vtkSetVector3Macro(Orientation, double);
   vtkGetVector3Macro(Orientation, double);
@@ -111,8 +111,8 @@ public:
 
   ///@{
   /**
-   * First and last platform angle, degrees. Increasing by at most 360. Both are included, except that
-   * the end of a full circle is left out, being its start again. The default is 0 to 360.
+   * First and last platform angle, degrees. Increasing by at most 360. Both are included, except
+   * that the end of a full circle is left out, being its start again. The default is 0 to 360.
    */
   vtkSetVector2Macro(BetaRange, double);
   vtkGetVector2Macro(BetaRange, double);
@@ -138,8 +138,8 @@ public:
 
   ///@{
   /**
-   * A beam that meets no surface up to this range gives no return, metres. Above 0, may be infinite;
-   * the default is 80, the reach of the LMS 200.
+   * A beam that meets no surface up to this range gives no return, metres. Above 0, may be
+   * infinite; the default is 80, the reach of the LMS 200.
    */
   vtkSetMacro(MaximumRange, double);
   vtkGetMacro(MaximumRange, double);
@@ -148,24 +148,25 @@ public:
   /**
    * How a beam finds the surface.
    *
-   * EXACT: Embree finds candidates; a test in double with error bounds, and without rounding where a
-   * bound leaves a sign open (Shewchuk 1997), decides. No beam passes between two triangles that share an
-   * edge, and a range is right to 2 units in its last place. (Where two surfaces lie within 1e-13 of
-   * their range of one another, it may be that of either.)
+   * EXACT: Embree finds candidates; a test in double with error bounds, and without rounding where
+   * a bound leaves a sign open (Shewchuk 1997), decides. No beam passes between two triangles that
+   * share an edge, and a range is right to 2 units in its last place. (Where two surfaces lie
+   * within 1e-13 of their range of one another, it may be that of either.)
    *
    * FAST: Embree's single precision decides, and the range is measured in the plane of the triangle
    * that it found. For previews: a beam within about 1e-6 of the scene's size from an edge may be
    * given to the wrong side of it. Where poses and scenes lie on a common grid, so that beams run
-   * along edges and through silhouettes, some are missed or see what is behind; a sensor on a surface
-   * gets no return from the half space that it looks at through it.
+   * along edges and through silhouettes, some are missed or see what is behind; a sensor on a
+   * surface gets no return from the half space that it looks at through it.
    *
-   * ANGLE_SUM: the founding paper's section 2.4, by brute force: the intersection with the triangle's
-   * plane lies inside where the angles between its corners sum to 2 pi, within 1e-6. As printed, the
-   * method mirrors planes through the origin, returns surfaces behind the sensor, takes a parallel
-   * plane for a range of 0, and compares with 2 pi exactly, which loses most beams.
+   * ANGLE_SUM: the founding paper's section 2.4, by brute force: the intersection with the
+   * triangle's plane lies inside where the angles between its corners sum to 2 pi, within 1e-6. As
+   * printed, the method mirrors planes through the origin, returns surfaces behind the sensor,
+   * takes a parallel plane for a range of 0, and compares with 2 pi exactly, which loses most
+   * beams.
    *
-   * MOLLER_TRUMBORE: the textbook test (Moeller and Trumbore 1997) in double, by brute force. It may
-   * miss a beam on an edge.
+   * MOLLER_TRUMBORE: the textbook test (Moeller and Trumbore 1997) in double, by brute force. It
+   * may miss a beam on an edge.
    *
    * STATIC_CELL_LOCATOR: vtkStaticCellLocator with a tolerance of 1e-9.
    */

@@ -5,9 +5,9 @@
  * @brief   reads the surfaces of a VRML 2.0 (VRML97) file as one vtkPolyData
  *
  * All shapes of the file become triangles in world coordinates, metres (VRML's unit), ready for
- * vtkLMS3DScanFilter. The cell data are `ShapeId` (int32, the shape's place in the file, from 0) and
- * `Color` (uint8, red, green, blue, opacity: the diffuse colour and the transparency). The field data
- * `ShapeNames` (strings) has the name of each shape.
+ * vtkLMS3DScanFilter. The cell data are `ShapeId` (int32, the shape's place in the file, from 0)
+ * and `Color` (uint8, red, green, blue, opacity: the diffuse colour and the transparency). The
+ * field data `ShapeNames` (strings) has the name of each shape.
  *
  * The file is read by vtkVRMLImporter, afresh at each execution.
  *
@@ -24,8 +24,8 @@
  *
  * What is known not to have been read is kept as messages and reported as one warning: VTK's errors
  * and warnings, among them the first node type that VRML does not have, and polygons that cannot be
- * triangulated. The rest is lost without a message: the importer prints syntax errors to the terminal
- * only and ends there, and passes over VRML's nodes that it does not know (PROTO, Inline,
+ * triangulated. The rest is lost without a message: the importer prints syntax errors to the
+ * terminal only and ends there, and passes over VRML's nodes that it does not know (PROTO, Inline,
  * ElevationGrid, ...).
  *
  * @sa
@@ -78,9 +78,9 @@ public:
   ///@}
 
   /**
-   * What UpAxis can be. AS_IN_FILE leaves coordinates as they are. Y says that the file has y up, as
-   * VRML browsers and modellers assume, and turns it by 90 degrees about x, so that z is up as in the
-   * sensor frame: (x, y, z) becomes (x, -z, y).
+   * What UpAxis can be. AS_IN_FILE leaves coordinates as they are. Y says that the file has y up,
+   * as VRML browsers and modellers assume, and turns it by 90 degrees about x, so that z is up as
+   * in the sensor frame: (x, y, z) becomes (x, -z, y).
    */
   enum UpAxes
   {

@@ -95,8 +95,8 @@ void TimeRound(std::vector<ScanContender>& contenders, bool withSlow)
   }
 }
 
-// ScanContenders take turns, so that whatever disturbs the machine for a while disturbs all of them. While
-// another process has one of the cores, only waiting helps.
+// ScanContenders take turns, so that whatever disturbs the machine for a while disturbs all of
+// them. While another process has one of the cores, only waiting helps.
 void TimeScans(std::vector<ScanContender>& contenders, bool isQuick)
 {
   const int fewest = isQuick ? 3 : 12;

@@ -46,8 +46,9 @@ float GetSine(double degrees)
   return Flush(std::sin(degrees * 3.14159265358979323846 / 180.0));
 }
 
-/// Sines and cosines of the elevations of each tile in a row, and of the platform angles of each row.
-/// For the upright sensor x is cos(alpha) cos(beta), y is -cos(alpha) sin(beta), z is sin(alpha).
+/// Sines and cosines of the elevations of each tile in a row, and of the platform angles of each
+/// row. For the upright sensor x is cos(alpha) cos(beta), y is -cos(alpha) sin(beta), z is
+/// sin(alpha).
 struct Tables
 {
   Tables()

@@ -12,9 +12,10 @@
 class vtkPolyData;
 
 /**
- * The default grid of 361 x 360 beams, sensor upright, against a surface of triangles, all in single
- * precision: a robust scene with its centre as origin, coherent packets of 4 x 4 beams, directions made
- * on the fly from tables of sines and cosines, hits neither read nor written anywhere.
+ * The default grid of 361 x 360 beams, sensor upright, against a surface of triangles, all in
+ * single precision: a robust scene with its centre as origin, coherent packets of 4 x 4 beams,
+ * directions made on the fly from tables of sines and cosines, hits neither read nor written
+ * anywhere.
  */
 class RawEmbreeScan
 {

@@ -27,7 +27,8 @@ const std::vector<std::string>& GetSceneNames();
 
 /**
  * - room, teapot: Data/NAME.wrl, the sensor inside the one, beside the other;
- * - castle: a closed box with four walls, merlons and round towers of 32 sides, the sensor in the yard;
+ * - castle: a closed box with four walls, merlons and round towers of 32 sides, the sensor in the
+ * yard;
  *   1,000 triangles, every beam hits;
  * - terrain1e3 to terrain1e7: so many triangles on 200 m x 200 m of hills, the sensor 2 m above.
  *

@@ -77,8 +77,8 @@ struct Target
   const lms3dTriangleMesh& GetMesh() const { return this->Caster->GetMesh(); }
   /// The corner of a triangle seen from an origin.
   Vector See(const Vector& origin, std::size_t triangle, int corner) const;
-  /// Beams at corners, edges and the inside of a triangle: exactly at them but for the rounding of the
-  /// direction. None where a corner is at the origin.
+  /// Beams at corners, edges and the inside of a triangle: exactly at them but for the rounding of
+  /// the direction. None where a corner is at the origin.
   Beams AimAt(std::size_t triangle, const Vector& origin, Random& random) const;
 
   std::unique_ptr<lms3dRayCaster> Caster;
@@ -101,8 +101,8 @@ struct Tally
 };
 std::ostream& operator<<(std::ostream& os, const Tally& tally);
 
-/// Casts a packet and holds it against the reference. Hits within 1e-13 of one another are as good as
-/// one another.
+/// Casts a packet and holds it against the reference. Hits within 1e-13 of one another are as good
+/// as one another.
 Tally Judge(const Target& target, const Vector& origin, const Beams& directions);
 
 /// The sum of what `judge` tells of each number below count, on all cores.

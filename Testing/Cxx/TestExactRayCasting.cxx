@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The exact caster below VTK: no beam lost, none invented, every range right to its last bits.
+ * @brief The exact caster below VTK: no beam lost, none invented, every range right to its last
+ * bits.
  *
  * Builds with a sanitizer, and Debug, define LMS3D_FEWER_BEAMS, which takes one beam of 50.
  */
@@ -171,7 +172,8 @@ INSTANTIATE_TEST_SUITE_P(ExactRayCasting, EachEnclosure,
     testing::ValuesIn(Enclosures), testing::Values(1e-3, 1.0, 1e3), testing::Values(0.0, 1e5, 5e6)),
   GetName);
 
-// --- Beams exactly through corners and edges ------------------------------------------------------
+// --- Beams exactly through corners and edges
+// ------------------------------------------------------
 
 namespace
 {
@@ -253,7 +255,8 @@ TEST(ExactRayCasting, LosesNoBeamThroughCornersAndEdgesOfACube)
 
 TEST(ExactRayCasting, SeesBlocksOnItsOwnGrid)
 {
-  // Beams run along faces, edges and silhouettes; the sensor may stand on a face, or within a block.
+  // Beams run along faces, edges and silhouettes; the sensor may stand on a face, or within a
+  // block.
   for (double offset : { 0.0, 0x1p22 })
   {
     const Vector center = { offset, -offset, 0.5 * offset };
@@ -284,7 +287,8 @@ TEST(ExactRayCasting, SeesSilhouettesFromOutside)
   }
 }
 
-// --- Ranges of badly shaped triangles -------------------------------------------------------------
+// --- Ranges of badly shaped triangles
+// -------------------------------------------------------------
 
 namespace
 {
@@ -343,7 +347,8 @@ TEST(ExactRayCasting, MeasuresAFloorAtGrazingAngles)
   }
 }
 
-// --- Kernels and threads --------------------------------------------------------------------------
+// --- Kernels and threads
+// --------------------------------------------------------------------------
 
 namespace
 {

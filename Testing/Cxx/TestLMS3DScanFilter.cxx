@@ -59,7 +59,8 @@ Point GetPaperDirection(double alpha, double beta)
   return { std::cos(a) * std::cos(b), -std::cos(a) * std::sin(b), std::sin(a) };
 }
 
-// Every triangle, Moeller and Trumbore's test in extended precision: nothing shared with the filter.
+// Every triangle, Moeller and Trumbore's test in extended precision: nothing shared with the
+// filter.
 double CastByBruteForce(vtkPolyData* scene, const Point& origin, const Point& direction)
 {
   using Real = long double;

@@ -88,7 +88,8 @@ Beams MakeSame(const Vector& direction)
 }
 } // namespace
 
-// --- Bad triangles --------------------------------------------------------------------------------
+// --- Bad triangles
+// --------------------------------------------------------------------------------
 
 TEST(RobustInput, NeverHitsTrianglesWithoutArea)
 {
@@ -176,8 +177,8 @@ TEST(RobustInput, SeesDuplicatedFacesAsOne)
 
 TEST(RobustInput, LeavesNothingButTrueGapsAtTJunctions)
 {
-  // A triangle beside two that end in the middle of its side: rounded, the middle is off the side by
-  // 1e-16, and what the beams see there is what is there.
+  // A triangle beside two that end in the middle of its side: rounded, the middle is off the side
+  // by 1e-16, and what the beams see there is what is there.
   const Vector a = Turn({ -1.0, 2.0, -1.0 });
   const Vector b = Turn({ 1.1, 2.0, 1.3 });
   const Vector middle = a + 0.37 * (b - a);
@@ -206,7 +207,8 @@ TEST(RobustInput, LeavesNothingButTrueGapsAtTJunctions)
   }
 }
 
-// --- Where the sensor stands ----------------------------------------------------------------------
+// --- Where the sensor stands
+// ----------------------------------------------------------------------
 
 TEST(RobustInput, SeesFreeSpaceFromAFaceAnEdgeAndAVertex)
 {
@@ -260,7 +262,8 @@ TEST(RobustInput, SeesASceneFromFarAway)
   }
 }
 
-// --- Sizes and offsets ----------------------------------------------------------------------------
+// --- Sizes and offsets
+// ----------------------------------------------------------------------------
 
 TEST(RobustInput, SeesScenesOfAnySizeAtAnyOffset)
 {
@@ -288,7 +291,8 @@ TEST(RobustInput, SeesATerrainWithAVeryLargeSkirt)
   ExpectExactAndWhole(JudgeTriangles(target, { 0.1, 0.2, 0.3 }, 1000));
 }
 
-// --- Many surfaces, one behind the other ----------------------------------------------------------
+// --- Many surfaces, one behind the other
+// ----------------------------------------------------------
 
 TEST(RobustInput, TellsNearShellsApart)
 {
@@ -325,7 +329,8 @@ TEST(RobustInput, SeesTheInnermostOfManyBoxes)
   EXPECT_EQ(Cast(target, { 0, 0, 0 }, MakeSame({ 1, 0, 0 })).Range[0], 1.01);
 }
 
-// --- Cells that are not finite --------------------------------------------------------------------
+// --- Cells that are not finite
+// --------------------------------------------------------------------
 
 namespace
 {

@@ -9,10 +9,10 @@
  * (an edge or a corner is hit) and has two sides; the range is above 0; a beam within a triangle's
  * plane, and a triangle without area, never hit.
  *
- * A sign is computed in double and in quadruple precision, with a bound of the rounding error. Where
- * both leave it open, in expansions (Shewchuk 1997): sums of doubles that do not overlap, which hold
- * sums and products of doubles exactly as long as no product of five of them is below 1e-290 or
- * above 1e290, other than 0.
+ * A sign is computed in double and in quadruple precision, with a bound of the rounding error.
+ * Where both leave it open, in expansions (Shewchuk 1997): sums of doubles that do not overlap,
+ * which hold sums and products of doubles exactly as long as no product of five of them is below
+ * 1e-290 or above 1e290, other than 0.
  */
 #ifndef ExactReference_h
 #define ExactReference_h
@@ -58,8 +58,8 @@ public:
   static double GetError(double range, const Hit& truth);
 
 private:
-  /// A ball around the triangles First to First + Count - 1 of Order. Where there are many, the first
-  /// half of them lie in the node that follows, the other half in Other.
+  /// A ball around the triangles First to First + Count - 1 of Order. Where there are many, the
+  /// first half of them lie in the node that follows, the other half in Other.
   struct Node
   {
     Vector Center;
