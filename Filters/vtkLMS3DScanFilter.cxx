@@ -147,6 +147,16 @@ struct vtkLMS3DScanFilter::Internals
     return leftOut;
   }
 
+  /// Threads are slow to join a new arena, so it stays from scan to scan.
+  tbb::task_arena& GetArena(int threads)
+  {
+    if (!this->Arena || this->Arena->max_concurrency() != threads)
+    {
+      this->Arena = std::make_unique<tbb::task_arena>(threads);
+    }
+    return *this->Arena;
+  }
+
   /// Tables of sines and cosines are made for new angles only.
   const lms3dScanGeometry& GetGeometry(const vtkLMS3DScanFilter* filter)
   {
@@ -169,6 +179,7 @@ struct vtkLMS3DScanFilter::Internals
 private:
   using Angles = std::array<double, 6>;
 
+  std::unique_ptr<tbb::task_arena> Arena;
   std::unique_ptr<lms3dScanGeometry> Geometry;
   Angles GeometryAngles;
   vtkDataObject* Scene = nullptr;
@@ -309,7 +320,7 @@ int vtkLMS3DScanFilter::RequestData(
   // TBB makes no more threads than there are cores unless it is allowed to.
   const tbb::global_control allowance(
     tbb::global_control::max_allowed_parallelism, std::max(threads, cores));
-  tbb::task_arena arena(threads);
+  tbb::task_arena& arena = this->Internal->GetArena(threads);
   try
   {
     vtkDataObject* scene = vtkDataObject::GetData(inputVector[0]);
