@@ -28,11 +28,7 @@ public:
   void Cast(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
   {
     this->Scene.Cast(viewpoint, packets, count);
-    lms3dRangeMeter meter(this->GetMesh(), viewpoint);
-    for (int i = 0; i < count; ++i)
-    {
-      meter.Measure(packets[i]);
-    }
+    lms3dMeasureRanges(this->GetMesh(), viewpoint, packets, count);
   }
 
 private:

@@ -81,3 +81,13 @@ void lms3dRangeMeter::Measure(lms3dBeamPacket& packet)
     }
   }
 }
+
+void lms3dMeasureRanges(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint,
+  lms3dBeamPacket* packets, int count)
+{
+  lms3dRangeMeter meter(mesh, viewpoint);
+  for (int i = 0; i < count; ++i)
+  {
+    meter.Measure(packets[i]);
+  }
+}

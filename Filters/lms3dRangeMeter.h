@@ -39,4 +39,8 @@ private:
   Entry Entries[NumberOfEntries];
 };
 
+/// Measures all packets of a scene that was cast.
+void lms3dMeasureRanges(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint,
+  lms3dBeamPacket* packets, int count);
+
 #endif
