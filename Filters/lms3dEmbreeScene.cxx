@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dEmbreeScene.h"
 
+#include "lms3dPacketKernels.h"
+
 #if LMS3D_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else
@@ -34,7 +36,7 @@ constexpr float BoxMargin = 4e-6f;
 // Beams that can hit start within two and a half diagonals of the centre; others are not cast.
 constexpr double FarthestStart = 10.0;
 
-// A hit that was just found must not hide one at the same range, nor a limit one just within it.
+// A limit must not hide a hit just within it.
 constexpr float RangeMargin = 1.0f + 1e-6f;
 
 // ParaView deletes filters that a script left behind after Embree's static objects are gone
@@ -171,22 +173,18 @@ struct lms3dEmbreeScene::Internals
     }
   }
 
-  // Embree may call with fewer rays than the packet has, so a ray's id tells which beam it is.
+  // Embree calls with the whole packet, with a run of it that suits its instruction set, or with one
+  // beam; a ray's id tells which beam it is.
   void TellEmbree(
     const Query& query, std::uint32_t changed, const RTCIntersectFunctionNArguments* args) const
   {
     RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
     RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, args->N);
-    for (unsigned int i = 0; i < args->N; ++i)
-    {
-      const unsigned int beam = RTCRayN_id(rays, args->N, i);
-      const bool isChanged = (changed >> beam) & 1u;
-      float& reach = RTCRayN_tfar(rays, args->N, i);
-      unsigned int& geometry = RTCHitN_geomID(hits, args->N, i);
-      const float range = this->GetReach(query.Packet->Range[beam] - query.HeadStart);
-      reach = isChanged ? range : reach;
-      geometry = isChanged ? args->geomID : geometry;
-    }
+    const lms3dRayRun run = { static_cast<int>(RTCRayN_id(rays, args->N, 0)),
+      static_cast<int>(args->N), &RTCRayN_tfar(rays, args->N, 0),
+      &RTCHitN_geomID(hits, args->N, 0) };
+    this->Kernels.Shorten(
+      *query.Packet, changed, query.HeadStart, this->Unit.GetDiagonal(), args->geomID, run);
   }
 
   float GetReach(double range) const
@@ -236,6 +234,7 @@ struct lms3dEmbreeScene::Internals
 #endif
   }
 
+  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dTriangleMesh& Mesh;
   const CandidateTest* Test;
   const lms3dNormalization Unit;

@@ -6,7 +6,8 @@
 
 namespace
 {
-/// Embree's single-precision triangles decide; the range is that of the triangle's plane in double.
+/// Embree's single-precision triangles decide; the range is that of the triangle's plane in
+/// double.
 class FastCaster final : public lms3dRayCaster
 {
 public:
@@ -19,7 +20,7 @@ public:
   void Cast(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
   {
     this->Scene.Cast(viewpoint, packets, count);
-    lms3dMeasureRanges(this->GetMesh(), viewpoint, packets, count);
+    lms3dMeasureRangesRoughly(this->GetMesh(), viewpoint, packets, count);
   }
 
 private:

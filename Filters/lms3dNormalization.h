@@ -28,6 +28,7 @@ public:
     return this->Normalize(point[axis], axis);
   }
 
+  double GetDiagonal() const { return this->Diagonal; }
   double GetDistance(double range) const { return range / this->Diagonal; }
 
   /// How far along its beam a ray may start, metres, so that it starts within a few diagonals.

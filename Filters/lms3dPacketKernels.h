@@ -56,6 +56,36 @@ struct lms3dSeenPlane
   lms3dDoubleDouble Offset;
 };
 
+/// The same in plain double.
+struct lms3dRoughPlane
+{
+  double Normal[3];
+  double Offset;
+};
+
+/// The beams of one turn that returned, and from where they start.
+struct lms3dReturnsOfTurn
+{
+  /// Cosine and sine of each one's elevation, and its range.
+  const double* Cosines;
+  const double* Sines;
+  const double* Ranges;
+  int Count;
+
+  const double* FanAxis;
+  const double* Up;
+  const double* Position;
+};
+
+/// A run of a packet's beams as Embree casts them.
+struct lms3dRayRun
+{
+  int First;
+  int Count;
+  float* Reach;
+  unsigned int* Geometry;
+};
+
 struct lms3dPacketKernels
 {
   const char* Name;
@@ -75,6 +105,14 @@ struct lms3dPacketKernels
   std::uint32_t (*TakeHits)(const lms3dSeenTriangle& seen, std::int32_t triangle,
     std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet, std::uint32_t& unsure);
 
+  /// Makes changed beams reach no farther than (Range - headStart) / unit, and a little more, and
+  /// gives them a geometry.
+  void (*Shorten)(const lms3dBeamPacket& packet, std::uint32_t changed, double headStart,
+    double unit, unsigned int geometry, const lms3dRayRun& run);
+
+  /// The beams with a triangle.
+  std::uint32_t (*FindHits)(const lms3dBeamPacket& packet);
+
   /// The plane through three corners, in world coordinates, with about 31 digits.
   lms3dSeenPlane (*See)(const double* const* corners, const double* origin);
 
@@ -82,8 +120,20 @@ struct lms3dPacketKernels
   /// area.
   void (*Measure)(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double* ranges);
 
+  /// The same with the rounding of double.
+  void (*MeasureRoughly)(
+    const lms3dRoughPlane& plane, const lms3dBeamPacket& packet, double* ranges);
+
+  /// Sets the range of the beams that hit a triangle, and returns them; a hit is taken back where
+  /// the range is not above 0, or beyond the maximum.
+  std::uint32_t (*KeepRanges)(
+    const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet);
+
   /// Makes a range NaN where there is no hit, or the hit is nearer than a minimum and taken back.
   void (*Finish)(double minimumRange, lms3dBeamPacket& packet);
+
+  /// The coordinates of the returns, three for each.
+  void (*Locate)(const lms3dReturnsOfTurn& returns, double* points);
 };
 
 /// Those of the widest instruction set that the processor has, unless the environment variable

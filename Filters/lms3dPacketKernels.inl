@@ -13,6 +13,10 @@
 
 #include "lms3dPacketKernels.h"
 
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
 namespace
 {
 constexpr int Size = lms3dBeamPacket::Size;
@@ -107,6 +111,37 @@ Limits<Real> FindLimits(const Edge<Real>* edges, const Real (&direction)[3][Size
     Least(Least(high[0], high[1]), high[2]), Greatest(Greatest(high[0], high[1]), high[2]) };
 }
 
+// A condition for each beam: all bits set, or none.
+struct Mask
+{
+  void Set(int beam, bool condition) { this->Beams[beam] = condition ? -1 : 0; }
+
+  // Bit i for beam i. Of a plain loop compilers make a tree of shifts.
+  std::uint32_t GetBits() const
+  {
+#if defined(__AVX512DQ__)
+    return _mm512_movepi32_mask(_mm512_load_si512(this->Beams));
+#elif defined(__SSE2__)
+    std::uint32_t bits = 0;
+    for (int i = 0; i < Size; i += 4)
+    {
+      const __m128i* four = reinterpret_cast<const __m128i*>(this->Beams + i);
+      bits |= static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(_mm_load_si128(four)))) << i;
+    }
+    return bits;
+#else
+    std::uint32_t bits = 0;
+    for (int i = 0; i < Size; ++i)
+    {
+      bits |= this->Beams[i] ? 1u << i : 0u;
+    }
+    return bits;
+#endif
+  }
+
+  alignas(64) std::int32_t Beams[Size];
+};
+
 // Whether single precision tells that all active beams pass outside: it rejects most candidates, at
 // half the cost. One error bound, that of the farthest corner, does for all three edges.
 bool AllMiss(const lms3dSeenTriangle& triangle, const lms3dBeamPacket& packet)
@@ -124,14 +159,13 @@ bool AllMiss(const lms3dSeenTriangle& triangle, const lms3dBeamPacket& packet)
   const float error = 9.0f * FloatEdgeError * farthest * farthest;
   const Edge<float> edges[3] = { MakeEdge(corner[1], corner[2], error),
     MakeEdge(corner[2], corner[0], error), MakeEdge(corner[0], corner[1], error) };
-  std::uint32_t missed = 0;
+  Mask missed;
   for (int i = 0; i < Size; ++i)
   {
     const Limits<float> limits = FindLimits(edges, packet.NarrowDirection, i);
-    const bool isMiss = (limits.GreatestLow > 0.0f) & (limits.LeastHigh < 0.0f);
-    missed |= isMiss ? 1u << i : 0u;
+    missed.Set(i, (limits.GreatestLow > 0.0f) & (limits.LeastHigh < 0.0f));
   }
-  return (packet.Active & ~missed) == 0;
+  return (packet.Active & ~missed.GetBits()) == 0;
 }
 
 lms3dVerdicts Classify(const lms3dSeenTriangle& triangle, const lms3dBeamPacket& packet)
@@ -147,17 +181,17 @@ lms3dVerdicts Classify(const lms3dSeenTriangle& triangle, const lms3dBeamPacket&
   const Edge<double> edges[3] = { MakeEdge(corner[1], corner[2], DoubleEdgeError * b * c),
     MakeEdge(corner[2], corner[0], DoubleEdgeError * c * a),
     MakeEdge(corner[0], corner[1], DoubleEdgeError * a * b) };
-  std::uint32_t hits = 0;
-  std::uint32_t misses = 0;
+  Mask hits;
+  Mask doubts;
   for (int i = 0; i < Size; ++i)
   {
     const Limits<double> limits = FindLimits(edges, packet.Direction, i);
     const bool isHit = (limits.LeastLow > 0.0) | (limits.GreatestHigh < 0.0);
     const bool isMiss = (limits.GreatestLow > 0.0) & (limits.LeastHigh < 0.0);
-    hits |= isHit ? 1u << i : 0u;
-    misses |= isMiss ? 1u << i : 0u;
+    hits.Set(i, isHit);
+    doubts.Set(i, !(isHit | isMiss));
   }
-  return { hits, ~(hits | misses) & 0xffffu };
+  return { hits.GetBits(), doubts.GetBits() };
 }
 
 std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std::uint32_t beams,
@@ -181,8 +215,8 @@ std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std
 
   // The range that counts is measured later, with more digits.
   const double farthest = maximumRange * (1.0 + 1e-12);
-  std::uint32_t bad = 0;
-  std::uint32_t nearer = 0;
+  Mask bad;
+  Mask nearer;
   alignas(64) double ranges[Size];
   for (int i = 0; i < Size; ++i)
   {
@@ -191,12 +225,11 @@ std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std
     const double range = offset / slope;
     ranges[i] = range;
     const bool isTie = (range == packet.Range[i]) & (triangle < packet.Triangle[i]);
-    const bool isNearer = (range > 0.0) & (range <= farthest) & ((range < packet.Range[i]) | isTie);
-    bad |= Magnitude(slope) > smallestSlope ? 0u : 1u << i;
-    nearer |= isNearer ? 1u << i : 0u;
+    nearer.Set(i, (range > 0.0) & (range <= farthest) & ((range < packet.Range[i]) | isTie));
+    bad.Set(i, !(Magnitude(slope) > smallestSlope));
   }
-  unsure |= beams & bad;
-  const std::uint32_t changed = beams & nearer & ~bad;
+  unsure |= beams & bad.GetBits();
+  const std::uint32_t changed = beams & nearer.GetBits() & ~bad.GetBits();
   for (int i = 0; i < Size; ++i)
   {
     const bool isChanged = (changed >> i) & 1u;
@@ -312,6 +345,79 @@ void Measure(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double*
   }
 }
 
+void MeasureRoughly(const lms3dRoughPlane& plane, const lms3dBeamPacket& packet, double* ranges)
+{
+  for (int i = 0; i < Size; ++i)
+  {
+    ranges[i] = plane.Offset /
+      (packet.Direction[0][i] * plane.Normal[0] + packet.Direction[1][i] * plane.Normal[1] +
+        packet.Direction[2][i] * plane.Normal[2]);
+  }
+}
+
+std::uint32_t FindHits(const lms3dBeamPacket& packet)
+{
+  Mask hits;
+  for (int i = 0; i < Size; ++i)
+  {
+    hits.Set(i, packet.Triangle[i] != lms3dBeamPacket::NoTriangle);
+  }
+  return hits.GetBits();
+}
+
+std::uint32_t KeepRanges(
+  const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet)
+{
+  Mask measured;
+  Mask lost;
+  for (int i = 0; i < Size; ++i)
+  {
+    const bool isMeasured = packet.Triangle[i] == triangle;
+    const bool isHit = (ranges[i] > 0.0) & (ranges[i] <= maximumRange);
+    packet.Range[i] = isMeasured ? (isHit ? ranges[i] : lms3dBeamPacket::NoRange) : packet.Range[i];
+    measured.Set(i, isMeasured);
+    lost.Set(i, isMeasured & !isHit);
+  }
+  for (int i = 0; i < Size; ++i)
+  {
+    packet.Triangle[i] |= lost.Beams[i];
+  }
+  return measured.GetBits();
+}
+
+// A hit that was just found must not hide one at the same range.
+constexpr double RangeMargin = 1.0 + 1e-6;
+
+void Shorten(const lms3dBeamPacket& packet, std::uint32_t changed, double headStart, double unit,
+  unsigned int geometry, const lms3dRayRun& run)
+{
+  const double* range = packet.Range + run.First;
+  const std::uint32_t bits = changed >> run.First;
+  for (int i = 0; i < run.Count; ++i)
+  {
+    const bool isChanged = (bits >> i) & 1u;
+    const float reach =
+      static_cast<float>(Greatest(0.0, (range[i] - headStart) / unit * RangeMargin));
+    run.Reach[i] = isChanged ? reach : run.Reach[i];
+    run.Geometry[i] = isChanged ? geometry : run.Geometry[i];
+  }
+}
+
+void Locate(const lms3dReturnsOfTurn& returns, double* points)
+{
+  const double fan[3] = { returns.FanAxis[0], returns.FanAxis[1], returns.FanAxis[2] };
+  const double up[3] = { returns.Up[0], returns.Up[1], returns.Up[2] };
+  const double position[3] = { returns.Position[0], returns.Position[1], returns.Position[2] };
+  for (int i = 0; i < returns.Count; ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double direction = returns.Cosines[i] * fan[axis] + returns.Sines[i] * up[axis];
+      points[3 * i + axis] = position[axis] + returns.Ranges[i] * direction;
+    }
+  }
+}
+
 void Finish(double minimumRange, lms3dBeamPacket& packet)
 {
   for (int i = 0; i < Size; ++i)
@@ -323,5 +429,10 @@ void Finish(double minimumRange, lms3dBeamPacket& packet)
   }
 }
 } // namespace
+
+// In the order of lms3dPacketKernels.
+#define LMS3D_PACKET_KERNELS                                                                       \
+  Aim, Classify, TakeHits, Shorten, FindHits, See, Measure, MeasureRoughly, KeepRanges, Finish,    \
+    Locate
 
 #endif

@@ -4,5 +4,4 @@
 
 #include "lms3dPacketKernelSets.h"
 
-const lms3dPacketKernels lms3dPacketKernelsAVX2 = { "AVX2", Aim, Classify, TakeHits, See, Measure,
-  Finish };
+const lms3dPacketKernels lms3dPacketKernelsAVX2 = { "AVX2", LMS3D_PACKET_KERNELS };

@@ -4,5 +4,4 @@
 
 #include "lms3dPacketKernelSets.h"
 
-const lms3dPacketKernels lms3dPacketKernelsAVX512 = { "AVX512", Aim, Classify, TakeHits, See,
-  Measure, Finish };
+const lms3dPacketKernels lms3dPacketKernelsAVX512 = { "AVX512", LMS3D_PACKET_KERNELS };

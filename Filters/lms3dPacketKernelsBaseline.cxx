@@ -4,5 +4,4 @@
 
 #include "lms3dPacketKernelSets.h"
 
-const lms3dPacketKernels lms3dPacketKernelsBaseline = { "Baseline", Aim, Classify, TakeHits, See,
-  Measure, Finish };
+const lms3dPacketKernels lms3dPacketKernelsBaseline = { "Baseline", LMS3D_PACKET_KERNELS };

@@ -2,92 +2,181 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dRangeMeter.h"
 
+#include "lms3dPacketKernels.h"
 #include "lms3dTriangle.h"
+
+#include <array>
+#include <cmath>
 
 namespace
 {
-bool HasHits(const lms3dBeamPacket& packet)
+// Where a plane is so much nearer to the sensor than the triangle is, or the triangle so narrow,
+// double keeps fewer than 13 digits of the plane.
+constexpr double WellConditioned = 1e-3;
+
+/// What is known of the triangles that were met last: neighbouring packets meet the same.
+template <typename Plane>
+class PlaneCache
 {
-  std::int32_t common = lms3dBeamPacket::NoTriangle;
-  static_assert(lms3dBeamPacket::NoTriangle == -1, "all bits are set in NoTriangle alone");
-  for (std::int32_t triangle : packet.Triangle)
+public:
+  template <typename Make>
+  const Plane& Get(std::int32_t triangle, const Make& make)
   {
-    common &= triangle;
+    Entry& entry = this->Entries[triangle % NumberOfEntries];
+    if (entry.Triangle != triangle)
+    {
+      entry.Triangle = triangle;
+      entry.Value = make(triangle);
+    }
+    return entry.Value;
   }
-  return common != lms3dBeamPacket::NoTriangle;
-}
-} // namespace
 
-lms3dRangeMeter::lms3dRangeMeter(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint)
-  : Mesh(mesh)
-  , Viewpoint(viewpoint)
-  , Kernels(lms3dGetPacketKernels())
-{
-}
+private:
+  struct Entry
+  {
+    std::int32_t Triangle = lms3dBeamPacket::NoTriangle;
+    Plane Value;
+  };
 
-const lms3dRangeMeter::Entry& lms3dRangeMeter::GetEntry(std::int32_t triangle)
+  static constexpr int NumberOfEntries = 64;
+
+  std::array<Entry, NumberOfEntries> Entries;
+};
+
+/// To the last bits of a double.
+class PreciseMeter
 {
-  Entry& entry = this->Entries[triangle % NumberOfEntries];
-  if (entry.Triangle != triangle)
+public:
+  PreciseMeter(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint)
+    : Mesh(mesh)
+    , Origin(viewpoint.Origin)
+  {
+  }
+
+  void Measure(std::int32_t triangle, const lms3dBeamPacket& packet, double* ranges)
+  {
+    const Plane& plane = this->Planes.Get(triangle, [this](std::int32_t t) { return See(t); });
+    if (plane.IsNear)
+    {
+      lms3dMeasureNearPlane(lms3dGetCorners(this->Mesh, triangle), this->Origin, packet, ranges);
+    }
+    else
+    {
+      this->Kernels.Measure(plane.Seen, packet, ranges);
+    }
+  }
+
+private:
+  struct Plane
+  {
+    lms3dSeenPlane Seen;
+    bool IsNear;
+  };
+
+  Plane See(std::int32_t triangle) const
   {
     const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
-    entry.Triangle = triangle;
-    entry.Plane = this->Kernels.See(corners.data(), this->Viewpoint.Origin);
-    entry.IsNear = lms3dIsNearPlane(corners, this->Viewpoint.Origin, entry.Plane);
+    const lms3dSeenPlane seen = this->Kernels.See(corners.data(), this->Origin);
+    return { seen, lms3dIsNearPlane(corners, this->Origin, seen) };
   }
-  return entry;
+
+  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
+  const lms3dTriangleMesh& Mesh;
+  const double* Origin;
+  PlaneCache<Plane> Planes;
+};
+
+/// In plain double.
+class RoughMeter
+{
+public:
+  RoughMeter(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint)
+    : Mesh(mesh)
+    , Origin(viewpoint.Origin)
+  {
+  }
+
+  void Measure(std::int32_t triangle, const lms3dBeamPacket& packet, double* ranges)
+  {
+    this->Kernels.MeasureRoughly(
+      this->Planes.Get(triangle, [this](std::int32_t t) { return See(t); }), packet, ranges);
+  }
+
+private:
+  lms3dRoughPlane See(std::int32_t triangle) const
+  {
+    const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
+    const lms3dSeenTriangle seen = lms3dSee(corners, this->Origin);
+    const double(&a)[3] = seen.Corner[0];
+    double p[3], q[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = seen.Corner[1][axis] - a[axis];
+      q[axis] = seen.Corner[2][axis] - a[axis];
+    }
+    const double normal[3] = { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+      p[0] * q[1] - p[1] * q[0] };
+    const double offset = normal[0] * a[0] + normal[1] * a[1] + normal[2] * a[2];
+    const double scale = SumOfMagnitudes(p) * SumOfMagnitudes(q) * SumOfMagnitudes(a);
+    if (std::abs(offset) > WellConditioned * scale)
+    {
+      return { { normal[0], normal[1], normal[2] }, offset };
+    }
+    const lms3dSeenPlane plane = this->Kernels.See(corners.data(), this->Origin);
+    return { { plane.Normal[0].High, plane.Normal[1].High, plane.Normal[2].High },
+      plane.Offset.High };
+  }
+
+  static double SumOfMagnitudes(const double* p)
+  {
+    return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
+  }
+
+  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
+  const lms3dTriangleMesh& Mesh;
+  const double* Origin;
+  PlaneCache<lms3dRoughPlane> Planes;
+};
+
+int GetFirst(std::uint32_t beams)
+{
+  int first = 0;
+  while (!((beams >> first) & 1u))
+  {
+    ++first;
+  }
+  return first;
 }
 
-void lms3dRangeMeter::MeasureAll(
-  std::int32_t triangle, const lms3dBeamPacket& packet, double* ranges)
+template <typename Meter>
+void MeasureHits(Meter& meter, double maximumRange, lms3dBeamPacket* packets, int count)
 {
-  const Entry& entry = this->GetEntry(triangle);
-  if (entry.IsNear)
+  const lms3dPacketKernels& kernels = lms3dGetPacketKernels();
+  for (int i = 0; i < count; ++i)
   {
-    lms3dMeasureNearPlane(
-      lms3dGetCorners(this->Mesh, triangle), this->Viewpoint.Origin, packet, ranges);
-  }
-  else
-  {
-    this->Kernels.Measure(entry.Plane, packet, ranges);
-  }
-}
-
-void lms3dRangeMeter::Measure(lms3dBeamPacket& packet)
-{
-  if (!HasHits(packet))
-  {
-    return;
-  }
-  bool isMeasured[lms3dBeamPacket::Size] = {};
-  for (int first = 0; first < lms3dBeamPacket::Size; ++first)
-  {
-    const std::int32_t triangle = packet.Triangle[first];
-    if (triangle == lms3dBeamPacket::NoTriangle || isMeasured[first])
+    lms3dBeamPacket& packet = packets[i];
+    std::uint32_t unmeasured = kernels.FindHits(packet);
+    while (unmeasured != 0)
     {
-      continue;
-    }
-    double ranges[lms3dBeamPacket::Size];
-    this->MeasureAll(triangle, packet, ranges);
-    for (int beam = first; beam < lms3dBeamPacket::Size; ++beam)
-    {
-      if (packet.Triangle[beam] == triangle)
-      {
-        const bool isHit = ranges[beam] > 0.0 && ranges[beam] <= this->Viewpoint.MaximumRange;
-        packet.Range[beam] = isHit ? ranges[beam] : lms3dBeamPacket::NoRange;
-        packet.Triangle[beam] = isHit ? triangle : lms3dBeamPacket::NoTriangle;
-        isMeasured[beam] = true;
-      }
+      const std::int32_t triangle = packet.Triangle[GetFirst(unmeasured)];
+      double ranges[lms3dBeamPacket::Size];
+      meter.Measure(triangle, packet, ranges);
+      unmeasured &= ~kernels.KeepRanges(ranges, triangle, maximumRange, packet);
     }
   }
 }
+} // namespace
 
 void lms3dMeasureRanges(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint,
   lms3dBeamPacket* packets, int count)
 {
-  lms3dRangeMeter meter(mesh, viewpoint);
-  for (int i = 0; i < count; ++i)
-  {
-    meter.Measure(packets[i]);
-  }
+  PreciseMeter meter(mesh, viewpoint);
+  MeasureHits(meter, viewpoint.MaximumRange, packets, count);
+}
+
+void lms3dMeasureRangesRoughly(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint,
+  lms3dBeamPacket* packets, int count)
+{
+  RoughMeter meter(mesh, viewpoint);
+  MeasureHits(meter, viewpoint.MaximumRange, packets, count);
 }

@@ -2,45 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Measures the range of beams whose triangle is known, to the last bits of a double.
+ * @brief Measures the range of beams whose triangle is known.
  */
 #ifndef lms3dRangeMeter_h
 #define lms3dRangeMeter_h
 
-#include "lms3dPacketKernels.h"
+#include "lms3dBeamPacket.h"
 #include "lms3dTriangleMesh.h"
 
-/// Keeps the planes that it met last, since neighbouring packets meet the same. One thread each.
-class lms3dRangeMeter
-{
-public:
-  lms3dRangeMeter(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint);
-
-  /// Sets Range of all beams with a Triangle; takes the hit back where it is not above 0, or too
-  /// far.
-  void Measure(lms3dBeamPacket& packet);
-
-private:
-  struct Entry
-  {
-    std::int32_t Triangle = lms3dBeamPacket::NoTriangle;
-    bool IsNear;
-    lms3dSeenPlane Plane;
-  };
-
-  const Entry& GetEntry(std::int32_t triangle);
-  void MeasureAll(std::int32_t triangle, const lms3dBeamPacket& packet, double* ranges);
-
-  static constexpr int NumberOfEntries = 64;
-
-  const lms3dTriangleMesh& Mesh;
-  const lms3dViewpoint& Viewpoint;
-  const lms3dPacketKernels& Kernels;
-  Entry Entries[NumberOfEntries];
-};
-
-/// Measures all packets of a scene that was cast.
+///@{
+/**
+ * Sets Range of all beams with a Triangle; takes the hit back where it is not above 0, or too far.
+ *
+ * The first is right to the last bits of a double. The second keeps about 13 digits, and fewer at a
+ * grazing angle: as many fewer as the cosine of the incidence has zeros.
+ */
 void lms3dMeasureRanges(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint,
   lms3dBeamPacket* packets, int count);
+void lms3dMeasureRangesRoughly(const lms3dTriangleMesh& mesh, const lms3dViewpoint& viewpoint,
+  lms3dBeamPacket* packets, int count);
+///@}
 
 #endif

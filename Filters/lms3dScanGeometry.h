@@ -65,6 +65,10 @@ public:
   /// True where the beam points along the platform's axis, so that it is the same in every turn.
   bool IsPole(int beam) const;
 
+  /// For all beams.
+  const std::vector<double>& GetAlphaSines() const { return this->AlphaSines; }
+  const std::vector<double>& GetAlphaCosines() const { return this->AlphaCosines; }
+
   double GetAlphaSine(int beam) const { return this->AlphaSines[beam]; }
   double GetAlphaCosine(int beam) const { return this->AlphaCosines[beam]; }
   double GetBetaSine(int turn) const { return this->BetaSines[turn]; }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dScanOutput.h"
 
+#include "lms3dPacketKernels.h"
+
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
@@ -15,6 +17,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTypeInt32Array.h>
 
 #include <tbb/parallel_for.h>
 
@@ -133,8 +136,8 @@ struct lms3dScanOutput::Returns
     , Betas(MakeArray<vtkFloatArray>(pool, "Beta", count))
     , BeamIds(MakeArray<vtkIntArray>(pool, "BeamId", count))
     , CellIds(MakeArray<vtkIdTypeArray>(pool, "CellId", count))
-    , VertexOffsets(MakeArray<vtkIdTypeArray>(pool, "Offsets", count + 1))
-    , VertexPoints(MakeArray<vtkIdTypeArray>(pool, "Connectivity", count))
+    , VertexOffsets(MakeArray<vtkTypeInt32Array>(pool, "Offsets", count + 1))
+    , VertexPoints(MakeArray<vtkTypeInt32Array>(pool, "Connectivity", count))
     , Point(this->Points->GetPointer(0))
     , Range(this->Ranges->GetPointer(0))
     , Alpha(this->Alphas->GetPointer(0))
@@ -168,8 +171,8 @@ struct lms3dScanOutput::Returns
   const vtkSmartPointer<vtkFloatArray> Betas;
   const vtkSmartPointer<vtkIntArray> BeamIds;
   const vtkSmartPointer<vtkIdTypeArray> CellIds;
-  const vtkSmartPointer<vtkIdTypeArray> VertexOffsets;
-  const vtkSmartPointer<vtkIdTypeArray> VertexPoints;
+  const vtkSmartPointer<vtkTypeInt32Array> VertexOffsets;
+  const vtkSmartPointer<vtkTypeInt32Array> VertexPoints;
 
   double* const Point;
   double* const Range;
@@ -177,27 +180,39 @@ struct lms3dScanOutput::Returns
   float* const Beta;
   int* const BeamId;
   vtkIdType* const CellId;
-  vtkIdType* const VertexOffset;
-  vtkIdType* const VertexPoint;
+  vtkTypeInt32* const VertexOffset;
+  vtkTypeInt32* const VertexPoint;
 };
 
 /// Fills the slots of one turn.
 struct lms3dScanOutput::TurnSource
 {
+  void FillAll(std::size_t slot, const Returns& returns) const
+  {
+    const int count = this->Geometry.GetNumberOfBeams();
+    this->Fill(count, slot, returns, [](int i) { return i; });
+    this->Locate(count, slot, returns, this->Geometry.GetAlphaCosines().data(),
+      this->Geometry.GetAlphaSines().data());
+  }
+
+  void FillSome(const std::vector<int>& hits, std::size_t slot, const Returns& returns) const
+  {
+    const int count = static_cast<int>(hits.size());
+    this->Fill(count, slot, returns, [&hits](int i) { return hits[i]; });
+    std::vector<double> cosines(count), sines(count);
+    for (int i = 0; i < count; ++i)
+    {
+      cosines[i] = this->Geometry.GetAlphaCosine(hits[i]);
+      sines[i] = this->Geometry.GetAlphaSine(hits[i]);
+    }
+    this->Locate(count, slot, returns, cosines.data(), sines.data());
+  }
+
   // `beamOf` tells the beam of a return. One loop for each array keeps them simple enough to be
   // vectorized, where all beams of the turn returned at least.
   template <typename BeamOf>
   void Fill(int count, std::size_t slot, const Returns& returns, const BeamOf& beamOf) const
   {
-    double* point = returns.Point + 3 * slot;
-    for (int i = 0; i < count; ++i)
-    {
-      const std::array<double, 3> direction = this->Directions.GetDirection(this->Turn, beamOf(i));
-      const double range = this->Ranges[beamOf(i)];
-      point[3 * i] = this->Position[0] + range * direction[0];
-      point[3 * i + 1] = this->Position[1] + range * direction[1];
-      point[3 * i + 2] = this->Position[2] + range * direction[2];
-    }
     this->FillEach(returns.Range + slot, count, [&](int i) { return this->Ranges[beamOf(i)]; });
     const double* alpha = this->Geometry.GetAlphaAngles().data();
     this->FillEach(
@@ -208,9 +223,18 @@ struct lms3dScanOutput::TurnSource
       [&](int i) { return this->Mesh.GetCell(this->Triangles[beamOf(i)]); });
     std::fill_n(
       returns.Beta + slot, count, static_cast<float>(this->Geometry.GetBetaAngles()[this->Turn]));
-    const vtkIdType first = static_cast<vtkIdType>(slot);
+    const vtkTypeInt32 first = static_cast<vtkTypeInt32>(slot);
     this->FillEach(returns.VertexOffset + slot, count, [&](int i) { return first + i; });
     this->FillEach(returns.VertexPoint + slot, count, [&](int i) { return first + i; });
+  }
+
+  void Locate(int count, std::size_t slot, const Returns& returns, const double* cosines,
+    const double* sines) const
+  {
+    const lms3dReturnsOfTurn located = { cosines, sines, returns.Range + slot, count,
+      this->Directions.GetFanAxis(this->Turn).data(), this->Directions.GetUp().data(),
+      this->Position.data() };
+    lms3dGetPacketKernels().Locate(located, returns.Point + 3 * slot);
   }
 
   template <typename T, typename ValueOf>
@@ -276,14 +300,13 @@ void lms3dScanOutput::FillTurn(int turn, std::size_t slot, const lms3dTriangleMe
     static_cast<int>(firstBeam), this->Ranges->GetPointer(0) + firstBeam,
     this->Triangles.data() + firstBeam };
   const std::vector<int> hits = GetHits(source.Triangles, beams);
-  const int count = static_cast<int>(hits.size());
-  if (count == beams)
+  if (static_cast<int>(hits.size()) == beams)
   {
-    source.Fill(count, slot, returns, [](int i) { return i; });
+    source.FillAll(slot, returns);
   }
   else
   {
-    source.Fill(count, slot, returns, [&hits](int i) { return hits[i]; });
+    source.FillSome(hits, slot, returns);
   }
 }
 
@@ -302,7 +325,7 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh& mesh, const lms3dScanGeo
         this->FillTurn(turn, first[turn], mesh, geometry, directions, pose.Position, returns);
       }
     });
-  returns.VertexOffset[count] = count;
+  returns.VertexOffset[count] = static_cast<vtkTypeInt32>(count);
   returns.MoveTo(scan);
   AddFieldData(geometry, pose, scan->GetFieldData());
   this->Pool.FreeUnused();
