@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -198,24 +197,45 @@ struct lms3dEmbreeScene::Internals
     RTCRayHit16& rayhit) const
   {
     float* const starts[3] = { rayhit.ray.org_x, rayhit.ray.org_y, rayhit.ray.org_z };
-    std::uint32_t near = 0;
-    for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+    std::uint32_t near = ~0u;
+    for (int axis = 0; axis < 3; ++axis)
     {
-      double start[3];
-      bool isNear = true;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        start[axis] =
-          this->Unit.Normalize(origin[axis] + headStart * packet.Direction[axis][beam], axis);
-        isNear = isNear && std::abs(start[axis]) <= FarthestStart;
-      }
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        starts[axis][beam] = isNear ? static_cast<float>(start[axis]) : 0.0f;
-      }
-      near |= static_cast<std::uint32_t>(isNear) << beam;
+      const lms3dStart start = { origin[axis], headStart, this->Unit.GetCenter(axis),
+        this->Unit.GetDiagonal(), FarthestStart };
+      near &= this->Kernels.SetStarts(start, packet.Direction[axis], starts[axis]);
     }
     return near;
+  }
+
+  // What no packet changes.
+  static void Initialize(RTCRayHit16& rayhit)
+  {
+    for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+    {
+      rayhit.ray.tnear[beam] = 0.0f;
+      rayhit.ray.time[beam] = 0.0f;
+      rayhit.ray.mask[beam] = ~0u;
+      rayhit.ray.id[beam] = static_cast<unsigned int>(beam);
+      rayhit.ray.flags[beam] = 0;
+      rayhit.hit.instID[0][beam] = RTC_INVALID_GEOMETRY_ID;
+    }
+  }
+
+  void Intersect(std::uint32_t active, float reach, Query& query, RTCRayHit16& rayhit) const
+  {
+    const float(&direction)[3][lms3dBeamPacket::Size] = query.Packet->NarrowDirection;
+    std::copy_n(direction[0], lms3dBeamPacket::Size, rayhit.ray.dir_x);
+    std::copy_n(direction[1], lms3dBeamPacket::Size, rayhit.ray.dir_y);
+    std::copy_n(direction[2], lms3dBeamPacket::Size, rayhit.ray.dir_z);
+    std::fill_n(rayhit.ray.tfar, lms3dBeamPacket::Size, reach);
+    std::fill_n(rayhit.hit.geomID, lms3dBeamPacket::Size, RTC_INVALID_GEOMETRY_ID);
+    alignas(64) int valid[lms3dBeamPacket::Size];
+    for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+    {
+      const std::uint32_t bit = 1u << beam;
+      valid[beam] = (active & bit) == bit ? -1 : 0;
+    }
+    this->Intersect(valid, query.Context, rayhit);
   }
 
   void Intersect(const int* valid, QueryContext& context, RTCRayHit16& rayhit) const
@@ -232,6 +252,16 @@ struct lms3dEmbreeScene::Internals
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(valid, this->EmbreeScene.get(), &context, &rayhit);
 #endif
+  }
+
+  static void TakeTriangles(const RTCRayHit16& rayhit, lms3dBeamPacket& packet)
+  {
+    for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+    {
+      packet.Triangle[beam] = rayhit.hit.geomID[beam] == RTC_INVALID_GEOMETRY_ID
+        ? lms3dBeamPacket::NoTriangle
+        : static_cast<std::int32_t>(rayhit.hit.primID[beam]);
+    }
   }
 
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
@@ -258,52 +288,36 @@ void lms3dEmbreeScene::Cast(
   const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const
 {
   const Internals& self = *this->Internal;
+  const lms3dCone cone = self.Unit.GetCone(viewpoint.Origin);
   const double headStart = self.Unit.GetHeadStart(viewpoint.Origin);
   const float reach = self.GetReach(viewpoint.MaximumRange - headStart);
   Query query;
   query.Viewpoint = &viewpoint;
   query.HeadStart = headStart;
 
-  std::uint32_t near = 0;
   RTCRayHit16 rayhit;
-  for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
-  {
-    rayhit.ray.tnear[beam] = 0.0f;
-    rayhit.ray.time[beam] = 0.0f;
-    rayhit.ray.mask[beam] = ~0u;
-    rayhit.ray.id[beam] = static_cast<unsigned int>(beam);
-    rayhit.ray.flags[beam] = 0;
-    rayhit.hit.instID[0][beam] = RTC_INVALID_GEOMETRY_ID;
-  }
+  Internals::Initialize(rayhit);
+  std::uint32_t near = self.SetStarts(viewpoint.Origin, headStart, packets[0], rayhit);
   for (int i = 0; i < count; ++i)
   {
     lms3dBeamPacket& packet = packets[i];
     std::fill_n(packet.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
     std::fill_n(packet.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
-    if (i == 0 || headStart > 0.0)
+    std::uint32_t active = packet.Active & self.Kernels.FindWithin(cone, packet);
+    if (active == 0)
+    {
+      continue;
+    }
+    if (headStart > 0.0)
     {
       near = self.SetStarts(viewpoint.Origin, headStart, packet, rayhit);
     }
-    std::memcpy(rayhit.ray.dir_x, packet.NarrowDirection[0], sizeof(rayhit.ray.dir_x));
-    std::memcpy(rayhit.ray.dir_y, packet.NarrowDirection[1], sizeof(rayhit.ray.dir_y));
-    std::memcpy(rayhit.ray.dir_z, packet.NarrowDirection[2], sizeof(rayhit.ray.dir_z));
-    std::fill_n(rayhit.ray.tfar, lms3dBeamPacket::Size, reach);
-    std::fill_n(rayhit.hit.geomID, lms3dBeamPacket::Size, RTC_INVALID_GEOMETRY_ID);
-    alignas(64) int valid[lms3dBeamPacket::Size];
-    for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
-    {
-      valid[beam] = packet.Active & near & (1u << beam) ? -1 : 0;
-    }
+    active &= near;
     query.Packet = &packet;
-    self.Intersect(valid, query.Context, rayhit);
+    self.Intersect(active, reach, query, rayhit);
     if (!self.Test)
     {
-      for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
-      {
-        packet.Triangle[beam] = valid[beam] && rayhit.hit.geomID[beam] != RTC_INVALID_GEOMETRY_ID
-          ? static_cast<std::int32_t>(rayhit.hit.primID[beam])
-          : lms3dBeamPacket::NoTriangle;
-      }
+      Internals::TakeTriangles(rayhit, packet);
     }
   }
 }

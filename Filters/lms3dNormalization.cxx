@@ -4,11 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
 // Rays start no farther from the scene's centre than this, in diagonals.
 constexpr double FarthestStart = 2.0;
+
+// What outweighs the rounding of the cone, and that of coordinates at a large offset.
+constexpr double ConeMargin = 1e-9;
+constexpr double RoundingMargin = 1e-15;
 } // namespace
 
 lms3dNormalization::lms3dNormalization(const lms3dTriangleMesh& mesh)
@@ -32,6 +37,23 @@ lms3dNormalization::lms3dNormalization(const lms3dTriangleMesh& mesh)
   }
   const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
   this->Diagonal = diagonal > 0.0 ? diagonal : 1.0;
+}
+
+lms3dCone lms3dNormalization::GetCone(const double origin[3]) const
+{
+  lms3dCone cone;
+  double rounding = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    cone.Axis[i] = this->Center[i] - origin[i];
+    rounding += std::abs(this->Center[i]) + std::abs(origin[i]);
+  }
+  const double radius = 0.5 * this->Diagonal * (1.0 + ConeMargin) + RoundingMargin * rounding;
+  const double distance = std::hypot(cone.Axis[0], cone.Axis[1], cone.Axis[2]);
+  const double tangent = std::sqrt(std::max(0.0, distance - radius) * (distance + radius));
+  cone.Least =
+    distance > radius ? tangent * (1.0 - ConeMargin) : -std::numeric_limits<double>::infinity();
+  return cone;
 }
 
 double lms3dNormalization::GetHeadStart(const double origin[3]) const

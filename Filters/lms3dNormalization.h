@@ -10,6 +10,7 @@
 #ifndef lms3dNormalization_h
 #define lms3dNormalization_h
 
+#include "lms3dPacketKernels.h"
 #include "lms3dTriangleMesh.h"
 
 class lms3dNormalization
@@ -28,11 +29,15 @@ public:
     return this->Normalize(point[axis], axis);
   }
 
+  double GetCenter(int axis) const { return this->Center[axis]; }
   double GetDiagonal() const { return this->Diagonal; }
   double GetDistance(double range) const { return range / this->Diagonal; }
 
   /// How far along its beam a ray may start, metres, so that it starts within a few diagonals.
   double GetHeadStart(const double origin[3]) const;
+
+  /// The directions in which the scene may be seen, and a little more; all from within.
+  lms3dCone GetCone(const double origin[3]) const;
 
 private:
   double Center[3];

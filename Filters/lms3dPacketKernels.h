@@ -77,6 +77,24 @@ struct lms3dReturnsOfTurn
   const double* Position;
 };
 
+/// The directions D with Axis.D at least Least.
+struct lms3dCone
+{
+  double Axis[3];
+  double Least;
+};
+
+/// One axis of where beams start: `HeadStart` along them from `Origin`, seen from `Center` and
+/// measured in `Unit`; not farther than `Farthest` from there.
+struct lms3dStart
+{
+  double Origin;
+  double HeadStart;
+  double Center;
+  double Unit;
+  double Farthest;
+};
+
 /// A run of a packet's beams as Embree casts them.
 struct lms3dRayRun
 {
@@ -92,6 +110,12 @@ struct lms3dPacketKernels
 
   /// Fills both directions of a packet.
   void (*Aim)(const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamPacket& packet);
+
+  /// The beams within a cone.
+  std::uint32_t (*FindWithin)(const lms3dCone& cone, const lms3dBeamPacket& packet);
+
+  /// Sets one axis of where beams start, 0 for those that would start too far; returns the others.
+  std::uint32_t (*SetStarts)(const lms3dStart& start, const double* directions, float* starts);
 
   /// Decides where beams pass a triangle, by the signs of its edge functions.
   lms3dVerdicts (*Classify)(const lms3dSeenTriangle& triangle, const lms3dBeamPacket& packet);

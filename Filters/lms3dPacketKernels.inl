@@ -39,6 +39,37 @@ double Magnitude(double x)
   return x < 0.0 ? -x : x;
 }
 
+// A condition for each beam: all bits set, or none.
+struct Mask
+{
+  void Set(int beam, bool condition) { this->Beams[beam] = condition ? -1 : 0; }
+
+  // Bit i for beam i. Of a plain loop compilers make a tree of shifts.
+  std::uint32_t GetBits() const
+  {
+#if defined(__AVX512DQ__)
+    return _mm512_movepi32_mask(_mm512_load_si512(this->Beams));
+#elif defined(__SSE2__)
+    std::uint32_t bits = 0;
+    for (int i = 0; i < Size; i += 4)
+    {
+      const __m128i* four = reinterpret_cast<const __m128i*>(this->Beams + i);
+      bits |= static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(_mm_load_si128(four)))) << i;
+    }
+    return bits;
+#else
+    std::uint32_t bits = 0;
+    for (int i = 0; i < Size; ++i)
+    {
+      bits |= this->Beams[i] ? 1u << i : 0u;
+    }
+    return bits;
+#endif
+  }
+
+  alignas(64) std::int32_t Beams[Size];
+};
+
 void Aim(const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamPacket& packet)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -52,6 +83,33 @@ void Aim(const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamP
         static_cast<float>(Magnitude(component) < SmallestComponent ? 0.0 : component);
     }
   }
+}
+
+std::uint32_t FindWithin(const lms3dCone& cone, const lms3dBeamPacket& packet)
+{
+  Mask within;
+  for (int i = 0; i < Size; ++i)
+  {
+    within.Set(i,
+      packet.Direction[0][i] * cone.Axis[0] + packet.Direction[1][i] * cone.Axis[1] +
+          packet.Direction[2][i] * cone.Axis[2] >=
+        cone.Least);
+  }
+  return within.GetBits();
+}
+
+std::uint32_t SetStarts(const lms3dStart& start, const double* directions, float* starts)
+{
+  Mask near;
+  for (int i = 0; i < Size; ++i)
+  {
+    const double position =
+      (start.Origin + start.HeadStart * directions[i] - start.Center) / start.Unit;
+    const bool isNear = Magnitude(position) <= start.Farthest;
+    starts[i] = static_cast<float>(isNear ? position : 0.0);
+    near.Set(i, isNear);
+  }
+  return near.GetBits();
 }
 
 template <typename Real>
@@ -110,37 +168,6 @@ Limits<Real> FindLimits(const Edge<Real>* edges, const Real (&direction)[3][Size
   return { Least(Least(low[0], low[1]), low[2]), Greatest(Greatest(low[0], low[1]), low[2]),
     Least(Least(high[0], high[1]), high[2]), Greatest(Greatest(high[0], high[1]), high[2]) };
 }
-
-// A condition for each beam: all bits set, or none.
-struct Mask
-{
-  void Set(int beam, bool condition) { this->Beams[beam] = condition ? -1 : 0; }
-
-  // Bit i for beam i. Of a plain loop compilers make a tree of shifts.
-  std::uint32_t GetBits() const
-  {
-#if defined(__AVX512DQ__)
-    return _mm512_movepi32_mask(_mm512_load_si512(this->Beams));
-#elif defined(__SSE2__)
-    std::uint32_t bits = 0;
-    for (int i = 0; i < Size; i += 4)
-    {
-      const __m128i* four = reinterpret_cast<const __m128i*>(this->Beams + i);
-      bits |= static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(_mm_load_si128(four)))) << i;
-    }
-    return bits;
-#else
-    std::uint32_t bits = 0;
-    for (int i = 0; i < Size; ++i)
-    {
-      bits |= this->Beams[i] ? 1u << i : 0u;
-    }
-    return bits;
-#endif
-  }
-
-  alignas(64) std::int32_t Beams[Size];
-};
 
 // Whether single precision tells that all active beams pass outside: it rejects most candidates, at
 // half the cost. One error bound, that of the farthest corner, does for all three edges.
@@ -432,7 +459,7 @@ void Finish(double minimumRange, lms3dBeamPacket& packet)
 
 // In the order of lms3dPacketKernels.
 #define LMS3D_PACKET_KERNELS                                                                       \
-  Aim, Classify, TakeHits, Shorten, FindHits, See, Measure, MeasureRoughly, KeepRanges, Finish,    \
+  Aim, FindWithin, SetStarts, Classify, TakeHits, Shorten, FindHits, See, Measure, MeasureRoughly, KeepRanges, Finish,    \
     Locate
 
 #endif
