@@ -6,7 +6,8 @@
  *
  * It is compiled for several instruction sets, and the widest that the processor has is chosen when
  * the program runs. Every one gives the same bits: the operations and their order are the same, and
- * no compiler may contract a product and a sum.
+ * no compiler may contract a product and a sum. (Beyond what a double can hold the last bits of a
+ * range may differ: below 1e-290, which takes a scene smaller than 1e-90 m.)
  */
 #ifndef lms3dPacketKernels_h
 #define lms3dPacketKernels_h

@@ -10,7 +10,6 @@
 #include "CasterFixtures.h"
 #include "SceneFixtures.h"
 
-#include "lms3dPacketKernels.h"
 #include "lms3dTriangle.h"
 #include "vtkLMS3DScanFilter.h"
 
@@ -20,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -347,104 +345,22 @@ TEST(ExactRayCasting, MeasuresAFloorAtGrazingAngles)
   }
 }
 
-// --- Kernels and threads
-// --------------------------------------------------------------------------
-
-namespace
+// Beams that do not point at the sphere around the scene are not cast.
+TEST(ExactRayCasting, HitsFromAroundTheSphereThatBoundsTheScene)
 {
-/// All that the kernels compute of some triangle and packet.
-struct KernelResults
-{
-  lms3dBeamPacket Aimed;
-  lms3dVerdicts Verdicts;
-  std::uint32_t Changed;
-  std::uint32_t Unsure;
-  lms3dBeamPacket Taken;
-  lms3dSeenPlane Plane;
-  double Ranges[lms3dBeamPacket::Size];
-};
-
-/// What the kernels are given, of all kinds: with zeros, tiny and equal numbers among them.
-struct KernelInput
-{
-  explicit KernelInput(Random& random)
+  Random random(23);
+  const Target cube(MakeCube(2));
+  for (double outside : { -1e-9, 0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 10.0 })
   {
-    for (Vector& corner : this->Corners)
+    for (int i = 0; i < 5; ++i)
     {
-      corner = { GetNastyNumber(random), GetNastyNumber(random), GetNastyNumber(random) };
-    }
-    this->Origin = { GetNastyNumber(random), GetNastyNumber(random), GetNastyNumber(random) };
-    if (random.GetBits() % 4 == 0)
-    {
-      this->Corners[2] = this->Corners[random.GetBits() % 2]; // Without area.
-    }
-    if (random.GetBits() % 8 == 0)
-    {
-      this->Origin = this->Corners[0];
-    }
-    for (int i = 0; i < lms3dBeamPacket::Size; ++i)
-    {
-      const Vector axis = random.GetBits() % 2 ? random.GetDirection() : Vector{ 1.0, -1e-17, 0.0 };
-      this->Elevations.Cosine[i] = GetNastyNumber(random) / 1e7;
-      this->Elevations.Sine[i] = random.Get(-1.0, 1.0);
-      for (int k = 0; k < 3; ++k)
-      {
-        this->Axes.Horizontal[k][i] = axis[k];
-        this->Axes.Up[k] = k == 2 ? 1.0 : 0.0;
-      }
-    }
-  }
-
-  static double GetNastyNumber(Random& random)
-  {
-    const double sizes[] = { 0.0, 1e-9, 1.0, 1.0, 1e7 };
-    const double size = sizes[random.GetBits() % 5];
-    return random.GetBits() % 2 ? size * random.Get(-1.0, 1.0)
-                                : std::copysign(size, random.Get(-1, 1));
-  }
-
-  Vector Corners[3];
-  Vector Origin;
-  lms3dElevations Elevations;
-  lms3dFanAxes Axes;
-};
-
-/// The bytes of the results.
-std::string Compute(const lms3dPacketKernels& kernels, const KernelInput& input)
-{
-  const lms3dCorners corners = { input.Corners[0].data(), input.Corners[1].data(),
-    input.Corners[2].data() };
-  KernelResults results;
-  std::memset(static_cast<void*>(&results), 0, sizeof(results));
-  lms3dBeamPacket& packet = results.Aimed;
-  kernels.Aim(input.Elevations, input.Axes, packet);
-  std::fill_n(packet.Range, lms3dBeamPacket::Size, 1.0);
-  std::fill_n(packet.Triangle, lms3dBeamPacket::Size, 5);
-  packet.Active = 0x7fffu;
-  const lms3dSeenTriangle seen = lms3dSee(corners, input.Origin.data());
-  results.Verdicts = kernels.Classify(seen, packet);
-  results.Taken = packet;
-  results.Changed = kernels.TakeHits(seen, 3, 0xffffu, 1e6, results.Taken, results.Unsure);
-  results.Plane = kernels.See(corners.data(), input.Origin.data());
-  kernels.Measure(results.Plane, packet, results.Ranges);
-  return { reinterpret_cast<const char*>(&results), sizeof(results) };
-}
-} // namespace
-
-TEST(PacketKernels, GiveTheSameBitsWithAllInstructions)
-{
-  Random random(11);
-  for (int i = 0; i < 20000; ++i)
-  {
-    const KernelInput input(random);
-    const std::string expected = Compute(lms3dGetPacketKernels(0), input);
-    for (int k = 1; k < lms3dGetNumberOfPacketKernels(); ++k)
-    {
-      ASSERT_TRUE(Compute(lms3dGetPacketKernels(k), input) == expected)
-        << lms3dGetPacketKernels(k).Name << ", input " << i;
+      const Vector sensor = std::sqrt(3.0) * (1.0 + outside) * random.GetDirection();
+      ExpectExact(JudgeAllTriangles(cube, sensor, 300));
     }
   }
 }
+
+// --- Threads ------------------------------------------------------------------------------------
 
 class EveryMethod : public testing::TestWithParam<int>
 {

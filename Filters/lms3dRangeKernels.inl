@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The ranges of beams whose triangle is known, in double and with twice its digits.
+ */
+#ifndef lms3dRangeKernels_inl
+#define lms3dRangeKernels_inl
+
+#include "lms3dPacketMask.inl"
+
+namespace
+{
+// Arithmetic with twice the digits (Dekker 1971, Knuth): pairs whose sum is the number.
+using Pair = lms3dDoubleDouble;
+
+Pair Add(double x, double y)
+{
+  const double sum = x + y;
+  const double part = sum - x;
+  return { sum, (x - (sum - part)) + (y - part) };
+}
+
+Pair Subtract(double x, double y)
+{
+  return Add(x, -y);
+}
+
+// Both ways give the exact product.
+Pair Multiply(double x, double y)
+{
+  const double product = x * y;
+#ifdef __FMA__
+  return { product, __builtin_fma(x, y, -product) };
+#else
+  const double scaledX = 134217729.0 * x;
+  const double scaledY = 134217729.0 * y;
+  const double upperX = scaledX - (scaledX - x);
+  const double upperY = scaledY - (scaledY - y);
+  const double lowerX = x - upperX;
+  const double lowerY = y - upperY;
+  return { product,
+    ((upperX * upperY - product) + upperX * lowerY + lowerX * upperY) + lowerX * lowerY };
+#endif
+}
+
+Pair Add(const Pair& x, const Pair& y)
+{
+  const Pair high = Add(x.High, y.High);
+  const Pair low = Add(x.Low, y.Low);
+  const Pair sum = Add(high.High, high.Low + low.High);
+  return Add(sum.High, sum.Low + low.Low);
+}
+
+Pair Multiply(const Pair& x, const Pair& y)
+{
+  const Pair product = Multiply(x.High, y.High);
+  return Add(product.High, product.Low + (x.High * y.Low + x.Low * y.High));
+}
+
+Pair Negate(const Pair& x)
+{
+  return { -x.High, -x.Low };
+}
+
+lms3dSeenPlane See(const double* const* corners, const double* origin)
+{
+  Pair p[3], q[3], a[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    p[axis] = Subtract(corners[1][axis], corners[0][axis]);
+    q[axis] = Subtract(corners[2][axis], corners[0][axis]);
+    a[axis] = Subtract(corners[0][axis], origin[axis]);
+  }
+  lms3dSeenPlane plane;
+  plane.Offset = { 0.0, 0.0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int next = (axis + 1) % 3;
+    const int last = (axis + 2) % 3;
+    plane.Normal[axis] = Add(Multiply(p[next], q[last]), Negate(Multiply(p[last], q[next])));
+    plane.Offset = Add(plane.Offset, Multiply(plane.Normal[axis], a[axis]));
+  }
+  return plane;
+}
+
+void Measure(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double* ranges)
+{
+  alignas(64) double measured[Size];
+  for (int i = 0; i < Size; ++i)
+  {
+    // The slope Normal.direction, each product and each sum with its rounding error.
+    double slope = 0.0;
+    double error = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double direction = packet.Direction[axis][i];
+      const Pair product = Multiply(plane.Normal[axis].High, direction);
+      const Pair sum = Add(slope, product.High);
+      slope = sum.High;
+      error += sum.Low + (product.Low + plane.Normal[axis].Low * direction);
+    }
+    // At a grazing angle the error is no longer small beside the slope.
+    const Pair whole = Add(slope, error);
+    // The quotient, and its correction by what remains.
+    const double quotient = plane.Offset.High / whole.High;
+    const Pair back = Multiply(quotient, whole.High);
+    const double remainder =
+      ((plane.Offset.High - back.High) - back.Low) + (plane.Offset.Low - quotient * whole.Low);
+    measured[i] = quotient + remainder / whole.High;
+  }
+  for (int i = 0; i < Size; ++i)
+  {
+    ranges[i] = measured[i];
+  }
+}
+
+void MeasureRoughly(const lms3dRoughPlane& plane, const lms3dBeamPacket& packet, double* ranges)
+{
+  for (int i = 0; i < Size; ++i)
+  {
+    ranges[i] = plane.Offset /
+      (packet.Direction[0][i] * plane.Normal[0] + packet.Direction[1][i] * plane.Normal[1] +
+        packet.Direction[2][i] * plane.Normal[2]);
+  }
+}
+
+std::uint32_t KeepRanges(
+  const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet)
+{
+  Mask measured;
+  Mask lost;
+  for (int i = 0; i < Size; ++i)
+  {
+    const bool isMeasured = packet.Triangle[i] == triangle;
+    const bool isHit = (ranges[i] > 0.0) & (ranges[i] <= maximumRange);
+    packet.Range[i] = isMeasured ? (isHit ? ranges[i] : lms3dBeamPacket::NoRange) : packet.Range[i];
+    measured.Set(i, isMeasured);
+    lost.Set(i, isMeasured & !isHit);
+  }
+  for (int i = 0; i < Size; ++i)
+  {
+    packet.Triangle[i] |= lost.Beams[i];
+  }
+  return measured.GetBits();
+}
+} // namespace
+
+#endif
