@@ -345,18 +345,31 @@ TEST(ExactRayCasting, MeasuresAFloorAtGrazingAngles)
   }
 }
 
-// Beams that do not point at the sphere around the scene are not cast.
-TEST(ExactRayCasting, HitsFromAroundTheSphereThatBoundsTheScene)
+// Packets that do not point at the sphere around the scene are not cast. Of a cube the corners alone
+// are on it, and seen from a tangent at a corner, that corner is at the rim.
+TEST(ExactRayCasting, HitsTheCornersOnTheSphereThatBoundsTheScene)
 {
   Random random(23);
-  const Target cube(MakeCube(2));
-  for (double outside : { -1e-9, 0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 10.0 })
+  const Target cube(MakeCube(1));
+  const Vector corner = { 1.0, 1.0, 1.0 };
+  for (double distance : { 1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6 })
   {
-    for (int i = 0; i < 5; ++i)
+    Tally tally;
+    for (int i = 0; i < 100; ++i)
     {
-      const Vector sensor = std::sqrt(3.0) * (1.0 + outside) * random.GetDirection();
-      ExpectExact(JudgeAllTriangles(cube, sensor, 300));
+      const Vector p = random.GetDirection();
+      const Vector tangent = { p[1] - p[2], p[2] - p[0], p[0] - p[1] };
+      const Vector sensor = corner + distance * Normalize(tangent);
+      Beams beams;
+      for (Vector& beam : beams)
+      {
+        const Vector inwards = { random.Get(), random.Get(), random.Get() };
+        beam = Normalize(corner - sensor - std::pow(10.0, random.Get(-16, -9)) * inwards);
+      }
+      tally += Judge(cube, sensor, beams);
     }
+    EXPECT_GT(tally.Hits, 100) << distance;
+    ExpectExact(tally);
   }
 }
 
