@@ -158,6 +158,40 @@ void AddRow(const BenchmarkScene& scene, const ScanContender& contender, int thr
     Table::FormatPower(errors ? errors->Worst : None) });
 }
 
+std::string FormatCount(std::int64_t count)
+{
+  std::string digits = std::to_string(count);
+  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
+  {
+    digits.insert(i, ",");
+  }
+  return digits;
+}
+
+// Both numbers of threads in one row, and what was wrong in another.
+void AddSummary(const BenchmarkScene& scene, std::vector<ScanContender>& contenders, Table& summary)
+{
+  for (ScanContender& contender : contenders)
+  {
+    if (!contender.IsPresent())
+    {
+      continue;
+    }
+    Table::Row row = { scene.Name + ", " + FormatCount(scene.Surface->GetNumberOfPolys()),
+      contender.Name };
+    for (int threads : { 1, 2 })
+    {
+      const double scan = contender.ByThreads[threads].Scan;
+      row.push_back(Table::Format(scan, 2));
+      row.push_back(Table::Format(scan / contenders.front().ByThreads[threads].Scan, 2));
+    }
+    const std::optional<ScanErrors>& errors = contender.Errors;
+    row.push_back(errors ? std::to_string(errors->Misses + errors->FalseHits) : "-");
+    row.push_back(Table::FormatPower(errors ? errors->Worst : None));
+    summary.AddRow(row);
+  }
+}
+
 void PrintNotes(std::vector<ScanContender>& contenders)
 {
   std::string speedUps;
@@ -178,7 +212,8 @@ void PrintNotes(std::vector<ScanContender>& contenders)
   std::fflush(stdout);
 }
 
-void TimeScene(const std::string& name, const BenchmarkOptions& options, Table& table)
+void TimeScene(
+  const std::string& name, const BenchmarkOptions& options, Table& table, Table& summary)
 {
   const BenchmarkScene scene = MakeScene(name);
   std::vector<ScanContender> contenders = MakeContenders(scene, options);
@@ -194,6 +229,7 @@ void TimeScene(const std::string& name, const BenchmarkOptions& options, Table& 
   }
   table.Print();
   PrintNotes(contenders);
+  AddSummary(scene, contenders, summary);
 }
 } // namespace
 
@@ -201,10 +237,14 @@ void RunScanBenchmark(const BenchmarkOptions& options)
 {
   Table table({ "scene", "method", "threads", "build ms", "scan ms", "Mbeams/s", "x raw",
     "B/triangle", "peak MB", "hits", "misses", "false hits", "median error", "worst error" });
+  Table summary({ "scene, triangles", "method", "1 thread, ms", "x raw", "2 threads, ms", "x raw",
+    "wrong beams", "worst error" });
   for (const std::string& name : options.Scenes)
   {
-    TimeScene(name, options, table);
+    TimeScene(name, options, table, summary);
   }
+  std::printf("In short:\n\n");
+  summary.Print();
   if (!options.CSVFile.empty())
   {
     table.Save(options.CSVFile);
