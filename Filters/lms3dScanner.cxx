@@ -23,7 +23,7 @@ constexpr int TileSide = 4;
 static_assert(TileSide * TileSide == lms3dBeamPacket::Size, "a tile is a packet");
 
 // Telling costs more than casting a row.
-constexpr double SmallestProgress = 0.02;
+constexpr double SmallestProgress = 0.1;
 
 int CountTiles(int beamsOrTurns)
 {
