@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -22,8 +23,37 @@ namespace
 constexpr int TileSide = 4;
 static_assert(TileSide * TileSide == lms3dBeamPacket::Size, "a tile is a packet");
 
-// Telling costs more than casting a row.
+// Telling costs more than casting a row, but nobody shall wait long for it.
 constexpr double SmallestProgress = 0.1;
+constexpr std::chrono::milliseconds LongestSilence(50);
+
+/// Tells how much is done, and whether to go on, from one thread.
+class Reporter
+{
+public:
+  explicit Reporter(const lms3dProgress& progress)
+    : Progress(progress)
+  {
+  }
+
+  /// False where the work is to stop.
+  bool Tell(double done)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    if (done < this->Told + SmallestProgress && now < this->Time + LongestSilence)
+    {
+      return true;
+    }
+    this->Told = done;
+    this->Time = now;
+    return this->Progress(done);
+  }
+
+private:
+  const lms3dProgress& Progress;
+  double Told = 0.0;
+  std::chrono::steady_clock::time_point Time = std::chrono::steady_clock::now();
+};
 
 int CountTiles(int beamsOrTurns)
 {
@@ -162,7 +192,7 @@ bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<int> rowsDone{ 0 };
   std::atomic<bool> stopped{ false };
-  double told = 0.0;
+  Reporter reporter(progress);
 
   tbb::parallel_for(tbb::blocked_range<int>(0, rows),
     [&](const tbb::blocked_range<int>& range)
@@ -171,10 +201,9 @@ bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
       {
         scan.CastRow(row * TileSide);
         const double done = static_cast<double>(++rowsDone) / rows;
-        if (std::this_thread::get_id() == caller && done >= told + SmallestProgress)
+        if (std::this_thread::get_id() == caller && !reporter.Tell(done))
         {
-          told = done;
-          stopped = !progress(done);
+          stopped = true;
         }
       }
     });
