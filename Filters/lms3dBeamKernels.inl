@@ -8,6 +8,7 @@
 #define lms3dBeamKernels_inl
 
 #include "lms3dPacketMask.inl"
+#include "lms3dPairArithmetic.inl"
 
 namespace
 {
@@ -43,22 +44,21 @@ std::uint32_t FindWithin(const lms3dCone& cone, const lms3dBeamPacket& packet)
   return within.GetBits();
 }
 
+// From far away the digits of the start that count are those that double would round.
 std::uint32_t SetStarts(const lms3dStart& start, const double* directions, float* starts)
 {
+  const Pair fromCenter = Subtract(start.Origin, start.Center);
   Mask near;
   for (int i = 0; i < Size; ++i)
   {
-    const double position =
-      (start.Origin + start.HeadStart * directions[i] - start.Center) / start.Unit;
+    const Pair seen = Add(fromCenter, Multiply(start.HeadStart, directions[i]));
+    const double position = seen.High / start.Unit;
     const bool isNear = Magnitude(position) <= start.Farthest;
     starts[i] = static_cast<float>(isNear ? position : 0.0);
     near.Set(i, isNear);
   }
   return near.GetBits();
 }
-
-// A hit that was just found must not hide one at the same range.
-constexpr double RangeMargin = 1.0 + 1e-6;
 
 void Shorten(const lms3dBeamPacket& packet, std::uint32_t changed, double headStart, double unit,
   unsigned int geometry, const lms3dRayRun& run)
@@ -68,9 +68,9 @@ void Shorten(const lms3dBeamPacket& packet, std::uint32_t changed, double headSt
   for (int i = 0; i < run.Count; ++i)
   {
     const bool isChanged = (bits >> i) & 1u;
-    const float reach =
-      static_cast<float>(Greatest(0.0, (range[i] - headStart) / unit * RangeMargin));
-    run.Reach[i] = isChanged ? reach : run.Reach[i];
+    const double reach = (range[i] - headStart) / unit * lms3dReachMargin +
+      range[i] / unit * lms3dRangeRounding;
+    run.Reach[i] = isChanged ? static_cast<float>(Greatest(0.0, reach)) : run.Reach[i];
     run.Geometry[i] = isChanged ? geometry : run.Geometry[i];
   }
 }

@@ -35,9 +35,6 @@ constexpr float BoxMargin = 4e-6f;
 // Beams that can hit start within two and a half diagonals of the centre; others are not cast.
 constexpr double FarthestStart = 10.0;
 
-// A limit must not hide a hit just within it.
-constexpr float RangeMargin = 1.0f + 1e-6f;
-
 // ParaView deletes filters that a script left behind after Embree's static objects are gone
 // (Python's sys.exit does), and Embree then aborts. What is released so late is left to the system.
 bool ProcessEnds = false;
@@ -55,6 +52,13 @@ struct Release
       rtcReleaseDevice(device);
     }
   }
+  void operator()(RTCGeometry geometry) const
+  {
+    if (!ProcessEnds)
+    {
+      rtcReleaseGeometry(geometry);
+    }
+  }
   void operator()(RTCScene scene) const
   {
     if (!ProcessEnds)
@@ -64,6 +68,7 @@ struct Release
   }
 };
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release>;
+using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Release>;
 using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;
 
 /// What the callback for candidates needs to know of the packet that is cast.
@@ -83,7 +88,7 @@ void ThrowOnError(RTCDevice device)
   if (error != RTC_ERROR_NONE)
   {
     throw std::runtime_error("Embree failed with its error " + std::to_string(error) +
-      (error == RTC_ERROR_OUT_OF_MEMORY ? " (out of memory)" : ""));
+      (error == RTC_ERROR_OUT_OF_MEMORY ? ": not enough memory for the scene. Simplify it." : "."));
   }
 }
 } // namespace
@@ -98,10 +103,9 @@ struct lms3dEmbreeScene::Internals
   {
     ThrowOnError(this->EmbreeDevice.get());
     this->EmbreeScene.reset(rtcNewScene(this->EmbreeDevice.get()));
-    RTCGeometry geometry = test ? this->MakeBoxes() : this->MakeTriangles();
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(this->EmbreeScene.get(), geometry);
-    rtcReleaseGeometry(geometry);
+    const Geometry geometry = test ? this->MakeBoxes() : this->MakeTriangles();
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(this->EmbreeScene.get(), geometry.get());
     rtcSetSceneFlags(this->EmbreeScene.get(), RTC_SCENE_FLAG_ROBUST);
     // For boxes the quick builder gives trees that are cast as quickly, in a third of the memory.
     rtcSetSceneBuildQuality(
@@ -110,25 +114,25 @@ struct lms3dEmbreeScene::Internals
     ThrowOnError(this->EmbreeDevice.get());
   }
 
-  RTCGeometry MakeBoxes()
+  Geometry MakeBoxes()
   {
-    RTCGeometry geometry = rtcNewGeometry(this->EmbreeDevice.get(), RTC_GEOMETRY_TYPE_USER);
+    Geometry geometry(rtcNewGeometry(this->EmbreeDevice.get(), RTC_GEOMETRY_TYPE_USER));
     rtcSetGeometryUserPrimitiveCount(
-      geometry, static_cast<unsigned int>(this->Mesh.GetNumberOfTriangles()));
-    rtcSetGeometryUserData(geometry, this);
-    rtcSetGeometryBoundsFunction(geometry, &Internals::GetBox, nullptr);
-    rtcSetGeometryIntersectFunction(geometry, &Internals::TestCandidate);
+      geometry.get(), static_cast<unsigned int>(this->Mesh.GetNumberOfTriangles()));
+    rtcSetGeometryUserData(geometry.get(), this);
+    rtcSetGeometryBoundsFunction(geometry.get(), &Internals::GetBox, nullptr);
+    rtcSetGeometryIntersectFunction(geometry.get(), &Internals::TestCandidate);
     return geometry;
   }
 
-  RTCGeometry MakeTriangles()
+  // The mesh's own indices serve Embree, too.
+  Geometry MakeTriangles()
   {
-    RTCGeometry geometry = rtcNewGeometry(this->EmbreeDevice.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    float* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-      RTC_FORMAT_FLOAT3, 3 * sizeof(float), this->Mesh.Points.size()));
-    unsigned int* corner =
-      static_cast<unsigned int*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
-        RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), this->Mesh.GetNumberOfTriangles()));
+    Geometry geometry(rtcNewGeometry(this->EmbreeDevice.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    float* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry.get(),
+      RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), this->Mesh.Points.size()));
+    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+      this->Mesh.Triangles.data(), 0, 3 * sizeof(std::uint32_t), this->Mesh.Triangles.size());
     ThrowOnError(this->EmbreeDevice.get());
     for (const std::array<double, 3>& point : this->Mesh.Points)
     {
@@ -136,10 +140,6 @@ struct lms3dEmbreeScene::Internals
       {
         *vertex++ = static_cast<float>(this->Unit.GetCoordinate(point.data(), axis));
       }
-    }
-    for (const std::array<std::uint32_t, 3>& triangle : this->Mesh.Triangles)
-    {
-      corner = std::copy(triangle.begin(), triangle.end(), corner);
     }
     return geometry;
   }
@@ -186,9 +186,11 @@ struct lms3dEmbreeScene::Internals
       *query.Packet, changed, query.HeadStart, this->Unit.GetDiagonal(), args->geomID, run);
   }
 
-  float GetReach(double range) const
+  // How far rays go for beams with a maximum range.
+  float GetReach(double range, double headStart) const
   {
-    return std::max(0.0f, static_cast<float>(this->Unit.GetDistance(range)) * RangeMargin);
+    const double reach = (range - headStart) * lms3dReachMargin + range * lms3dRangeRounding;
+    return std::max(0.0f, static_cast<float>(this->Unit.GetDistance(reach)));
   }
 
   // Returns the beams that start within reach of the scene. One that points away from a far scene
@@ -290,7 +292,7 @@ void lms3dEmbreeScene::Cast(
   const Internals& self = *this->Internal;
   const lms3dCone cone = self.Unit.GetCone(viewpoint.Origin);
   const double headStart = self.Unit.GetHeadStart(viewpoint.Origin);
-  const float reach = self.GetReach(viewpoint.MaximumRange - headStart);
+  const float reach = self.GetReach(viewpoint.MaximumRange, headStart);
   Query query;
   query.Viewpoint = &viewpoint;
   query.HeadStart = headStart;

@@ -16,6 +16,10 @@ namespace
 constexpr double DoubleEdgeError = 2e-15;
 constexpr float FloatEdgeError = 2e-6f;
 
+// What products lose that are too small to be normal numbers.
+constexpr double DoubleUnderflow = 1e-300;
+constexpr float FloatUnderflow = 1e-36f;
+
 // Where the plane's normal is shorter than this share of its edges' product, or nearly at right
 // angles to what it is multiplied with, double keeps fewer than 13 digits of the range.
 constexpr double WellConditioned = 1e-3;
@@ -79,7 +83,7 @@ bool AllMiss(const lms3dSeenTriangle& triangle, const lms3dBeamPacket& packet)
       farthest = Greatest(farthest, corner[i][axis] < 0 ? -corner[i][axis] : corner[i][axis]);
     }
   }
-  const float error = 9.0f * FloatEdgeError * farthest * farthest;
+  const float error = 9.0f * FloatEdgeError * farthest * farthest + FloatUnderflow;
   const Edge<float> edges[3] = { MakeEdge(corner[1], corner[2], error),
     MakeEdge(corner[2], corner[0], error), MakeEdge(corner[0], corner[1], error) };
   Mask missed;
@@ -101,9 +105,11 @@ lms3dVerdicts Classify(const lms3dSeenTriangle& triangle, const lms3dBeamPacket&
   const double a = SumOfMagnitudes(corner[0]);
   const double b = SumOfMagnitudes(corner[1]);
   const double c = SumOfMagnitudes(corner[2]);
-  const Edge<double> edges[3] = { MakeEdge(corner[1], corner[2], DoubleEdgeError * b * c),
-    MakeEdge(corner[2], corner[0], DoubleEdgeError * c * a),
-    MakeEdge(corner[0], corner[1], DoubleEdgeError * a * b) };
+  const Edge<double> edges[3] = {
+    MakeEdge(corner[1], corner[2], DoubleEdgeError * b * c + DoubleUnderflow),
+    MakeEdge(corner[2], corner[0], DoubleEdgeError * c * a + DoubleUnderflow),
+    MakeEdge(corner[0], corner[1], DoubleEdgeError * a * b + DoubleUnderflow)
+  };
   Mask hits;
   Mask doubts;
   for (int i = 0; i < Size; ++i)
@@ -117,8 +123,7 @@ lms3dVerdicts Classify(const lms3dSeenTriangle& triangle, const lms3dBeamPacket&
   return { hits.GetBits(), doubts.GetBits() };
 }
 
-std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std::uint32_t beams,
-  double maximumRange, lms3dBeamPacket& packet, std::uint32_t& unsure)
+lms3dRoughPlane SeeRoughly(const lms3dSeenTriangle& seen)
 {
   const double(&a)[3] = seen.Corner[0];
   double p[3], q[3];
@@ -130,7 +135,15 @@ std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std
   const Edge<double> plane = MakeEdge(p, q, 0.0);
   const double offset = plane.Normal[0] * a[0] + plane.Normal[1] * a[1] + plane.Normal[2] * a[2];
   const double smallestSlope = WellConditioned * SumOfMagnitudes(p) * SumOfMagnitudes(q);
-  if (!(Magnitude(offset) > smallestSlope * SumOfMagnitudes(a)))
+  return { { plane.Normal[0], plane.Normal[1], plane.Normal[2] }, offset, smallestSlope,
+    Magnitude(offset) > smallestSlope * SumOfMagnitudes(a) };
+}
+
+std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std::uint32_t beams,
+  double maximumRange, lms3dBeamPacket& packet, std::uint32_t& unsure)
+{
+  const lms3dRoughPlane plane = SeeRoughly(seen);
+  if (!plane.IsGood)
   {
     unsure |= beams;
     return 0;
@@ -145,11 +158,11 @@ std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std
   {
     const double slope = packet.Direction[0][i] * plane.Normal[0] +
       packet.Direction[1][i] * plane.Normal[1] + packet.Direction[2][i] * plane.Normal[2];
-    const double range = offset / slope;
+    const double range = plane.Offset / slope;
     ranges[i] = range;
     const bool isTie = (range == packet.Range[i]) & (triangle < packet.Triangle[i]);
     nearer.Set(i, (range > 0.0) & (range <= farthest) & ((range < packet.Range[i]) | isTie));
-    bad.Set(i, !(Magnitude(slope) > smallestSlope));
+    bad.Set(i, !(Magnitude(slope) > plane.SmallestSlope));
   }
   unsure |= beams & bad.GetBits();
   const std::uint32_t changed = beams & nearer.GetBits() & ~bad.GetBits();

@@ -62,6 +62,13 @@ struct lms3dRoughPlane
 {
   double Normal[3];
   double Offset;
+
+  /// A beam with a smaller Normal.direction has a range of fewer than 13 digits.
+  double SmallestSlope;
+
+  /// False where the plane itself has fewer: the triangle is so narrow, or so near to the sensor's
+  /// own plane.
+  bool IsGood;
 };
 
 /// The beams of one turn that returned, and from where they start.
@@ -95,6 +102,12 @@ struct lms3dStart
   double Unit;
   double Farthest;
 };
+
+/// How much farther than a range Embree looks, so that what was just found does not hide what lies
+/// at the same range: a share of the way from where the ray starts, and one of the range, by which
+/// their difference may be rounded.
+constexpr double lms3dReachMargin = 1.0 + 1e-6;
+constexpr double lms3dRangeRounding = 1e-15;
 
 /// A run of a packet's beams as Embree casts them.
 struct lms3dRayRun
@@ -140,6 +153,9 @@ struct lms3dPacketKernels
 
   /// The plane through three corners, in world coordinates, with about 31 digits.
   lms3dSeenPlane (*See)(const double* const* corners, const double* origin);
+
+  /// The same in double, for a triangle that is seen already.
+  lms3dRoughPlane (*SeeRoughly)(const lms3dSeenTriangle& seen);
 
   /// Offset / Normal.direction for all beams, within 2 units in the last place of a plane with
   /// area.

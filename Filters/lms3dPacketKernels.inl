@@ -17,7 +17,7 @@
 
 // In the order of lms3dPacketKernels.
 #define LMS3D_PACKET_KERNELS                                                                       \
-  Aim, FindWithin, SetStarts, Classify, TakeHits, Shorten, FindHits, See, Measure, MeasureRoughly, \
-    KeepRanges, Finish, Locate
+  Aim, FindWithin, SetStarts, Classify, TakeHits, Shorten, FindHits, See, SeeRoughly, Measure, \
+    MeasureRoughly, KeepRanges, Finish, Locate
 
 #endif

@@ -6,14 +6,9 @@
 #include "lms3dTriangle.h"
 
 #include <array>
-#include <cmath>
 
 namespace
 {
-// Where a plane is so much nearer to the sensor than the triangle is, or the triangle so narrow,
-// double keeps fewer than 13 digits of the plane.
-constexpr double WellConditioned = 1e-3;
-
 /// What is known of the triangles that were met last: neighbouring packets meet the same.
 template <typename Plane>
 class PlaneCache
@@ -106,30 +101,17 @@ private:
   lms3dRoughPlane See(std::int32_t triangle) const
   {
     const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
-    const lms3dSeenTriangle seen = lms3dSee(corners, this->Origin);
-    const double(&a)[3] = seen.Corner[0];
-    double p[3], q[3];
-    for (int axis = 0; axis < 3; ++axis)
+    lms3dRoughPlane plane = this->Kernels.SeeRoughly(lms3dSee(corners, this->Origin));
+    if (!plane.IsGood)
     {
-      p[axis] = seen.Corner[1][axis] - a[axis];
-      q[axis] = seen.Corner[2][axis] - a[axis];
+      const lms3dSeenPlane seen = this->Kernels.See(corners.data(), this->Origin);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        plane.Normal[axis] = seen.Normal[axis].High;
+      }
+      plane.Offset = seen.Offset.High;
     }
-    const double normal[3] = { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
-      p[0] * q[1] - p[1] * q[0] };
-    const double offset = normal[0] * a[0] + normal[1] * a[1] + normal[2] * a[2];
-    const double scale = SumOfMagnitudes(p) * SumOfMagnitudes(q) * SumOfMagnitudes(a);
-    if (std::abs(offset) > WellConditioned * scale)
-    {
-      return { { normal[0], normal[1], normal[2] }, offset };
-    }
-    const lms3dSeenPlane plane = this->Kernels.See(corners.data(), this->Origin);
-    return { { plane.Normal[0].High, plane.Normal[1].High, plane.Normal[2].High },
-      plane.Offset.High };
-  }
-
-  static double SumOfMagnitudes(const double* p)
-  {
-    return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
+    return plane;
   }
 
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();

@@ -262,6 +262,10 @@ bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry
   const vtkIdType beams =
     static_cast<vtkIdType>(geometry.GetNumberOfBeams()) * geometry.GetNumberOfTurns();
   this->Ranges = MakeArray<vtkDoubleArray>(this->Pool, "Range", beams);
+  if (this->Triangles.capacity() > 2 * static_cast<std::size_t>(beams))
+  {
+    this->Triangles = {};
+  }
   this->Triangles.resize(beams);
   const lms3dBeamDirections directions(geometry, pose);
   return lms3dScan(caster, geometry, directions, pose, limits, progress,
@@ -272,7 +276,7 @@ bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry
 std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& geometry) const
 {
   const int beams = geometry.GetNumberOfBeams();
-  std::vector<std::size_t> first(geometry.GetNumberOfTurns() + 1, 0);
+  std::vector<std::size_t> first(static_cast<std::size_t>(geometry.GetNumberOfTurns()) + 1, 0);
   tbb::parallel_for(0, geometry.GetNumberOfTurns(),
     [&](int turn)
     {

@@ -57,7 +57,7 @@ private:
 
 int CountTiles(int beamsOrTurns)
 {
-  return (beamsOrTurns + TileSide - 1) / TileSide;
+  return (beamsOrTurns - 1) / TileSide + 1;
 }
 
 /// Beam TileSide * i + j of a packet belongs to the tile's turn i and elevation j. Turns and beams

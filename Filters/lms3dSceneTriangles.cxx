@@ -34,6 +34,17 @@ constexpr double LargestCoordinate = 1e18;
 // Embree and the packets number triangles by 32 bits.
 constexpr std::size_t MostTriangles = std::numeric_limits<std::int32_t>::max();
 
+// A composite asks once for each leaf, so room grows by at least a half.
+template <typename T>
+void MakeRoom(std::vector<T>& vector, std::size_t more)
+{
+  const std::size_t needed = vector.size() + more;
+  if (needed > vector.capacity())
+  {
+    vector.reserve(std::max(needed, vector.capacity() + vector.capacity() / 2));
+  }
+}
+
 template <typename ArrayT>
 void CopyPoints(ArrayT* array, std::vector<std::array<double, 3>>& points)
 {
@@ -51,16 +62,20 @@ void AppendPoints(vtkPoints* points, std::vector<std::array<double, 3>>& out)
   {
     return;
   }
-  out.reserve(out.size() + points->GetNumberOfPoints());
+  MakeRoom(out, points->GetNumberOfPoints());
   if (vtkFloatArray* floats = vtkFloatArray::FastDownCast(points->GetData()))
   {
     CopyPoints(floats, out);
   }
+  else if (vtkDoubleArray* doubles = vtkDoubleArray::FastDownCast(points->GetData()))
+  {
+    CopyPoints(doubles, out);
+  }
   else
   {
-    vtkNew<vtkDoubleArray> doubles;
-    doubles->DeepCopy(points->GetData());
-    CopyPoints(doubles.Get(), out);
+    vtkNew<vtkDoubleArray> copy;
+    copy->DeepCopy(points->GetData());
+    CopyPoints(copy.Get(), out);
   }
 }
 
@@ -105,6 +120,13 @@ public:
     }
   }
 
+  void DropUnusedRoom()
+  {
+    this->Scene.Mesh.Points.shrink_to_fit();
+    this->Scene.Mesh.Triangles.shrink_to_fit();
+    this->Scene.Mesh.Cells.shrink_to_fit();
+  }
+
   lms3dSceneTriangles Scene;
 
 private:
@@ -140,9 +162,8 @@ private:
       return;
     }
     AppendPoints(surface->GetPoints(), this->Scene.Mesh.Points);
-    this->Scene.Mesh.Triangles.reserve(
-      this->Scene.Mesh.Triangles.size() + surface->GetNumberOfPolys());
-    this->Scene.Mesh.Cells.reserve(this->Scene.Mesh.Triangles.capacity());
+    MakeRoom(this->Scene.Mesh.Triangles, surface->GetNumberOfPolys());
+    MakeRoom(this->Scene.Mesh.Cells, surface->GetNumberOfPolys());
     if (this->Scene.Mesh.Points.size() > std::numeric_limits<std::uint32_t>::max())
     {
       throw std::runtime_error("The scene has more points than 32 bits can number; split it.");
@@ -260,5 +281,6 @@ lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene)
   collector.Append(scene);
   collector.DropOwnNumbers();
   collector.ClearUnusable();
+  collector.DropUnusedRoom();
   return std::move(collector.Scene);
 }

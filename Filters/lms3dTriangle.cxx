@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dTriangle.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -121,7 +122,7 @@ double SumOfMagnitudes(const Difference& p)
   return std::abs(p[0][0]) + std::abs(p[1][0]) + std::abs(p[2][0]);
 }
 
-// Where the sensor is nearer to a plane than this share of the triangle's size and distance, the
+// Where the sensor is nearer to a plane than this share of the triangle's size or distance, the
 // plane's 31 digits leave too few of the range, and may put a sensor that stands on it beside it.
 constexpr double NearPlane = 1e-12;
 } // namespace
@@ -144,10 +145,10 @@ bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const do
 bool lms3dIsNearPlane(
   const lms3dCorners& corners, const double origin[3], const lms3dSeenPlane& plane)
 {
-  const double size = SumOfMagnitudes(Subtract(corners[0], origin)) *
-    SumOfMagnitudes(Subtract(corners[1], corners[0])) *
-    SumOfMagnitudes(Subtract(corners[2], corners[0]));
-  return std::abs(plane.Offset.High) <= NearPlane * size;
+  const double a = SumOfMagnitudes(Subtract(corners[0], origin));
+  const double p = SumOfMagnitudes(Subtract(corners[1], corners[0]));
+  const double q = SumOfMagnitudes(Subtract(corners[2], corners[0]));
+  return std::abs(plane.Offset.High) <= NearPlane * std::max({ a, p, q }) * p * q;
 }
 
 void lms3dMeasureNearPlane(const lms3dCorners& corners, const double origin[3],

@@ -48,7 +48,7 @@ bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const do
 bool lms3dIsNearPlane(
   const lms3dCorners& corners, const double origin[3], const lms3dSeenPlane& plane);
 
-/// The ranges of all beams of a packet in such a plane, without rounding but for the last.
+/// The ranges of all beams of a packet in such a plane, rounded three times in all.
 void lms3dMeasureNearPlane(const lms3dCorners& corners, const double origin[3],
   const lms3dBeamPacket& packet, double* ranges);
 

@@ -91,14 +91,13 @@ std::string TellLeftOut(const lms3dSceneTriangles& scene)
   std::ostringstream words;
   if (scene.SkippedCells > 0)
   {
-    words << "The scene has " << scene.SkippedCells
-          << " cells with a point that is not finite, or beyond 1e18 m; they are left out. ";
+    words << "Cells with a point that is not finite, or beyond 1e18 m, are left out: "
+          << scene.SkippedCells << ". ";
   }
   if (scene.CrossedCells > 0)
   {
-    words
-      << "The scene has " << scene.CrossedCells
-      << " polygons that cross themselves; they are left out. Split them to have them scanned. ";
+    words << "Polygons that cross themselves are left out: " << scene.CrossedCells
+          << ". Split them to have them scanned. ";
   }
   return words.str();
 }

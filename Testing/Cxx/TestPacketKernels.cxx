@@ -110,8 +110,8 @@ void ComputeRanges(const lms3dPacketKernels& kernels, const lms3dCorners& corner
   results.Plane = kernels.See(corners.data(), input.Origin.data());
   kernels.Measure(results.Plane, results.Taken, results.Ranges);
   const lms3dSeenPlane& plane = results.Plane;
-  kernels.MeasureRoughly(
-    { { plane.Normal[0].High, plane.Normal[1].High, plane.Normal[2].High }, plane.Offset.High },
+  kernels.MeasureRoughly({ { plane.Normal[0].High, plane.Normal[1].High, plane.Normal[2].High },
+                           plane.Offset.High, 0.0, true },
     results.Taken, results.RoughRanges);
   results.Kept = results.Taken;
   results.Measured = kernels.KeepRanges(results.Ranges, 3, 10.0, results.Kept);
