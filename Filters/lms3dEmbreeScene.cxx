@@ -2,23 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dEmbreeScene.h"
 
+#include "lms3dEmbreeHandles.h"
+#include "lms3dOutlyingTriangles.h"
 #include "lms3dPacketKernels.h"
-
-#if LMS3D_EMBREE_MAJOR >= 4
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
-#include <type_traits>
+#include <iterator>
+#include <numeric>
 
 namespace
 {
+using Geometry = lms3dEmbreeHandle<RTCGeometry>;
+
 #if LMS3D_EMBREE_MAJOR >= 4
 using QueryContext = RTCRayQueryContext;
 #else
@@ -35,42 +32,6 @@ constexpr float BoxMargin = 4e-6f;
 // Beams that can hit start within two and a half diagonals of the centre; others are not cast.
 constexpr double FarthestStart = 10.0;
 
-// ParaView deletes filters that a script left behind after Embree's static objects are gone
-// (Python's sys.exit does), and Embree then aborts. What is released so late is left to the system.
-bool ProcessEnds = false;
-const struct EndOfProcess
-{
-  ~EndOfProcess() { ProcessEnds = true; }
-} NoticeEndOfProcess;
-
-struct Release
-{
-  void operator()(RTCDevice device) const
-  {
-    if (!ProcessEnds)
-    {
-      rtcReleaseDevice(device);
-    }
-  }
-  void operator()(RTCGeometry geometry) const
-  {
-    if (!ProcessEnds)
-    {
-      rtcReleaseGeometry(geometry);
-    }
-  }
-  void operator()(RTCScene scene) const
-  {
-    if (!ProcessEnds)
-    {
-      rtcReleaseScene(scene);
-    }
-  }
-};
-using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release>;
-using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Release>;
-using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;
-
 /// What the callback for candidates needs to know of the packet that is cast.
 struct Query
 {
@@ -81,16 +42,6 @@ struct Query
   lms3dBeamPacket* Packet;
 };
 static_assert(std::is_standard_layout_v<Query>, "a query starts with its context");
-
-void ThrowOnError(RTCDevice device)
-{
-  const RTCError error = rtcGetDeviceError(device);
-  if (error != RTC_ERROR_NONE)
-  {
-    throw std::runtime_error("Embree failed with its error " + std::to_string(error) +
-      (error == RTC_ERROR_OUT_OF_MEMORY ? ": not enough memory for the scene. Simplify it." : "."));
-  }
-}
 } // namespace
 
 struct lms3dEmbreeScene::Internals
@@ -98,10 +49,12 @@ struct lms3dEmbreeScene::Internals
   Internals(const lms3dTriangleMesh& mesh, const CandidateTest* test)
     : Mesh(mesh)
     , Test(test)
-    , Unit(mesh)
+    , Outliers(test ? lms3dFindOutlyingTriangles(mesh) : std::vector<std::uint32_t>())
+    , Others(FindOthers(mesh, this->Outliers))
+    , Unit(mesh, this->Outliers)
     , EmbreeDevice(rtcNewDevice(nullptr))
   {
-    ThrowOnError(this->EmbreeDevice.get());
+    lms3dThrowOnError(this->EmbreeDevice.get());
     this->EmbreeScene.reset(rtcNewScene(this->EmbreeDevice.get()));
     const Geometry geometry = test ? this->MakeBoxes() : this->MakeTriangles();
     rtcCommitGeometry(geometry.get());
@@ -111,14 +64,14 @@ struct lms3dEmbreeScene::Internals
     rtcSetSceneBuildQuality(
       this->EmbreeScene.get(), test ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
     rtcCommitScene(this->EmbreeScene.get());
-    ThrowOnError(this->EmbreeDevice.get());
+    lms3dThrowOnError(this->EmbreeDevice.get());
   }
 
   Geometry MakeBoxes()
   {
     Geometry geometry(rtcNewGeometry(this->EmbreeDevice.get(), RTC_GEOMETRY_TYPE_USER));
-    rtcSetGeometryUserPrimitiveCount(
-      geometry.get(), static_cast<unsigned int>(this->Mesh.GetNumberOfTriangles()));
+    rtcSetGeometryUserPrimitiveCount(geometry.get(),
+      static_cast<unsigned int>(this->Mesh.GetNumberOfTriangles() - this->Outliers.size()));
     rtcSetGeometryUserData(geometry.get(), this);
     rtcSetGeometryBoundsFunction(geometry.get(), &Internals::GetBox, nullptr);
     rtcSetGeometryIntersectFunction(geometry.get(), &Internals::TestCandidate);
@@ -133,7 +86,7 @@ struct lms3dEmbreeScene::Internals
       RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), this->Mesh.Points.size()));
     rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
       this->Mesh.Triangles.data(), 0, 3 * sizeof(std::uint32_t), this->Mesh.Triangles.size());
-    ThrowOnError(this->EmbreeDevice.get());
+    lms3dThrowOnError(this->EmbreeDevice.get());
     for (const std::array<double, 3>& point : this->Mesh.Points)
     {
       for (int axis = 0; axis < 3; ++axis)
@@ -147,13 +100,14 @@ struct lms3dEmbreeScene::Internals
   static void GetBox(const RTCBoundsFunctionArguments* args)
   {
     const Internals* self = static_cast<const Internals*>(args->geometryUserPtr);
+    const std::uint32_t triangle = self->GetTriangle(args->primID);
     float low[3], high[3];
     for (int axis = 0; axis < 3; ++axis)
     {
       double x[3];
       for (int corner = 0; corner < 3; ++corner)
       {
-        x[corner] = self->Unit.GetCoordinate(self->Mesh.GetCorner(args->primID, corner), axis);
+        x[corner] = self->Unit.GetCoordinate(self->Mesh.GetCorner(triangle, corner), axis);
       }
       low[axis] = static_cast<float>(std::min({ x[0], x[1], x[2] })) - BoxMargin;
       high[axis] = static_cast<float>(std::max({ x[0], x[1], x[2] })) + BoxMargin;
@@ -165,11 +119,32 @@ struct lms3dEmbreeScene::Internals
   {
     const Internals* self = static_cast<const Internals*>(args->geometryUserPtr);
     const Query* query = reinterpret_cast<const Query*>(args->context);
-    const std::uint32_t changed = self->Test->Test(*query->Viewpoint, args->primID, *query->Packet);
+    const std::uint32_t changed =
+      self->Test->Test(*query->Viewpoint, self->GetTriangle(args->primID), *query->Packet);
     if (changed != 0)
     {
       self->TellEmbree(*query, changed, args);
     }
+  }
+
+  // Of no outliers, no list is needed.
+  static std::vector<std::uint32_t> FindOthers(
+    const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& outliers)
+  {
+    std::vector<std::uint32_t> others;
+    if (!outliers.empty())
+    {
+      std::vector<std::uint32_t> all(mesh.GetNumberOfTriangles());
+      std::iota(all.begin(), all.end(), 0u);
+      std::set_difference(
+        all.begin(), all.end(), outliers.begin(), outliers.end(), std::back_inserter(others));
+    }
+    return others;
+  }
+
+  std::uint32_t GetTriangle(std::uint32_t primitive) const
+  {
+    return this->Others.empty() ? primitive : this->Others[primitive];
   }
 
   // Embree calls with the whole packet, with a run of it that suits its instruction set, or with one
@@ -223,7 +198,19 @@ struct lms3dEmbreeScene::Internals
     }
   }
 
-  void Intersect(std::uint32_t active, float reach, Query& query, RTCRayHit16& rayhit) const
+  std::uint32_t TestOutliers(const Query& query) const
+  {
+    std::uint32_t changed = 0;
+    for (std::uint32_t triangle : this->Outliers)
+    {
+      changed |= this->Test->Test(*query.Viewpoint, triangle, *query.Packet);
+    }
+    return changed;
+  }
+
+  // Beams that are known to have hit something need not reach farther.
+  void Intersect(
+    std::uint32_t active, std::uint32_t known, float reach, Query& query, RTCRayHit16& rayhit) const
   {
     const float(&direction)[3][lms3dBeamPacket::Size] = query.Packet->NarrowDirection;
     std::copy_n(direction[0], lms3dBeamPacket::Size, rayhit.ray.dir_x);
@@ -231,6 +218,11 @@ struct lms3dEmbreeScene::Internals
     std::copy_n(direction[2], lms3dBeamPacket::Size, rayhit.ray.dir_z);
     std::fill_n(rayhit.ray.tfar, lms3dBeamPacket::Size, reach);
     std::fill_n(rayhit.hit.geomID, lms3dBeamPacket::Size, RTC_INVALID_GEOMETRY_ID);
+    if (known != 0)
+    {
+      this->Kernels.Shorten(*query.Packet, known, query.HeadStart, this->Unit.GetDiagonal(),
+        RTC_INVALID_GEOMETRY_ID, { 0, lms3dBeamPacket::Size, rayhit.ray.tfar, rayhit.hit.geomID });
+    }
     alignas(64) int valid[lms3dBeamPacket::Size];
     for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
     {
@@ -269,9 +261,12 @@ struct lms3dEmbreeScene::Internals
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dTriangleMesh& Mesh;
   const CandidateTest* Test;
+  /// Tested for each packet; Embree's tree is of the other triangles.
+  const std::vector<std::uint32_t> Outliers;
+  const std::vector<std::uint32_t> Others;
   const lms3dNormalization Unit;
-  Device EmbreeDevice;
-  Scene EmbreeScene;
+  lms3dEmbreeHandle<RTCDevice> EmbreeDevice;
+  lms3dEmbreeHandle<RTCScene> EmbreeScene;
 };
 
 lms3dEmbreeScene::lms3dEmbreeScene(const lms3dTriangleMesh& mesh)
@@ -305,6 +300,8 @@ void lms3dEmbreeScene::Cast(
     lms3dBeamPacket& packet = packets[i];
     std::fill_n(packet.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
     std::fill_n(packet.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
+    query.Packet = &packet;
+    const std::uint32_t known = self.TestOutliers(query);
     std::uint32_t active = packet.Active & self.Kernels.FindWithin(cone, packet);
     if (active == 0)
     {
@@ -315,8 +312,7 @@ void lms3dEmbreeScene::Cast(
       near = self.SetStarts(viewpoint.Origin, headStart, packet, rayhit);
     }
     active &= near;
-    query.Packet = &packet;
-    self.Intersect(active, reach, query, rayhit);
+    self.Intersect(active, known, reach, query, rayhit);
     if (!self.Test)
     {
       Internals::TakeTriangles(rayhit, packet);

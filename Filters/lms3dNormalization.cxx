@@ -16,13 +16,21 @@ constexpr double ConeMargin = 1e-9;
 constexpr double RoundingMargin = 1e-15;
 } // namespace
 
-lms3dNormalization::lms3dNormalization(const lms3dTriangleMesh& mesh)
+lms3dNormalization::lms3dNormalization(
+  const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& leftOut)
 {
-  std::array<double, 3> low = mesh.Points[mesh.Triangles[0][0]];
-  std::array<double, 3> high = low;
-  for (const std::array<std::uint32_t, 3>& triangle : mesh.Triangles)
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low = { Infinity, Infinity, Infinity };
+  std::array<double, 3> high = { -Infinity, -Infinity, -Infinity };
+  auto skipped = leftOut.begin();
+  for (std::size_t triangle = 0; triangle < mesh.GetNumberOfTriangles(); ++triangle)
   {
-    for (std::uint32_t corner : triangle)
+    if (skipped != leftOut.end() && *skipped == triangle)
+    {
+      ++skipped;
+      continue;
+    }
+    for (std::uint32_t corner : mesh.Triangles[triangle])
     {
       for (int i = 0; i < 3; ++i)
       {

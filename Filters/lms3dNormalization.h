@@ -13,11 +13,15 @@
 #include "lms3dPacketKernels.h"
 #include "lms3dTriangleMesh.h"
 
+#include <cstdint>
+#include <vector>
+
 class lms3dNormalization
 {
 public:
-  /// The mesh has at least one triangle.
-  explicit lms3dNormalization(const lms3dTriangleMesh& mesh);
+  /// Some triangles, in increasing order, may be left out; at least one must be left.
+  explicit lms3dNormalization(
+    const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& leftOut = {});
 
   double Normalize(double coordinate, int axis) const
   {

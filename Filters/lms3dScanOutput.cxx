@@ -256,6 +256,12 @@ struct lms3dScanOutput::TurnSource
   const std::int32_t* Triangles;
 };
 
+void lms3dScanOutput::Discard()
+{
+  this->Ranges = nullptr;
+  this->Pool.FreeUnused();
+}
+
 bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {

@@ -33,6 +33,9 @@ void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
 class lms3dScanOutput
 {
 public:
+  /// Lets go of what a Cast made that was stopped, or that failed.
+  void Discard();
+
   /// Casts all beams; false where `progress` stopped it.
   bool Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry, const lms3dPose& pose,
     const lms3dRangeLimits& limits, const lms3dProgress& progress);

@@ -3,16 +3,12 @@
 #include "vtkLMS3DScanFilter.h"
 
 #include "lms3dAlgorithmProgress.h"
+#include "lms3dBuiltScene.h"
 #include "lms3dRayCaster.h"
 #include "lms3dScanGeometry.h"
 #include "lms3dScanOutput.h"
 #include "lms3dScanner.h"
-#include "lms3dSceneTriangles.h"
 
-#include <vtkCompositeDataIterator.h>
-#include <vtkCompositeDataSet.h>
-#include <vtkDataObjectTree.h>
-#include <vtkDataObjectTreeIterator.h>
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
@@ -22,9 +18,7 @@
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkTimeStamp.h>
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -34,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -46,30 +41,6 @@ constexpr double LargestPosition = 1e18;
 
 // What of the whole work building takes, in the eyes of the progress bar.
 constexpr double BuildShare = 0.3;
-
-// A composite does not tell when one of its parts changes.
-vtkMTimeType GetSceneTime(vtkDataObject* scene)
-{
-  vtkMTimeType time = scene->GetMTime();
-  if (vtkDataObjectTree* tree = vtkDataObjectTree::SafeDownCast(scene))
-  {
-    auto nodes = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
-    nodes->VisitOnlyLeavesOff();
-    for (nodes->InitTraversal(); !nodes->IsDoneWithTraversal(); nodes->GoToNextItem())
-    {
-      time = std::max(time, nodes->GetCurrentDataObject()->GetMTime());
-    }
-  }
-  else if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(scene))
-  {
-    auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-    {
-      time = std::max(time, leaves->GetCurrentDataObject()->GetMTime());
-    }
-  }
-  return time;
-}
 
 template <std::size_t N>
 bool IsFinite(const double (&values)[N])
@@ -84,22 +55,6 @@ bool IsFirstPiece(vtkInformation* request, vtkInformationVector* outputVector)
   vtkInformation* output = outputVector->GetInformationObject(port);
   const auto piece = vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER();
   return !output->Has(piece) || output->Get(piece) <= 0;
-}
-
-std::string TellLeftOut(const lms3dSceneTriangles& scene)
-{
-  std::ostringstream words;
-  if (scene.SkippedCells > 0)
-  {
-    words << "Cells with a point that is not finite, or beyond 1e18 m, are left out: "
-          << scene.SkippedCells << ". ";
-  }
-  if (scene.CrossedCells > 0)
-  {
-    words << "Polygons that cross themselves are left out: " << scene.CrossedCells
-          << ". Split them to have them scanned. ";
-  }
-  return words.str();
 }
 
 // Two different ends, or one beam that needs only the first.
@@ -119,33 +74,6 @@ std::string Pair(const T values[2])
 
 struct vtkLMS3DScanFilter::Internals
 {
-  bool IsBuiltFor(vtkDataObject* scene, int method) const
-  {
-    return this->Caster && this->Scene == scene && this->SceneTime == GetSceneTime(scene) &&
-      this->Method == method;
-  }
-
-  /// Returns words on the cells that were left out, empty where all were taken.
-  std::string Build(vtkDataObject* scene, int method)
-  {
-    this->Caster.reset();
-    lms3dSceneTriangles triangles = lms3dCollectTriangles(scene);
-    std::string leftOut = TellLeftOut(triangles);
-    if (triangles.Mesh.Triangles.empty())
-    {
-      throw std::runtime_error(leftOut.empty()
-          ? "The scene has no polygons, so there is nothing to scan. Connect a data set with "
-            "polygons, triangle strips or volume cells."
-          : "There is nothing left to scan. " + leftOut);
-    }
-    this->Caster = lms3dRayCaster::New(method, std::move(triangles.Mesh));
-    this->Scene = scene;
-    this->SceneTime = GetSceneTime(scene);
-    this->Method = method;
-    this->BuildTime.Modified();
-    return leftOut;
-  }
-
   /// Threads are slow to join a new arena, so it stays from scan to scan.
   tbb::task_arena& GetArena(int threads)
   {
@@ -171,8 +99,7 @@ struct vtkLMS3DScanFilter::Internals
     return *this->Geometry;
   }
 
-  std::unique_ptr<lms3dRayCaster> Caster;
-  vtkTimeStamp BuildTime;
+  lms3dBuiltScene Scene;
   lms3dScanOutput Output;
 
 private:
@@ -181,9 +108,6 @@ private:
   std::unique_ptr<tbb::task_arena> Arena;
   std::unique_ptr<lms3dScanGeometry> Geometry;
   Angles GeometryAngles;
-  vtkDataObject* Scene = nullptr;
-  vtkMTimeType SceneTime = 0;
-  int Method = EXACT;
 };
 
 vtkLMS3DScanFilter::vtkLMS3DScanFilter()
@@ -196,7 +120,7 @@ vtkLMS3DScanFilter::~vtkLMS3DScanFilter() = default;
 
 vtkMTimeType vtkLMS3DScanFilter::GetBuildTime() const
 {
-  return this->Internal->BuildTime.GetMTime();
+  return this->Internal->Scene.GetBuildTime();
 }
 
 vtkImageData* vtkLMS3DScanFilter::GetRangeImage()
@@ -314,41 +238,17 @@ int vtkLMS3DScanFilter::RequestData(
     return 0;
   }
 
-  const int cores = tbb::info::default_concurrency();
-  const int threads = this->NumberOfThreads > 0 ? this->NumberOfThreads : cores;
-  // TBB makes no more threads than there are cores unless it is allowed to.
-  const tbb::global_control allowance(
-    tbb::global_control::max_allowed_parallelism, std::max(threads, cores));
-  tbb::task_arena& arena = this->Internal->GetArena(threads);
   try
   {
-    vtkDataObject* scene = vtkDataObject::GetData(inputVector[0]);
-    if (!this->Internal->IsBuiltFor(scene, this->IntersectionMethod))
-    {
-      std::string leftOut;
-      arena.execute([&] { leftOut = this->Internal->Build(scene, this->IntersectionMethod); });
-      if (!leftOut.empty())
-      {
-        vtkWarningMacro(<< leftOut);
-      }
-    }
-    this->UpdateProgress(BuildShare);
-
-    const lms3dScanGeometry& geometry = this->Internal->GetGeometry(this);
-    const lms3dPose pose = lms3dPose::FromOrientation(this->Position, this->Orientation);
-    const lms3dRayCaster& caster = *this->Internal->Caster;
-    lms3dScanOutput& output = this->Internal->Output;
-    const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
-    arena.execute(
-      [&]
-      {
-        if (output.Cast(
-              caster, geometry, pose, { this->MinimumRange, this->MaximumRange }, progress))
-        {
-          output.FillScan(caster.GetMesh(), geometry, pose, vtkPolyData::GetData(outputVector, 0));
-          output.FillRangeImage(geometry, vtkImageData::GetData(outputVector, 1));
-        }
-      });
+    this->Scan(vtkDataObject::GetData(inputVector[0]), vtkPolyData::GetData(outputVector, 0),
+      vtkImageData::GetData(outputVector, 1));
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("There is not enough memory for the scan. Simplify the scene, or lower the "
+                  "resolutions.");
+    this->SetErrorCode(vtkErrorCode::UserError);
+    return 0;
   }
   catch (const std::exception& error)
   {
@@ -357,6 +257,43 @@ int vtkLMS3DScanFilter::RequestData(
     return 0;
   }
   return 1;
+}
+
+void vtkLMS3DScanFilter::Scan(vtkDataObject* scene, vtkPolyData* scan, vtkImageData* image)
+{
+  const int cores = tbb::info::default_concurrency();
+  const int threads = this->NumberOfThreads > 0 ? this->NumberOfThreads : cores;
+  // TBB makes no more threads than there are cores unless it is allowed to.
+  const tbb::global_control allowance(
+    tbb::global_control::max_allowed_parallelism, std::max(threads, cores));
+  tbb::task_arena& arena = this->Internal->GetArena(threads);
+  lms3dBuiltScene& built = this->Internal->Scene;
+  if (!built.IsFor(scene, this->IntersectionMethod))
+  {
+    std::string leftOut;
+    arena.execute([&] { leftOut = built.Build(scene, this->IntersectionMethod); });
+    if (!leftOut.empty())
+    {
+      vtkWarningMacro(<< leftOut);
+    }
+  }
+  this->UpdateProgress(BuildShare);
+
+  const lms3dScanGeometry& geometry = this->Internal->GetGeometry(this);
+  const lms3dPose pose = lms3dPose::FromOrientation(this->Position, this->Orientation);
+  const lms3dRayCaster& caster = built.GetCaster();
+  lms3dScanOutput& output = this->Internal->Output;
+  const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
+  arena.execute(
+    [&]
+    {
+      if (output.Cast(caster, geometry, pose, { this->MinimumRange, this->MaximumRange }, progress))
+      {
+        output.FillScan(caster.GetMesh(), geometry, pose, scan);
+        output.FillRangeImage(geometry, image);
+      }
+    });
+  output.Discard();
 }
 
 void vtkLMS3DScanFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -248,6 +248,8 @@ private:
   // Empty where all properties are good.
   std::string GetPropertyError() const;
 
+  void Scan(vtkDataObject* scene, vtkPolyData* scan, vtkImageData* image);
+
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dBuiltScene.h"
+
+#include "lms3dSceneTriangles.h"
+
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace
+{
+// A composite does not tell when one of its parts changes.
+vtkMTimeType GetSceneTime(vtkDataObject* scene)
+{
+  vtkMTimeType time = scene->GetMTime();
+  if (vtkDataObjectTree* tree = vtkDataObjectTree::SafeDownCast(scene))
+  {
+    auto nodes = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+    nodes->VisitOnlyLeavesOff();
+    for (nodes->InitTraversal(); !nodes->IsDoneWithTraversal(); nodes->GoToNextItem())
+    {
+      time = std::max(time, nodes->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  else if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(scene))
+  {
+    auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      time = std::max(time, leaves->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  return time;
+}
+
+std::string TellLeftOut(const lms3dSceneTriangles& scene)
+{
+  std::ostringstream words;
+  if (scene.SkippedCells > 0)
+  {
+    words << "Cells with a point that is not finite, or beyond 1e18 m, are left out: "
+          << scene.SkippedCells << ". ";
+  }
+  if (scene.CrossedCells > 0)
+  {
+    words << "Polygons that cross themselves are left out: " << scene.CrossedCells
+          << ". Split them to have them scanned. ";
+  }
+  return words.str();
+}
+} // namespace
+
+bool lms3dBuiltScene::IsFor(vtkDataObject* scene, int method) const
+{
+  return this->Caster && this->Scene == scene && this->SceneTime == GetSceneTime(scene) &&
+    this->Method == method;
+}
+
+std::string lms3dBuiltScene::Build(vtkDataObject* scene, int method)
+{
+  this->Caster.reset();
+  lms3dSceneTriangles triangles = lms3dCollectTriangles(scene);
+  std::string leftOut = TellLeftOut(triangles);
+  if (triangles.Mesh.Triangles.empty())
+  {
+    throw std::runtime_error(leftOut.empty()
+        ? "The scene has no polygons, so there is nothing to scan. Connect a data set with "
+          "polygons, triangle strips or volume cells."
+        : "There is nothing left to scan. " + leftOut);
+  }
+  this->Caster = lms3dRayCaster::New(method, std::move(triangles.Mesh));
+  this->Scene = scene;
+  this->SceneTime = GetSceneTime(scene);
+  this->Method = method;
+  this->BuildTime.Modified();
+  return leftOut;
+}
