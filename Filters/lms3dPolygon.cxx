@@ -7,7 +7,7 @@
 
 namespace
 {
-// Wide enough for the differences of doubles, and for the signs of their products.
+// Where it has more digits than a double, corners nearly in line are told apart more often.
 using Real = long double;
 using Point = std::array<Real, 2>;
 
