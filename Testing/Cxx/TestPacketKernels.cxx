@@ -22,23 +22,23 @@ namespace
 struct KernelResults
 {
   lms3dBeamPacket Aimed;
+  lms3dBeamPacket Taken;
+  lms3dBeamPacket Kept;
+  lms3dBeamPacket Finished;
+  lms3dSeenPlane Plane;
+  double Ranges[lms3dBeamPacket::Size];
+  double RoughRanges[lms3dBeamPacket::Size];
+  double Points[lms3dBeamPacket::Size][3];
+  float Starts[lms3dBeamPacket::Size];
+  float Reach[lms3dBeamPacket::Size];
+  unsigned int Geometry[lms3dBeamPacket::Size];
   lms3dVerdicts Verdicts;
   std::uint32_t Changed;
   std::uint32_t Unsure;
-  lms3dBeamPacket Taken;
   std::uint32_t Within;
   std::uint32_t Near;
   std::uint32_t Hits;
   std::uint32_t Measured;
-  lms3dSeenPlane Plane;
-  double Ranges[lms3dBeamPacket::Size];
-  double RoughRanges[lms3dBeamPacket::Size];
-  lms3dBeamPacket Kept;
-  lms3dBeamPacket Finished;
-  float Starts[lms3dBeamPacket::Size];
-  float Reach[lms3dBeamPacket::Size];
-  unsigned int Geometry[lms3dBeamPacket::Size];
-  double Points[lms3dBeamPacket::Size][3];
 };
 
 /// What the kernels are given, of all kinds: with zeros, tiny and equal numbers among them.
