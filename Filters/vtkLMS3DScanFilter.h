@@ -182,10 +182,10 @@ public:
 
   ///@{
   /**
-   * How a beam finds the surface; the default is EXACT. A change builds the acceleration structure
-   * anew.
+   * How a beam finds the surface, one of IntersectionMethods; the default is EXACT. A change builds
+   * the acceleration structure anew.
    */
-  vtkSetClampMacro(IntersectionMethod, int, EXACT, STATIC_CELL_LOCATOR);
+  vtkSetClampMacro(IntersectionMethod, int, EXACT, GetNumberOfIntersectionMethods() - 1);
   vtkGetMacro(IntersectionMethod, int);
   void SetIntersectionMethodToExact() { this->SetIntersectionMethod(EXACT); }
   void SetIntersectionMethodToFast() { this->SetIntersectionMethod(FAST); }
@@ -196,6 +196,15 @@ public:
     this->SetIntersectionMethod(STATIC_CELL_LOCATOR);
   }
   const char* GetIntersectionMethodAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * The methods by number, from 0, and by name as in the setters above ("AngleSum"), for those who
+   * offer all of them. The name of a number that is none is null.
+   */
+  static int GetNumberOfIntersectionMethods();
+  static const char* GetIntersectionMethodName(int method);
   ///@}
 
   ///@{
