@@ -167,7 +167,7 @@ public:
    * return from the half space that it looks at through it, or ranges as small as rounding.
    * Triangles without area are never hit.
    *
-   * The others are for comparison: hundreds to thousands of times slower.
+   * The others are for comparison, and tens to thousands of times slower.
    *
    * ANGLE_SUM: the founding paper's section 2.4, by brute force: the intersection with the
    * triangle's plane lies inside where the angles between its corners sum to 2 pi, within 1e-6, or
