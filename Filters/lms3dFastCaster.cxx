@@ -5,6 +5,10 @@
 #include "lms3dRayCaster.h"
 #include "lms3dTriangle.h"
 
+#include <tbb/parallel_for.h>
+
+#include <cstddef>
+
 namespace
 {
 /// Embree's single-precision triangles decide; the range is that of the triangle's plane in
@@ -28,13 +32,14 @@ private:
   // Single precision may hit a line, which has no range to give; a point it never hits.
   static lms3dTriangleMesh CollapseTrianglesWithoutArea(lms3dTriangleMesh mesh)
   {
-    for (std::size_t i = 0; i < mesh.GetNumberOfTriangles(); ++i)
-    {
-      if (!lms3dHasArea(lms3dGetCorners(mesh, i)))
+    tbb::parallel_for(std::size_t(0), mesh.GetNumberOfTriangles(),
+      [&mesh](std::size_t i)
       {
-        mesh.Triangles[i].fill(mesh.Triangles[i][0]);
-      }
-    }
+        if (!lms3dHasArea(lms3dGetCorners(mesh, i)))
+        {
+          mesh.Triangles[i].fill(mesh.Triangles[i][0]);
+        }
+      });
     return mesh;
   }
 

@@ -99,10 +99,10 @@ std::string ScanSubject::GetName(int method)
 
 std::vector<std::string> ScanSubject::GetNames()
 {
-  std::vector<std::string> names;
-  for (int method = 0; method < vtkLMS3DScanFilter::GetNumberOfIntersectionMethods(); ++method)
+  std::vector<std::string> names(vtkLMS3DScanFilter::GetNumberOfIntersectionMethods());
+  for (std::size_t method = 0; method < names.size(); ++method)
   {
-    names.push_back(GetName(method));
+    names[method] = GetName(static_cast<int>(method));
   }
   return names;
 }
