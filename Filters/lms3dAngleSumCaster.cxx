@@ -14,11 +14,16 @@ constexpr double Pi = 3.14159265358979323846;
 // larger tolerance takes points beside the triangle for inside.
 constexpr double Tolerance = 1e-6;
 
+// A point that is nearer to a corner than this share of its range is at the corner: rounding has
+// turned the angle there by more than a tenth of the tolerance.
+constexpr double CornerTolerance = 1e-9;
+
 /**
  * The paper's section 2.4: the intersection with the triangle's plane lies in the triangle where
  * the angles that its corners span there sum to 2 pi. Its slips are repaired: the plane's sign is
- * that of its equation, only ranges above 0 count, a beam parallel to the plane misses it, and the
- * sum is compared with a tolerance.
+ * that of its equation, only ranges above 0 count, a beam parallel to the plane misses it, the sum
+ * is compared with a tolerance, and corners, where it is nothing but rounding, belong to the
+ * triangle.
  */
 class AngleSumTest
 {
@@ -60,7 +65,7 @@ private:
         toCorner[corner][axis] = this->Triangle.Corner[corner][axis] - range * direction[axis];
       }
       length[corner] = std::sqrt(Dot(toCorner[corner], toCorner[corner]));
-      if (length[corner] == 0.0)
+      if (length[corner] <= CornerTolerance * range)
       {
         return true;
       }

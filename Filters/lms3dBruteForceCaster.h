@@ -13,7 +13,8 @@
 /**
  * `TestT` is made from the corners of a triangle seen from the sensor, and its method
  * double GetRange(const double direction[3]) const returns the range of a beam, or anything not
- * above 0 (or not a number) where it misses.
+ * above 0 (or not a number) where it misses. It is not asked about triangles without area, nor
+ * about those on whose plane the sensor stands: rounding would put them anywhere.
  */
 template <typename TestT>
 class lms3dBruteForceCaster final : public lms3dRayCaster
@@ -37,7 +38,12 @@ public:
     // Each triangle is prepared once for all packets.
     for (std::size_t triangle = 0; triangle < this->GetMesh().GetNumberOfTriangles(); ++triangle)
     {
-      const TestT test(lms3dSee(lms3dGetCorners(this->GetMesh(), triangle), viewpoint.Origin));
+      const lms3dCorners corners = lms3dGetCorners(this->GetMesh(), triangle);
+      if (lms3dIsEdgeOn(corners, viewpoint.Origin))
+      {
+        continue;
+      }
+      const TestT test(lms3dSee(corners, viewpoint.Origin));
       for (int i = 0; i < count; ++i)
       {
         TestPacket(test, static_cast<std::int32_t>(triangle), viewpoint.MaximumRange, packets[i]);

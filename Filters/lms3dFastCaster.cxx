@@ -3,6 +3,11 @@
 #include "lms3dEmbreeScene.h"
 #include "lms3dRangeMeter.h"
 #include "lms3dRayCaster.h"
+#include "lms3dTriangle.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cstddef>
 
 namespace
 {
@@ -12,7 +17,7 @@ class FastCaster final : public lms3dRayCaster
 {
 public:
   explicit FastCaster(lms3dTriangleMesh mesh)
-    : lms3dRayCaster(std::move(mesh))
+    : lms3dRayCaster(CollapseTrianglesWithoutArea(std::move(mesh)))
     , Scene(this->GetMesh())
   {
   }
@@ -24,6 +29,20 @@ public:
   }
 
 private:
+  // Single precision may hit a line, which has no range to give; a point it never hits.
+  static lms3dTriangleMesh CollapseTrianglesWithoutArea(lms3dTriangleMesh mesh)
+  {
+    tbb::parallel_for(std::size_t(0), mesh.GetNumberOfTriangles(),
+      [&mesh](std::size_t i)
+      {
+        if (!lms3dHasArea(lms3dGetCorners(mesh, i)))
+        {
+          mesh.Triangles[i].fill(mesh.Triangles[i][0]);
+        }
+      });
+    return mesh;
+  }
+
   const lms3dEmbreeScene Scene;
 };
 } // namespace

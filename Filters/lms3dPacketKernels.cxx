@@ -4,8 +4,11 @@
 
 #include "lms3dPacketKernelSets.h"
 
+#include <vtkObject.h>
+
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <vector>
 
 namespace
@@ -35,18 +38,35 @@ const std::vector<const lms3dPacketKernels*>& GetAllKernels()
   return kernels;
 }
 
+std::string GetAllNames()
+{
+  std::string names;
+  for (const lms3dPacketKernels* kernels : GetAllKernels())
+  {
+    names += std::string(names.empty() ? "" : ", ") + kernels->Name;
+  }
+  return names;
+}
+
 // The widest, or those that the environment names, so that what the others cost can be measured.
 const lms3dPacketKernels& ChooseKernels()
 {
+  const lms3dPacketKernels& widest = *GetAllKernels().back();
   const char* name = std::getenv("LMS3D_KERNELS");
+  if (!name)
+  {
+    return widest;
+  }
   for (const lms3dPacketKernels* kernels : GetAllKernels())
   {
-    if (name && std::strcmp(name, kernels->Name) == 0)
+    if (std::strcmp(name, kernels->Name) == 0)
     {
       return *kernels;
     }
   }
-  return *GetAllKernels().back();
+  vtkGenericWarningMacro(<< "LMS3D_KERNELS is \"" << name << "\"; this processor has "
+                         << GetAllNames() << ". " << widest.Name << " is taken.");
+  return widest;
 }
 } // namespace
 

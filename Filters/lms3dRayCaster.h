@@ -4,9 +4,10 @@
  * @file
  * @brief Finds the nearest triangle along each beam of a packet.
  *
- * A method is a source file of its own with one function of the kind lms3dNewRayCaster, which is
- * named in the table of lms3dRayCaster.cxx, in the order of
- * vtkLMS3DScanFilter::IntersectionMethods.
+ * A method is a source file of its own, with one function that makes its caster. Adding one takes
+ * that file and its line in CMakeLists.txt, a row in the table of lms3dRayCaster.cxx, an enumerator
+ * with its setter in vtkLMS3DScanFilter.h, and an entry in LMS3DFilters.xml. The filter, the command
+ * line and the benchmark read the table; tests hold the header and the XML against it.
  */
 #ifndef lms3dRayCaster_h
 #define lms3dRayCaster_h
@@ -26,6 +27,10 @@ public:
    * memory for instance.
    */
   static std::unique_ptr<lms3dRayCaster> New(int method, lms3dTriangleMesh mesh);
+
+  /// Methods are numbered from 0, as vtkLMS3DScanFilter::IntersectionMethods.
+  static int GetNumberOfMethods();
+  static const char* GetMethodName(int method);
 
   virtual ~lms3dRayCaster() = default;
   lms3dRayCaster(const lms3dRayCaster&) = delete;
@@ -48,13 +53,5 @@ protected:
 private:
   lms3dTriangleMesh Mesh;
 };
-
-using lms3dNewRayCaster = std::unique_ptr<lms3dRayCaster>(lms3dTriangleMesh mesh);
-
-lms3dNewRayCaster lms3dNewExactCaster;
-lms3dNewRayCaster lms3dNewFastCaster;
-lms3dNewRayCaster lms3dNewAngleSumCaster;
-lms3dNewRayCaster lms3dNewMollerTrumboreCaster;
-lms3dNewRayCaster lms3dNewStaticCellLocatorCaster;
 
 #endif

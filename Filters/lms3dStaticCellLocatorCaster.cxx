@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dRayCaster.h"
+#include "lms3dTriangle.h"
 
 #include <vtkCellArray.h>
 #include <vtkGenericCell.h>
+#include <vtkIdList.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -66,15 +68,57 @@ private:
     {
       end[axis] = origin[axis] + length * packet.Direction[axis][beam];
     }
-    double share, point[3], parameters[3];
+    const Hit hit = this->FindNearest(origin, end, cell);
+    packet.Range[beam] = hit.Share * length;
+    packet.Triangle[beam] = static_cast<std::int32_t>(hit.Triangle);
+  }
+
+  /// How far along the line, from 0 to 1.
+  struct Hit
+  {
+    double Share = lms3dBeamPacket::NoRange;
+    vtkIdType Triangle = lms3dBeamPacket::NoTriangle;
+  };
+
+  bool IsInFront(const Hit& hit, const double origin[3]) const
+  {
+    return hit.Share > 0.0 &&
+      !lms3dIsEdgeOn(lms3dGetCorners(this->GetMesh(), hit.Triangle), origin);
+  }
+
+  Hit FindNearest(const double origin[3], const double end[3], vtkGenericCell* cell) const
+  {
+    Hit hit;
+    double point[3], parameters[3];
     int part;
-    vtkIdType triangle;
-    const bool isHit = this->Locator->IntersectWithLine(
-                         origin, end, Tolerance, share, point, parameters, part, triangle, cell) &&
-      share > 0.0;
-    packet.Range[beam] = isHit ? share * length : lms3dBeamPacket::NoRange;
-    packet.Triangle[beam] =
-      isHit ? static_cast<std::int32_t>(triangle) : lms3dBeamPacket::NoTriangle;
+    if (!this->Locator->IntersectWithLine(
+          origin, end, Tolerance, hit.Share, point, parameters, part, hit.Triangle, cell))
+    {
+      return {};
+    }
+    return this->IsInFront(hit, origin) ? hit : this->FindNearestInFront(origin, end, cell);
+  }
+
+  /// Asks for all triangles along the line, which takes longer.
+  Hit FindNearestInFront(const double origin[3], const double end[3], vtkGenericCell* cell) const
+  {
+    vtkNew<vtkIdList> triangles;
+    this->Locator->IntersectWithLine(origin, end, Tolerance, nullptr, triangles, cell);
+    Hit nearest;
+    for (vtkIdType triangle : *triangles)
+    {
+      Hit hit;
+      hit.Triangle = triangle;
+      double point[3], parameters[3];
+      int part;
+      this->Surface->GetCell(triangle, cell);
+      if (cell->IntersectWithLine(origin, end, Tolerance, hit.Share, point, parameters, part) &&
+        hit.Share < nearest.Share && this->IsInFront(hit, origin))
+      {
+        nearest = hit;
+      }
+    }
+    return nearest;
   }
 
   /// Beyond this distance there is nothing.

@@ -125,6 +125,9 @@ double SumOfMagnitudes(const Difference& p)
 // Where the sensor is nearer to a plane than this share of the triangle's size or distance, the
 // plane's 31 digits leave too few of the range, and may put a sensor that stands on it beside it.
 constexpr double NearPlane = 1e-12;
+
+// Above this share of its terms' size a rounded determinant is not 0.
+constexpr double RoundingOfDeterminant = 1e-14;
 } // namespace
 
 bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3])
@@ -140,6 +143,48 @@ bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const do
     negative += sign < 0;
   }
   return (positive == 0) != (negative == 0);
+}
+
+bool lms3dHasArea(const lms3dCorners& corners)
+{
+  const Difference p = Subtract(corners[1], corners[0]);
+  const Difference q = Subtract(corners[2], corners[0]);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double x = p[(axis + 1) % 3][0] * q[(axis + 2) % 3][0];
+    const double y = p[(axis + 2) % 3][0] * q[(axis + 1) % 3][0];
+    if (std::abs(x - y) > RoundingOfDeterminant * (std::abs(x) + std::abs(y)))
+    {
+      return true;
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ExactSum component;
+    AddCofactor(component, 1.0, axis, p, q);
+    if (component.GetSign() != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool lms3dIsEdgeOn(const lms3dCorners& corners, const double origin[3])
+{
+  const Difference a = Subtract(corners[0], origin);
+  const Difference p = Subtract(corners[1], corners[0]);
+  const Difference q = Subtract(corners[2], corners[0]);
+  double rounded = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int next = (axis + 1) % 3;
+    const int last = (axis + 2) % 3;
+    rounded += a[axis][0] * (p[next][0] * q[last][0] - p[last][0] * q[next][0]);
+  }
+  const double size = SumOfMagnitudes(a) * SumOfMagnitudes(p) * SumOfMagnitudes(q);
+  return std::abs(rounded) <= RoundingOfDeterminant * size &&
+    GetDeterminant(a, p, q).GetSign() == 0;
 }
 
 bool lms3dIsNearPlane(

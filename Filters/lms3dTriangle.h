@@ -43,6 +43,13 @@ inline lms3dSeenTriangle lms3dSee(const lms3dCorners& corners, const double orig
 /// Whether a beam passes inside, without rounding: for those that double leaves in doubt.
 bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3]);
 
+/// Whether a triangle's corners are not on one line, without rounding.
+bool lms3dHasArea(const lms3dCorners& corners);
+
+/// Whether a triangle has no area, or the sensor stands on its plane, without rounding: then no beam
+/// hits it.
+bool lms3dIsEdgeOn(const lms3dCorners& corners, const double origin[3]);
+
 /// Whether the sensor stands on a triangle's plane, or so nearly that the plane's 31 digits may put
 /// it beside.
 bool lms3dIsNearPlane(

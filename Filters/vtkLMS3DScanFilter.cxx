@@ -130,9 +130,18 @@ vtkImageData* vtkLMS3DScanFilter::GetRangeImage()
 
 const char* vtkLMS3DScanFilter::GetIntersectionMethodAsString() const
 {
-  static const char* const Names[] = { "Exact", "Fast", "AngleSum", "MollerTrumbore",
-    "StaticCellLocator" };
-  return Names[this->IntersectionMethod];
+  return GetIntersectionMethodName(this->IntersectionMethod);
+}
+
+int vtkLMS3DScanFilter::GetNumberOfIntersectionMethods()
+{
+  return lms3dRayCaster::GetNumberOfMethods();
+}
+
+const char* vtkLMS3DScanFilter::GetIntersectionMethodName(int method)
+{
+  const bool isMethod = method >= 0 && method < GetNumberOfIntersectionMethods();
+  return isMethod ? lms3dRayCaster::GetMethodName(method) : nullptr;
 }
 
 int vtkLMS3DScanFilter::FillInputPortInformation(int, vtkInformation* info)

@@ -5,13 +5,17 @@
  * @brief lms3dBenchmark: reads the command line and runs what it asks for.
  */
 #include "Benchmarks.h"
+#include "ScanSubject.h"
 #include "Scenes.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -37,6 +41,16 @@ const std::array<Benchmark, 3>& GetBenchmarks()
   return benchmarks;
 }
 
+std::string Join(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    text += (text.empty() ? "" : " ") + word;
+  }
+  return text;
+}
+
 void PrintHelp()
 {
   std::printf("Usage: ./run bench BENCHMARK [--quick] [--scenes NAME...] [--methods NAME...] "
@@ -48,13 +62,21 @@ void PrintHelp()
   }
   std::printf(
     "  %-6s %s\n", "peers", "other ray casters for Python beside LMS3D; by ./run bench alone");
-  std::printf("\nScenes:");
-  for (const std::string& name : GetSceneNames())
+  std::printf("\nScenes: %s", Join(GetSceneNames()).c_str());
+  std::printf("\n\nMethods, of the benchmark scan: %s\n\n", Join(ScanSubject::GetNames()).c_str());
+}
+
+void CheckNames(
+  const char* kind, const std::vector<std::string>& names, const std::vector<std::string>& known)
+{
+  for (const std::string& name : names)
   {
-    std::printf(" %s", name.c_str());
+    if (std::find(known.begin(), known.end(), name) == known.end())
+    {
+      throw std::invalid_argument(
+        std::string("no ") + kind + " \"" + name + "\"; there are " + Join(known));
+    }
   }
-  std::printf("\n--methods: of the benchmark scan, Fast Exact MollerTrumbore AngleSum "
-              "StaticCellLocator\n\n");
 }
 
 BenchmarkOptions ReadOptions(int count, char** words)
@@ -87,11 +109,17 @@ BenchmarkOptions ReadOptions(int count, char** words)
       throw std::invalid_argument("cannot understand \"" + word + "\"");
     }
   }
+  CheckNames("scene", options.Scenes, GetSceneNames());
+  CheckNames("method", options.Methods, ScanSubject::GetNames());
   return options;
 }
 
 void Run(const Benchmark& benchmark, BenchmarkOptions options)
 {
+  if (!options.Methods.empty() && benchmark.Run != &RunScanBenchmark)
+  {
+    throw std::invalid_argument("--methods is for the benchmark scan");
+  }
   if (options.Scenes.empty())
   {
     options.Scenes = options.IsQuick ? benchmark.QuickScenes : GetSceneNames();

@@ -41,15 +41,12 @@ constexpr double SpeedUpWhenQuiet = 1.85;
 
 std::vector<int> GetMethods(const BenchmarkOptions& options)
 {
+  const std::vector<std::string> names = ScanSubject::GetNames();
   std::vector<int> methods;
-  for (int method : ScanSubject::GetMethods())
+  for (const std::string& name : options.Methods.empty() ? names : options.Methods)
   {
-    const std::vector<std::string>& names = options.Methods;
-    if (names.empty() ||
-      std::find(names.begin(), names.end(), ScanSubject::GetName(method)) != names.end())
-    {
-      methods.push_back(method);
-    }
+    methods.push_back(
+      static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin()));
   }
   return methods;
 }

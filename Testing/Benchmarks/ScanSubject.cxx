@@ -94,15 +94,15 @@ bool ScanSubject::IsBruteForce(int method)
 
 std::string ScanSubject::GetName(int method)
 {
-  vtkNew<vtkLMS3DScanFilter> filter;
-  filter->SetIntersectionMethod(method);
-  return filter->GetIntersectionMethodAsString();
+  return vtkLMS3DScanFilter::GetIntersectionMethodName(method);
 }
 
-const std::vector<int>& ScanSubject::GetMethods()
+std::vector<std::string> ScanSubject::GetNames()
 {
-  static const std::vector<int> methods = { vtkLMS3DScanFilter::FAST, vtkLMS3DScanFilter::EXACT,
-    vtkLMS3DScanFilter::MOLLER_TRUMBORE, vtkLMS3DScanFilter::ANGLE_SUM,
-    vtkLMS3DScanFilter::STATIC_CELL_LOCATOR };
-  return methods;
+  std::vector<std::string> names(vtkLMS3DScanFilter::GetNumberOfIntersectionMethods());
+  for (std::size_t method = 0; method < names.size(); ++method)
+  {
+    names[method] = GetName(static_cast<int>(method));
+  }
+  return names;
 }

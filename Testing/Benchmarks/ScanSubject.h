@@ -44,7 +44,8 @@ public:
   /// A beam takes a long time, the longer the more triangles there are.
   static bool IsBruteForce(int method);
   static std::string GetName(int method);
-  static const std::vector<int>& GetMethods();
+  /// Of all methods, by number.
+  static std::vector<std::string> GetNames();
 
 private:
   vtkNew<vtkLMS3DScanFilter> Filter;

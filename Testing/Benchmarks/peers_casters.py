@@ -3,13 +3,18 @@
 """Scans one scene with one peer: peers_casters.py PEER SCENE.npz RESULT.npz.
 
 Each peer is a function that takes the scene and returns another function, which does one scan and
-returns the ranges (infinite or not a number where nothing is hit) and the points of all beams. What
-it does before that counts as building. The directions are ready-made; LMS3D makes its own.
+returns the ranges (infinite or not a number where nothing is hit) of all beams and their points, or
+those of the beams that hit. What it does before that counts as building. The directions are
+ready-made; LMS3D makes its own.
 """
 
 import ctypes
+import dataclasses
+import importlib
+import os
 import sys
 import time
+from typing import Callable
 
 import numpy
 
@@ -68,11 +73,10 @@ def trimesh(scene):
     return scan
 
 
-def _vtk_locator(name):
+def _vtk_locator(name, module="vtkCommonDataModel"):
     def cast(scene):
-        import vtkmodules.vtkCommonDataModel as data_model
         from vtkmodules.vtkCommonCore import mutable
-        locator = getattr(data_model, name)()
+        locator = getattr(importlib.import_module(f"vtkmodules.{module}"), name)()
         locator.SetDataSet(_make_surface(scene))
         locator.BuildLocator()
         start = scene["sensor"].tolist()
@@ -93,7 +97,7 @@ def _vtk_locator(name):
     return cast
 
 
-def _lms3d(method, threads=0):
+def _lms3d(method, threads):
     def cast(scene):
         from lms3d import vtkLMS3DScanFilter
         from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -111,23 +115,38 @@ def _lms3d(method, threads=0):
             return (vtk_to_numpy(image.GetArray("Range")),
                     vtk_to_numpy(filter_.GetOutput().GetPoints().GetData()))
         return scan
-    cast.__doc__ = f"LMS3D, {method}; {threads or 'all'} cores."
+    cast.__doc__ = f"LMS3D, {method}."
     return cast
 
 
-# In the order of the table: the words there, whether it runs in Debian's Python, the function.
-PEERS = {
-    "LMS3D Fast": (True, _lms3d("Fast")),
-    "LMS3D Exact": (True, _lms3d("Exact")),
-    "LMS3D Fast, 1 thread": (True, _lms3d("Fast", 1)),
-    "LMS3D Exact, 1 thread": (True, _lms3d("Exact", 1)),
-    "Open3D RaycastingScene": (False, open3d),
-    "embreex EmbreeScene": (False, embreex),
-    "trimesh + embreex": (False, trimesh),
-    "vtkStaticCellLocator in LMS3D": (True, _lms3d("StaticCellLocator")),
-    "vtkStaticCellLocator": (True, _vtk_locator("vtkStaticCellLocator")),
-    "vtkCellLocator": (True, _vtk_locator("vtkCellLocator")),
-}
+@dataclasses.dataclass(frozen=True)
+class Peer:
+    """A row of the table."""
+
+    name: str
+    threads: int
+    # Whether it runs in Debian's Python, not in the environment of pip's packages.
+    is_debian: bool
+    make: Callable
+
+
+CORES = len(os.sched_getaffinity(0))
+
+# In the order of the table.
+PEERS = (
+    Peer("LMS3D Fast", CORES, True, _lms3d("Fast", CORES)),
+    Peer("LMS3D Exact", CORES, True, _lms3d("Exact", CORES)),
+    Peer("LMS3D Fast", 1, True, _lms3d("Fast", 1)),
+    Peer("LMS3D Exact", 1, True, _lms3d("Exact", 1)),
+    Peer("Open3D RaycastingScene", CORES, False, open3d),
+    Peer("embreex EmbreeScene", 1, False, embreex),
+    Peer("trimesh + embreex", 1, False, trimesh),
+    Peer("vtkStaticCellLocator in LMS3D", CORES, True, _lms3d("StaticCellLocator", CORES)),
+    Peer("vtkStaticCellLocator", 1, True, _vtk_locator("vtkStaticCellLocator")),
+    Peer("vtkCellLocator", 1, True, _vtk_locator("vtkCellLocator")),
+    Peer("vtkModifiedBSPTree", 1, True, _vtk_locator("vtkModifiedBSPTree", "vtkFiltersFlowPaths")),
+    Peer("vtkOBBTree", 1, True, _vtk_locator("vtkOBBTree", "vtkFiltersGeneral")),
+)
 
 
 def _single_rays(scene):
@@ -161,15 +180,36 @@ def _time(work):
 
 def _load(peer, scene):
     """Scan with one triangle and one beam, so that libraries are loaded before the clock starts."""
-    PEERS[peer][1]({**scene, "triangles": scene["triangles"][:1],
-                    "directions": scene["directions"][:1]})()
+    peer.make({**scene, "triangles": scene["triangles"][:1],
+               "directions": scene["directions"][:1]})()
 
 
-def main(peer, scene_file, result_file):
+def _memory(name):
+    """Bytes of a line of /proc/self/status: VmRSS is held now, VmHWM was the most."""
+    with open("/proc/self/status", encoding="ascii") as status:
+        return next(1024 * int(line.split()[1]) for line in status if line.startswith(name))
+
+
+def _point_error(scene, ranges, points):
+    """Return how far the farthest point is from where its beam's range ends, metres."""
+    is_hit = numpy.isfinite(ranges)
+    expected = scene["sensor"] + ranges[is_hit, None] * scene["directions"][is_hit]
+    if len(points) == len(ranges):
+        points = points[is_hit]
+    if points.shape != expected.shape:
+        raise SystemExit(f"{len(points)} points for {len(expected)} beams that hit")
+    return numpy.linalg.norm(points - expected, axis=1).max(initial=0.0)
+
+
+def main(number, scene_file, result_file):
     """Build, scan many times, save the ranges and the best time."""
+    peer = PEERS[int(number)]
     scene = dict(numpy.load(scene_file))
     _load(peer, scene)
-    build, scan = _time(lambda: PEERS[peer][1](scene))
+    with open("/proc/self/clear_refs", "w", encoding="ascii") as clear:
+        clear.write("5")  # lets the peak start anew
+    start = _memory("VmRSS")
+    build, scan = _time(lambda: peer.make(scene))
     first, (ranges, points) = _time(scan)
     best = first
     end = time.perf_counter() + SECONDS
@@ -178,9 +218,11 @@ def main(peer, scene_file, result_file):
         seconds, (ranges, points) = _time(scan)
         best = min(best, seconds)
         scans += 1
+    peak = _memory("VmHWM") - start
+    point_error = _point_error(scene, ranges, points)
     ranges = numpy.where(ranges <= scene["reach"], ranges, numpy.inf)
-    assert points.shape[1] == 3
-    numpy.savez(result_file, ranges=ranges, build=build + first - best, scan=best, scans=scans)
+    numpy.savez(result_file, ranges=ranges, build=build + first - best, scan=best, scans=scans,
+                peak=peak, point_error=point_error)
 
 
 if __name__ == "__main__":

@@ -38,7 +38,8 @@ def _find_candidates(direction, corners, balls):
     centres, squares = balls
     along = centres @ direction
     distance = (centres ** 2).sum(axis=1) - along ** 2
-    near = numpy.flatnonzero((distance <= squares + 1e-9 * along ** 2) & (along ** 2 >= 0))
+    in_front = (along >= 0) | (along ** 2 <= squares)
+    near = numpy.flatnonzero(in_front & (distance <= squares + 1e-9 * along ** 2))
     a, b, c = (corners[near, i] for i in range(3))
     edges = []
     sizes = []

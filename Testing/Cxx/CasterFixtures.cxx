@@ -3,6 +3,7 @@
 #include "CasterFixtures.h"
 
 #include "lms3dPacketKernels.h"
+#include "vtkLMS3DScanFilter.h"
 
 #include <vtkCell.h>
 #include <vtkMath.h>
@@ -269,7 +270,7 @@ lms3dBeamPacket Aim(const Beams& directions)
 }
 
 Target::Target(const lms3dTriangleMesh& mesh)
-  : Caster(lms3dNewExactCaster(mesh))
+  : Caster(lms3dRayCaster::New(vtkLMS3DScanFilter::EXACT, mesh))
   , Reference(mesh.Points, mesh.Triangles)
 {
 }

@@ -401,4 +401,5 @@ TEST_P(EveryMethod, GivesTheSameBitsForAnyNumberOfThreads)
 }
 
 INSTANTIATE_TEST_SUITE_P(ExactRayCasting, EveryMethod,
-  testing::Range(int(vtkLMS3DScanFilter::EXACT), vtkLMS3DScanFilter::STATIC_CELL_LOCATOR + 1));
+  testing::Range(0, vtkLMS3DScanFilter::GetNumberOfIntersectionMethods()),
+  [](const auto& method) { return vtkLMS3DScanFilter::GetIntersectionMethodName(method.param); });

@@ -98,6 +98,15 @@ class TestProxies(unittest.TestCase):
                     words = proxy.SMProxy.GetProperty(name).GetDocumentation()
                     self.assertTrue(words and words.GetDescription().strip())
 
+    def test_methods_are_those_of_the_filter(self):
+        listed = LMS3DScan().SMProxy.GetProperty("IntersectionMethod").FindDomain(
+            "vtkSMEnumerationDomain")
+        shown = {listed.GetEntryValue(i): listed.GetEntryText(i).replace(" ", "")
+                 for i in range(listed.GetNumberOfEntries())}
+        filter_ = lms3d.vtkLMS3DScanFilter
+        self.assertEqual(shown, {i: filter_.GetIntersectionMethodName(i)
+                                 for i in range(filter_.GetNumberOfIntersectionMethods())})
+
     def test_defaults_are_those_of_the_filters(self):
         for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction):
             proxy = make()

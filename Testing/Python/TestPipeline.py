@@ -3,6 +3,7 @@
 """The classes as a Python user meets them: among VTK's own filters, and as numpy arrays."""
 
 import os
+import re
 import unittest
 
 import numpy as np
@@ -49,10 +50,24 @@ class Package(unittest.TestCase):
         for name in ("vtkVRMLImporterSource", "vtkLMS3DScanFilter",
                      "vtkLMS3DSurfaceReconstructionFilter"):
             self.assertEqual(getattr(lms3d, name)().GetClassName(), name)
+
+    def test_every_method_has_an_enumerator_and_a_setter(self):
         scan = lms3d.vtkLMS3DScanFilter()
-        self.assertEqual(scan.GetIntersectionMethod(), lms3d.vtkLMS3DScanFilter.EXACT)
-        scan.SetIntersectionMethodToFast()
-        self.assertEqual(scan.GetIntersectionMethod(), lms3d.vtkLMS3DScanFilter.FAST)
+        self.assertEqual(scan.GetIntersectionMethod(), scan.EXACT)
+        number_of_methods = scan.GetNumberOfIntersectionMethods()
+        self.assertGreater(number_of_methods, 1)
+        for i in range(number_of_methods):
+            name = scan.GetIntersectionMethodName(i)
+            with self.subTest(name):
+                getattr(scan, f"SetIntersectionMethodTo{name}")()
+                self.assertEqual(scan.GetIntersectionMethod(), i)
+                self.assertEqual(scan.GetIntersectionMethodAsString(), name)
+                enumerator = re.sub(r"(?<!^)(?=[A-Z])", "_", name).upper()
+                self.assertEqual(getattr(scan, enumerator), i)
+        for i in (-1, number_of_methods):
+            self.assertIsNone(scan.GetIntersectionMethodName(i))
+        scan.SetIntersectionMethod(number_of_methods)
+        self.assertEqual(scan.GetIntersectionMethod(), number_of_methods - 1)
 
     def test_has_the_defaults_of_the_paper(self):
         scan = lms3d.vtkLMS3DScanFilter()

@@ -4,6 +4,7 @@
 
 import argparse
 import math
+import re
 
 from .. import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
 from ..problems import UsageProblem
@@ -11,12 +12,10 @@ from ..scene import READERS, UP_AXES, read_scene
 from ..simulation import Simulation
 
 
+# By the filter's names, as options are written: AngleSum is angle-sum.
 METHODS = {
-    "exact": vtkLMS3DScanFilter.EXACT,
-    "fast": vtkLMS3DScanFilter.FAST,
-    "angle-sum": vtkLMS3DScanFilter.ANGLE_SUM,
-    "moller-trumbore": vtkLMS3DScanFilter.MOLLER_TRUMBORE,
-    "static-cell-locator": vtkLMS3DScanFilter.STATIC_CELL_LOCATOR,
+    re.sub(r"(?<!^)(?=[A-Z])", "-", vtkLMS3DScanFilter.GetIntersectionMethodName(i)).lower(): i
+    for i in range(vtkLMS3DScanFilter.GetNumberOfIntersectionMethods())
 }
 
 # What vtkLMS3DScanFilter takes. A count is an int to VTK.
