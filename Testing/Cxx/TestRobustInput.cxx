@@ -29,67 +29,9 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
-// Units in the last place by which a range may differ from the true one.
-constexpr double RangeError = 4.0;
-
-void ExpectExact(const Tally& tally)
-{
-  EXPECT_EQ(tally.Misses, 0) << tally;
-  EXPECT_EQ(tally.FalseHits, 0) << tally;
-  EXPECT_LE(tally.WorstError, RangeError) << tally;
-}
-
-// From within a closed mesh.
-void ExpectExactAndWhole(const Tally& tally)
-{
-  EXPECT_EQ(tally.Hits, tally.Beams) << tally;
-  ExpectExact(tally);
-}
-
-/// Packets at triangles here and there in the mesh.
-Tally JudgeTriangles(const Target& target, const Vector& sensor, std::size_t packets)
-{
-  return JudgeEach(packets,
-    [&](std::size_t number)
-    {
-      Random random(number);
-      const std::size_t triangle = random.GetBits() % target.GetMesh().GetNumberOfTriangles();
-      return Judge(target, sensor, target.AimAt(triangle, sensor, random));
-    });
-}
-
-/// Packets in all directions.
-Tally JudgeAllAround(const Target& target, const Vector& sensor, std::size_t packets)
-{
-  return JudgeEach(packets,
-    [&](std::size_t number)
-    {
-      Random random(number);
-      Beams beams;
-      std::generate(beams.begin(), beams.end(), [&random] { return random.GetDirection(); });
-      return Judge(target, sensor, beams);
-    });
-}
-
-/// The packet of a few beams that were cast.
-lms3dBeamPacket Cast(const Target& target, const Vector& sensor, const Beams& beams)
-{
-  lms3dBeamPacket packet = Aim(beams);
-  target.Caster->Cast({ { sensor[0], sensor[1], sensor[2] }, Infinity }, &packet, 1);
-  return packet;
-}
-
-Beams MakeSame(const Vector& direction)
-{
-  Beams beams;
-  beams.fill(direction);
-  return beams;
-}
 } // namespace
 
-// --- Bad triangles
-// --------------------------------------------------------------------------------
+// --- Bad triangles -------------------------------------------------------------------------------
 
 TEST(RobustInput, NeverHitsTrianglesWithoutArea)
 {
@@ -166,8 +108,8 @@ TEST(RobustInput, SeesDuplicatedFacesAsOne)
     Random random(face);
     Beams beams = once.AimAt(face, sensor, random);
     beams[0] = beams[15]; // The corners and edges of a face are those of others too.
-    const lms3dBeamPacket packet = Cast(once, sensor, beams);
-    const lms3dBeamPacket other = Cast(again, sensor, beams);
+    const lms3dBeamPacket packet = once.Cast(sensor, beams);
+    const lms3dBeamPacket other = again.Cast(sensor, beams);
     ASSERT_EQ(packet.Triangle[0] % faces, face);
     ASSERT_TRUE(std::equal(std::begin(packet.Range), std::end(packet.Range), other.Range));
     ASSERT_TRUE(std::equal(std::begin(packet.Triangle), std::end(packet.Triangle), other.Triangle));
@@ -200,15 +142,14 @@ TEST(RobustInput, LeavesNothingButTrueGapsAtTJunctions)
     for (const Vector& inside : { left, right })
     {
       const Vector aim = onSide + 1e-12 * (inside - onSide);
-      const lms3dBeamPacket packet = Cast(target, sensor, MakeSame(Normalize(aim - sensor)));
+      const lms3dBeamPacket packet = target.Cast(sensor, MakeSame(Normalize(aim - sensor)));
       ASSERT_NE(packet.Triangle[0], lms3dBeamPacket::NoTriangle);
       ASSERT_EQ(packet.Triangle[0] == 0, inside == left);
     }
   }
 }
 
-// --- Where the sensor stands
-// ----------------------------------------------------------------------
+// --- Where the sensor stands ---------------------------------------------------------------------
 
 TEST(RobustInput, SeesFreeSpaceFromAFaceAnEdgeAndAVertex)
 {
@@ -221,11 +162,11 @@ TEST(RobustInput, SeesFreeSpaceFromAFaceAnEdgeAndAVertex)
     for (const Vector& free :
       { Vector{ 0, 0, 1 }, Vector{ 0.8, 0.0, 0.6 }, Vector{ -0.6, 0.0, 0.8 } })
     {
-      EXPECT_EQ(Cast(cube, sensor, MakeSame(free)).Triangle[0], lms3dBeamPacket::NoTriangle);
+      EXPECT_EQ(cube.Cast(sensor, MakeSame(free)).Triangle[0], lms3dBeamPacket::NoTriangle);
     }
     if (sensor[0] < 1.0)
     {
-      EXPECT_EQ(Cast(cube, sensor, MakeSame({ 0, 0, -1 })).Range[0], 2.0);
+      EXPECT_EQ(cube.Cast(sensor, MakeSame({ 0, 0, -1 })).Range[0], 2.0);
     }
   }
 }
@@ -244,7 +185,7 @@ TEST(RobustInput, ReturnsNothingAtARangeOfZero)
     {
       ExpectExact(JudgeAllAround(ball, sensor, 4));
     }
-    const lms3dBeamPacket packet = Cast(ball, a, MakeSame(-1.0 * a));
+    const lms3dBeamPacket packet = ball.Cast(a, MakeSame(-1.0 * a));
     ASSERT_GT(packet.Range[0], 1.9) << "through the ball from its vertex";
   }
 }
@@ -262,8 +203,7 @@ TEST(RobustInput, SeesASceneFromFarAway)
   }
 }
 
-// --- Sizes and offsets
-// ----------------------------------------------------------------------------
+// --- Sizes and offsets ---------------------------------------------------------------------------
 
 TEST(RobustInput, SeesScenesOfAnySizeAtAnyOffset)
 {
@@ -291,8 +231,7 @@ TEST(RobustInput, SeesATerrainWithAVeryLargeSkirt)
   ExpectExactAndWhole(JudgeTriangles(target, { 0.1, 0.2, 0.3 }, 1000));
 }
 
-// --- Many surfaces, one behind the other
-// ----------------------------------------------------------
+// --- Many surfaces, one behind the other ---------------------------------------------------------
 
 TEST(RobustInput, TellsNearShellsApart)
 {
@@ -307,7 +246,7 @@ TEST(RobustInput, TellsNearShellsApart)
 
     // The inner shell, whose triangles have the larger numbers.
     Random random(1);
-    const lms3dBeamPacket packet = Cast(target, sensor, target.AimAt(7, sensor, random));
+    const lms3dBeamPacket packet = target.Cast(sensor, target.AimAt(7, sensor, random));
     for (std::int32_t triangle : packet.Triangle)
     {
       EXPECT_GE(triangle, static_cast<std::int32_t>(ball.GetNumberOfTriangles())) << gap;
@@ -326,11 +265,10 @@ TEST(RobustInput, SeesTheInnermostOfManyBoxes)
   const Vector sensor = { 0.1, 0.2, -0.3 };
   ExpectExactAndWhole(JudgeTriangles(target, sensor, 60));
   ExpectExactAndWhole(JudgeTriangles(target, { 0.0, 0.0, 0.0 }, 60));
-  EXPECT_EQ(Cast(target, { 0, 0, 0 }, MakeSame({ 1, 0, 0 })).Range[0], 1.01);
+  EXPECT_EQ(target.Cast({ 0, 0, 0 }, MakeSame({ 1, 0, 0 })).Range[0], 1.01);
 }
 
-// --- Cells that are not finite
-// --------------------------------------------------------------------
+// --- Cells that are not finite -------------------------------------------------------------------
 
 namespace
 {

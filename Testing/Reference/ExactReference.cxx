@@ -19,7 +19,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t LeafSize = 4;
 
 // Widens balls and ranges in the search, far beyond the rounding of a double.
-constexpr double Margin = 1e-12;
+constexpr double Margin = 1e-14;
 
 /// A number as the sum of doubles, from the smallest to the largest, that do not overlap.
 class Expansion
@@ -205,6 +205,25 @@ std::pair<Number, Number> GetPlane(
     GetDeterminant({ Number(d[0]), Number(d[1]), Number(d[2]) }, p, q) };
 }
 
+// Whether double tells that a plane is behind the origin, or beyond a limit.
+bool IsOutOfReach(const Vector* const* corners, const Vector& origin, const Vector& d, double limit)
+{
+  static const double bound = 8 * GetPrecision<double>();
+  const Triple<double> p = Subtract<double>(*corners[1], *corners[0]);
+  const Triple<double> q = Subtract<double>(*corners[2], *corners[0]);
+  const Triple<double> a = Subtract<double>(*corners[0], origin);
+  const double offset = GetDeterminant(a, p, q);
+  const double slope = GetDeterminant<double>(d, p, q);
+  const double offsetError = bound * GetSize(a, p, q);
+  const double slopeError = bound * GetSize<double>(d, p, q);
+  if (std::abs(offset) <= offsetError || std::abs(slope) <= slopeError)
+  {
+    return false;
+  }
+  const double least = (std::abs(offset) - offsetError) / (std::abs(slope) + slopeError);
+  return (offset < 0.0) != (slope < 0.0) || least > limit * (1.0 + Margin);
+}
+
 // Whether quadruple precision keeps 24 digits of a plane's offset and slope.
 bool IsWide(const Quad& offset, const Quad& slope, const Vector* const* corners,
   const Vector& origin, const Vector& d)
@@ -324,10 +343,11 @@ void ExactReference::Split(const Node& node)
     [&](std::int32_t a, std::int32_t b) { return getPlace(a, widest) < getPlace(b, widest); });
 }
 
-ExactReference::Hit ExactReference::Cast(const Vector& origin, const Vector& direction) const
+ExactReference::Hit ExactReference::Cast(
+  const Vector& origin, const Vector& direction, double limit) const
 {
   const double length = GetLength(direction);
-  Hit nearest = { Quad(Infinity), Infinity, NoTriangle };
+  Hit nearest = { Quad(limit), limit, NoTriangle };
   // A node's ball is passed where the beam's line stays away from it, or meets it only behind the
   // origin, or behind the nearest hit.
   const auto mayHit = [&](const Node& node)
@@ -359,26 +379,31 @@ ExactReference::Hit ExactReference::Cast(const Vector& origin, const Vector& dir
     }
     for (std::size_t i = node.First; i < node.First + node.Count; ++i)
     {
-      const Hit hit = this->Cast(this->Order[i], origin, direction);
-      const bool isTie = hit.WideRange == nearest.WideRange && hit.Triangle < nearest.Triangle;
-      nearest = hit.WideRange < nearest.WideRange || isTie ? hit : nearest;
+      const double reach = nearest.Range * (1.0 + Margin);
+      const Hit hit = this->Cast(this->Order[i], origin, direction, reach);
+      if (hit.Triangle != NoTriangle &&
+        (hit.WideRange < nearest.WideRange ||
+          (hit.WideRange == nearest.WideRange && hit.Triangle < nearest.Triangle)))
+      {
+        nearest = hit;
+      }
     }
   }
   return nearest;
 }
 
 ExactReference::Hit ExactReference::Cast(
-  std::int32_t triangle, const Vector& origin, const Vector& direction) const
+  std::int32_t triangle, const Vector& origin, const Vector& direction, double limit) const
 {
   const Vector* corners[3] = { &this->GetCorner(triangle, 0), &this->GetCorner(triangle, 1),
     &this->GetCorner(triangle, 2) };
-  const Hit miss = { Quad(Infinity), Infinity, NoTriangle };
-  if (!IsInside(corners, origin, direction))
+  static const Hit miss = { Quad(Infinity), Infinity, NoTriangle };
+  if (IsOutOfReach(corners, origin, direction, limit) || !IsInside(corners, origin, direction))
   {
     return miss;
   }
   const Quad range = GetRange(corners, origin, direction);
-  return range > 0 ? Hit{ range, static_cast<double>(range), triangle } : miss;
+  return range > 0 && range < limit ? Hit{ range, static_cast<double>(range), triangle } : miss;
 }
 
 double ExactReference::GetError(double range, const Hit& truth)

@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 class ExactReference
@@ -37,7 +38,7 @@ public:
 
   struct Hit
   {
-    /// In units of the direction's length, to about 24 digits; infinite where nothing is hit.
+    /// In units of the direction's length, to about 24 digits. At least the limit where nothing is hit.
     Quad WideRange;
     /// The same rounded to double.
     double Range;
@@ -48,11 +49,13 @@ public:
   /// All points of the triangles must be finite.
   ExactReference(std::vector<Vector> points, std::vector<Triangle> triangles);
 
-  /// The nearest triangle along a beam.
-  Hit Cast(const Vector& origin, const Vector& direction) const;
+  /// The nearest triangle along a beam, up to a limit.
+  Hit Cast(const Vector& origin, const Vector& direction,
+    double limit = std::numeric_limits<double>::infinity()) const;
 
   /// One triangle alone.
-  Hit Cast(std::int32_t triangle, const Vector& origin, const Vector& direction) const;
+  Hit Cast(std::int32_t triangle, const Vector& origin, const Vector& direction,
+    double limit = std::numeric_limits<double>::infinity()) const;
 
   /// How far a range is from the true one, in units in the last place of the true one.
   static double GetError(double range, const Hit& truth);
