@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneFixtures.h"
 
+#include "vtkLMS3DScanFilter.h"
 #include "vtkVRMLImporterSource.h"
 
 #include <vtkAlgorithm.h>
@@ -84,6 +85,21 @@ vtkSmartPointer<vtkPolyData> Join(vtkPolyData* a, vtkPolyData* b)
   return append->GetOutput();
 }
 
+void Place(vtkPolyData* surface, double scale, const Point& offset)
+{
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    surface->GetPoint(i, p.data());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = scale * p[axis] + offset[axis];
+    }
+    surface->GetPoints()->SetPoint(i, p.data());
+  }
+  surface->GetPoints()->Modified();
+}
+
 vtkSmartPointer<vtkPolyData> ReadRoom()
 {
   vtkNew<vtkVRMLImporterSource> reader;
@@ -128,6 +144,29 @@ std::uint64_t Hash(vtkDataSet* data)
     hashes.push_back(Hash(data->GetPointData()->GetArray(i)));
   }
   return Mix(Start, hashes.data(), hashes.size() * sizeof(std::uint64_t));
+}
+
+vtkSmartPointer<vtkLMS3DScanFilter> MakeScan(vtkDataObject* scene)
+{
+  auto scan = vtkSmartPointer<vtkLMS3DScanFilter>::New();
+  scan->SetInputDataObject(scene);
+  return scan;
+}
+
+void SetGrid(vtkLMS3DScanFilter* scan, int beams, int turns)
+{
+  scan->SetAlphaResolution(beams);
+  scan->SetBetaResolution(turns);
+}
+
+vtkDataArray* GetArray(vtkLMS3DScanFilter* scan, const char* name)
+{
+  return scan->GetOutput()->GetPointData()->GetArray(name);
+}
+
+double GetRange(vtkLMS3DScanFilter* scan, vtkIdType i)
+{
+  return GetArray(scan, "Range")->GetTuple1(i);
 }
 
 std::string UpdateAndGetError(vtkAlgorithm* algorithm)

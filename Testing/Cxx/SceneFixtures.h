@@ -19,6 +19,8 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkDataObject;
+class vtkLMS3DScanFilter;
 
 using Point = std::array<double, 3>;
 
@@ -36,12 +38,23 @@ vtkSmartPointer<vtkPolyData> MakePolygon(const std::vector<Point>& points);
 /// One surface of both.
 vtkSmartPointer<vtkPolyData> Join(vtkPolyData* a, vtkPolyData* b);
 
+/// Moves the points of a surface.
+void Place(vtkPolyData* surface, double scale, const Point& offset);
+
 /// Data/room.wrl.
 vtkSmartPointer<vtkPolyData> ReadRoom();
 
 /// A fingerprint of all bytes of an array, or of a data set's points, cells and arrays.
 std::uint64_t Hash(vtkDataArray* array);
 std::uint64_t Hash(vtkDataSet* data);
+
+///@{
+/// A scan of a scene, what it has measured, and where.
+vtkSmartPointer<vtkLMS3DScanFilter> MakeScan(vtkDataObject* scene);
+void SetGrid(vtkLMS3DScanFilter* scan, int beams, int turns);
+vtkDataArray* GetArray(vtkLMS3DScanFilter* scan, const char* name);
+double GetRange(vtkLMS3DScanFilter* scan, vtkIdType i);
+///@}
 
 /// The words of the errors that the algorithm gives in an Update(), empty if there is none.
 std::string UpdateAndGetError(vtkAlgorithm* algorithm);

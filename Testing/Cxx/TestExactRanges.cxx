@@ -13,7 +13,7 @@
 #include <cmath>
 #include <utility>
 
-// --- Badly shaped triangles ---
+// --- Badly shaped triangles ---------------------------------------------------------------------
 
 namespace
 {
@@ -65,7 +65,7 @@ TEST(ExactRanges, AreRightOnNeedles)
   }
 }
 
-// --- A sensor close to the plane of a triangle ---
+// --- A sensor close to the plane of a triangle --------------------------------------------------
 
 namespace
 {
@@ -152,7 +152,7 @@ TEST_P(EachSize, AreRightAtGrazingAngles)
 
 INSTANTIATE_TEST_SUITE_P(ExactRanges, EachSize, testing::Values(1.0, 1e2, 1e4, 1e5, 1e6));
 
-// --- The limit ---
+// --- The limit ----------------------------------------------------------------------------------
 
 TEST(ExactRanges, CountUpToTheLimitAndNotAUnitFarther)
 {

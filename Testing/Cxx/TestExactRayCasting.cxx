@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(ExactRayCasting, EachEnclosure,
     testing::ValuesIn(Enclosures), testing::Values(1e-3, 1.0, 1e3), testing::Values(0.0, 1e5, 5e6)),
   GetName);
 
-// --- Beams exactly through corners and edges --------------------------------------------------------
+// --- Beams exactly through corners and edges ----------------------------------------------------
 
 namespace
 {

@@ -84,7 +84,8 @@ void ExpectBadScene(vtkDataObject* scene, const std::string& word)
 {
   vtkNew<vtkLMS3DScanFilter> scan;
   scan->SetInputDataObject(scene);
-  for (int method : { vtkLMS3DScanFilter::EXACT, vtkLMS3DScanFilter::FAST })
+  for (int method = vtkLMS3DScanFilter::EXACT; method <= vtkLMS3DScanFilter::STATIC_CELL_LOCATOR;
+       ++method)
   {
     scan->SetIntersectionMethod(method);
     ExpectError(scan, word);

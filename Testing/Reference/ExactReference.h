@@ -38,7 +38,8 @@ public:
 
   struct Hit
   {
-    /// In units of the direction's length, to about 24 digits. At least the limit where nothing is hit.
+    /// In units of the direction's length, to about 24 digits. At least the limit where nothing is
+    /// hit.
     Quad WideRange;
     /// The same rounded to double.
     double Range;
