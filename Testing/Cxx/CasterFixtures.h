@@ -13,11 +13,19 @@
 #include "lms3dRayCaster.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <limits>
 #include <memory>
+
+/// Tests take one packet of so many: builds with a sanitizer, and Debug, define LMS3D_FEWER_BEAMS.
+#ifdef LMS3D_FEWER_BEAMS
+constexpr std::size_t Fewer = 50;
+#else
+constexpr std::size_t Fewer = 1;
+#endif
 
 using Beams = std::array<Vector, lms3dBeamPacket::Size>;
 
@@ -83,10 +91,10 @@ Tally JudgeBeam(const Target& target, const Vector& origin, const Vector& direct
 /// The sum of what `judge` tells of each number below count, on all cores.
 Tally JudgeEach(std::size_t count, const std::function<Tally(std::size_t)>& judge);
 
-/// Packets at triangles here and there in the mesh.
+/// So many packets, or fewer, at triangles here and there in the mesh.
 Tally JudgeTriangles(const Target& target, const Vector& sensor, std::size_t packets);
 
-/// Packets in all directions.
+/// So many packets, or fewer, in all directions.
 Tally JudgeAllAround(const Target& target, const Vector& sensor, std::size_t packets);
 
 #endif

@@ -3,8 +3,6 @@
 /**
  * @file
  * @brief The exact caster below VTK: no beam lost, none invented.
- *
- * Builds with a sanitizer, and Debug, define LMS3D_FEWER_BEAMS, which takes one beam of 50.
  */
 #include "CasterFixtures.h"
 #include "SceneFixtures.h"
@@ -13,19 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <tuple>
 
 namespace
 {
-#ifdef LMS3D_FEWER_BEAMS
-constexpr std::size_t Fewer = 50;
-#else
-constexpr std::size_t Fewer = 1;
-#endif
-
 // --- Closed meshes ------------------------------------------------------------------------------
 
 /// Closed meshes around the origin, and where sensors stand within all of them.

@@ -160,7 +160,8 @@ TEST(LMS3DScanPipeline, ScansThousandsOfBlocks)
     points->SetDataTypeToDouble();
     for (int i = 0; i < 22; ++i)
     {
-      const double angle = 2.0 * vtkMath::Pi() * (block + (i / 2) / 10.0) / NumberOfBlocks;
+      const int step = i / 2;
+      const double angle = 2.0 * vtkMath::Pi() * (block + 0.1 * step) / NumberOfBlocks;
       points->InsertNextPoint(10.0 * std::cos(angle), 10.0 * std::sin(angle), i % 2 ? 1.0 : -1.0);
     }
     vtkNew<vtkCellArray> triangles;
