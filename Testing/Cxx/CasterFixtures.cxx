@@ -118,7 +118,7 @@ void ExpectExact(const Tally& tally)
 {
   EXPECT_EQ(tally.Misses, 0) << tally;
   EXPECT_EQ(tally.FalseHits, 0) << tally;
-  EXPECT_LE(tally.WorstError, RangeError) << tally;
+  EXPECT_LE(tally.WorstError, ExactRangeError) << tally;
 }
 
 void ExpectExactAndWhole(const Tally& tally)

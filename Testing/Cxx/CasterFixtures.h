@@ -72,7 +72,7 @@ struct Tally
 std::ostream& operator<<(std::ostream& os, const Tally& tally);
 
 /// Units in the last place by which a range may differ from the true one.
-constexpr double RangeError = 3.0;
+constexpr double ExactRangeError = 3.0;
 
 /// Expects that no beam is lost or invented, and every range is right.
 void ExpectExact(const Tally& tally);

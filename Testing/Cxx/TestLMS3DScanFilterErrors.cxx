@@ -84,8 +84,7 @@ void ExpectBadScene(vtkDataObject* scene, const std::string& word)
 {
   vtkNew<vtkLMS3DScanFilter> scan;
   scan->SetInputDataObject(scene);
-  for (int method = vtkLMS3DScanFilter::EXACT; method <= vtkLMS3DScanFilter::STATIC_CELL_LOCATOR;
-       ++method)
+  for (int method = 0; method < vtkLMS3DScanFilter::GetNumberOfIntersectionMethods(); ++method)
   {
     scan->SetIntersectionMethod(method);
     ExpectError(scan, word);

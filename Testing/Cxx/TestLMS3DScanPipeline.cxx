@@ -216,4 +216,5 @@ TEST_P(EveryMethod, GivesTheSameBitsForAnyNumberOfThreads)
 }
 
 INSTANTIATE_TEST_SUITE_P(LMS3DScanPipeline, EveryMethod,
-  testing::Range(int(vtkLMS3DScanFilter::EXACT), vtkLMS3DScanFilter::STATIC_CELL_LOCATOR + 1));
+  testing::Range(0, vtkLMS3DScanFilter::GetNumberOfIntersectionMethods()),
+  [](const auto& method) { return vtkLMS3DScanFilter::GetIntersectionMethodName(method.param); });
