@@ -53,6 +53,20 @@ double GetLeastShare(int method)
   }
 }
 
+// How far, relative to the range, a far scene may seem to be off.
+double GetFarError(int method)
+{
+  switch (method)
+  {
+    case vtkLMS3DScanFilter::EXACT:
+      return 1e-15;
+    case vtkLMS3DScanFilter::ANGLE_SUM:
+      return 1e-9; // So near to a corner, planes beside their triangles count.
+    default:
+      return 1e-13;
+  }
+}
+
 void ExpectSameRanges(vtkLMS3DScanFilter* scan, vtkLMS3DScanFilter* expected)
 {
   const vtkIdType count = expected->GetOutput()->GetNumberOfPoints();
@@ -227,8 +241,7 @@ TEST_P(RobustOwnMethods, SeesTinyScenes)
 
 TEST_P(RobustMethods, MayStandAsFarAwayAsItLikes)
 {
-  // The others keep about 13 digits.
-  const double error = GetParam() == vtkLMS3DScanFilter::EXACT ? 1e-15 : 1e-13;
+  const double error = GetFarError(GetParam());
   for (double radius : { 1e-30, 1e-6, 1e-3, 1.0 })
   {
     for (double distance : { 1.0, 1e6, 1e13, 1e18 })
@@ -247,7 +260,8 @@ TEST_P(RobustMethods, MayStandAsFarAwayAsItLikes)
         EXPECT_EQ(UpdateAndGetError(scan), "");
         ASSERT_GE(scan->GetOutput()->GetNumberOfPoints(), 1) << radius << " at " << distance;
         EXPECT_EQ(GetArray(scan, "BeamId")->GetTuple1(0), 0.0);
-        EXPECT_GE(GetRange(scan, 0), (distance - radius) * (1.0 - error)) << radius;
+        EXPECT_GE(GetRange(scan, 0), (distance - radius) * (1.0 - error))
+          << radius << " at " << distance << ", off by " << GetRange(scan, 0) - distance;
         EXPECT_LE(GetRange(scan, 0), (distance - inradius * radius) * (1.0 + error)) << radius;
       }
     }
