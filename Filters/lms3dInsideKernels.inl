@@ -24,6 +24,9 @@ constexpr float FloatUnderflow = 1e-36f;
 // angles to what it is multiplied with, double keeps fewer than 13 digits of the range.
 constexpr double WellConditioned = 1e-3;
 
+// A share of the range, more than is wrong with 13 digits of it.
+constexpr double LimitMargin = 1e-12;
+
 template <typename Real>
 struct Edge
 {
@@ -149,8 +152,9 @@ std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std
     return 0;
   }
 
-  // The range that counts is measured later, with more digits.
-  const double farthest = maximumRange * (1.0 + 1e-12);
+  // The range that counts is measured later, with more digits; at the limit they are needed now.
+  const double surely = maximumRange * (1.0 - LimitMargin);
+  const double farthest = maximumRange * (1.0 + LimitMargin);
   Mask bad;
   Mask nearer;
   alignas(64) double ranges[Size];
@@ -161,8 +165,9 @@ std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std
     const double range = plane.Offset / slope;
     ranges[i] = range;
     const bool isTie = (range == packet.Range[i]) & (triangle < packet.Triangle[i]);
-    nearer.Set(i, (range > 0.0) & (range <= farthest) & ((range < packet.Range[i]) | isTie));
-    bad.Set(i, !(Magnitude(slope) > plane.SmallestSlope));
+    nearer.Set(i, (range > 0.0) & (range <= surely) & ((range < packet.Range[i]) | isTie));
+    const bool isAtLimit = (range > surely) & (range <= farthest);
+    bad.Set(i, isAtLimit | !(Magnitude(slope) > plane.SmallestSlope));
   }
   unsure |= beams & bad.GetBits();
   const std::uint32_t changed = beams & nearer.GetBits() & ~bad.GetBits();
