@@ -68,8 +68,8 @@ void Shorten(const lms3dBeamPacket& packet, std::uint32_t changed, double headSt
   for (int i = 0; i < run.Count; ++i)
   {
     const bool isChanged = (bits >> i) & 1u;
-    const double reach = (range[i] - headStart) / unit * lms3dReachMargin +
-      range[i] / unit * lms3dRangeRounding;
+    const double reach =
+      ((range[i] - headStart) * lms3dReachMargin + range[i] * lms3dRangeRounding) / unit;
     run.Reach[i] = isChanged ? static_cast<float>(Greatest(0.0, reach)) : run.Reach[i];
     run.Geometry[i] = isChanged ? geometry : run.Geometry[i];
   }
