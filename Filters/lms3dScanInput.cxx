@@ -69,6 +69,12 @@ std::vector<double> ToVector(vtkDoubleArray* array)
   const double* first = array->GetPointer(0);
   return { first, first + array->GetNumberOfValues() };
 }
+
+bool AreEqual(vtkDoubleArray* array, const std::vector<double>& values)
+{
+  const double* first = array->GetPointer(0);
+  return std::equal(first, first + array->GetNumberOfValues(), values.begin(), values.end());
+}
 } // namespace
 
 lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
@@ -95,6 +101,12 @@ lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
 lms3dScanGeometry lms3dScanInput::GetGeometry() const
 {
   return { ToVector(this->AlphaAngles), ToVector(this->BetaAngles) };
+}
+
+bool lms3dScanInput::HasAngles(const lms3dScanGeometry& geometry) const
+{
+  return AreEqual(this->AlphaAngles, geometry.GetAlphaAngles()) &&
+    AreEqual(this->BetaAngles, geometry.GetBetaAngles());
 }
 
 std::array<double, 3> lms3dScanInput::GetSensorPosition() const

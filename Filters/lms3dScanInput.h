@@ -34,6 +34,7 @@ public:
   const int* GetBeamIds() const { return this->BeamIds->GetPointer(0); }
 
   lms3dScanGeometry GetGeometry() const;
+  bool HasAngles(const lms3dScanGeometry& geometry) const;
   std::array<double, 3> GetSensorPosition() const;
 
 private:

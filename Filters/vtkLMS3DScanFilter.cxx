@@ -8,6 +8,7 @@
 #include "lms3dScanOutput.h"
 #include "lms3dScanner.h"
 #include "lms3dSceneTriangles.h"
+#include "lms3dThreads.h"
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
@@ -25,10 +26,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTimeStamp.h>
-
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -147,16 +144,6 @@ struct vtkLMS3DScanFilter::Internals
     return leftOut;
   }
 
-  /// Threads are slow to join a new arena, so it stays from scan to scan.
-  tbb::task_arena& GetArena(int threads)
-  {
-    if (!this->Arena || this->Arena->max_concurrency() != threads)
-    {
-      this->Arena = std::make_unique<tbb::task_arena>(threads);
-    }
-    return *this->Arena;
-  }
-
   /// Tables of sines and cosines are made for new angles only.
   const lms3dScanGeometry& GetGeometry(const vtkLMS3DScanFilter* filter)
   {
@@ -174,12 +161,12 @@ struct vtkLMS3DScanFilter::Internals
 
   std::unique_ptr<lms3dRayCaster> Caster;
   vtkTimeStamp BuildTime;
+  lms3dThreads Threads;
   lms3dScanOutput Output;
 
 private:
   using Angles = std::array<double, 6>;
 
-  std::unique_ptr<tbb::task_arena> Arena;
   std::unique_ptr<lms3dScanGeometry> Geometry;
   Angles GeometryAngles;
   vtkDataObject* Scene = nullptr;
@@ -315,19 +302,14 @@ int vtkLMS3DScanFilter::RequestData(
     return 0;
   }
 
-  const int cores = tbb::info::default_concurrency();
-  const int threads = this->NumberOfThreads > 0 ? this->NumberOfThreads : cores;
-  // TBB makes no more threads than there are cores unless it is allowed to.
-  const tbb::global_control allowance(
-    tbb::global_control::max_allowed_parallelism, std::max(threads, cores));
-  tbb::task_arena& arena = this->Internal->GetArena(threads);
   try
   {
     vtkDataObject* scene = vtkDataObject::GetData(inputVector[0]);
     if (!this->Internal->IsBuiltFor(scene, this->IntersectionMethod))
     {
       std::string leftOut;
-      arena.execute([&] { leftOut = this->Internal->Build(scene, this->IntersectionMethod); });
+      this->Internal->Threads.Run(this->NumberOfThreads,
+        [&] { leftOut = this->Internal->Build(scene, this->IntersectionMethod); });
       if (!leftOut.empty())
       {
         vtkWarningMacro(<< leftOut);
@@ -340,7 +322,7 @@ int vtkLMS3DScanFilter::RequestData(
     const lms3dRayCaster& caster = *this->Internal->Caster;
     lms3dScanOutput& output = this->Internal->Output;
     const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
-    arena.execute(
+    this->Internal->Threads.Run(this->NumberOfThreads,
       [&]
       {
         if (output.Cast(

@@ -36,6 +36,10 @@
 #include "vtkLMS3DFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // For std::unique_ptr
+
+class lms3dScanInput;
+
 class VTKLMS3DFILTERS_EXPORT vtkLMS3DSurfaceReconstructionFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -54,9 +58,17 @@ public:
   vtkGetMacro(DepthStep, double);
   ///@}
 
+  ///@{
+  /**
+   * The number of threads, 0 to 1024; the default, 0, takes all cores.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
 protected:
-  vtkLMS3DSurfaceReconstructionFilter() = default;
-  ~vtkLMS3DSurfaceReconstructionFilter() override = default;
+  vtkLMS3DSurfaceReconstructionFilter();
+  ~vtkLMS3DSurfaceReconstructionFilter() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -66,6 +78,13 @@ private:
   void operator=(const vtkLMS3DSurfaceReconstructionFilter&) = delete;
 
   double DepthStep = 0.1;
+  int NumberOfThreads = 0;
+
+  // Within the threads of the calling arena.
+  void MakeMap(const lms3dScanInput& scan, vtkPolyData* map);
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif
