@@ -37,12 +37,11 @@ public:
   }
 
   /// Whether the middle two of four ranges in a row are joined; a range of 0 is a miss.
-  // Without a branch, so that compilers vectorize the loops over it.
   bool IsJoined(double before, double a, double b, double after) const
   {
     const double tolerance = this->Absolute + this->Relative * std::min(a, b);
-    return (a > 0.0) & (b > 0.0) &
-      ((std::abs(a - b) <= tolerance) | this->IsPredicted(before, a, b, tolerance) |
+    return a > 0.0 && b > 0.0 &&
+      (std::abs(a - b) <= tolerance || this->IsPredicted(before, a, b, tolerance) ||
         this->IsPredicted(after, b, a, tolerance));
   }
 
@@ -54,7 +53,7 @@ private:
   bool IsPredicted(double before, double at, double next, double tolerance) const
   {
     const double slope = this->TwoCosines * before - at;
-    return (slope > 0.0) & (std::abs(before * at - next * slope) <= tolerance * slope);
+    return slope > 0.0 && std::abs(before * at - next * slope) <= tolerance * slope;
   }
 
   double Absolute;

@@ -26,14 +26,18 @@ void CopyReturns(
   const lms3dScanInput& scan, const lms3dRangeGrid& grid, double* points, double* ranges)
 {
   const std::vector<std::int32_t>& returns = grid.GetReturns();
+  const double* scanPoints = scan.GetPoints();
+  const double* scanRanges = scan.GetRanges();
   tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, static_cast<vtkIdType>(returns.size()), 4096),
     [&](const tbb::blocked_range<vtkIdType>& vertices)
     {
       for (vtkIdType i = vertices.begin(); i < vertices.end(); ++i)
       {
         const vtkIdType source = returns[i];
-        std::copy_n(scan.GetPoints() + 3 * source, 3, points + 3 * i);
-        ranges[i] = scan.GetRanges()[source];
+        points[3 * i] = scanPoints[3 * source];
+        points[3 * i + 1] = scanPoints[3 * source + 1];
+        points[3 * i + 2] = scanPoints[3 * source + 2];
+        ranges[i] = scanRanges[source];
       }
     });
 }

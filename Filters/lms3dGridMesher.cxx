@@ -7,12 +7,16 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
 
 namespace
 {
+// Each range of turns fetches the turn after it once more.
+constexpr int FewestTurns = 16;
+
 constexpr unsigned Even = 0b0101;
 constexpr unsigned Odd = 0b1010;
 
@@ -48,23 +52,65 @@ constexpr CellTable MakeCellTable()
 
 constexpr CellTable Table = MakeCellTable();
 
-int ChooseStrip(const lms3dRangeJoins& joins, int turn, const lms3dStripPoints& points, int cells,
-  std::uint8_t* out)
+double Square(double x)
 {
-  const std::uint8_t* here = joins.GetRow(turn);
-  const std::uint8_t* next = joins.GetRow(turn + 1);
-  points.FindShorterDiagonals(cells, out);
-  int triangles = 0;
-  for (int i = 0; i < cells; ++i)
-  {
-    const unsigned sides = (here[i] & lms3dRangeJoins::AlongTurn) >> 1 |
-      (next[i] & lms3dRangeJoins::AlongFan) << 1 | (here[i + 1] & lms3dRangeJoins::AlongTurn) << 1 |
-      (here[i] & lms3dRangeJoins::AlongFan) << 3;
-    out[i] = Table[sides | out[i] << 4];
-    triangles += Count(out[i]);
-  }
-  return triangles;
+  return x * x;
 }
+
+/// A piece of a strip of cells.
+class CellTile
+{
+public:
+  CellTile(const lms3dRangeGrid& grid, const double* points, int firstBeam)
+    : Points(grid, points, firstBeam)
+    , FirstCell(firstBeam)
+    , Cells(std::min(this->Points.GetNumberOfBeams(), grid.GetNumberOfBeams() - firstBeam) - 1)
+  {
+  }
+
+  void Fetch(int turn) { this->Points.Fetch(turn); }
+
+  /// Chooses the triangles of the cells between the two turns fetched last; returns their number.
+  int Choose(const lms3dRangeJoins& joins, int turn, std::uint8_t* chosen)
+  {
+    this->CompareDiagonals();
+    const std::uint8_t* here = joins.GetRow(turn) + this->FirstCell;
+    const std::uint8_t* next = joins.GetRow(turn + 1) + this->FirstCell;
+    chosen += this->FirstCell;
+    int triangles = 0;
+    for (int i = 0; i < this->Cells; ++i)
+    {
+      const unsigned sides = (here[i] & lms3dRangeJoins::AlongTurn) >> 1 |
+        (next[i] & lms3dRangeJoins::AlongFan) << 1 |
+        (here[i + 1] & lms3dRangeJoins::AlongTurn) << 1 |
+        (here[i] & lms3dRangeJoins::AlongFan) << 3;
+      chosen[i] = Table[sides | (this->Excess[i] >= 0.0 ? 16 : 0)];
+      triangles += Count(chosen[i]);
+    }
+    return triangles;
+  }
+
+private:
+  // By how much the square of the diagonal from corner 1 to 3 is the greater.
+  void CompareDiagonals()
+  {
+    const lms3dStripPoints::Rows& here = this->Points.Here;
+    const lms3dStripPoints::Rows& next = this->Points.Next;
+    for (int i = 0; i < this->Cells; ++i)
+    {
+      const double even = Square(here[0][i] - next[0][i + 1]) +
+        Square(here[1][i] - next[1][i + 1]) + Square(here[2][i] - next[2][i + 1]);
+      const double odd = Square(next[0][i] - here[0][i + 1]) + Square(next[1][i] - here[1][i + 1]) +
+        Square(next[2][i] - here[2][i + 1]);
+      this->Excess[i] = odd - even;
+    }
+  }
+
+  lms3dStripPoints Points;
+  const int FirstCell;
+  const int Cells;
+  lms3dStripPoints::Row Excess;
+};
 
 vtkIdType* FillStrip(const std::uint8_t* cells, const std::int32_t* here, const std::int32_t* next,
   int count, vtkIdType* out)
@@ -90,18 +136,21 @@ void lms3dGridMesher::ChooseTriangles(
   const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, const double* points)
 {
   const int turns = grid.GetNumberOfTurns();
-  const int cells = grid.GetNumberOfBeams() - 1;
   this->Cells.SetShape(turns, grid.GetNumberOfBeams());
   this->FirstTriangles.assign(turns + 1, 0);
-  tbb::parallel_for(tbb::blocked_range<int>(0, grid.GetNumberOfStrips()),
-    [&](const tbb::blocked_range<int>& strips)
+  tbb::parallel_for(tbb::blocked_range<int>(0, turns, FewestTurns),
+    [&](const tbb::blocked_range<int>& range)
     {
-      lms3dStripPoints stripPoints(grid, points, strips.begin());
-      for (int turn = strips.begin(); turn < strips.end(); ++turn)
+      for (int beam = 0; beam < grid.GetNumberOfBeams() - 1;
+           beam += lms3dStripPoints::MostBeams - 1)
       {
-        stripPoints.MoveTo(turn);
-        this->FirstTriangles[turn + 1] =
-          ChooseStrip(joins, turn, stripPoints, cells, this->Cells.GetRow(turn));
+        CellTile tile(grid, points, beam);
+        tile.Fetch(range.begin());
+        for (int turn = range.begin(); turn < range.end(); ++turn)
+        {
+          tile.Fetch(turn + 1);
+          this->FirstTriangles[turn + 1] += tile.Choose(joins, turn, this->Cells.GetRow(turn));
+        }
       }
     });
   this->Cells.FillGhosts(grid.IsClosed());
@@ -111,7 +160,7 @@ void lms3dGridMesher::ChooseTriangles(
 
 void lms3dGridMesher::FillTriangles(const lms3dRangeGrid& grid, vtkIdType* vertices) const
 {
-  tbb::parallel_for(0, grid.GetNumberOfStrips(),
+  tbb::parallel_for(0, grid.GetNumberOfTurns(),
     [&](int turn)
     {
       FillStrip(this->Cells.GetRow(turn), grid.GetVertices(turn), grid.GetVertices(turn + 1),

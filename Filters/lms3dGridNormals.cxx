@@ -9,7 +9,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <limits>
 #include <vector>
 
 namespace
@@ -17,158 +17,268 @@ namespace
 using Vector = std::array<double, 3>;
 using Row = std::vector<double>;
 
-/// What a strip adds to one coordinate of the normals at its cells' corners.
-struct CornerSums
+// Each range of turns looks at the strip before it once more, so it should not be short.
+constexpr int FewestTurns = 16;
+
+Vector Scale(const Vector& v, double by)
 {
-  explicit CornerSums(int beams)
-  {
-    for (Row& row : this->OfCorner)
-    {
-      row.resize(beams);
-    }
-  }
+  return { v[0] * by, v[1] * by, v[2] * by };
+}
 
-  // `u` and `v` are the other two coordinates of the strip's points, in the order of the axes.
-  // A triangle's normal, as long as twice its area, is the cross product of its grid sides.
-  void Fill(const lms3dStripPoints& points, int u, int v, const std::uint8_t* cells, int count)
-  {
-    const double* hereU = points.GetHere()[u].data();
-    const double* hereV = points.GetHere()[v].data();
-    const double* nextU = points.GetNext()[u].data();
-    const double* nextV = points.GetNext()[v].data();
-    double* corner0 = this->OfCorner[0].data();
-    double* corner1 = this->OfCorner[1].data();
-    double* corner2 = this->OfCorner[2].data();
-    double* corner3 = this->OfCorner[3].data();
-    for (int i = 0; i < count; ++i)
-    {
-      const double u0 = nextU[i] - hereU[i];
-      const double v0 = nextV[i] - hereV[i];
-      const double u1 = nextU[i + 1] - nextU[i];
-      const double v1 = nextV[i + 1] - nextV[i];
-      const double u2 = hereU[i + 1] - nextU[i + 1];
-      const double v2 = hereV[i + 1] - nextV[i + 1];
-      const double u3 = hereU[i] - hereU[i + 1];
-      const double v3 = hereV[i] - hereV[i + 1];
-      const double n0 = (cells[i] & 1) * (u3 * v0 - v3 * u0);
-      const double n1 = (cells[i] >> 1 & 1) * (u0 * v1 - v0 * u1);
-      const double n2 = (cells[i] >> 2 & 1) * (u1 * v2 - v1 * u2);
-      const double n3 = (cells[i] >> 3 & 1) * (u2 * v3 - v2 * u3);
-      const double even = n0 + n2;
-      const double odd = n1 + n3;
-      corner0[i] = odd + n0;
-      corner1[i] = even + n1;
-      corner2[i] = odd + n2;
-      corner3[i] = even + n3;
-    }
-  }
+Vector Add(const Vector& a, const Vector& b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
+}
 
-  static void Add(const Row& left, const Row& right, int count, Row& sums)
-  {
-    sums[0] += left[0];
-    for (int i = 1; i < count; ++i)
-    {
-      sums[i] += left[i] + right[i - 1];
-    }
-    sums[count] += right[count - 1];
-  }
+double GetInverseLength(const Vector& v)
+{
+  return 1.0 / std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
 
-  std::array<Row, 4> OfCorner;
-};
-} // namespace
+// Not so where triangles are missing, or too small or too large for the square of an area.
+bool IsProperScale(double scale)
+{
+  return scale > 0.0 && scale < std::numeric_limits<double>::infinity();
+}
 
-/// Sums of normals of a turn.
-class TurnSums
+/// The sums of normals of a piece of a turn, turn after turn. As in lms3dStripPoints, the sizes are
+/// fixed.
+class NormalTile
 {
 public:
-  explicit TurnSums(int beams)
+  /// For the beams `firstBeam` to GetEndBeam(), which have a cell before them and one after.
+  NormalTile(
+    const lms3dRangeGrid& grid, const lms3dGridMesher& mesher, const double* points, int firstBeam)
+    : Mesher(mesher)
+    , FirstCell(firstBeam - 1)
+    , Points(grid, points, firstBeam - 1)
+    , Cells(this->Points.GetNumberOfBeams() - 1)
   {
-    for (Row& row : this->Sums)
+  }
+
+  int GetFirstBeam() const { return this->FirstCell + 1; }
+  int GetEndBeam() const { return this->FirstCell + this->Cells; }
+
+  /// Before the first turn; then MoveTo goes from turn to turn.
+  void Start(int turn)
+  {
+    this->Fetch(turn - 1);
+    this->MoveTo(turn - 1);
+  }
+
+  void MoveTo(int turn)
+  {
+    this->Fetch(turn + 1);
+    this->SetWeights(turn);
+    this->AddTriangles<0>();
+    this->AddTriangles<1>();
+    this->AddTriangles<2>();
+    this->FindScales();
+  }
+
+  Vector GetSum(int beam) const
+  {
+    const int i = beam - this->FirstCell;
+    return { this->Sums[0][i], this->Sums[1][i], this->Sums[2][i] };
+  }
+
+  /// 1 / length of the sum.
+  double GetScale(int beam) const { return this->Scales[beam - this->FirstCell]; }
+
+private:
+  using Row = lms3dStripPoints::Row;
+  using Rows = lms3dStripPoints::Rows;
+
+  void Fetch(int turn)
+  {
+    this->Points.Fetch(turn);
+    this->HereSides = this->NextSides;
+    for (int axis = 0; axis < 3; ++axis)
     {
-      row.resize(beams);
+      for (int i = 0; i <= this->Cells; ++i)
+      {
+        this->AcrossSides[axis][i] = this->Points.Next[axis][i] - this->Points.Here[axis][i];
+      }
+      for (int i = 0; i < this->Cells; ++i)
+      {
+        this->NextSides[axis][i] = this->Points.Next[axis][i + 1] - this->Points.Next[axis][i];
+      }
     }
   }
-  std::array<Row, 3> Sums;
+
+  void SetWeights(int turn)
+  {
+    const std::uint8_t* cells = this->Mesher.GetCells(turn) + this->FirstCell;
+    for (int i = 0; i < this->Cells; ++i)
+    {
+      this->Weights[0][i] = cells[i] & 1;
+      this->Weights[1][i] = cells[i] >> 1 & 1;
+      this->Weights[2][i] = cells[i] >> 2 & 1;
+      this->Weights[3][i] = cells[i] >> 3 & 1;
+    }
+  }
+
+  // A triangle's normal, as long as twice its area, is the cross product of its sides along the
+  // grid. Triangles of opposite corners meet at the other two.
+  template <int Axis>
+  void AddTriangles()
+  {
+    constexpr int u = (Axis + 1) % 3;
+    constexpr int v = (Axis + 2) % 3;
+    const Row& acrossU = this->AcrossSides[u];
+    const Row& acrossV = this->AcrossSides[v];
+    for (int i = 0; i < this->Cells; ++i)
+    {
+      const double hereU = this->HereSides[u][i];
+      const double hereV = this->HereSides[v][i];
+      const double nextU = this->NextSides[u][i];
+      const double nextV = this->NextSides[v][i];
+      const double n0 = this->Weights[0][i] * (acrossU[i] * hereV - acrossV[i] * hereU);
+      const double n1 = this->Weights[1][i] * (acrossU[i] * nextV - acrossV[i] * nextU);
+      const double n2 = this->Weights[2][i] * (acrossU[i + 1] * nextV - acrossV[i + 1] * nextU);
+      const double n3 = this->Weights[3][i] * (acrossU[i + 1] * hereV - acrossV[i + 1] * hereU);
+      const double even = n0 + n2;
+      const double odd = n1 + n3;
+      this->AtBegin[Axis][i] = this->NextAtBegin[Axis][i] + (odd + n0);
+      this->AtEnd[Axis][i] = this->NextAtEnd[Axis][i] + (even + n3);
+      this->NextAtBegin[Axis][i] = even + n1;
+      this->NextAtEnd[Axis][i] = odd + n2;
+    }
+    for (int i = 1; i < this->Cells; ++i)
+    {
+      this->Sums[Axis][i] = this->AtBegin[Axis][i] + this->AtEnd[Axis][i - 1];
+    }
+  }
+
+  void FindScales()
+  {
+    for (int i = 1; i < this->Cells; ++i)
+    {
+      const double x = this->Sums[0][i];
+      const double y = this->Sums[1][i];
+      const double z = this->Sums[2][i];
+      this->Scales[i] = 1.0 / std::sqrt(x * x + y * y + z * z);
+    }
+  }
+
+  const lms3dGridMesher& Mesher;
+  const int FirstCell;
+  lms3dStripPoints Points;
+  const int Cells;
+
+  /// The sides of cells: from turn to turn, and from beam to beam of both turns.
+  Rows AcrossSides = {};
+  Rows HereSides = {};
+  Rows NextSides = {};
+  /// For each corner 1 or 0: whether a cell has its triangle.
+  std::array<Row, 4> Weights = {};
+  /// What cells add at the beam where they begin, and at the one where they end.
+  Rows AtBegin = {};
+  Rows AtEnd = {};
+  Rows NextAtBegin = {};
+  Rows NextAtEnd = {};
+  Rows Sums = {};
+  Row Scales = {};
 };
+
+class NormalWriter
+{
+public:
+  NormalWriter(const lms3dRangeGrid& grid, const double* points,
+    const std::array<double, 3>& sensor, float* normals)
+    : Grid(grid)
+    , Points(points)
+    , Sensor(sensor)
+    , Normals(normals)
+    , PoleSums(grid.GetPoles().size() * grid.GetNumberOfTurns())
+  {
+  }
+
+  /// A pole is a vertex of the first turn, to which all turns add.
+  void WriteTurn(int turn, const NormalTile& tile)
+  {
+    const std::int32_t* vertices = this->Grid.GetVertices(turn);
+    const std::int32_t first = this->Grid.GetFirstVertex(turn);
+    for (int beam = tile.GetFirstBeam(); beam < tile.GetEndBeam(); ++beam)
+    {
+      if (vertices[beam] >= first)
+      {
+        this->Write(vertices[beam], tile.GetSum(beam), tile.GetScale(beam));
+      }
+    }
+    const std::vector<int>& poles = this->Grid.GetPoles();
+    for (std::size_t i = 0; i < poles.size(); ++i)
+    {
+      if (poles[i] >= tile.GetFirstBeam() && poles[i] < tile.GetEndBeam())
+      {
+        this->PoleSums[turn * poles.size() + i] = tile.GetSum(poles[i]);
+      }
+    }
+  }
+
+  /// After all turns.
+  void WritePoles()
+  {
+    const std::vector<int>& poles = this->Grid.GetPoles();
+    for (std::size_t i = 0; i < poles.size(); ++i)
+    {
+      Vector sum = {};
+      for (std::size_t part = i; part < this->PoleSums.size(); part += poles.size())
+      {
+        sum = Add(sum, this->PoleSums[part]);
+      }
+      if (this->Grid.HasReturn(0, poles[i]))
+      {
+        this->Write(this->Grid.GetVertex(0, poles[i]), sum, GetInverseLength(sum));
+      }
+    }
+  }
+
+private:
+  void Write(std::int32_t vertex, const Vector& sum, double scale)
+  {
+    const std::ptrdiff_t place = 3 * static_cast<std::ptrdiff_t>(vertex);
+    const Vector normal =
+      IsProperScale(scale) ? Scale(sum, scale) : this->GetDirectionToSensor(this->Points + place);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Normals[place + axis] = static_cast<float>(normal[axis]);
+    }
+  }
+
+  Vector GetDirectionToSensor(const double* point) const
+  {
+    const Vector way = { this->Sensor[0] - point[0], this->Sensor[1] - point[1],
+      this->Sensor[2] - point[2] };
+    return Scale(way, 1.0 / std::hypot(way[0], way[1], way[2]));
+  }
+
+  const lms3dRangeGrid& Grid;
+  const double* const Points;
+  const Vector Sensor;
+  float* const Normals;
+  std::vector<Vector> PoleSums;
+};
+} // namespace
 
 void lms3dFillNormals(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
   const double* points, const std::array<double, 3>& sensor, float* normals)
 {
-  const int beams = grid.GetNumberOfBeams();
-  std::vector<std::uint8_t> isPole(beams, 0);
-  for (int pole : grid.GetPoles())
-  {
-    isPole[pole] = 1;
-  }
-  std::vector<Vector> poleSums(grid.GetPoles().size() * grid.GetNumberOfTurns());
-  const auto write = [&](std::int32_t vertex, const Vector& sum)
-  {
-    Vector n = sum;
-    double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    if (!(square > 0.0))
-    {
-      const double* p = points + 3 * static_cast<std::ptrdiff_t>(vertex);
-      n = { sensor[0] - p[0], sensor[1] - p[1], sensor[2] - p[2] };
-      square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    }
-    const double scale = 1.0 / std::sqrt(square);
-    float* out = normals + 3 * static_cast<std::ptrdiff_t>(vertex);
-    out[0] = static_cast<float>(n[0] * scale);
-    out[1] = static_cast<float>(n[1] * scale);
-    out[2] = static_cast<float>(n[2] * scale);
-  };
-  tbb::parallel_for(tbb::blocked_range<int>(0, grid.GetNumberOfTurns(), 8),
+  NormalWriter writer(grid, points, sensor, normals);
+  tbb::parallel_for(tbb::blocked_range<int>(0, grid.GetNumberOfTurns(), FewestTurns),
     [&](const tbb::blocked_range<int>& turns)
     {
-      lms3dStripPoints strip(grid, points, turns.begin() - 1);
-      CornerSums corners(beams);
-      TurnSums here(beams), next(beams);
-      for (int turn = turns.begin() - 1; turn < turns.end(); ++turn)
+      for (int beam = 0; beam < grid.GetNumberOfBeams();)
       {
-        strip.MoveTo(turn);
-        for (int axis = 0; axis < 3 && beams > 1; ++axis)
+        NormalTile tile(grid, mesher, points, beam);
+        tile.Start(turns.begin());
+        for (int turn = turns.begin(); turn < turns.end(); ++turn)
         {
-          corners.Fill(strip, (axis + 1) % 3, (axis + 2) % 3, mesher.GetCells(turn), beams - 1);
-          CornerSums::Add(corners.OfCorner[0], corners.OfCorner[3], beams - 1, here.Sums[axis]);
-          next.Sums[axis].assign(beams, 0.0);
-          CornerSums::Add(corners.OfCorner[1], corners.OfCorner[2], beams - 1, next.Sums[axis]);
+          tile.MoveTo(turn);
+          writer.WriteTurn(turn, tile);
         }
-        if (turn >= turns.begin())
-        {
-          const std::int32_t* vertices = grid.GetVertices(turn);
-          for (int i = 0; i < beams; ++i)
-          {
-            if (vertices[i] != lms3dRangeGrid::NoVertex && !isPole[i])
-            {
-              write(vertices[i], { here.Sums[0][i], here.Sums[1][i], here.Sums[2][i] });
-            }
-          }
-          for (std::size_t i = 0; i < grid.GetPoles().size(); ++i)
-          {
-            const int p = grid.GetPoles()[i];
-            poleSums[i * grid.GetNumberOfTurns() + turn] = { here.Sums[0][p], here.Sums[1][p],
-              here.Sums[2][p] };
-          }
-        }
-        std::swap(here, next);
+        beam = tile.GetEndBeam();
       }
     });
-  for (std::size_t i = 0; i < grid.GetPoles().size(); ++i)
-  {
-    const std::int32_t vertex = grid.GetVertex(0, grid.GetPoles()[i]);
-    if (vertex == lms3dRangeGrid::NoVertex)
-    {
-      continue;
-    }
-    Vector sum{};
-    for (int turn = 0; turn < grid.GetNumberOfTurns(); ++turn)
-    {
-      const Vector& part = poleSums[i * grid.GetNumberOfTurns() + turn];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        sum[axis] += part[axis];
-      }
-    }
-    write(vertex, sum);
-  }
+  writer.WritePoles();
 }

@@ -33,12 +33,11 @@ void lms3dRangeGrid::Place(
     }
   }
 
-  const std::vector<std::int32_t> first = this->CountVertices();
-  this->Returns.resize(first.back());
+  this->CountVertices();
+  this->Returns.resize(this->FirstVertices.back());
   this->Ranges.SetShape(this->GetNumberOfTurns(), this->GetNumberOfBeams());
   this->Vertices.SetShape(this->GetNumberOfTurns(), this->GetNumberOfBeams());
-  tbb::parallel_for(
-    0, this->GetNumberOfTurns(), [&](int turn) { this->FillTurn(turn, first[turn], ranges); });
+  tbb::parallel_for(0, this->GetNumberOfTurns(), [&](int turn) { this->FillTurn(turn, ranges); });
   for (int beam : this->Poles)
   {
     this->SpreadPole(beam);
@@ -108,10 +107,10 @@ void lms3dRangeGrid::JoinPole(int beam, const double* ranges)
   }
 }
 
-/// For each turn its first vertex, and their number at the end.
-std::vector<std::int32_t> lms3dRangeGrid::CountVertices() const
+void lms3dRangeGrid::CountVertices()
 {
-  std::vector<std::int32_t> first(this->GetNumberOfTurns() + 1, 0);
+  std::vector<std::int32_t>& first = this->FirstVertices;
+  first.assign(this->GetNumberOfTurns() + 1, 0);
   tbb::parallel_for(0, this->GetNumberOfTurns(),
     [&](int turn)
     {
@@ -124,15 +123,14 @@ std::vector<std::int32_t> lms3dRangeGrid::CountVertices() const
       first[turn + 1] = found;
     });
   std::partial_sum(first.begin(), first.end(), first.begin());
-  return first;
 }
 
-void lms3dRangeGrid::FillTurn(int turn, std::int32_t firstVertex, const double* ranges)
+void lms3dRangeGrid::FillTurn(int turn, const double* ranges)
 {
   const std::int32_t* returns = this->GetReturnsOfTurn(turn);
   double* range = this->Ranges.GetRow(turn);
   std::int32_t* vertex = this->Vertices.GetRow(turn);
-  std::int32_t next = firstVertex;
+  std::int32_t next = this->FirstVertices[turn];
   for (int beam = 0; beam < this->GetNumberOfBeams(); ++beam)
   {
     const std::int32_t found = returns[beam];

@@ -40,9 +40,6 @@ public:
   int GetNumberOfTurns() const { return this->Geometry->GetNumberOfTurns(); }
   bool IsClosed() const { return this->Closed; }
 
-  /// Of cells between a turn and the next.
-  int GetNumberOfStrips() const { return this->GetNumberOfTurns() - (this->Closed ? 0 : 1); }
-
   /// The beams that are the same in every turn.
   const std::vector<int>& GetPoles() const { return this->Poles; }
 
@@ -50,6 +47,9 @@ public:
   const double* GetRanges(int turn) const { return this->Ranges.GetRow(turn); }
   /// For each beam of a turn a vertex or NoVertex.
   const std::int32_t* GetVertices(int turn) const { return this->Vertices.GetRow(turn); }
+
+  /// The first vertex of a turn, or of a turn after it. Poles are vertices of turn 0.
+  std::int32_t GetFirstVertex(int turn) const { return this->FirstVertices[turn]; }
 
   double GetRange(int turn, int beam) const { return this->GetRanges(turn)[beam]; }
   std::int32_t GetVertex(int turn, int beam) const { return this->GetVertices(turn)[beam]; }
@@ -62,8 +62,8 @@ private:
   void Sort(const double* ranges, const int* beamIds, std::int64_t count);
   [[noreturn]] void Refuse(std::int64_t index, double range, int beamId) const;
   void JoinPole(int beam, const double* ranges);
-  std::vector<std::int32_t> CountVertices() const;
-  void FillTurn(int turn, std::int32_t firstVertex, const double* ranges);
+  void CountVertices();
+  void FillTurn(int turn, const double* ranges);
   void SpreadPole(int beam);
 
   const std::int32_t* GetReturnsOfTurn(int turn) const;
@@ -75,6 +75,8 @@ private:
   std::vector<std::int32_t> ReturnOfBeam;
   lms3dGhostGrid<double> Ranges{ 0.0 };
   lms3dGhostGrid<std::int32_t> Vertices{ NoVertex };
+  /// Of each turn, and their number at the end.
+  std::vector<std::int32_t> FirstVertices;
   std::vector<std::int32_t> Returns;
 };
 

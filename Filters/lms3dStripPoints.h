@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The coordinates of two neighbouring turns, laid out for vectorized loops.
+ * @brief The coordinates of a piece of two neighbouring turns, laid out for vectorized loops.
  */
 #ifndef lms3dStripPoints_h
 #define lms3dStripPoints_h
@@ -10,36 +10,37 @@
 #include "lms3dRangeGrid.h"
 
 #include <array>
-#include <cstdint>
-#include <vector>
 
-/// Moves over the strips between a turn and the next, one after the other, so that each turn is
-/// fetched once.
+/**
+ * Some neighbouring beams of a turn and of the next. Moves from turn to turn, so that each is
+ * fetched once. Its size is fixed, so that compilers see that its rows do not overlap, and small
+ * enough for the nearest cache.
+ */
 class lms3dStripPoints
 {
 public:
-  /// For each beam of a turn a coordinate; that of some other return where there is none.
-  using Turn = std::array<std::vector<double>, 3>;
+  static constexpr int MostBeams = 64;
+  using Row = std::array<double, MostBeams>;
+  using Rows = std::array<Row, 3>;
 
-  /// Starts before the strip of `firstTurn`. Keeps references.
-  lms3dStripPoints(const lms3dRangeGrid& grid, const double* points, int firstTurn);
+  /// Keeps references. `points` are three coordinates for each vertex of the grid.
+  lms3dStripPoints(const lms3dRangeGrid& grid, const double* points, int firstBeam);
 
-  /// To the first strip, then always to the next.
-  void MoveTo(int turn);
+  /// As many as there are, up to the ghost after the last, and fit.
+  int GetNumberOfBeams() const { return this->Beams; }
 
-  const Turn& GetHere() const { return this->Here; }
-  const Turn& GetNext() const { return this->Next; }
+  /// Makes the next turn the first of the two, and fetches `turn` for the next.
+  void Fetch(int turn);
 
-  /// Tells for each cell whether the diagonal from corner 0 to corner 2 is not the longer one.
-  void FindShorterDiagonals(int cells, std::uint8_t* areShorter) const;
+  /// Coordinates; those of some other return where there is none.
+  Rows Here = {};
+  Rows Next = {};
 
 private:
-  void Fetch(int turn, Turn& out) const;
-
   const lms3dRangeGrid& Grid;
   const double* const Points;
-  Turn Here;
-  Turn Next;
+  const int FirstBeam;
+  const int Beams;
 };
 
 #endif
