@@ -19,6 +19,8 @@ template <typename T>
 class lms3dGhostGrid
 {
 public:
+  lms3dGhostGrid() = default;
+
   /// `outside` is the value of ghosts that repeat no place.
   explicit lms3dGhostGrid(T outside)
     : Outside(outside)
@@ -64,7 +66,7 @@ private:
     }
   }
 
-  const T Outside;
+  const T Outside = T();
   int Turns = 0;
   int Beams = 0;
   std::vector<T> Values;

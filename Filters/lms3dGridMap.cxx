@@ -22,25 +22,46 @@
 
 namespace
 {
-void CopyReturns(
-  const lms3dScanInput& scan, const lms3dRangeGrid& grid, double* points, double* ranges)
+/// Where the vertices go.
+struct Vertices
 {
-  const std::vector<std::int32_t>& returns = grid.GetReturns();
-  const double* scanPoints = scan.GetPoints();
-  const double* scanRanges = scan.GetRanges();
-  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, static_cast<vtkIdType>(returns.size()), 4096),
-    [&](const tbb::blocked_range<vtkIdType>& vertices)
+  // A pole is a vertex of the first turn, though a place of every.
+  void FillTurn(const lms3dRangeGrid& grid, int turn, lms3dGridPoints& places) const
+  {
+    const std::int32_t* vertices = grid.GetVertices(turn);
+    const std::int32_t* returns = grid.GetReturns().data();
+    double* x = places.GetRow(0, turn);
+    double* y = places.GetRow(1, turn);
+    double* z = places.GetRow(2, turn);
+    for (int beam = 0; beam < grid.GetNumberOfBeams(); ++beam)
     {
-      for (vtkIdType i = vertices.begin(); i < vertices.end(); ++i)
+      const vtkIdType vertex = vertices[beam];
+      if (vertex == lms3dRangeGrid::NoVertex)
       {
-        const vtkIdType source = returns[i];
-        points[3 * i] = scanPoints[3 * source];
-        points[3 * i + 1] = scanPoints[3 * source + 1];
-        points[3 * i + 2] = scanPoints[3 * source + 2];
-        ranges[i] = scanRanges[source];
+        x[beam] = y[beam] = z[beam] = 0.0;
+        continue;
       }
-    });
-}
+      const vtkIdType source = returns[vertex];
+      const double* point = this->ScanPoints + 3 * source;
+      x[beam] = point[0];
+      y[beam] = point[1];
+      z[beam] = point[2];
+      if (vertex >= grid.GetFirstVertex(turn))
+      {
+        double* out = this->Points + 3 * vertex;
+        out[0] = point[0];
+        out[1] = point[1];
+        out[2] = point[2];
+        this->Ranges[vertex] = this->ScanRanges[source];
+      }
+    }
+  }
+
+  const double* ScanPoints;
+  const double* ScanRanges;
+  double* Points;
+  double* Ranges;
+};
 
 void FillOffsets(vtkIdType triangles, vtkIdType* offsets)
 {
@@ -61,9 +82,13 @@ void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
   const vtkIdType vertices = static_cast<vtkIdType>(grid.GetReturns().size());
   const auto coordinates = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Points", vertices, 3);
   const auto ranges = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Range", vertices);
-  const double* points = coordinates->GetPointer(0);
-  CopyReturns(scan, grid, coordinates->GetPointer(0), ranges->GetPointer(0));
-  this->Mesher.ChooseTriangles(grid, joins, points);
+  const Vertices out = { scan.GetPoints(), scan.GetRanges(), coordinates->GetPointer(0),
+    ranges->GetPointer(0) };
+  this->Points.SetShape(grid);
+  tbb::parallel_for(
+    0, grid.GetNumberOfTurns(), [&](int turn) { out.FillTurn(grid, turn, this->Points); });
+  this->Points.FillGhosts(grid);
+  this->Mesher.ChooseTriangles(grid, joins, this->Points);
   if (!progress(0.4))
   {
     return;
@@ -79,7 +104,8 @@ void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
     return;
   }
   const auto normals = lms3dMakeArray<vtkFloatArray>(this->Pool, "Normals", vertices, 3);
-  lms3dFillNormals(grid, this->Mesher, points, scan.GetSensorPosition(), normals->GetPointer(0));
+  lms3dFillNormals(
+    grid, this->Mesher, this->Points, scan.GetSensorPosition(), normals->GetPointer(0));
 
   vtkNew<vtkPoints> mapPoints;
   mapPoints->SetData(coordinates);

@@ -26,6 +26,7 @@ public:
 
 private:
   lms3dMemoryPool Pool;
+  lms3dGridPoints Points;
   lms3dGridMesher Mesher;
 };
 

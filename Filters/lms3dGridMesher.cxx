@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dGridMesher.h"
 
-#include "lms3dStripPoints.h"
-
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -14,9 +11,6 @@
 
 namespace
 {
-// Each range of turns fetches the turn after it once more.
-constexpr int FewestTurns = 16;
-
 constexpr unsigned Even = 0b0101;
 constexpr unsigned Odd = 0b1010;
 
@@ -57,101 +51,101 @@ double Square(double x)
   return x * x;
 }
 
-/// A piece of a strip of cells.
-class CellTile
+// By how much, for each cell, the square of the diagonal from corner 1 to 3 is the greater.
+void CompareDiagonals(const lms3dGridPoints& points, int turn, int cells, double* excess)
 {
-public:
-  CellTile(const lms3dRangeGrid& grid, const double* points, int firstBeam)
-    : Points(grid, points, firstBeam)
-    , FirstCell(firstBeam)
-    , Cells(std::min(this->Points.GetNumberOfBeams(), grid.GetNumberOfBeams() - firstBeam) - 1)
+  const double* hereX = points.GetRow(0, turn);
+  const double* hereY = points.GetRow(1, turn);
+  const double* hereZ = points.GetRow(2, turn);
+  const double* nextX = points.GetRow(0, turn + 1);
+  const double* nextY = points.GetRow(1, turn + 1);
+  const double* nextZ = points.GetRow(2, turn + 1);
+  for (int i = 0; i < cells; ++i)
   {
+    const double even = Square(hereX[i] - nextX[i + 1]) + Square(hereY[i] - nextY[i + 1]) +
+      Square(hereZ[i] - nextZ[i + 1]);
+    const double odd = Square(nextX[i] - hereX[i + 1]) + Square(nextY[i] - hereY[i + 1]) +
+      Square(nextZ[i] - hereZ[i + 1]);
+    excess[i] = odd - even;
   }
+}
 
-  void Fetch(int turn) { this->Points.Fetch(turn); }
-
-  /// Chooses the triangles of the cells between the two turns fetched last; returns their number.
-  int Choose(const lms3dRangeJoins& joins, int turn, std::uint8_t* chosen)
+// Bit i tells whether corner i of a cell is joined with the next.
+void FindSides(const lms3dRangeJoins& joins, int turn, int cells, std::uint8_t* sides)
+{
+  const std::uint8_t* here = joins.GetRow(turn);
+  const std::uint8_t* next = joins.GetRow(turn + 1);
+  for (int i = 0; i < cells; ++i)
   {
-    this->CompareDiagonals();
-    const std::uint8_t* here = joins.GetRow(turn) + this->FirstCell;
-    const std::uint8_t* next = joins.GetRow(turn + 1) + this->FirstCell;
-    chosen += this->FirstCell;
-    int triangles = 0;
-    for (int i = 0; i < this->Cells; ++i)
-    {
-      const unsigned sides = (here[i] & lms3dRangeJoins::AlongTurn) >> 1 |
-        (next[i] & lms3dRangeJoins::AlongFan) << 1 |
-        (here[i + 1] & lms3dRangeJoins::AlongTurn) << 1 |
-        (here[i] & lms3dRangeJoins::AlongFan) << 3;
-      chosen[i] = Table[sides | (this->Excess[i] >= 0.0 ? 16 : 0)];
-      triangles += Count(chosen[i]);
-    }
-    return triangles;
+    sides[i] = (here[i] & lms3dRangeJoins::AlongTurn) >> 1 |
+      (next[i] & lms3dRangeJoins::AlongFan) << 1 | (here[i + 1] & lms3dRangeJoins::AlongTurn) << 1 |
+      (here[i] & lms3dRangeJoins::AlongFan) << 3;
   }
+}
 
-private:
-  // By how much the square of the diagonal from corner 1 to 3 is the greater.
-  void CompareDiagonals()
+int CountTriangles(const std::uint8_t* chosen, int cells)
+{
+  int triangles = 0;
+  for (int i = 0; i < cells; ++i)
   {
-    const lms3dStripPoints::Rows& here = this->Points.Here;
-    const lms3dStripPoints::Rows& next = this->Points.Next;
-    for (int i = 0; i < this->Cells; ++i)
-    {
-      const double even = Square(here[0][i] - next[0][i + 1]) +
-        Square(here[1][i] - next[1][i + 1]) + Square(here[2][i] - next[2][i + 1]);
-      const double odd = Square(next[0][i] - here[0][i + 1]) + Square(next[1][i] - here[1][i + 1]) +
-        Square(next[2][i] - here[2][i + 1]);
-      this->Excess[i] = odd - even;
-    }
+    triangles += Count(chosen[i]);
   }
+  return triangles;
+}
 
-  lms3dStripPoints Points;
-  const int FirstCell;
-  const int Cells;
-  lms3dStripPoints::Row Excess;
-};
+vtkIdType* Put(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType* out)
+{
+  out[0] = a;
+  out[1] = b;
+  out[2] = c;
+  return out + 3;
+}
 
-vtkIdType* FillStrip(const std::uint8_t* cells, const std::int32_t* here, const std::int32_t* next,
+void FillStrip(const std::uint8_t* cells, const std::int32_t* here, const std::int32_t* next,
   int count, vtkIdType* out)
 {
   for (int i = 0; i < count; ++i)
   {
-    const std::array<std::int32_t, 6> corners = { here[i + 1], here[i], next[i], next[i + 1],
-      here[i + 1], here[i] };
-    const int first = (cells[i] & Odd) != 0 ? 1 : 0;
-    for (int corner = first; corner < 4; corner += 2)
+    const vtkIdType corners[] = { here[i], next[i], next[i + 1], here[i + 1] };
+    if (cells[i] & 1)
     {
-      if (cells[i] >> corner & 1)
-      {
-        out = std::copy_n(corners.data() + corner, 3, out);
-      }
+      out = Put(corners[3], corners[0], corners[1], out);
+    }
+    if (cells[i] & 2)
+    {
+      out = Put(corners[0], corners[1], corners[2], out);
+    }
+    if (cells[i] & 4)
+    {
+      out = Put(corners[1], corners[2], corners[3], out);
+    }
+    if (cells[i] & 8)
+    {
+      out = Put(corners[2], corners[3], corners[0], out);
     }
   }
-  return out;
 }
 } // namespace
 
 void lms3dGridMesher::ChooseTriangles(
-  const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, const double* points)
+  const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, const lms3dGridPoints& points)
 {
   const int turns = grid.GetNumberOfTurns();
+  const int cells = grid.GetNumberOfBeams() - 1;
   this->Cells.SetShape(turns, grid.GetNumberOfBeams());
   this->FirstTriangles.assign(turns + 1, 0);
-  tbb::parallel_for(tbb::blocked_range<int>(0, turns, FewestTurns),
-    [&](const tbb::blocked_range<int>& range)
+  tbb::parallel_for(0, turns,
+    [&](int turn)
     {
-      for (int beam = 0; beam < grid.GetNumberOfBeams() - 1;
-           beam += lms3dStripPoints::MostBeams - 1)
+      std::vector<double> excess(cells);
+      CompareDiagonals(points, turn, cells, excess.data());
+      std::uint8_t* chosen = this->Cells.GetRow(turn);
+      FindSides(joins, turn, cells, chosen);
+      for (int i = 0; i < cells; ++i)
       {
-        CellTile tile(grid, points, beam);
-        tile.Fetch(range.begin());
-        for (int turn = range.begin(); turn < range.end(); ++turn)
-        {
-          tile.Fetch(turn + 1);
-          this->FirstTriangles[turn + 1] += tile.Choose(joins, turn, this->Cells.GetRow(turn));
-        }
+        chosen[i] = Table[chosen[i] | (excess[i] >= 0.0 ? 16 : 0)];
       }
+      this->FirstTriangles[turn + 1] = CountTriangles(chosen, cells);
     });
   this->Cells.FillGhosts(grid.IsClosed());
   std::partial_sum(

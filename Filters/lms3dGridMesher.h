@@ -7,6 +7,7 @@
 #ifndef lms3dGridMesher_h
 #define lms3dGridMesher_h
 
+#include "lms3dGridPoints.h"
 #include "lms3dRangeGrid.h"
 #include "lms3dRangeJoins.h"
 
@@ -26,10 +27,9 @@
 class lms3dGridMesher
 {
 public:
-  /// Takes `points`, three coordinates for each vertex of the grid. Uses the threads of the calling
-  /// TBB arena, as FillTriangles does.
+  /// Uses the threads of the calling TBB arena, as FillTriangles does.
   void ChooseTriangles(
-    const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, const double* points);
+    const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, const lms3dGridPoints& points);
 
   /// For each beam of a turn the cell that begins there: bit i is set where it has the triangle of
   /// corner i. Turns -1 to the number of turns and beams from -1 may be asked for.

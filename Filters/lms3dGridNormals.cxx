@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dGridNormals.h"
 
-#include "lms3dStripPoints.h"
+#include "lms3dPacketKernels.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -41,150 +42,71 @@ bool IsProperScale(double scale)
   return scale > 0.0 && scale < std::numeric_limits<double>::infinity();
 }
 
-/// The sums of normals of a piece of a turn, turn after turn. As in lms3dStripPoints, the sizes are
-/// fixed.
+/// Fetches what a tile sums, turn after turn.
 class NormalTile
 {
 public:
-  /// For the beams `firstBeam` to GetEndBeam(), which have a cell before them and one after.
-  NormalTile(
-    const lms3dRangeGrid& grid, const lms3dGridMesher& mesher, const double* points, int firstBeam)
-    : Mesher(mesher)
+  /// For the beams `firstBeam` to GetEndBeam(), which have a point before them and one after.
+  NormalTile(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
+    const lms3dGridPoints& points, int firstBeam)
+    : Kernels(lms3dGetPacketKernels())
+    , Mesher(mesher)
+    , Points(points)
     , FirstCell(firstBeam - 1)
-    , Points(grid, points, firstBeam - 1)
-    , Cells(this->Points.GetNumberOfBeams() - 1)
+    , Cells(std::min(lms3dNormalTile::Cells, grid.GetNumberOfBeams() - this->FirstCell))
   {
   }
 
   int GetFirstBeam() const { return this->FirstCell + 1; }
   int GetEndBeam() const { return this->FirstCell + this->Cells; }
 
-  /// Before the first turn; then MoveTo goes from turn to turn.
+  /// Before the first turn; then MoveTo goes from turn to turn. What the first strip adds goes to
+  /// the turn before, for which nobody asks.
   void Start(int turn)
   {
     this->Fetch(turn - 1);
+    this->Kernels.AddStrip(this->Tile);
     this->MoveTo(turn - 1);
   }
 
   void MoveTo(int turn)
   {
     this->Fetch(turn + 1);
-    this->SetWeights(turn);
-    this->AddTriangles<0>();
-    this->AddTriangles<1>();
-    this->AddTriangles<2>();
-    this->FindScales();
+    std::copy_n(this->Mesher.GetCells(turn) + this->FirstCell, this->Cells, this->Tile.Triangles);
+    this->Kernels.AddStrip(this->Tile);
   }
 
   Vector GetSum(int beam) const
   {
     const int i = beam - this->FirstCell;
-    return { this->Sums[0][i], this->Sums[1][i], this->Sums[2][i] };
+    return { this->Tile.Sum[0][i], this->Tile.Sum[1][i], this->Tile.Sum[2][i] };
   }
 
   /// 1 / length of the sum.
-  double GetScale(int beam) const { return this->Scales[beam - this->FirstCell]; }
+  double GetScale(int beam) const { return this->Tile.Scale[beam - this->FirstCell]; }
 
 private:
-  using Row = lms3dStripPoints::Row;
-  using Rows = lms3dStripPoints::Rows;
-
   void Fetch(int turn)
   {
-    this->Points.Fetch(turn);
-    this->HereSides = this->NextSides;
     for (int axis = 0; axis < 3; ++axis)
     {
-      for (int i = 0; i <= this->Cells; ++i)
-      {
-        this->AcrossSides[axis][i] = this->Points.Next[axis][i] - this->Points.Here[axis][i];
-      }
-      for (int i = 0; i < this->Cells; ++i)
-      {
-        this->NextSides[axis][i] = this->Points.Next[axis][i + 1] - this->Points.Next[axis][i];
-      }
+      const double* coordinates = this->Points.GetRow(axis, turn) + this->FirstCell;
+      std::copy_n(coordinates, this->Cells + 1, this->Tile.Next[axis]);
     }
   }
 
-  void SetWeights(int turn)
-  {
-    const std::uint8_t* cells = this->Mesher.GetCells(turn) + this->FirstCell;
-    for (int i = 0; i < this->Cells; ++i)
-    {
-      this->Weights[0][i] = cells[i] & 1;
-      this->Weights[1][i] = cells[i] >> 1 & 1;
-      this->Weights[2][i] = cells[i] >> 2 & 1;
-      this->Weights[3][i] = cells[i] >> 3 & 1;
-    }
-  }
-
-  // A triangle's normal, as long as twice its area, is the cross product of its sides along the
-  // grid. Triangles of opposite corners meet at the other two.
-  template <int Axis>
-  void AddTriangles()
-  {
-    constexpr int u = (Axis + 1) % 3;
-    constexpr int v = (Axis + 2) % 3;
-    const Row& acrossU = this->AcrossSides[u];
-    const Row& acrossV = this->AcrossSides[v];
-    for (int i = 0; i < this->Cells; ++i)
-    {
-      const double hereU = this->HereSides[u][i];
-      const double hereV = this->HereSides[v][i];
-      const double nextU = this->NextSides[u][i];
-      const double nextV = this->NextSides[v][i];
-      const double n0 = this->Weights[0][i] * (acrossU[i] * hereV - acrossV[i] * hereU);
-      const double n1 = this->Weights[1][i] * (acrossU[i] * nextV - acrossV[i] * nextU);
-      const double n2 = this->Weights[2][i] * (acrossU[i + 1] * nextV - acrossV[i + 1] * nextU);
-      const double n3 = this->Weights[3][i] * (acrossU[i + 1] * hereV - acrossV[i + 1] * hereU);
-      const double even = n0 + n2;
-      const double odd = n1 + n3;
-      this->AtBegin[Axis][i] = this->NextAtBegin[Axis][i] + (odd + n0);
-      this->AtEnd[Axis][i] = this->NextAtEnd[Axis][i] + (even + n3);
-      this->NextAtBegin[Axis][i] = even + n1;
-      this->NextAtEnd[Axis][i] = odd + n2;
-    }
-    for (int i = 1; i < this->Cells; ++i)
-    {
-      this->Sums[Axis][i] = this->AtBegin[Axis][i] + this->AtEnd[Axis][i - 1];
-    }
-  }
-
-  void FindScales()
-  {
-    for (int i = 1; i < this->Cells; ++i)
-    {
-      const double x = this->Sums[0][i];
-      const double y = this->Sums[1][i];
-      const double z = this->Sums[2][i];
-      this->Scales[i] = 1.0 / std::sqrt(x * x + y * y + z * z);
-    }
-  }
-
+  const lms3dPacketKernels& Kernels;
   const lms3dGridMesher& Mesher;
+  const lms3dGridPoints& Points;
   const int FirstCell;
-  lms3dStripPoints Points;
   const int Cells;
-
-  /// The sides of cells: from turn to turn, and from beam to beam of both turns.
-  Rows AcrossSides = {};
-  Rows HereSides = {};
-  Rows NextSides = {};
-  /// For each corner 1 or 0: whether a cell has its triangle.
-  std::array<Row, 4> Weights = {};
-  /// What cells add at the beam where they begin, and at the one where they end.
-  Rows AtBegin = {};
-  Rows AtEnd = {};
-  Rows NextAtBegin = {};
-  Rows NextAtEnd = {};
-  Rows Sums = {};
-  Row Scales = {};
+  lms3dNormalTile Tile = {};
 };
 
 class NormalWriter
 {
 public:
-  NormalWriter(const lms3dRangeGrid& grid, const double* points,
+  NormalWriter(const lms3dRangeGrid& grid, const lms3dGridPoints& points,
     const std::array<double, 3>& sensor, float* normals)
     : Grid(grid)
     , Points(points)
@@ -203,7 +125,7 @@ public:
     {
       if (vertices[beam] >= first)
       {
-        this->Write(vertices[beam], tile.GetSum(beam), tile.GetScale(beam));
+        this->Write(turn, beam, tile.GetSum(beam), tile.GetScale(beam));
       }
     }
     const std::vector<int>& poles = this->Grid.GetPoles();
@@ -229,32 +151,35 @@ public:
       }
       if (this->Grid.HasReturn(0, poles[i]))
       {
-        this->Write(this->Grid.GetVertex(0, poles[i]), sum, GetInverseLength(sum));
+        this->Write(0, poles[i], sum, GetInverseLength(sum));
       }
     }
   }
 
 private:
-  void Write(std::int32_t vertex, const Vector& sum, double scale)
+  void Write(int turn, int beam, const Vector& sum, double scale)
   {
-    const std::ptrdiff_t place = 3 * static_cast<std::ptrdiff_t>(vertex);
     const Vector normal =
-      IsProperScale(scale) ? Scale(sum, scale) : this->GetDirectionToSensor(this->Points + place);
+      IsProperScale(scale) ? Scale(sum, scale) : this->GetDirectionToSensor(turn, beam);
+    float* out = this->Normals + 3 * static_cast<std::ptrdiff_t>(this->Grid.GetVertex(turn, beam));
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Normals[place + axis] = static_cast<float>(normal[axis]);
+      out[axis] = static_cast<float>(normal[axis]);
     }
   }
 
-  Vector GetDirectionToSensor(const double* point) const
+  Vector GetDirectionToSensor(int turn, int beam) const
   {
-    const Vector way = { this->Sensor[0] - point[0], this->Sensor[1] - point[1],
-      this->Sensor[2] - point[2] };
+    Vector way = this->Sensor;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      way[axis] -= this->Points.GetRow(axis, turn)[beam];
+    }
     return Scale(way, 1.0 / std::hypot(way[0], way[1], way[2]));
   }
 
   const lms3dRangeGrid& Grid;
-  const double* const Points;
+  const lms3dGridPoints& Points;
   const Vector Sensor;
   float* const Normals;
   std::vector<Vector> PoleSums;
@@ -262,7 +187,7 @@ private:
 } // namespace
 
 void lms3dFillNormals(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
-  const double* points, const std::array<double, 3>& sensor, float* normals)
+  const lms3dGridPoints& points, const std::array<double, 3>& sensor, float* normals)
 {
   NormalWriter writer(grid, points, sensor, normals);
   tbb::parallel_for(tbb::blocked_range<int>(0, grid.GetNumberOfTurns(), FewestTurns),

@@ -8,6 +8,7 @@
 #define lms3dGridNormals_h
 
 #include "lms3dGridMesher.h"
+#include "lms3dGridPoints.h"
 
 #include <array>
 
@@ -18,6 +19,6 @@
  * threads. Uses those of the calling TBB arena.
  */
 void lms3dFillNormals(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
-  const double* points, const std::array<double, 3>& sensor, float* normals);
+  const lms3dGridPoints& points, const std::array<double, 3>& sensor, float* normals);
 
 #endif
