@@ -9,21 +9,27 @@
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
-#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace
 {
+// Fewer are done before another thread can come.
+constexpr int FewestOffsets = 4096;
+
 /// Where the vertices go.
-struct Vertices
+struct VertexArrays
 {
   // A pole is a vertex of the first turn, though a place of every.
   void FillTurn(const lms3dRangeGrid& grid, int turn, lms3dGridPoints& places) const
@@ -63,16 +69,28 @@ struct Vertices
   double* Ranges;
 };
 
-void FillOffsets(vtkIdType triangles, vtkIdType* offsets)
+void FillOffsets(int triangles, std::int32_t* offsets)
 {
-  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, triangles + 1, 4096),
-    [&](const tbb::blocked_range<vtkIdType>& range)
+  tbb::parallel_for(tbb::blocked_range<int>(0, triangles + 1, FewestOffsets),
+    [&](const tbb::blocked_range<int>& range)
     {
-      for (vtkIdType i = range.begin(); i < range.end(); ++i)
+      for (int i = range.begin(); i < range.end(); ++i)
       {
         offsets[i] = 3 * i;
       }
     });
+}
+
+// Cells are told by 32 bits.
+int CheckNumber(std::int64_t triangles)
+{
+  constexpr int Most = std::numeric_limits<std::int32_t>::max() / 3;
+  if (triangles > Most)
+  {
+    throw std::runtime_error("The map would have " + std::to_string(triangles) +
+      " triangles; at most " + std::to_string(Most) + " are possible. Choose lower resolutions.");
+  }
+  return static_cast<int>(triangles);
 }
 } // namespace
 
@@ -82,7 +100,7 @@ void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
   const vtkIdType vertices = static_cast<vtkIdType>(grid.GetReturns().size());
   const auto coordinates = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Points", vertices, 3);
   const auto ranges = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Range", vertices);
-  const Vertices out = { scan.GetPoints(), scan.GetRanges(), coordinates->GetPointer(0),
+  const VertexArrays out = { scan.GetPoints(), scan.GetRanges(), coordinates->GetPointer(0),
     ranges->GetPointer(0) };
   this->Points.SetShape(grid);
   tbb::parallel_for(
@@ -93,10 +111,11 @@ void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
   {
     return;
   }
-  const vtkIdType triangles = this->Mesher.GetNumberOfTriangles();
-  const auto connectivity =
-    lms3dMakeArray<vtkIdTypeArray>(this->Pool, "Connectivity", 3 * triangles);
-  const auto offsets = lms3dMakeArray<vtkIdTypeArray>(this->Pool, "Offsets", triangles + 1);
+  const int triangles = CheckNumber(this->Mesher.GetNumberOfTriangles());
+  const auto connectivity = lms3dMakeArray<vtkTypeInt32Array>(
+    this->Pool, "Connectivity", 3 * static_cast<vtkIdType>(triangles));
+  const auto offsets =
+    lms3dMakeArray<vtkTypeInt32Array>(this->Pool, "Offsets", static_cast<vtkIdType>(triangles) + 1);
   this->Mesher.FillTriangles(grid, connectivity->GetPointer(0));
   FillOffsets(triangles, offsets->GetPointer(0));
   if (!progress(0.7))

@@ -93,7 +93,7 @@ int CountTriangles(const std::uint8_t* chosen, int cells)
   return triangles;
 }
 
-vtkIdType* Put(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType* out)
+std::int32_t* Put(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t* out)
 {
   out[0] = a;
   out[1] = b;
@@ -102,11 +102,11 @@ vtkIdType* Put(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType* out)
 }
 
 void FillStrip(const std::uint8_t* cells, const std::int32_t* here, const std::int32_t* next,
-  int count, vtkIdType* out)
+  int count, std::int32_t* out)
 {
   for (int i = 0; i < count; ++i)
   {
-    const vtkIdType corners[] = { here[i], next[i], next[i + 1], here[i + 1] };
+    const std::int32_t corners[] = { here[i], next[i], next[i + 1], here[i + 1] };
     if (cells[i] & 1)
     {
       out = Put(corners[3], corners[0], corners[1], out);
@@ -152,7 +152,7 @@ void lms3dGridMesher::ChooseTriangles(
     this->FirstTriangles.begin(), this->FirstTriangles.end(), this->FirstTriangles.begin());
 }
 
-void lms3dGridMesher::FillTriangles(const lms3dRangeGrid& grid, vtkIdType* vertices) const
+void lms3dGridMesher::FillTriangles(const lms3dRangeGrid& grid, std::int32_t* vertices) const
 {
   tbb::parallel_for(0, grid.GetNumberOfTurns(),
     [&](int turn)

@@ -11,8 +11,6 @@
 #include "lms3dRangeGrid.h"
 #include "lms3dRangeJoins.h"
 
-#include <vtkType.h>
-
 #include <cstdint>
 #include <vector>
 
@@ -35,15 +33,15 @@ public:
   /// corner i. Turns -1 to the number of turns and beams from -1 may be asked for.
   const std::uint8_t* GetCells(int turn) const { return this->Cells.GetRow(turn); }
 
-  vtkIdType GetNumberOfTriangles() const { return this->FirstTriangles.back(); }
+  std::int64_t GetNumberOfTriangles() const { return this->FirstTriangles.back(); }
 
   /// Writes the vertices of the triangles, facing the sensor, ordered by turn, then beam.
-  void FillTriangles(const lms3dRangeGrid& grid, vtkIdType* vertices) const;
+  void FillTriangles(const lms3dRangeGrid& grid, std::int32_t* vertices) const;
 
 private:
   lms3dGhostGrid<std::uint8_t> Cells{ 0 };
   /// Of each turn, and their number at the end.
-  std::vector<vtkIdType> FirstTriangles;
+  std::vector<std::int64_t> FirstTriangles;
 };
 
 #endif
