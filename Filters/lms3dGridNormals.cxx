@@ -16,7 +16,6 @@
 namespace
 {
 using Vector = std::array<double, 3>;
-using Row = std::vector<double>;
 
 // Each range of turns looks at the strip before it once more, so it should not be short.
 constexpr int FewestTurns = 16;

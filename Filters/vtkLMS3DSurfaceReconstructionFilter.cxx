@@ -82,6 +82,7 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
 
 void vtkLMS3DSurfaceReconstructionFilter::MakeMap(const lms3dScanInput& scan, vtkPolyData* map)
 {
+  scan.CheckPoints();
   lms3dRangeGrid& grid = this->Internal->Grid;
   grid.Place(this->Internal->GetGeometry(scan), scan.GetRanges(), scan.GetBeamIds(),
     scan.GetNumberOfReturns());

@@ -24,8 +24,9 @@
  * sensor; a return that belongs to no triangle has the direction to the sensor for its normal.
  *
  * Bad input gives an error that says what to do, the error code vtkErrorCode::UserError, and an
- * empty output: a missing array, a range that is not a finite number above 0, a BeamId that is out
- * of the grid or that comes twice. A scan without returns gives an empty map and no error.
+ * empty output: a missing array, a coordinate that is not finite, a range that is not a finite
+ * number above 0, a BeamId that is out of the grid or that comes twice. A scan without returns gives
+ * an empty map and no error. The output is the same to the bit for any NumberOfThreads.
  *
  * @sa
  * vtkLMS3DScanFilter

@@ -318,6 +318,13 @@ TEST(LMS3DSurfaceReconstructionFilter, RefusesBadReturns)
     scan->GetPointData()->GetArray("Range")->SetTuple1(7, bad);
     ExpectError(scan, "Return 7 of the scan has the Range");
   }
+  for (double bad :
+    { std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity() })
+  {
+    vtkSmartPointer<vtkPolyData> scan = CopyScan(pipeline.Scan);
+    scan->GetPoints()->SetPoint(7, 1.0, bad, 2.0);
+    ExpectError(scan, "Return 7 of the scan has the coordinate");
+  }
   for (double bad : { -1.0, 72.0, 3.0 })
   {
     vtkSmartPointer<vtkPolyData> scan = CopyScan(pipeline.Scan);
