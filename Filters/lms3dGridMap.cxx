@@ -18,6 +18,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -39,6 +40,14 @@ struct VertexArrays
     double* x = places.GetRow(0, turn);
     double* y = places.GetRow(1, turn);
     double* z = places.GetRow(2, turn);
+    if (!grid.HasReturns(turn))
+    {
+      for (double* row : { x, y, z })
+      {
+        std::fill_n(row, grid.GetNumberOfBeams(), 0.0);
+      }
+      return;
+    }
     for (int beam = 0; beam < grid.GetNumberOfBeams(); ++beam)
     {
       const vtkIdType vertex = vertices[beam];

@@ -83,6 +83,18 @@ void FindSides(const lms3dRangeJoins& joins, int turn, int cells, std::uint8_t* 
   }
 }
 
+void ChooseStrip(const lms3dRangeJoins& joins, const lms3dGridPoints& points, int turn, int cells,
+  std::uint8_t* chosen)
+{
+  std::vector<double> excess(cells);
+  CompareDiagonals(points, turn, cells, excess.data());
+  FindSides(joins, turn, cells, chosen);
+  for (int i = 0; i < cells; ++i)
+  {
+    chosen[i] = Table[chosen[i] | (excess[i] >= 0.0 ? 16 : 0)];
+  }
+}
+
 int CountTriangles(const std::uint8_t* chosen, int cells)
 {
   int triangles = 0;
@@ -137,15 +149,16 @@ void lms3dGridMesher::ChooseTriangles(
   tbb::parallel_for(0, turns,
     [&](int turn)
     {
-      std::vector<double> excess(cells);
-      CompareDiagonals(points, turn, cells, excess.data());
       std::uint8_t* chosen = this->Cells.GetRow(turn);
-      FindSides(joins, turn, cells, chosen);
-      for (int i = 0; i < cells; ++i)
+      if (grid.HasReturns(turn))
       {
-        chosen[i] = Table[chosen[i] | (excess[i] >= 0.0 ? 16 : 0)];
+        ChooseStrip(joins, points, turn, cells, chosen);
+        this->FirstTriangles[turn + 1] = CountTriangles(chosen, cells);
       }
-      this->FirstTriangles[turn + 1] = CountTriangles(chosen, cells);
+      else
+      {
+        std::fill_n(chosen, cells, 0);
+      }
     });
   this->Cells.FillGhosts(grid.IsClosed());
   std::partial_sum(
@@ -157,7 +170,10 @@ void lms3dGridMesher::FillTriangles(const lms3dRangeGrid& grid, std::int32_t* ve
   tbb::parallel_for(0, grid.GetNumberOfTurns(),
     [&](int turn)
     {
-      FillStrip(this->Cells.GetRow(turn), grid.GetVertices(turn), grid.GetVertices(turn + 1),
-        grid.GetNumberOfBeams() - 1, vertices + 3 * this->FirstTriangles[turn]);
+      if (this->FirstTriangles[turn] < this->FirstTriangles[turn + 1])
+      {
+        FillStrip(this->Cells.GetRow(turn), grid.GetVertices(turn), grid.GetVertices(turn + 1),
+          grid.GetNumberOfBeams() - 1, vertices + 3 * this->FirstTriangles[turn]);
+      }
     });
 }

@@ -59,32 +59,54 @@ public:
   int GetFirstBeam() const { return this->FirstCell + 1; }
   int GetEndBeam() const { return this->FirstCell + this->Cells; }
 
-  /// Before the first turn; then MoveTo goes from turn to turn. What the first strip adds goes to
-  /// the turn before, for which nobody asks.
-  void Start(int turn)
-  {
-    this->Fetch(turn - 1);
-    this->Kernels.AddStrip(this->Tile);
-    this->MoveTo(turn - 1);
-  }
-
+  /// To the turn before the first, then always to the next.
   void MoveTo(int turn)
   {
+    const std::uint8_t* cells = this->Mesher.GetCells(turn) + this->FirstCell;
+    const bool isEmpty =
+      std::all_of(cells, cells + this->Cells, [](std::uint8_t cell) { return cell == 0; });
+    this->HasSums = !isEmpty || !this->WasEmpty;
+    if (!this->HasSums)
+    {
+      return;
+    }
+    if (this->WasEmpty)
+    {
+      this->Begin(turn);
+    }
     this->Fetch(turn + 1);
-    std::copy_n(this->Mesher.GetCells(turn) + this->FirstCell, this->Cells, this->Tile.Triangles);
+    std::copy_n(cells, this->Cells, this->Tile.Triangles);
     this->Kernels.AddStrip(this->Tile);
+    this->WasEmpty = isEmpty;
   }
 
   Vector GetSum(int beam) const
   {
     const int i = beam - this->FirstCell;
-    return { this->Tile.Sum[0][i], this->Tile.Sum[1][i], this->Tile.Sum[2][i] };
+    return !this->HasSums
+      ? Vector{}
+      : Vector{ this->Tile.Sum[0][i], this->Tile.Sum[1][i], this->Tile.Sum[2][i] };
   }
 
-  /// 1 / length of the sum.
-  double GetScale(int beam) const { return this->Tile.Scale[beam - this->FirstCell]; }
+  /// 1 / length of the sum; not proper where there is none.
+  double GetScale(int beam) const
+  {
+    return this->HasSums ? this->Tile.Scale[beam - this->FirstCell] : 0.0;
+  }
 
 private:
+  // With nothing from the strip before.
+  void Begin(int turn)
+  {
+    this->Fetch(turn);
+    this->Kernels.AddStrip(this->Tile);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::fill_n(this->Tile.NextBegin[axis], lms3dNormalTile::Cells, 0.0);
+      std::fill_n(this->Tile.NextEnd[axis], lms3dNormalTile::Cells, 0.0);
+    }
+  }
+
   void Fetch(int turn)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -99,6 +121,8 @@ private:
   const lms3dGridPoints& Points;
   const int FirstCell;
   const int Cells;
+  bool WasEmpty = true;
+  bool HasSums = false;
   lms3dNormalTile Tile = {};
 };
 
@@ -195,11 +219,14 @@ void lms3dFillNormals(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
       for (int beam = 0; beam < grid.GetNumberOfBeams();)
       {
         NormalTile tile(grid, mesher, points, beam);
-        tile.Start(turns.begin());
+        tile.MoveTo(turns.begin() - 1);
         for (int turn = turns.begin(); turn < turns.end(); ++turn)
         {
           tile.MoveTo(turn);
-          writer.WriteTurn(turn, tile);
+          if (grid.HasReturns(turn))
+          {
+            writer.WriteTurn(turn, tile);
+          }
         }
         beam = tile.GetEndBeam();
       }

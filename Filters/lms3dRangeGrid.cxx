@@ -38,9 +38,11 @@ void lms3dRangeGrid::Place(
   this->Ranges.SetShape(this->GetNumberOfTurns(), this->GetNumberOfBeams());
   this->Vertices.SetShape(this->GetNumberOfTurns(), this->GetNumberOfBeams());
   tbb::parallel_for(0, this->GetNumberOfTurns(), [&](int turn) { this->FillTurn(turn, ranges); });
+  this->HasPole = false;
   for (int beam : this->Poles)
   {
     this->SpreadPole(beam);
+    this->HasPole |= this->HasReturn(0, beam);
   }
   this->Ranges.FillGhosts(this->Closed);
   this->Vertices.FillGhosts(this->Closed);

@@ -51,6 +51,12 @@ public:
   /// The first vertex of a turn, or of a turn after it. Poles are vertices of turn 0.
   std::int32_t GetFirstVertex(int turn) const { return this->FirstVertices[turn]; }
 
+  /// Whether a turn has any, that of a pole included.
+  bool HasReturns(int turn) const
+  {
+    return this->HasPole || this->FirstVertices[turn] < this->FirstVertices[turn + 1];
+  }
+
   double GetRange(int turn, int beam) const { return this->GetRanges(turn)[beam]; }
   std::int32_t GetVertex(int turn, int beam) const { return this->GetVertices(turn)[beam]; }
   bool HasReturn(int turn, int beam) const { return this->GetRange(turn, beam) > 0.0; }
@@ -70,6 +76,7 @@ private:
 
   const lms3dScanGeometry* Geometry = nullptr;
   bool Closed = false;
+  bool HasPole = false;
   std::vector<int> Poles;
   /// By beam number, without ghosts.
   std::vector<std::int32_t> ReturnOfBeam;

@@ -4,16 +4,23 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 namespace
 {
 void FindInTurn(const lms3dRangeGrid& grid, int turn, const lms3dDepthStep& fanStep,
   const lms3dDepthStep& turnStep, std::uint8_t* flags)
 {
+  const int beams = grid.GetNumberOfBeams();
+  if (!grid.HasReturns(turn))
+  {
+    std::fill_n(flags, beams, 0);
+    return;
+  }
   const double* before = grid.GetRanges(turn - 1);
   const double* here = grid.GetRanges(turn);
   const double* next = grid.GetRanges(turn + 1);
   const double* after = grid.GetRanges(turn + 2);
-  const int beams = grid.GetNumberOfBeams();
   for (int i = 0; i < beams - 1; ++i)
   {
     flags[i] = fanStep.IsJoined(here[i - 1], here[i], here[i + 1], here[i + 2])
