@@ -5,146 +5,175 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
-#include <iterator>
+#include <numeric>
 
 namespace
 {
-constexpr double SmallestRelativeDepthStep = 0.02;
+constexpr unsigned Even = 0b0101;
+constexpr unsigned Odd = 0b1010;
 
-// Whether the plane through the returns at `before` and `at` goes on to the one at `next`.
-bool IsPredicted(double before, double at, double next, double twoCosines, double tolerance)
+constexpr int Count(unsigned bits)
 {
-  const double inverse = before > 0.0 ? twoCosines / at - 1.0 / before : 0.0;
-  return inverse > 0.0 && std::abs(1.0 / inverse - next) <= tolerance;
-}
-} // namespace
-
-/// Corners counter-clockwise as the sensor sees them: (turn, beam), (turn + 1, beam) and up again.
-struct lms3dGridMesher::Cell
-{
-  std::array<std::int64_t, 4> Corners;
-  /// Whether a corner's sides to the next corner are joined.
-  std::array<bool, 4> Sides;
-};
-
-lms3dGridMesher::Spacing::Spacing(double stepInDegrees)
-{
-  double sine, cosine;
-  lms3dSinCosDegrees(stepInDegrees, sine, cosine);
-  this->TwoCosines = 2.0 * cosine;
-  this->RelativeDepthStep = std::max(SmallestRelativeDepthStep, std::atan2(sine, cosine));
+  return (bits & 1) + (bits >> 1 & 1) + (bits >> 2 & 1) + (bits >> 3 & 1);
 }
 
-lms3dGridMesher::lms3dGridMesher(const lms3dRangeGrid& grid, const double* points, double depthStep)
-  : Grid(grid)
-  , Points(points)
-  , DepthStep(depthStep)
-  , AlongFan(grid.GetGeometry().GetAlphaStep())
-  , AlongTurn(grid.GetGeometry().GetBetaStep())
+// Bit i of `sides` tells whether corner i is joined with the next. The diagonal between two corners
+// cuts off the triangles of the others. More triangles go before shortness.
+constexpr std::uint8_t ChooseCell(unsigned sides, bool isEvenDiagonalShorter)
 {
+  const unsigned sidesBefore = (sides << 1 | sides >> 3) & 0b1111;
+  const unsigned whole = sides & sidesBefore;
+  const int even = Count(whole & Even);
+  const int odd = Count(whole & Odd);
+  const bool takeOdd = odd > even || (odd == even && isEvenDiagonalShorter);
+  return static_cast<std::uint8_t>(whole & (takeOdd ? Odd : Even));
 }
 
-std::vector<lms3dGridMesher::Triangle> lms3dGridMesher::MakeTriangles() const
-{
-  const int strips = this->Grid.GetNumberOfTurns() - (this->Grid.IsClosed() ? 0 : 1);
-  std::vector<std::vector<Triangle>> ofStrips(std::max(strips, 0));
-  tbb::parallel_for(0, strips, [&](int turn) { this->AppendStrip(turn, ofStrips[turn]); });
+using CellTable = std::array<std::uint8_t, 32>;
 
-  std::vector<Triangle> triangles;
-  for (const std::vector<Triangle>& strip : ofStrips)
+// By the sides, and 16 more where the diagonal from corner 0 to corner 2 is the shorter.
+constexpr CellTable MakeCellTable()
+{
+  CellTable table{};
+  for (unsigned i = 0; i < table.size(); ++i)
   {
-    triangles.insert(triangles.end(), strip.begin(), strip.end());
+    table[i] = ChooseCell(i % 16, i >= 16);
+  }
+  return table;
+}
+
+constexpr CellTable Table = MakeCellTable();
+
+double Square(double x)
+{
+  return x * x;
+}
+
+// By how much, for each cell, the square of the diagonal from corner 1 to 3 is the greater.
+void CompareDiagonals(const lms3dGridPoints& points, int turn, int cells, double* excess)
+{
+  const double* hereX = points.GetRow(0, turn);
+  const double* hereY = points.GetRow(1, turn);
+  const double* hereZ = points.GetRow(2, turn);
+  const double* nextX = points.GetRow(0, turn + 1);
+  const double* nextY = points.GetRow(1, turn + 1);
+  const double* nextZ = points.GetRow(2, turn + 1);
+  for (int i = 0; i < cells; ++i)
+  {
+    const double even = Square(hereX[i] - nextX[i + 1]) + Square(hereY[i] - nextY[i + 1]) +
+      Square(hereZ[i] - nextZ[i + 1]);
+    const double odd = Square(nextX[i] - hereX[i + 1]) + Square(nextY[i] - hereY[i + 1]) +
+      Square(nextZ[i] - hereZ[i + 1]);
+    excess[i] = odd - even;
+  }
+}
+
+// Bit i tells whether corner i of a cell is joined with the next.
+void FindSides(const lms3dRangeJoins& joins, int turn, int cells, std::uint8_t* sides)
+{
+  const std::uint8_t* here = joins.GetRow(turn);
+  const std::uint8_t* next = joins.GetRow(turn + 1);
+  for (int i = 0; i < cells; ++i)
+  {
+    sides[i] = (here[i] & lms3dRangeJoins::AlongTurn) >> 1 |
+      (next[i] & lms3dRangeJoins::AlongFan) << 1 | (here[i + 1] & lms3dRangeJoins::AlongTurn) << 1 |
+      (here[i] & lms3dRangeJoins::AlongFan) << 3;
+  }
+}
+
+void ChooseStrip(const lms3dRangeJoins& joins, const lms3dGridPoints& points, int turn, int cells,
+  std::uint8_t* chosen)
+{
+  std::vector<double> excess(cells);
+  CompareDiagonals(points, turn, cells, excess.data());
+  FindSides(joins, turn, cells, chosen);
+  for (int i = 0; i < cells; ++i)
+  {
+    chosen[i] = Table[chosen[i] | (excess[i] >= 0.0 ? 16 : 0)];
+  }
+}
+
+int CountTriangles(const std::uint8_t* chosen, int cells)
+{
+  int triangles = 0;
+  for (int i = 0; i < cells; ++i)
+  {
+    triangles += Count(chosen[i]);
   }
   return triangles;
 }
 
-void lms3dGridMesher::AppendStrip(int turn, std::vector<Triangle>& out) const
+std::int32_t* Put(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t* out)
 {
-  out.reserve(2 * static_cast<std::size_t>(this->Grid.GetNumberOfBeams()));
-  for (int beam = 0; beam + 1 < this->Grid.GetNumberOfBeams(); ++beam)
+  out[0] = a;
+  out[1] = b;
+  out[2] = c;
+  return out + 3;
+}
+
+void FillStrip(const std::uint8_t* cells, const std::int32_t* here, const std::int32_t* next,
+  int count, std::int32_t* out)
+{
+  for (int i = 0; i < count; ++i)
   {
-    this->AppendCell(this->GetCell(turn, beam), out);
-  }
-}
-
-lms3dGridMesher::Cell lms3dGridMesher::GetCell(int turn, int beam) const
-{
-  return { { this->Grid.GetVertex(turn, beam), this->Grid.GetVertex(turn + 1, beam),
-             this->Grid.GetVertex(turn + 1, beam + 1), this->Grid.GetVertex(turn, beam + 1) },
-    { this->IsJoinedAlongTurn(turn, beam), this->IsJoinedAlongFan(turn + 1, beam),
-      this->IsJoinedAlongTurn(turn, beam + 1), this->IsJoinedAlongFan(turn, beam) } };
-}
-
-bool lms3dGridMesher::IsJoinedAlongFan(int turn, int beam) const
-{
-  return this->IsJoined(
-    { this->Grid.GetRange(turn, beam - 1), this->Grid.GetRange(turn, beam),
-      this->Grid.GetRange(turn, beam + 1), this->Grid.GetRange(turn, beam + 2) },
-    this->AlongFan);
-}
-
-bool lms3dGridMesher::IsJoinedAlongTurn(int turn, int beam) const
-{
-  return this->IsJoined(
-    { this->Grid.GetRange(turn - 1, beam), this->Grid.GetRange(turn, beam),
-      this->Grid.GetRange(turn + 1, beam), this->Grid.GetRange(turn + 2, beam) },
-    this->AlongTurn);
-}
-
-// Of the four ranges in a row the middle ones are asked about.
-bool lms3dGridMesher::IsJoined(const std::array<double, 4>& ranges, const Spacing& spacing) const
-{
-  const auto [before, a, b, after] = ranges;
-  if (a <= 0.0 || b <= 0.0)
-  {
-    return false;
-  }
-  const double tolerance = this->DepthStep + spacing.RelativeDepthStep * std::min(a, b);
-  return std::abs(a - b) <= tolerance || IsPredicted(before, a, b, spacing.TwoCosines, tolerance) ||
-    IsPredicted(after, b, a, spacing.TwoCosines, tolerance);
-}
-
-double lms3dGridMesher::GetSquaredDistance(std::int64_t a, std::int64_t b) const
-{
-  if (a == lms3dRangeGrid::NoVertex || b == lms3dRangeGrid::NoVertex)
-  {
-    return 0.0;
-  }
-  const std::vector<std::int64_t>& returns = this->Grid.GetReturns();
-  const double* p = this->Points + 3 * returns[a];
-  const double* q = this->Points + 3 * returns[b];
-  const double d[3] = { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
-  return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-}
-
-void lms3dGridMesher::AppendCell(const Cell& cell, std::vector<Triangle>& out) const
-{
-  const std::array<std::int64_t, 4>& corner = cell.Corners;
-  // The triangle at a corner has the cell's sides before and after the corner. At a pole two
-  // corners are one, and the triangle between them has no area.
-  const auto isWhole = [&](int i)
-  {
-    const std::int64_t before = corner[(i + 3) % 4];
-    const std::int64_t after = corner[(i + 1) % 4];
-    return cell.Sides[(i + 3) % 4] && cell.Sides[i] && before != corner[i] && corner[i] != after &&
-      before != after;
-  };
-  const std::array<bool, 4> whole = { isWhole(0), isWhole(1), isWhole(2), isWhole(3) };
-
-  // One diagonal cuts off corners 0 and 2, the other 1 and 3. More triangles go before shortness.
-  const int even = whole[0] + whole[2];
-  const int odd = whole[1] + whole[3];
-  const bool takeOdd = odd > even ||
-    (odd == even &&
-      this->GetSquaredDistance(corner[0], corner[2]) <=
-        this->GetSquaredDistance(corner[1], corner[3]));
-  for (int i = takeOdd ? 1 : 0; i < 4; i += 2)
-  {
-    if (whole[i])
+    const std::int32_t corners[] = { here[i], next[i], next[i + 1], here[i + 1] };
+    if (cells[i] & 1)
     {
-      out.push_back({ corner[(i + 3) % 4], corner[i], corner[(i + 1) % 4] });
+      out = Put(corners[3], corners[0], corners[1], out);
+    }
+    if (cells[i] & 2)
+    {
+      out = Put(corners[0], corners[1], corners[2], out);
+    }
+    if (cells[i] & 4)
+    {
+      out = Put(corners[1], corners[2], corners[3], out);
+    }
+    if (cells[i] & 8)
+    {
+      out = Put(corners[2], corners[3], corners[0], out);
     }
   }
+}
+} // namespace
+
+void lms3dGridMesher::ChooseTriangles(
+  const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, const lms3dGridPoints& points)
+{
+  const int turns = grid.GetNumberOfTurns();
+  const int cells = grid.GetNumberOfBeams() - 1;
+  this->Cells.SetShape(turns, grid.GetNumberOfBeams());
+  this->FirstTriangles.assign(turns + 1, 0);
+  tbb::parallel_for(0, turns,
+    [&](int turn)
+    {
+      std::uint8_t* chosen = this->Cells.GetRow(turn);
+      if (grid.HasReturns(turn))
+      {
+        ChooseStrip(joins, points, turn, cells, chosen);
+        this->FirstTriangles[turn + 1] = CountTriangles(chosen, cells);
+      }
+      else
+      {
+        std::fill_n(chosen, cells, 0);
+      }
+    });
+  this->Cells.FillGhosts(grid.IsClosed());
+  std::partial_sum(
+    this->FirstTriangles.begin(), this->FirstTriangles.end(), this->FirstTriangles.begin());
+}
+
+void lms3dGridMesher::FillTriangles(const lms3dRangeGrid& grid, std::int32_t* vertices) const
+{
+  tbb::parallel_for(0, grid.GetNumberOfTurns(),
+    [&](int turn)
+    {
+      if (this->FirstTriangles[turn] < this->FirstTriangles[turn + 1])
+      {
+        FillStrip(this->Cells.GetRow(turn), grid.GetVertices(turn), grid.GetVertices(turn + 1),
+          grid.GetNumberOfBeams() - 1, vertices + 3 * this->FirstTriangles[turn]);
+      }
+    });
 }

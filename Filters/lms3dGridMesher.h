@@ -7,9 +7,10 @@
 #ifndef lms3dGridMesher_h
 #define lms3dGridMesher_h
 
+#include "lms3dGridPoints.h"
 #include "lms3dRangeGrid.h"
+#include "lms3dRangeJoins.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,52 +18,30 @@
  * Two triangles for each cell of the grid, along its shorter diagonal, one for each cell at a pole.
  * A triangle is made where both of its sides along the grid join returns of one surface.
  *
- * Neighbours a and b belong to one surface where their ranges differ by no more than the tolerance,
- * or where the plane through a and the return before it meets b's beam within the tolerance of b
- * (or the same from b's side): so a floor that is met at a grazing angle stays whole, however far
- * apart its returns are. On a plane, neighbours w of 1/range obey w[i-1] + w[i+1] = 2 cos(step)
- * w[i]; that is exact along a fan, and along a turn for planes that are level or upright.
- *
- * The tolerance is `depthStep` (metres) plus a share of the nearer range: 2 % or, where neighbours
- * are farther apart, the angle between them in radians, so that a coarse scan joins what leans by
- * 45 degrees as well.
+ * The corners of a cell are numbered counter-clockwise as the sensor sees them: (turn, beam),
+ * (turn + 1, beam), (turn + 1, beam + 1), (turn, beam + 1). A triangle goes by the corner at which
+ * its sides along the grid meet.
  */
 class lms3dGridMesher
 {
 public:
-  using Triangle = std::array<std::int64_t, 3>;
+  /// Uses the threads of the calling TBB arena, as FillTriangles does.
+  void ChooseTriangles(
+    const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, const lms3dGridPoints& points);
 
-  /// `points` are the coordinates of the scan's returns, three for each.
-  lms3dGridMesher(const lms3dRangeGrid& grid, const double* points, double depthStep);
+  /// For each beam of a turn the cell that begins there: bit i is set where it has the triangle of
+  /// corner i. Turns -1 to the number of turns and beams from -1 may be asked for.
+  const std::uint8_t* GetCells(int turn) const { return this->Cells.GetRow(turn); }
 
-  /// Triangles of the grid's vertices, facing the sensor, ordered by turn, then beam.
-  std::vector<Triangle> MakeTriangles() const;
+  std::int64_t GetNumberOfTriangles() const { return this->FirstTriangles.back(); }
+
+  /// Writes the vertices of the triangles, facing the sensor, ordered by turn, then beam.
+  void FillTriangles(const lms3dRangeGrid& grid, std::int32_t* vertices) const;
 
 private:
-  struct Cell;
-
-  /// How neighbours along a fan, or along a turn, are compared.
-  struct Spacing
-  {
-    explicit Spacing(double stepInDegrees);
-
-    double TwoCosines;
-    double RelativeDepthStep;
-  };
-
-  void AppendStrip(int turn, std::vector<Triangle>& out) const;
-  void AppendCell(const Cell& cell, std::vector<Triangle>& out) const;
-  Cell GetCell(int turn, int beam) const;
-  bool IsJoinedAlongFan(int turn, int beam) const;
-  bool IsJoinedAlongTurn(int turn, int beam) const;
-  bool IsJoined(const std::array<double, 4>& ranges, const Spacing& spacing) const;
-  double GetSquaredDistance(std::int64_t a, std::int64_t b) const;
-
-  const lms3dRangeGrid& Grid;
-  const double* Points;
-  const double DepthStep;
-  const Spacing AlongFan;
-  const Spacing AlongTurn;
+  lms3dGhostGrid<std::uint8_t> Cells{ 0 };
+  /// Of each turn, and their number at the end.
+  std::vector<std::int64_t> FirstTriangles;
 };
 
 #endif

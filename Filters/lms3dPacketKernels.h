@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The arithmetic that is done for all beams of a packet at once.
+ * @brief The arithmetic that is done for all beams of a packet, or of a tile of a map, at once.
  *
  * It is compiled for several instruction sets, and the widest that the processor has is chosen when
  * the program runs. Every one gives the same bits: the operations and their order are the same, and
@@ -13,6 +13,7 @@
 #define lms3dPacketKernels_h
 
 #include "lms3dBeamPacket.h"
+#include "lms3dNormalTile.h"
 
 #include <cstdint>
 
@@ -175,6 +176,10 @@ struct lms3dPacketKernels
 
   /// The coordinates of the returns, three for each.
   void (*Locate)(const lms3dReturnsOfTurn& returns, double* points);
+
+  /// Adds the normals of the triangles between the tile's two turns, finishes the sums of the first
+  /// and makes the next the first.
+  void (*AddStrip)(lms3dNormalTile& tile);
 };
 
 /// Those of the widest instruction set that the processor has, unless the environment variable

@@ -13,11 +13,12 @@
 
 #include "lms3dBeamKernels.inl"
 #include "lms3dInsideKernels.inl"
+#include "lms3dNormalKernels.inl"
 #include "lms3dRangeKernels.inl"
 
 // In the order of lms3dPacketKernels.
 #define LMS3D_PACKET_KERNELS                                                                       \
   Aim, FindWithin, SetStarts, Classify, TakeHits, Shorten, FindHits, See, SeeRoughly, Measure, \
-    MeasureRoughly, KeepRanges, Finish, Locate
+    MeasureRoughly, KeepRanges, Finish, Locate, AddStrip
 
 #endif

@@ -2,115 +2,154 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dRangeGrid.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <cmath>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-lms3dRangeGrid::lms3dRangeGrid(
-  lms3dScanGeometry geometry, const double* ranges, const int* beamIds, std::int64_t count)
-  : Geometry(std::move(geometry))
-  , Closed(this->Geometry.IsClosed())
+namespace
 {
-  this->Place(ranges, beamIds, count);
+constexpr std::int32_t NoReturn = -1;
+constexpr double LargestRange = std::numeric_limits<double>::max();
+} // namespace
+
+void lms3dRangeGrid::Place(
+  const lms3dScanGeometry& geometry, const double* ranges, const int* beamIds, std::int64_t count)
+{
+  this->Geometry = &geometry;
+  this->Closed = geometry.IsClosed();
+  this->Sort(ranges, beamIds, count);
+  this->Poles.clear();
   for (int beam = 0; beam < this->GetNumberOfBeams(); ++beam)
   {
-    if (this->Geometry.IsPole(beam))
+    if (geometry.IsPole(beam))
     {
-      this->JoinPole(beam);
+      this->Poles.push_back(beam);
+      this->JoinPole(beam, ranges);
     }
   }
-  this->NumberVertices();
+
+  this->CountVertices();
+  this->Returns.resize(this->FirstVertices.back());
+  this->Ranges.SetShape(this->GetNumberOfTurns(), this->GetNumberOfBeams());
+  this->Vertices.SetShape(this->GetNumberOfTurns(), this->GetNumberOfBeams());
+  tbb::parallel_for(0, this->GetNumberOfTurns(), [&](int turn) { this->FillTurn(turn, ranges); });
+  this->HasPole = false;
+  for (int beam : this->Poles)
+  {
+    this->SpreadPole(beam);
+    this->HasPole |= this->HasReturn(0, beam);
+  }
+  this->Ranges.FillGhosts(this->Closed);
+  this->Vertices.FillGhosts(this->Closed);
 }
 
-std::ptrdiff_t lms3dRangeGrid::GetPlace(int turn, int beam) const
+const std::int32_t* lms3dRangeGrid::GetReturnsOfTurn(int turn) const
 {
-  const int turns = this->GetNumberOfTurns();
-  if (this->Closed)
-  {
-    turn = turn < 0 ? turn + turns : (turn >= turns ? turn - turns : turn);
-  }
-  if (turn < 0 || turn >= turns || beam < 0 || beam >= this->GetNumberOfBeams())
-  {
-    return -1;
-  }
-  return static_cast<std::ptrdiff_t>(turn) * this->GetNumberOfBeams() + beam;
+  return this->ReturnOfBeam.data() + static_cast<std::ptrdiff_t>(turn) * this->GetNumberOfBeams();
 }
 
-// Vertices hold the number of the return until they are numbered themselves.
-void lms3dRangeGrid::Place(const double* ranges, const int* beamIds, std::int64_t count)
+void lms3dRangeGrid::Sort(const double* ranges, const int* beamIds, std::int64_t count)
 {
-  const std::int64_t places =
+  const std::int64_t beams =
     static_cast<std::int64_t>(this->GetNumberOfBeams()) * this->GetNumberOfTurns();
-  this->Ranges.assign(places, 0.0);
-  this->Vertices.assign(places, NoVertex);
+  this->ReturnOfBeam.assign(beams, NoReturn);
   for (std::int64_t i = 0; i < count; ++i)
   {
-    const int place = beamIds[i];
-    const std::string words = "Return " + std::to_string(i) + " of the scan has ";
-    if (place < 0 || place >= places)
+    const int beam = beamIds[i];
+    if (beam < 0 || beam >= beams || this->ReturnOfBeam[beam] != NoReturn ||
+      !(ranges[i] > 0.0 && ranges[i] <= LargestRange))
     {
-      throw std::runtime_error(words + "the BeamId " + std::to_string(place) + "; 0 to " +
-        std::to_string(places - 1) + " are expected from AlphaAngles and BetaAngles.");
+      this->Refuse(i, ranges[i], beam);
     }
-    if (this->Vertices[place] != NoVertex)
-    {
-      throw std::runtime_error(words + "the BeamId " + std::to_string(place) +
-        " of an earlier one. Give each beam at most one return.");
-    }
-    if (!(ranges[i] > 0.0) || !std::isfinite(ranges[i]))
-    {
-      throw std::runtime_error(words + "the Range " + std::to_string(ranges[i]) +
-        "; a finite number of metres above 0 is expected. Remove beams that gave no return.");
-    }
-    this->Ranges[place] = ranges[i];
-    this->Vertices[place] = i;
+    this->ReturnOfBeam[beam] = static_cast<std::int32_t>(i);
   }
 }
 
-void lms3dRangeGrid::JoinPole(int beam)
+void lms3dRangeGrid::Refuse(std::int64_t index, double range, int beamId) const
 {
-  std::vector<std::pair<double, std::int64_t>> returns;
+  const std::string words = "Return " + std::to_string(index) + " of the scan has the ";
+  const std::int64_t beams = static_cast<std::int64_t>(this->ReturnOfBeam.size());
+  if (beamId < 0 || beamId >= beams)
+  {
+    throw std::runtime_error(words + "BeamId " + std::to_string(beamId) + "; 0 to " +
+      std::to_string(beams - 1) + " are expected from AlphaAngles and BetaAngles.");
+  }
+  if (this->ReturnOfBeam[beamId] != NoReturn)
+  {
+    throw std::runtime_error(words + "BeamId " + std::to_string(beamId) +
+      " of an earlier one. Give each beam at most one return.");
+  }
+  throw std::runtime_error(words + "Range " + std::to_string(range) +
+    "; a finite number of metres above 0 is expected. Remove beams that gave no return.");
+}
+
+// Leaves the pole to the first turn.
+void lms3dRangeGrid::JoinPole(int beam, const double* ranges)
+{
+  std::vector<std::pair<double, std::int32_t>> returns;
   for (int turn = 0; turn < this->GetNumberOfTurns(); ++turn)
   {
-    if (this->HasReturn(turn, beam))
+    const std::size_t place = static_cast<std::size_t>(turn) * this->GetNumberOfBeams() + beam;
+    const std::int32_t found = std::exchange(this->ReturnOfBeam[place], NoReturn);
+    if (found != NoReturn)
     {
-      returns.emplace_back(this->GetRange(turn, beam), this->GetVertex(turn, beam));
+      returns.emplace_back(ranges[found], found);
     }
   }
-  if (returns.empty())
+  if (!returns.empty())
   {
-    return;
-  }
-  const auto median = returns.begin() + returns.size() / 2;
-  std::nth_element(returns.begin(), median, returns.end());
-  for (int turn = 0; turn < this->GetNumberOfTurns(); ++turn)
-  {
-    this->Ranges[this->GetPlace(turn, beam)] = median->first;
-    this->Vertices[this->GetPlace(turn, beam)] = median->second;
+    const auto median = returns.begin() + returns.size() / 2;
+    std::nth_element(returns.begin(), median, returns.end());
+    this->ReturnOfBeam[beam] = median->second;
   }
 }
 
-void lms3dRangeGrid::NumberVertices()
+void lms3dRangeGrid::CountVertices()
 {
-  std::vector<std::int64_t> vertexOfReturn;
-  for (std::int64_t& vertex : this->Vertices)
+  std::vector<std::int32_t>& first = this->FirstVertices;
+  first.assign(this->GetNumberOfTurns() + 1, 0);
+  tbb::parallel_for(0, this->GetNumberOfTurns(),
+    [&](int turn)
+    {
+      const std::int32_t* returns = this->GetReturnsOfTurn(turn);
+      std::int32_t found = 0;
+      for (int beam = 0; beam < this->GetNumberOfBeams(); ++beam)
+      {
+        found += returns[beam] != NoReturn ? 1 : 0;
+      }
+      first[turn + 1] = found;
+    });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+}
+
+void lms3dRangeGrid::FillTurn(int turn, const double* ranges)
+{
+  const std::int32_t* returns = this->GetReturnsOfTurn(turn);
+  double* range = this->Ranges.GetRow(turn);
+  std::int32_t* vertex = this->Vertices.GetRow(turn);
+  std::int32_t next = this->FirstVertices[turn];
+  for (int beam = 0; beam < this->GetNumberOfBeams(); ++beam)
   {
-    if (vertex == NoVertex)
+    const std::int32_t found = returns[beam];
+    range[beam] = found != NoReturn ? ranges[found] : 0.0;
+    vertex[beam] = found != NoReturn ? next : NoVertex;
+    if (found != NoReturn)
     {
-      continue;
+      this->Returns[next++] = found;
     }
-    if (vertex >= static_cast<std::int64_t>(vertexOfReturn.size()))
-    {
-      vertexOfReturn.resize(vertex + 1, NoVertex);
-    }
-    std::int64_t& number = vertexOfReturn[vertex];
-    if (number == NoVertex)
-    {
-      number = static_cast<std::int64_t>(this->Returns.size());
-      this->Returns.push_back(vertex);
-    }
-    vertex = number;
+  }
+}
+
+void lms3dRangeGrid::SpreadPole(int beam)
+{
+  for (int turn = 1; turn < this->GetNumberOfTurns(); ++turn)
+  {
+    this->Ranges.GetRow(turn)[beam] = this->GetRange(0, beam);
+    this->Vertices.GetRow(turn)[beam] = this->GetVertex(0, beam);
   }
 }

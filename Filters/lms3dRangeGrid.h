@@ -7,6 +7,7 @@
 #ifndef lms3dRangeGrid_h
 #define lms3dRangeGrid_h
 
+#include "lms3dGhostGrid.h"
 #include "lms3dScanGeometry.h"
 
 #include <cstddef>
@@ -14,57 +15,76 @@
 #include <vector>
 
 /**
- * Each place holds a range and a vertex. The places of a pole, where the beams of all turns are
- * one, share one vertex: the return with the median range.
+ * Each place holds a range and a vertex. Vertices are numbered by turn, then beam. The places of a
+ * pole, where the beams of all turns are one, share one vertex: the return with the median range.
+ *
+ * Turns go round where the grid is closed, and a place outside of the grid has no return: turns -1
+ * to the number of turns + 1 and beams -1 to the number of beams may be asked for.
  */
 class lms3dRangeGrid
 {
 public:
-  static constexpr std::int64_t NoVertex = -1;
+  static constexpr std::int32_t NoVertex = -1;
 
   /**
-   * `ranges` and `beamIds` belong to `count` returns. Throws std::runtime_error, with words for the
-   * user, where a range is not a finite number above 0, or a beam is out of the grid or given
-   * twice.
+   * Takes a scan in, in the memory of the one before. `ranges` and `beamIds` belong to `count`
+   * returns, in any order; the geometry is kept by reference. Throws std::runtime_error, with words
+   * for the user, where a range is not a finite number above 0, or a beam is out of the grid or
+   * given twice. Uses the threads of the calling TBB arena.
    */
-  lms3dRangeGrid(
-    lms3dScanGeometry geometry, const double* ranges, const int* beamIds, std::int64_t count);
+  void Place(const lms3dScanGeometry& geometry, const double* ranges, const int* beamIds,
+    std::int64_t count);
 
-  const lms3dScanGeometry& GetGeometry() const { return this->Geometry; }
-  int GetNumberOfBeams() const { return this->Geometry.GetNumberOfBeams(); }
-  int GetNumberOfTurns() const { return this->Geometry.GetNumberOfTurns(); }
+  const lms3dScanGeometry& GetGeometry() const { return *this->Geometry; }
+  int GetNumberOfBeams() const { return this->Geometry->GetNumberOfBeams(); }
+  int GetNumberOfTurns() const { return this->Geometry->GetNumberOfTurns(); }
   bool IsClosed() const { return this->Closed; }
 
-  /// Turns go round where the grid is closed; a place outside of the grid has no return.
+  /// The beams that are the same in every turn.
+  const std::vector<int>& GetPoles() const { return this->Poles; }
+
+  /// For each beam of a turn metres, 0 where there is no return.
+  const double* GetRanges(int turn) const { return this->Ranges.GetRow(turn); }
+  /// For each beam of a turn a vertex or NoVertex.
+  const std::int32_t* GetVertices(int turn) const { return this->Vertices.GetRow(turn); }
+
+  /// The first vertex of a turn, or of a turn after it. Poles are vertices of turn 0.
+  std::int32_t GetFirstVertex(int turn) const { return this->FirstVertices[turn]; }
+
+  /// Whether a turn has any, that of a pole included.
+  bool HasReturns(int turn) const
+  {
+    return this->HasPole || this->FirstVertices[turn] < this->FirstVertices[turn + 1];
+  }
+
+  double GetRange(int turn, int beam) const { return this->GetRanges(turn)[beam]; }
+  std::int32_t GetVertex(int turn, int beam) const { return this->GetVertices(turn)[beam]; }
   bool HasReturn(int turn, int beam) const { return this->GetRange(turn, beam) > 0.0; }
 
-  /// Metres, 0 where there is no return.
-  double GetRange(int turn, int beam) const
-  {
-    const std::ptrdiff_t place = this->GetPlace(turn, beam);
-    return place < 0 ? 0.0 : this->Ranges[place];
-  }
-
-  std::int64_t GetVertex(int turn, int beam) const
-  {
-    const std::ptrdiff_t place = this->GetPlace(turn, beam);
-    return place < 0 ? NoVertex : this->Vertices[place];
-  }
-
   /// For each vertex the number of the return that it is.
-  const std::vector<std::int64_t>& GetReturns() const { return this->Returns; }
+  const std::vector<std::int32_t>& GetReturns() const { return this->Returns; }
 
 private:
-  std::ptrdiff_t GetPlace(int turn, int beam) const;
-  void Place(const double* ranges, const int* beamIds, std::int64_t count);
-  void JoinPole(int beam);
-  void NumberVertices();
+  void Sort(const double* ranges, const int* beamIds, std::int64_t count);
+  [[noreturn]] void Refuse(std::int64_t index, double range, int beamId) const;
+  void JoinPole(int beam, const double* ranges);
+  void CountVertices();
+  void FillTurn(int turn, const double* ranges);
+  void SpreadPole(int beam);
 
-  lms3dScanGeometry Geometry;
-  bool Closed;
-  std::vector<double> Ranges;
-  std::vector<std::int64_t> Vertices;
-  std::vector<std::int64_t> Returns;
+  const std::int32_t* GetReturnsOfTurn(int turn) const;
+
+  const lms3dScanGeometry* Geometry = nullptr;
+  bool Closed = false;
+  bool HasPole = false;
+  std::vector<int> Poles;
+  /// By beam number, without ghosts.
+  std::vector<std::int32_t> ReturnOfBeam;
+  lms3dGhostGrid<double> Ranges{ 0.0 };
+  lms3dGhostGrid<std::int32_t> Vertices{ NoVertex };
+  /// Of each turn, and their number at the end.
+  std::vector<std::int32_t> FirstVertices;
+  std::vector<std::int32_t> Returns;
 };
 
 #endif

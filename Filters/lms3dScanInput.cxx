@@ -7,7 +7,11 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -17,6 +21,9 @@
 
 namespace
 {
+// Fewer are looked at before another thread can come.
+constexpr vtkIdType FewestCoordinates = 16384;
+
 [[noreturn]] void Fail(const std::string& what)
 {
   throw std::runtime_error(what + " Connect the first output of vtkLMS3DScanFilter.");
@@ -47,6 +54,17 @@ vtkSmartPointer<ArrayT> Take(vtkFieldData* data, const char* name, vtkIdType cou
   return As<ArrayT>(array);
 }
 
+// A count goes over all of them, and so is vectorized, where a search would stop.
+bool AreFinite(const double* first, const double* last)
+{
+  std::int64_t infinite = 0;
+  for (; first != last; ++first)
+  {
+    infinite += std::abs(*first) <= std::numeric_limits<double>::max() ? 0 : 1;
+  }
+  return infinite == 0;
+}
+
 vtkSmartPointer<vtkDoubleArray> TakeAngles(vtkFieldData* data, const char* name)
 {
   vtkDataArray* array = data->GetArray(name);
@@ -56,8 +74,7 @@ vtkSmartPointer<vtkDoubleArray> TakeAngles(vtkFieldData* data, const char* name)
   }
   vtkSmartPointer<vtkDoubleArray> angles = As<vtkDoubleArray>(array);
   const double* first = angles->GetPointer(0);
-  if (!std::all_of(first, first + angles->GetNumberOfValues(),
-        [](double angle) { return std::isfinite(angle); }))
+  if (!AreFinite(first, first + angles->GetNumberOfValues()))
   {
     Fail("The scan's field data " + std::string(name) + " is not finite.");
   }
@@ -68,6 +85,12 @@ std::vector<double> ToVector(vtkDoubleArray* array)
 {
   const double* first = array->GetPointer(0);
   return { first, first + array->GetNumberOfValues() };
+}
+
+bool AreEqual(vtkDoubleArray* array, const std::vector<double>& values)
+{
+  const double* first = array->GetPointer(0);
+  return std::equal(first, first + array->GetNumberOfValues(), values.begin(), values.end());
 }
 } // namespace
 
@@ -92,9 +115,37 @@ lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
   }
 }
 
+void lms3dScanInput::CheckPoints() const
+{
+  const double* first = this->GetPoints();
+  std::atomic<bool> areFinite{ true };
+  const vtkIdType count = 3 * this->GetNumberOfReturns();
+  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, count, FewestCoordinates),
+    [&](const tbb::blocked_range<vtkIdType>& range)
+    {
+      if (!AreFinite(first + range.begin(), first + range.end()))
+      {
+        areFinite = false;
+      }
+    });
+  if (!areFinite)
+  {
+    const double* bad =
+      std::find_if(first, first + count, [](double x) { return !std::isfinite(x); });
+    throw std::runtime_error("Return " + std::to_string((bad - first) / 3) +
+      " of the scan has the coordinate " + std::to_string(*bad) + "; finite numbers are expected.");
+  }
+}
+
 lms3dScanGeometry lms3dScanInput::GetGeometry() const
 {
   return { ToVector(this->AlphaAngles), ToVector(this->BetaAngles) };
+}
+
+bool lms3dScanInput::HasAngles(const lms3dScanGeometry& geometry) const
+{
+  return AreEqual(this->AlphaAngles, geometry.GetAlphaAngles()) &&
+    AreEqual(this->BetaAngles, geometry.GetBetaAngles());
 }
 
 std::array<double, 3> lms3dScanInput::GetSensorPosition() const

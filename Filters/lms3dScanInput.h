@@ -33,7 +33,12 @@ public:
   const double* GetRanges() const { return this->Ranges->GetPointer(0); }
   const int* GetBeamIds() const { return this->BeamIds->GetPointer(0); }
 
+  /// Throws as the constructor does where a coordinate is not finite. Uses the threads of the calling
+  /// TBB arena.
+  void CheckPoints() const;
+
   lms3dScanGeometry GetGeometry() const;
+  bool HasAngles(const lms3dScanGeometry& geometry) const;
   std::array<double, 3> GetSensorPosition() const;
 
 private:

@@ -3,6 +3,7 @@
 #include "lms3dScanOutput.h"
 
 #include "lms3dPacketKernels.h"
+#include "lms3dPooledArray.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
@@ -27,22 +28,6 @@
 
 namespace
 {
-template <typename ArrayT>
-vtkSmartPointer<ArrayT> MakeArray(
-  lms3dMemoryPool& pool, const char* name, vtkIdType count, int components = 1)
-{
-  using ValueType = typename ArrayT::ValueType;
-  const vtkIdType values = count * components;
-  auto array = vtkSmartPointer<ArrayT>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetArray(
-    static_cast<ValueType*>(pool.Take(static_cast<std::size_t>(values) * sizeof(ValueType))),
-    values, 0, vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
-  array->SetArrayFreeFunction(&lms3dMemoryPool::Return);
-  return array;
-}
-
 void AddDoubles(vtkFieldData* fieldData, const char* name, const double* values, vtkIdType count)
 {
   vtkNew<vtkDoubleArray> array;
@@ -130,14 +115,14 @@ void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
 struct lms3dScanOutput::Returns
 {
   Returns(lms3dMemoryPool& pool, vtkIdType count)
-    : Points(MakeArray<vtkDoubleArray>(pool, "Points", count, 3))
-    , Ranges(MakeArray<vtkDoubleArray>(pool, "Range", count))
-    , Alphas(MakeArray<vtkFloatArray>(pool, "Alpha", count))
-    , Betas(MakeArray<vtkFloatArray>(pool, "Beta", count))
-    , BeamIds(MakeArray<vtkIntArray>(pool, "BeamId", count))
-    , CellIds(MakeArray<vtkIdTypeArray>(pool, "CellId", count))
-    , VertexOffsets(MakeArray<vtkTypeInt32Array>(pool, "Offsets", count + 1))
-    , VertexPoints(MakeArray<vtkTypeInt32Array>(pool, "Connectivity", count))
+    : Points(lms3dMakeArray<vtkDoubleArray>(pool, "Points", count, 3))
+    , Ranges(lms3dMakeArray<vtkDoubleArray>(pool, "Range", count))
+    , Alphas(lms3dMakeArray<vtkFloatArray>(pool, "Alpha", count))
+    , Betas(lms3dMakeArray<vtkFloatArray>(pool, "Beta", count))
+    , BeamIds(lms3dMakeArray<vtkIntArray>(pool, "BeamId", count))
+    , CellIds(lms3dMakeArray<vtkIdTypeArray>(pool, "CellId", count))
+    , VertexOffsets(lms3dMakeArray<vtkTypeInt32Array>(pool, "Offsets", count + 1))
+    , VertexPoints(lms3dMakeArray<vtkTypeInt32Array>(pool, "Connectivity", count))
     , Point(this->Points->GetPointer(0))
     , Range(this->Ranges->GetPointer(0))
     , Alpha(this->Alphas->GetPointer(0))
@@ -267,7 +252,7 @@ bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry
 {
   const vtkIdType beams =
     static_cast<vtkIdType>(geometry.GetNumberOfBeams()) * geometry.GetNumberOfTurns();
-  this->Ranges = MakeArray<vtkDoubleArray>(this->Pool, "Range", beams);
+  this->Ranges = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Range", beams);
   if (this->Triangles.capacity() > 2 * static_cast<std::size_t>(beams))
   {
     this->Triangles = {};

@@ -8,6 +8,7 @@
 #include "lms3dScanGeometry.h"
 #include "lms3dScanOutput.h"
 #include "lms3dScanner.h"
+#include "lms3dThreads.h"
 
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
@@ -19,10 +20,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -74,16 +71,6 @@ std::string Pair(const T values[2])
 
 struct vtkLMS3DScanFilter::Internals
 {
-  /// Threads are slow to join a new arena, so it stays from scan to scan.
-  tbb::task_arena& GetArena(int threads)
-  {
-    if (!this->Arena || this->Arena->max_concurrency() != threads)
-    {
-      this->Arena = std::make_unique<tbb::task_arena>(threads);
-    }
-    return *this->Arena;
-  }
-
   /// Tables of sines and cosines are made for new angles only.
   const lms3dScanGeometry& GetGeometry(const vtkLMS3DScanFilter* filter)
   {
@@ -100,12 +87,12 @@ struct vtkLMS3DScanFilter::Internals
   }
 
   lms3dBuiltScene Scene;
+  lms3dThreads Threads;
   lms3dScanOutput Output;
 
 private:
   using Angles = std::array<double, 6>;
 
-  std::unique_ptr<tbb::task_arena> Arena;
   std::unique_ptr<lms3dScanGeometry> Geometry;
   Angles GeometryAngles;
 };
@@ -270,17 +257,12 @@ int vtkLMS3DScanFilter::RequestData(
 
 void vtkLMS3DScanFilter::Scan(vtkDataObject* scene, vtkPolyData* scan, vtkImageData* image)
 {
-  const int cores = tbb::info::default_concurrency();
-  const int threads = this->NumberOfThreads > 0 ? this->NumberOfThreads : cores;
-  // TBB makes no more threads than there are cores unless it is allowed to.
-  const tbb::global_control allowance(
-    tbb::global_control::max_allowed_parallelism, std::max(threads, cores));
-  tbb::task_arena& arena = this->Internal->GetArena(threads);
   lms3dBuiltScene& built = this->Internal->Scene;
   if (!built.IsFor(scene, this->IntersectionMethod))
   {
     std::string leftOut;
-    arena.execute([&] { leftOut = built.Build(scene, this->IntersectionMethod); });
+    this->Internal->Threads.Run(
+      this->NumberOfThreads, [&] { leftOut = built.Build(scene, this->IntersectionMethod); });
     if (!leftOut.empty())
     {
       vtkWarningMacro(<< leftOut);
@@ -293,7 +275,7 @@ void vtkLMS3DScanFilter::Scan(vtkDataObject* scene, vtkPolyData* scan, vtkImageD
   const lms3dRayCaster& caster = built.GetCaster();
   lms3dScanOutput& output = this->Internal->Output;
   const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
-  arena.execute(
+  this->Internal->Threads.Run(this->NumberOfThreads,
     [&]
     {
       if (output.Cast(caster, geometry, pose, { this->MinimumRange, this->MaximumRange }, progress))

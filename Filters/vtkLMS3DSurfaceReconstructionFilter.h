@@ -24,8 +24,9 @@
  * sensor; a return that belongs to no triangle has the direction to the sensor for its normal.
  *
  * Bad input gives an error that says what to do, the error code vtkErrorCode::UserError, and an
- * empty output: a missing array, a range that is not a finite number above 0, a BeamId that is out
- * of the grid or that comes twice. A scan without returns gives an empty map and no error.
+ * empty output: a missing array, a coordinate that is not finite, a range that is not a finite
+ * number above 0, a BeamId that is out of the grid or that comes twice. A scan without returns gives
+ * an empty map and no error. The output is the same to the bit for any NumberOfThreads.
  *
  * @sa
  * vtkLMS3DScanFilter
@@ -35,6 +36,10 @@
 
 #include "vtkLMS3DFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For std::unique_ptr
+
+class lms3dScanInput;
 
 class VTKLMS3DFILTERS_EXPORT vtkLMS3DSurfaceReconstructionFilter : public vtkPolyDataAlgorithm
 {
@@ -54,9 +59,17 @@ public:
   vtkGetMacro(DepthStep, double);
   ///@}
 
+  ///@{
+  /**
+   * The number of threads, 0 to 1024; the default, 0, takes all cores.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
 protected:
-  vtkLMS3DSurfaceReconstructionFilter() = default;
-  ~vtkLMS3DSurfaceReconstructionFilter() override = default;
+  vtkLMS3DSurfaceReconstructionFilter();
+  ~vtkLMS3DSurfaceReconstructionFilter() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -66,6 +79,13 @@ private:
   void operator=(const vtkLMS3DSurfaceReconstructionFilter&) = delete;
 
   double DepthStep = 0.1;
+  int NumberOfThreads = 0;
+
+  // Within the threads of the calling arena.
+  void MakeMap(const lms3dScanInput& scan, vtkPolyData* map);
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

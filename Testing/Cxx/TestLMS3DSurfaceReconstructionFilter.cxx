@@ -188,6 +188,44 @@ TEST(LMS3DSurfaceReconstructionFilter, HasRangesAndUnitNormalsTowardsTheSensor)
   }
 }
 
+TEST(LMS3DSurfaceReconstructionFilter, HasTheMeanNormalsOfItsTriangles)
+{
+  Pipeline pipeline(ReadRoom());
+  const Point sensor = { 0.3, -0.2, 1.0 };
+  pipeline.Scan->SetPosition(sensor.data());
+  pipeline.Scan->SetMaximumRange(2.0); // Leaves whole turns, and parts of others, without returns.
+  vtkPolyData* map = pipeline.Run();
+  std::vector<Point> sums(map->GetNumberOfPoints(), Point{});
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < map->GetNumberOfCells(); ++cell)
+  {
+    map->GetCellPoints(cell, corners);
+    Point a, b, c, normal;
+    map->GetPoint(corners->GetId(0), a.data());
+    map->GetPoint(corners->GetId(1), b.data());
+    map->GetPoint(corners->GetId(2), c.data());
+    vtkMath::Subtract(b.data(), a.data(), b.data());
+    vtkMath::Subtract(c.data(), a.data(), c.data());
+    vtkMath::Cross(b.data(), c.data(), normal.data());
+    for (vtkIdType corner : *corners)
+    {
+      vtkMath::Add(sums[corner].data(), normal.data(), sums[corner].data());
+    }
+  }
+  for (vtkIdType i = 0; i < map->GetNumberOfPoints(); ++i)
+  {
+    Point expected = sums[i], normal, p;
+    if (vtkMath::Norm(expected.data()) == 0.0)
+    {
+      map->GetPoint(i, p.data());
+      vtkMath::Subtract(sensor.data(), p.data(), expected.data());
+    }
+    vtkMath::Normalize(expected.data());
+    map->GetPointData()->GetNormals()->GetTuple(i, normal.data());
+    ASSERT_GT(vtkMath::Dot(normal.data(), expected.data()), 1.0 - 1e-6) << "point " << i;
+  }
+}
+
 TEST(LMS3DSurfaceReconstructionFilter, NeverCrossesADepthStep)
 {
   // A plate one metre in front of a wall.
@@ -317,6 +355,13 @@ TEST(LMS3DSurfaceReconstructionFilter, RefusesBadReturns)
     vtkSmartPointer<vtkPolyData> scan = CopyScan(pipeline.Scan);
     scan->GetPointData()->GetArray("Range")->SetTuple1(7, bad);
     ExpectError(scan, "Return 7 of the scan has the Range");
+  }
+  for (double bad :
+    { std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity() })
+  {
+    vtkSmartPointer<vtkPolyData> scan = CopyScan(pipeline.Scan);
+    scan->GetPoints()->SetPoint(7, 1.0, bad, 2.0);
+    ExpectError(scan, "Return 7 of the scan has the coordinate");
   }
   for (double bad : { -1.0, 72.0, 3.0 })
   {

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -154,5 +155,31 @@ TEST(PacketKernels, GiveTheSameBitsWithAllInstructions)
       ASSERT_TRUE(Compute(lms3dGetPacketKernels(k), input) == expected)
         << lms3dGetPacketKernels(k).Name << ", input " << i;
     }
+  }
+}
+
+TEST(PacketKernels, SumTheSameNormalsWithAllInstructions)
+{
+  std::vector<std::string> sums;
+  for (int k = 0; k < lms3dGetNumberOfPacketKernels(); ++k)
+  {
+    Random random(12);
+    lms3dNormalTile tile = {};
+    sums.emplace_back();
+    for (int turn = 0; turn < 100; ++turn)
+    {
+      for (int i = 0; i < lms3dNormalTile::Points; ++i)
+      {
+        tile.Triangles[i] = random.GetBits() % 16;
+        for (auto& coordinates : tile.Next)
+        {
+          coordinates[i] = random.Get(-5.0, 5.0);
+        }
+      }
+      lms3dGetPacketKernels(k).AddStrip(tile);
+      sums.back().append(reinterpret_cast<const char*>(tile.Sum), sizeof(tile.Sum));
+      sums.back().append(reinterpret_cast<const char*>(tile.Scale), sizeof(tile.Scale));
+    }
+    ASSERT_TRUE(sums[k] == sums[0]) << lms3dGetPacketKernels(k).Name;
   }
 }

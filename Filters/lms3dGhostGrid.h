@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Values at the places of the grid of turns and beams, and on a ring of ghosts around it.
+ */
+#ifndef lms3dGhostGrid_h
+#define lms3dGhostGrid_h
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+/**
+ * Whoever looks at the neighbours of a place needs not ask where the grid ends: turns -1 to the
+ * number of turns + 1 and beams -1 to the number of beams can be read.
+ */
+template <typename T>
+class lms3dGhostGrid
+{
+public:
+  lms3dGhostGrid() = default;
+
+  /// `outside` is the value of ghosts that repeat no place.
+  explicit lms3dGhostGrid(T outside)
+    : Outside(outside)
+  {
+  }
+
+  /// Keeps its memory, and its values where the shape is the same.
+  void SetShape(int turns, int beams)
+  {
+    if (turns != this->Turns || beams != this->Beams)
+    {
+      this->Turns = turns;
+      this->Beams = beams;
+      this->Values.assign((static_cast<std::size_t>(turns) + 3) * this->GetStride(), this->Outside);
+    }
+  }
+
+  /// The element at i belongs to beam i of the turn.
+  T* GetRow(int turn) { return this->Values.data() + this->GetStart(turn); }
+  const T* GetRow(int turn) const { return this->Values.data() + this->GetStart(turn); }
+
+  /// To call when all turns are filled: beyond a closed grid's ends they go on with its other end.
+  void FillGhosts(bool isClosed)
+  {
+    this->FillGhost(-1, this->Turns - 1, isClosed);
+    this->FillGhost(this->Turns, 0, isClosed);
+    this->FillGhost(this->Turns + 1, 1, isClosed);
+  }
+
+private:
+  std::size_t GetStride() const { return static_cast<std::size_t>(this->Beams) + 2; }
+  std::size_t GetStart(int turn) const { return (turn + 1) * this->GetStride() + 1; }
+
+  void FillGhost(int ghost, int turn, bool isClosed)
+  {
+    if (isClosed)
+    {
+      std::copy_n(this->GetRow(turn), this->Beams, this->GetRow(ghost));
+    }
+    else
+    {
+      std::fill_n(this->GetRow(ghost), this->Beams, this->Outside);
+    }
+  }
+
+  const T Outside = T();
+  int Turns = 0;
+  int Beams = 0;
+  std::vector<T> Values;
+};
+
+#endif
