@@ -13,8 +13,7 @@
 #include <cstdint>
 
 /**
- * For each place two flags, by lms3dDepthStep. Beyond a pole of a full circle, a fan goes on in the
- * opposite turn. A pole is not joined with itself from turn to turn,
+ * For each place two flags, by lms3dDepthStep. A pole is not joined with itself from turn to turn,
  * its places being one vertex. As in the grid, turns -1 to the number of turns + 1 and beams -1 to
  * the number of beams may be asked for.
  */

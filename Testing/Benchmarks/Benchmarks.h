@@ -26,8 +26,7 @@ void RunScanBenchmark(const BenchmarkOptions& options);
 /// The first scan, building included, beside Embree's own build.
 void RunFirstBenchmark(const BenchmarkOptions& options);
 
-/// Local maps within several error bounds, without and with noise, beside what else makes maps:
-/// time, triangles and errors.
+/// The local map beside the scan that it is made of.
 void RunMapBenchmark(const BenchmarkOptions& options);
 
 #endif

@@ -33,7 +33,6 @@ struct Pipeline
   {
     this->Scan->SetInputDataObject(scene);
     this->Map->SetInputConnection(this->Scan->GetOutputPort());
-    this->Map->SetMaximumError(0.0);
   }
 
   vtkPolyData* Run()
@@ -288,7 +287,6 @@ TEST(LMS3DSurfaceReconstructionFilter, NeverJoinsAcrossAMiss)
     }
   }
   vtkNew<vtkLMS3DSurfaceReconstructionFilter> map;
-  map->SetMaximumError(0.0);
   map->SetInputDataObject(holed);
   map->Update();
   // Each of the four cells around the hole keeps one of its two triangles.
