@@ -23,6 +23,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <ostream>
 
 vtkSmartPointer<vtkPolyData> MakeBall(double radius, int resolution)
 {
@@ -168,6 +169,21 @@ double GetRange(vtkLMS3DScanFilter* scan, vtkIdType i)
 {
   return GetArray(scan, "Range")->GetTuple1(i);
 }
+
+void PrintTo(const ScanChange& change, std::ostream* os)
+{
+  *os << change.Name;
+}
+
+// Constant, so that tables of other files that take them are made after them.
+constexpr ScanChange ToSameSize = { "SameSize",
+  [](vtkLMS3DScanFilter* scan) { scan->SetPosition(0.2, 0.1, 0.0); } };
+constexpr ScanChange ToLarger = { "Larger",
+  [](vtkLMS3DScanFilter* scan) { scan->SetAlphaResolution(181); } };
+constexpr ScanChange ToSmaller = { "Smaller",
+  [](vtkLMS3DScanFilter* scan) { scan->SetAlphaResolution(5); } };
+constexpr ScanChange ToNoReturns = { "NoReturns",
+  [](vtkLMS3DScanFilter* scan) { scan->SetMaximumRange(0.1); } };
 
 std::string UpdateAndGetError(vtkAlgorithm* algorithm)
 {

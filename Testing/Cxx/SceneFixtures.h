@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstdint>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,21 @@ vtkSmartPointer<vtkLMS3DScanFilter> MakeScan(vtkDataObject* scene);
 void SetGrid(vtkLMS3DScanFilter* scan, int beams, int turns);
 vtkDataArray* GetArray(vtkLMS3DScanFilter* scan, const char* name);
 double GetRange(vtkLMS3DScanFilter* scan, vtkIdType i);
+///@}
+
+///@{
+/// What a test does to a filter that has scanned before. Shown by its name.
+struct ScanChange
+{
+  const char* Name;
+  void (*Apply)(vtkLMS3DScanFilter*);
+};
+void PrintTo(const ScanChange& change, std::ostream* os);
+
+extern const ScanChange ToSameSize;
+extern const ScanChange ToLarger;
+extern const ScanChange ToSmaller;
+extern const ScanChange ToNoReturns;
 ///@}
 
 /// The words of the errors that the algorithm gives in an Update(), empty if there is none.

@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -87,16 +88,24 @@ double GetLargestStep(vtkPolyData* map)
   return largest;
 }
 
+std::array<Point, 3> GetPoints(vtkPolyData* map, vtkIdList* corners)
+{
+  std::array<Point, 3> points;
+  for (int i = 0; i < 3; ++i)
+  {
+    map->GetPoint(corners->GetId(i), points[i].data());
+  }
+  return points;
+}
+
 void ExpectFacing(vtkPolyData* map, const Point& sensor)
 {
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < map->GetNumberOfCells(); ++cell)
   {
     map->GetCellPoints(cell, corners);
-    Point a, b, c, normal;
-    map->GetPoint(corners->GetId(0), a.data());
-    map->GetPoint(corners->GetId(1), b.data());
-    map->GetPoint(corners->GetId(2), c.data());
+    auto [a, b, c] = GetPoints(map, corners);
+    Point normal;
     vtkTriangle::ComputeNormal(a.data(), b.data(), c.data(), normal.data());
     const Point toSensor = { sensor[0] - a[0], sensor[1] - a[1], sensor[2] - a[2] };
     ASSERT_GT(vtkMath::Dot(normal.data(), toSensor.data()), 0.0) << "triangle " << cell;
@@ -200,10 +209,8 @@ TEST(LMS3DSurfaceReconstructionFilter, HasTheMeanNormalsOfItsTriangles)
   for (vtkIdType cell = 0; cell < map->GetNumberOfCells(); ++cell)
   {
     map->GetCellPoints(cell, corners);
-    Point a, b, c, normal;
-    map->GetPoint(corners->GetId(0), a.data());
-    map->GetPoint(corners->GetId(1), b.data());
-    map->GetPoint(corners->GetId(2), c.data());
+    auto [a, b, c] = GetPoints(map, corners);
+    Point normal;
     vtkMath::Subtract(b.data(), a.data(), b.data());
     vtkMath::Subtract(c.data(), a.data(), c.data());
     vtkMath::Cross(b.data(), c.data(), normal.data());

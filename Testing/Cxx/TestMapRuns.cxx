@@ -14,32 +14,19 @@
 
 #include <gtest/gtest.h>
 
-#include <ostream>
-
 namespace
 {
-struct Change
-{
-  const char* Name;
-  void (*Apply)(vtkLMS3DScanFilter*);
-};
-
-void PrintTo(const Change& change, std::ostream* os)
-{
-  *os << change.Name;
-}
-
-const Change Changes[] = {
-  { "SameSize", [](vtkLMS3DScanFilter* scan) { scan->SetPosition(0.2, 0.1, 0.0); } },
-  { "Larger", [](vtkLMS3DScanFilter* scan) { scan->SetAlphaResolution(181); } },
-  { "Smaller", [](vtkLMS3DScanFilter* scan) { scan->SetAlphaResolution(5); } },
+const ScanChange Changes[] = {
+  ToSameSize,
+  ToLarger,
+  ToSmaller,
   { "Open", [](vtkLMS3DScanFilter* scan) { scan->SetBetaRange(0.0, 300.0); } },
   { "WithoutPoles", [](vtkLMS3DScanFilter* scan) { scan->SetAlphaRange(-80.0, 80.0); } },
   { "Misses", [](vtkLMS3DScanFilter* scan) { scan->SetMaximumRange(1.0); } },
-  { "NoReturns", [](vtkLMS3DScanFilter* scan) { scan->SetMaximumRange(0.1); } },
+  ToNoReturns,
 };
 
-class EachMapChange : public testing::TestWithParam<Change>
+class EachMapChange : public testing::TestWithParam<ScanChange>
 {
 protected:
   void SetUp() override

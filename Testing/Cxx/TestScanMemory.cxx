@@ -12,31 +12,18 @@
 
 #include <gtest/gtest.h>
 
-#include <ostream>
-
 namespace
 {
-struct Change
-{
-  const char* Name;
-  void (*Apply)(vtkLMS3DScanFilter*);
-};
-
-void PrintTo(const Change& change, std::ostream* os)
-{
-  *os << change.Name;
-}
-
-const Change Changes[] = {
-  { "SameSize", [](vtkLMS3DScanFilter* scan) { scan->SetPosition(0.2, 0.1, 0.0); } },
-  { "Larger", [](vtkLMS3DScanFilter* scan) { scan->SetAlphaResolution(181); } },
-  { "Smaller", [](vtkLMS3DScanFilter* scan) { scan->SetAlphaResolution(5); } },
-  { "NoReturns", [](vtkLMS3DScanFilter* scan) { scan->SetMaximumRange(0.1); } },
+const ScanChange Changes[] = {
+  ToSameSize,
+  ToLarger,
+  ToSmaller,
+  ToNoReturns,
   { "Error", [](vtkLMS3DScanFilter* scan) { scan->SetBetaResolution(0); } },
 };
 
 /// What somebody still holds of a scan must stay as it was, whatever the filter does next.
-class EachChange : public testing::TestWithParam<Change>
+class EachChange : public testing::TestWithParam<ScanChange>
 {
 protected:
   void SetUp() override
