@@ -15,7 +15,7 @@ if (LMS3D_BUILD_PYTHON)
   list(APPEND LMS3D_VTK_COMPONENTS Python WrappingPythonCore)
 endif ()
 if (BUILD_TESTING)
-  list(APPEND LMS3D_VTK_COMPONENTS FiltersGeneral FiltersSources TestingCore)
+  list(APPEND LMS3D_VTK_COMPONENTS FiltersGeneral FiltersSources ImagingHybrid TestingCore)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${LMS3D_VTK_COMPONENTS})
 

@@ -11,7 +11,6 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -40,22 +39,6 @@ vtkMTimeType GetSceneTime(vtkDataObject* scene)
   }
   return time;
 }
-
-std::string TellLeftOut(const lms3dSceneTriangles& scene)
-{
-  std::ostringstream words;
-  if (scene.SkippedCells > 0)
-  {
-    words << "Cells with a point that is not finite, or beyond 1e18 m, are left out: "
-          << scene.SkippedCells << ". ";
-  }
-  if (scene.CrossedCells > 0)
-  {
-    words << "Polygons that cross themselves are left out: " << scene.CrossedCells
-          << ". Split them to have them scanned. ";
-  }
-  return words.str();
-}
 } // namespace
 
 bool lms3dBuiltScene::IsFor(vtkDataObject* scene, int method) const
@@ -68,7 +51,7 @@ std::string lms3dBuiltScene::Build(vtkDataObject* scene, int method)
 {
   this->Caster.reset();
   lms3dSceneTriangles triangles = lms3dCollectTriangles(scene);
-  std::string leftOut = TellLeftOut(triangles);
+  std::string leftOut = lms3dTellLeftOut(triangles, "The scene");
   if (triangles.Mesh.Triangles.empty())
   {
     throw std::runtime_error(leftOut.empty()

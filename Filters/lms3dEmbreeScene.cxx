@@ -42,6 +42,35 @@ struct Query
   lms3dBeamPacket* Packet;
 };
 static_assert(std::is_standard_layout_v<Query>, "a query starts with its context");
+
+// By how much a search goes beyond the nearest so far: the rounding of the point and of the scene in
+// single precision, of which the first grows with the distance.
+constexpr float SearchMargin = 4e-6f;
+constexpr float SearchFactor = 1.0f + 1e-6f;
+
+/// What the callback for the nearest triangle needs to know.
+struct Search
+{
+  lms3dEmbreeScene::NearestTest* Test;
+  const lms3dNormalization* Unit;
+
+  float GetRadius(double distance) const
+  {
+    return static_cast<float>(this->Unit->GetDistance(distance)) * SearchFactor + SearchMargin;
+  }
+};
+
+bool TestNearest(RTCPointQueryFunctionArguments* args)
+{
+  const Search* search = static_cast<const Search*>(args->userPtr);
+  const float radius = search->GetRadius(search->Test->Test(args->primID));
+  if (!(radius < args->query->radius))
+  {
+    return false;
+  }
+  args->query->radius = radius;
+  return true;
+}
 } // namespace
 
 struct lms3dEmbreeScene::Internals
@@ -318,4 +347,19 @@ void lms3dEmbreeScene::Cast(
       Internals::TakeTriangles(rayhit, packet);
     }
   }
+}
+
+void lms3dEmbreeScene::FindNearest(const double point[3], double reach, NearestTest& test) const
+{
+  const Internals& self = *this->Internal;
+  Search search = { &test, &self.Unit };
+  RTCPointQuery query;
+  query.x = static_cast<float>(self.Unit.GetCoordinate(point, 0));
+  query.y = static_cast<float>(self.Unit.GetCoordinate(point, 1));
+  query.z = static_cast<float>(self.Unit.GetCoordinate(point, 2));
+  query.time = 0.0f;
+  query.radius = search.GetRadius(reach);
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(self.EmbreeScene.get(), &query, &context, &TestNearest, &search);
 }

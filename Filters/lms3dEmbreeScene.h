@@ -34,6 +34,17 @@ public:
     ~CandidateTest() = default;
   };
 
+  /// Measures, one after the other, the triangles that Embree cannot rule out as the nearest.
+  class NearestTest
+  {
+  public:
+    /// Returns the distance of the nearest so far, metres.
+    virtual double Test(std::uint32_t triangle) = 0;
+
+  protected:
+    ~NearestTest() = default;
+  };
+
   /// A scene of triangles on which Embree decides itself.
   explicit lms3dEmbreeScene(const lms3dTriangleMesh& mesh);
 
@@ -49,6 +60,10 @@ public:
    * NoRange.
    */
   void Cast(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const;
+
+  /// Shows all triangles to the test that may be the nearest to a point, or as near as that, up to
+  /// a reach in metres. The point is finite, the scene without a test for candidates.
+  void FindNearest(const double point[3], double reach, NearestTest& test) const;
 
 private:
   struct Internals;

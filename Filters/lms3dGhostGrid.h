@@ -12,8 +12,8 @@
 #include <vector>
 
 /**
- * Whoever looks at the neighbours of a place needs not ask where the grid ends: turns -1 to the
- * number of turns + 1 and beams -1 to the number of beams can be read.
+ * Whoever looks at the neighbours of a place needs not ask where the grid ends: turns -2 to the
+ * number of turns + 2 and beams -2 to the number of beams + 1 can be read.
  */
 template <typename T>
 class lms3dGhostGrid
@@ -34,7 +34,7 @@ public:
     {
       this->Turns = turns;
       this->Beams = beams;
-      this->Values.assign((static_cast<std::size_t>(turns) + 3) * this->GetStride(), this->Outside);
+      this->Values.assign(this->GetNumberOfRows() * this->GetStride(), this->Outside);
     }
   }
 
@@ -45,17 +45,36 @@ public:
   /// To call when all turns are filled: beyond a closed grid's ends they go on with its other end.
   void FillGhosts(bool isClosed)
   {
-    this->FillGhost(-1, this->Turns - 1, isClosed);
-    this->FillGhost(this->Turns, 0, isClosed);
-    this->FillGhost(this->Turns + 1, 1, isClosed);
+    for (int ghost = 1; ghost <= GhostsBefore; ++ghost)
+    {
+      this->FillGhost(-ghost, isClosed);
+    }
+    for (int ghost = 0; ghost < GhostsAfter; ++ghost)
+    {
+      this->FillGhost(this->Turns + ghost, isClosed);
+    }
   }
 
 private:
-  std::size_t GetStride() const { return static_cast<std::size_t>(this->Beams) + 2; }
-  std::size_t GetStart(int turn) const { return (turn + 1) * this->GetStride() + 1; }
+  // Of turns; the first turn is a neighbour of the last one, and has two neighbours more.
+  static constexpr int GhostsBefore = 2;
+  static constexpr int GhostsAfter = 3;
+  // Of beams, on either side.
+  static constexpr int GhostsBeside = 2;
 
-  void FillGhost(int ghost, int turn, bool isClosed)
+  std::size_t GetNumberOfRows() const
   {
+    return static_cast<std::size_t>(this->Turns) + GhostsBefore + GhostsAfter;
+  }
+  std::size_t GetStride() const { return static_cast<std::size_t>(this->Beams) + 2 * GhostsBeside; }
+  std::size_t GetStart(int turn) const
+  {
+    return (turn + GhostsBefore) * this->GetStride() + GhostsBeside;
+  }
+
+  void FillGhost(int ghost, bool isClosed)
+  {
+    const int turn = (ghost % this->Turns + this->Turns) % this->Turns;
     if (isClosed)
     {
       std::copy_n(this->GetRow(turn), this->Beams, this->GetRow(ghost));

@@ -23,11 +23,12 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace
 {
 // Fewer are done before another thread can come.
-constexpr int FewestOffsets = 4096;
+constexpr int FewestTriangles = 4096;
 
 /// Where the vertices go.
 struct VertexArrays
@@ -80,12 +81,24 @@ struct VertexArrays
 
 void FillOffsets(int triangles, std::int32_t* offsets)
 {
-  tbb::parallel_for(tbb::blocked_range<int>(0, triangles + 1, FewestOffsets),
+  tbb::parallel_for(tbb::blocked_range<int>(0, triangles + 1, FewestTriangles),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int i = range.begin(); i < range.end(); ++i)
       {
         offsets[i] = 3 * i;
+      }
+    });
+}
+
+void TurnRound(int triangles, std::int32_t* vertices)
+{
+  tbb::parallel_for(tbb::blocked_range<int>(0, triangles, FewestTriangles),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      for (int i = range.begin(); i < range.end(); ++i)
+      {
+        std::swap(vertices[3 * i + 1], vertices[3 * i + 2]);
       }
     });
 }
@@ -127,6 +140,10 @@ void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
     lms3dMakeArray<vtkTypeInt32Array>(this->Pool, "Offsets", static_cast<vtkIdType>(triangles) + 1);
   this->Mesher.FillTriangles(grid, connectivity->GetPointer(0));
   FillOffsets(triangles, offsets->GetPointer(0));
+  if (grid.GetGeometry().IsMirrored())
+  {
+    TurnRound(triangles, connectivity->GetPointer(0));
+  }
   if (!progress(0.7))
   {
     return;

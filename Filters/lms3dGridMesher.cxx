@@ -83,12 +83,33 @@ void FindSides(const lms3dRangeJoins& joins, int turn, int cells, std::uint8_t* 
   }
 }
 
-void ChooseStrip(const lms3dRangeJoins& joins, const lms3dGridPoints& points, int turn, int cells,
-  std::uint8_t* chosen)
+// The triangle of a cell with a pole has three sides along the grid.
+void KeepWholePoleCells(const std::vector<int>& poles, int cells, std::uint8_t* sides)
 {
+  constexpr std::uint8_t AfterPole = 0b1110;
+  constexpr std::uint8_t BeforePole = 0b1011;
+  const auto keepIf = [&](int cell, std::uint8_t whole)
+  {
+    if (cell >= 0 && cell < cells && sides[cell] != whole)
+    {
+      sides[cell] = 0;
+    }
+  };
+  for (int pole : poles)
+  {
+    keepIf(pole, AfterPole);
+    keepIf(pole - 1, BeforePole);
+  }
+}
+
+void ChooseStrip(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
+  const lms3dGridPoints& points, int turn, std::uint8_t* chosen)
+{
+  const int cells = grid.GetNumberOfBeams() - 1;
   std::vector<double> excess(cells);
   CompareDiagonals(points, turn, cells, excess.data());
   FindSides(joins, turn, cells, chosen);
+  KeepWholePoleCells(grid.GetPoles(), cells, chosen);
   for (int i = 0; i < cells; ++i)
   {
     chosen[i] = Table[chosen[i] | (excess[i] >= 0.0 ? 16 : 0)];
@@ -152,7 +173,7 @@ void lms3dGridMesher::ChooseTriangles(
       std::uint8_t* chosen = this->Cells.GetRow(turn);
       if (grid.HasReturns(turn))
       {
-        ChooseStrip(joins, points, turn, cells, chosen);
+        ChooseStrip(grid, joins, points, turn, chosen);
         this->FirstTriangles[turn + 1] = CountTriangles(chosen, cells);
       }
       else

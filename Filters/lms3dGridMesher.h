@@ -16,11 +16,12 @@
 
 /**
  * Two triangles for each cell of the grid, along its shorter diagonal, one for each cell at a pole.
- * A triangle is made where both of its sides along the grid join returns of one surface.
+ * A triangle is made where its sides along the grid, two and at a pole three, join returns of one
+ * surface.
  *
- * The corners of a cell are numbered counter-clockwise as the sensor sees them: (turn, beam),
- * (turn + 1, beam), (turn + 1, beam + 1), (turn, beam + 1). A triangle goes by the corner at which
- * its sides along the grid meet.
+ * The corners of a cell are numbered counter-clockwise as the sensor sees them where angles grow
+ * from beam to beam and from turn to turn: (turn, beam), (turn + 1, beam), (turn + 1, beam + 1),
+ * (turn, beam + 1). A triangle goes by the corner at which its sides along the grid meet.
  */
 class lms3dGridMesher
 {
@@ -35,7 +36,8 @@ public:
 
   std::int64_t GetNumberOfTriangles() const { return this->FirstTriangles.back(); }
 
-  /// Writes the vertices of the triangles, facing the sensor, ordered by turn, then beam.
+  /// Writes the vertices of the triangles, ordered by turn, then beam. The triangles face the sensor
+  /// or, of a scan that lms3dScanGeometry::IsMirrored(), away from it.
   void FillTriangles(const lms3dRangeGrid& grid, std::int32_t* vertices) const;
 
 private:

@@ -135,6 +135,7 @@ public:
     , Points(points)
     , Sensor(sensor)
     , Normals(normals)
+    , Sign(grid.GetGeometry().IsMirrored() ? -1.0 : 1.0)
     , PoleSums(grid.GetPoles().size() * grid.GetNumberOfTurns())
   {
   }
@@ -182,8 +183,8 @@ public:
 private:
   void Write(int turn, int beam, const Vector& sum, double scale)
   {
-    const Vector normal =
-      IsProperScale(scale) ? Scale(sum, scale) : this->GetDirectionToSensor(turn, beam);
+    const Vector normal = IsProperScale(scale) ? Scale(sum, this->Sign * scale)
+                                               : this->GetDirectionToSensor(turn, beam);
     float* out = this->Normals + 3 * static_cast<std::ptrdiff_t>(this->Grid.GetVertex(turn, beam));
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -205,6 +206,8 @@ private:
   const lms3dGridPoints& Points;
   const Vector Sensor;
   float* const Normals;
+  /// The sums face the sensor, or away from it.
+  const double Sign;
   std::vector<Vector> PoleSums;
 };
 } // namespace

@@ -24,6 +24,7 @@ void lms3dRangeGrid::Place(
   this->Closed = geometry.IsClosed();
   this->Sort(ranges, beamIds, count);
   this->Poles.clear();
+  this->RangesOfPoles.clear();
   for (int beam = 0; beam < this->GetNumberOfBeams(); ++beam)
   {
     if (geometry.IsPole(beam))
@@ -44,6 +45,8 @@ void lms3dRangeGrid::Place(
     this->SpreadPole(beam);
     this->HasPole |= this->HasReturn(0, beam);
   }
+  this->GoOnBeyond(0, -1);
+  this->GoOnBeyond(this->GetNumberOfBeams() - 1, 1);
   this->Ranges.FillGhosts(this->Closed);
   this->Vertices.FillGhosts(this->Closed);
 }
@@ -92,6 +95,7 @@ void lms3dRangeGrid::Refuse(std::int64_t index, double range, int beamId) const
 void lms3dRangeGrid::JoinPole(int beam, const double* ranges)
 {
   std::vector<std::pair<double, std::int32_t>> returns;
+  std::vector<double>& all = this->RangesOfPoles.emplace_back();
   for (int turn = 0; turn < this->GetNumberOfTurns(); ++turn)
   {
     const std::size_t place = static_cast<std::size_t>(turn) * this->GetNumberOfBeams() + beam;
@@ -99,6 +103,7 @@ void lms3dRangeGrid::JoinPole(int beam, const double* ranges)
     if (found != NoReturn)
     {
       returns.emplace_back(ranges[found], found);
+      all.push_back(ranges[found]);
     }
   }
   if (!returns.empty())
@@ -152,4 +157,27 @@ void lms3dRangeGrid::SpreadPole(int beam)
     this->Ranges.GetRow(turn)[beam] = this->GetRange(0, beam);
     this->Vertices.GetRow(turn)[beam] = this->GetVertex(0, beam);
   }
+}
+
+// Fills the ghosts beside the first beam or the last.
+void lms3dRangeGrid::GoOnBeyond(int end, int outwards)
+{
+  const bool goesOn = this->Closed && this->Geometry->IsPole(end);
+  for (int distance : { 1, 2 })
+  {
+    const int opposite = end - distance * outwards;
+    const bool isInside = opposite >= 0 && opposite < this->GetNumberOfBeams();
+    for (int turn = 0; turn < this->GetNumberOfTurns(); ++turn)
+    {
+      this->Ranges.GetRow(turn)[end + distance * outwards] =
+        goesOn && isInside ? this->GetOppositeRange(turn, opposite) : 0.0;
+    }
+  }
+}
+
+double lms3dRangeGrid::GetOppositeRange(int turn, int beam) const
+{
+  const int turns = this->GetNumberOfTurns();
+  return std::min(this->GetRange((turn + turns / 2) % turns, beam),
+    this->GetRange((turn + (turns + 1) / 2) % turns, beam));
 }

@@ -18,8 +18,9 @@
  * Each place holds a range and a vertex. Vertices are numbered by turn, then beam. The places of a
  * pole, where the beams of all turns are one, share one vertex: the return with the median range.
  *
- * Turns go round where the grid is closed, and a place outside of the grid has no return: turns -1
- * to the number of turns + 1 and beams -1 to the number of beams may be asked for.
+ * Around the grid lie ghosts (lms3dGhostGrid). Turns go round where it is closed, and beyond a pole a
+ * fan goes on in the opposite turn: of an odd number of turns in the two beside it, the nearer return
+ * of which has planes go farther. Other ghosts have no return, and none has a vertex.
  */
 class lms3dRangeGrid
 {
@@ -42,6 +43,8 @@ public:
 
   /// The beams that are the same in every turn.
   const std::vector<int>& GetPoles() const { return this->Poles; }
+  /// Of each pole the ranges of all returns, metres, in no order.
+  const std::vector<std::vector<double>>& GetRangesOfPoles() const { return this->RangesOfPoles; }
 
   /// For each beam of a turn metres, 0 where there is no return.
   const double* GetRanges(int turn) const { return this->Ranges.GetRow(turn); }
@@ -71,6 +74,8 @@ private:
   void CountVertices();
   void FillTurn(int turn, const double* ranges);
   void SpreadPole(int beam);
+  void GoOnBeyond(int end, int outwards);
+  double GetOppositeRange(int turn, int beam) const;
 
   const std::int32_t* GetReturnsOfTurn(int turn) const;
 
@@ -78,6 +83,7 @@ private:
   bool Closed = false;
   bool HasPole = false;
   std::vector<int> Poles;
+  std::vector<std::vector<double>> RangesOfPoles;
   /// By beam number, without ghosts.
   std::vector<std::int32_t> ReturnOfBeam;
   lms3dGhostGrid<double> Ranges{ 0.0 };

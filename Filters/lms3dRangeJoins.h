@@ -11,11 +11,14 @@
 #include "lms3dRangeGrid.h"
 
 #include <cstdint>
+#include <vector>
 
 /**
- * For each place two flags, by lms3dDepthStep. A pole is not joined with itself from turn to turn,
- * its places being one vertex. As in the grid, turns -1 to the number of turns + 1 and beams -1 to
- * the number of beams may be asked for.
+ * For each place two flags, by lms3dDepthStep. Where that is in doubt, neighbours are joined if the
+ * surface is whole around them: if the other three sides of both cells beside them are joined, be it
+ * for the same reason. So the silhouette of a thing, which ends at a sure step, is none. A pole
+ * is not joined with itself from turn to turn, its places being one vertex. Places around the grid
+ * may be asked for as well (lms3dGhostGrid).
  */
 class lms3dRangeJoins
 {
@@ -34,8 +37,23 @@ public:
   /// The flags for each beam of a turn.
   const std::uint8_t* GetRow(int turn) const { return this->Flags.GetRow(turn); }
 
+  /// Neighbours of which their ranges do not tell.
+  struct Doubt
+  {
+    int Turn;
+    int Beam;
+    Flag Towards;
+  };
+
 private:
+  void Settle(const lms3dRangeGrid& grid);
+  bool DropBesideGap(const lms3dRangeGrid& grid, const Doubt& doubt);
+  bool IsWholeAround(const lms3dRangeGrid& grid, const Doubt& doubt) const;
+  bool IsJoined(const lms3dRangeGrid& grid, int turn, int beam, Flag towards) const;
+
   lms3dGhostGrid<std::uint8_t> Flags{ 0 };
+  /// Of each turn.
+  std::vector<std::vector<Doubt>> Doubts;
 };
 
 #endif

@@ -147,7 +147,12 @@ bool lms3dScanGeometry::IsClosed() const
 {
   // Fewer than three turns cannot go round anything.
   return this->GetNumberOfTurns() >= 3 &&
-    IsFullCircle(this->GetBetaStep() * this->GetNumberOfTurns());
+    IsFullCircle(std::abs(this->GetBetaStep()) * this->GetNumberOfTurns());
+}
+
+bool lms3dScanGeometry::IsMirrored() const
+{
+  return this->GetAlphaStep() * this->GetBetaStep() < 0.0;
 }
 
 bool lms3dScanGeometry::IsPole(int beam) const

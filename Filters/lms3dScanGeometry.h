@@ -55,12 +55,16 @@ public:
   const std::vector<double>& GetAlphaAngles() const { return this->AlphaAngles; }
   const std::vector<double>& GetBetaAngles() const { return this->BetaAngles; }
 
-  /// The angle between neighbouring beams, and between neighbouring turns; 0 where there is one.
+  /// The angle between neighbouring beams, and between neighbouring turns; 0 where there is one, and
+  /// below 0 where the angles fall.
   double GetAlphaStep() const;
   double GetBetaStep() const;
 
   /// True where the turn after the last is the first one again.
   bool IsClosed() const;
+
+  /// True where either the elevations fall from beam to beam or the angles from turn to turn.
+  bool IsMirrored() const;
 
   /// True where the beam points along the platform's axis, so that it is the same in every turn.
   bool IsPole(int beam) const;

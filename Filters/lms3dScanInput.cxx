@@ -65,6 +65,15 @@ bool AreFinite(const double* first, const double* last)
   return infinite == 0;
 }
 
+void CheckFinite(vtkDoubleArray* array, const std::string& name)
+{
+  const double* first = array->GetPointer(0);
+  if (!AreFinite(first, first + array->GetNumberOfValues()))
+  {
+    Fail("The scan's field data " + name + " is not finite.");
+  }
+}
+
 vtkSmartPointer<vtkDoubleArray> TakeAngles(vtkFieldData* data, const char* name)
 {
   vtkDataArray* array = data->GetArray(name);
@@ -73,11 +82,7 @@ vtkSmartPointer<vtkDoubleArray> TakeAngles(vtkFieldData* data, const char* name)
     Fail("The scan has no field data " + std::string(name) + ".");
   }
   vtkSmartPointer<vtkDoubleArray> angles = As<vtkDoubleArray>(array);
-  const double* first = angles->GetPointer(0);
-  if (!AreFinite(first, first + angles->GetNumberOfValues()))
-  {
-    Fail("The scan's field data " + std::string(name) + " is not finite.");
-  }
+  CheckFinite(angles, name);
   return angles;
 }
 
@@ -106,6 +111,7 @@ lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
   this->AlphaAngles = TakeAngles(scan->GetFieldData(), "AlphaAngles");
   this->BetaAngles = TakeAngles(scan->GetFieldData(), "BetaAngles");
   this->SensorToWorld = Take<vtkDoubleArray>(scan->GetFieldData(), "SensorToWorld", 16);
+  CheckFinite(this->SensorToWorld, "SensorToWorld");
   this->Points = As<vtkDoubleArray>(scan->GetPoints()->GetData());
   const std::int64_t beams = static_cast<std::int64_t>(this->AlphaAngles->GetNumberOfValues()) *
     this->BetaAngles->GetNumberOfValues();

@@ -40,6 +40,8 @@ public:
   lms3dScanGeometry GetGeometry() const;
   bool HasAngles(const lms3dScanGeometry& geometry) const;
   std::array<double, 3> GetSensorPosition() const;
+  /// Row by row.
+  const double* GetSensorToWorld() const { return this->SensorToWorld->GetPointer(0); }
 
 private:
   vtkSmartPointer<vtkDoubleArray> Points;

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -283,4 +284,20 @@ lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene)
   collector.ClearUnusable();
   collector.DropUnusedRoom();
   return std::move(collector.Scene);
+}
+
+std::string lms3dTellLeftOut(const lms3dSceneTriangles& triangles, const std::string& what)
+{
+  std::ostringstream words;
+  if (triangles.SkippedCells > 0)
+  {
+    words << what << ": cells with a point that is not finite, or beyond 1e18 m, are left out: "
+          << triangles.SkippedCells << ". ";
+  }
+  if (triangles.CrossedCells > 0)
+  {
+    words << what << ": polygons that cross themselves are left out: " << triangles.CrossedCells
+          << ". Split them to have them taken. ";
+  }
+  return words.str();
 }

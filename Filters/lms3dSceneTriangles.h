@@ -10,6 +10,7 @@
 #include "lms3dTriangleMesh.h"
 
 #include <cstdint>
+#include <string>
 
 class vtkDataObject;
 
@@ -33,5 +34,9 @@ struct lms3dSceneTriangles
  * or where there are too many triangles.
  */
 lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene);
+
+/// Words for the user on the cells of "The scene", or whatever it is, that were left out; empty
+/// where all were taken.
+std::string lms3dTellLeftOut(const lms3dSceneTriangles& triangles, const std::string& what);
 
 #endif

@@ -2,72 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dTriangle.h"
 
+#include "lms3dExactSum.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
-/// A sum without rounding: doubles that do not overlap, from the smallest to the largest (Shewchuk
-/// 1997, "Adaptive precision floating-point arithmetic").
-class ExactSum
-{
-public:
-  void Add(double x)
-  {
-    int kept = 0;
-    for (int i = 0; i < this->Count; ++i)
-    {
-      const double sum = x + this->Terms[i];
-      const double part = sum - x;
-      const double error = (x - (sum - part)) + (this->Terms[i] - part);
-      this->Terms[kept] = error;
-      kept += error != 0.0;
-      x = sum;
-    }
-    this->Terms[kept] = x;
-    this->Count = kept + (x != 0.0);
-  }
-
-  void AddProduct(double x, double y, double z)
-  {
-    const double product = x * y;
-    const double error = std::fma(x, y, -product);
-    this->AddProduct(product, z);
-    this->AddProduct(error, z);
-  }
-
-  double GetValue() const
-  {
-    double sum = 0.0;
-    for (int i = 0; i < this->Count; ++i)
-    {
-      sum += this->Terms[i];
-    }
-    return sum;
-  }
-
-  // That of the largest term, which outweighs all others.
-  int GetSign() const
-  {
-    const double largest = this->Count > 0 ? this->Terms[this->Count - 1] : 0.0;
-    return (largest > 0.0) - (largest < 0.0);
-  }
-
-private:
-  void AddProduct(double x, double y)
-  {
-    const double product = x * y;
-    if (product != 0.0)
-    {
-      this->Add(std::fma(x, y, -product));
-      this->Add(product);
-    }
-  }
-
-  // Four for each of the 48 products of a determinant.
-  std::array<double, 192 + 1> Terms;
-  int Count = 0;
-};
+// Four for each of the 48 products of a determinant.
+using ExactSum = lms3dExactSum<192>;
 
 /// p - q as the sum of two doubles for each axis, the rounding error last.
 using Difference = std::array<std::array<double, 2>, 3>;

@@ -3,6 +3,8 @@
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 
 #include "lms3dAlgorithmProgress.h"
+#include "lms3dBoundedMesher.h"
+#include "lms3dBoundedOutput.h"
 #include "lms3dGridMap.h"
 #include "lms3dRangeGrid.h"
 #include "lms3dRangeJoins.h"
@@ -16,6 +18,7 @@
 #include <vtkPolyData.h>
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkLMS3DSurfaceReconstructionFilter);
@@ -64,6 +67,10 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
     {
       throw std::runtime_error("DepthStep is not a number; 0 or more metres are expected.");
     }
+    if (std::isnan(this->MaximumError))
+    {
+      throw std::runtime_error("MaximumError is not a number; 0 or more metres are expected.");
+    }
     const lms3dScanInput scan(vtkPolyData::GetData(inputVector[0]));
     if (scan.GetNumberOfReturns() > 0)
     {
@@ -87,7 +94,20 @@ void vtkLMS3DSurfaceReconstructionFilter::MakeMap(const lms3dScanInput& scan, vt
   grid.Place(this->Internal->GetGeometry(scan), scan.GetRanges(), scan.GetBeamIds(),
     scan.GetNumberOfReturns());
   this->Internal->Joins.Find(grid, this->DepthStep);
-  if (lms3dReportTo(this, 0.0, 1.0)(PlaceShare))
+  if (!lms3dReportTo(this, 0.0, 1.0)(PlaceShare))
+  {
+    return;
+  }
+  if (this->MaximumError > 0.0)
+  {
+    lms3dBoundedMesher mesher(grid, this->Internal->Joins, this->MaximumError);
+    if (const std::optional<lms3dBoundedMap> bounded =
+          mesher.MakeMap(lms3dReportTo(this, PlaceShare, 1.0)))
+    {
+      lms3dFillBoundedOutput(scan, *bounded, map);
+    }
+  }
+  else
   {
     this->Internal->Map.Fill(
       scan, grid, this->Internal->Joins, lms3dReportTo(this, PlaceShare, 1.0), map);
@@ -97,6 +117,7 @@ void vtkLMS3DSurfaceReconstructionFilter::MakeMap(const lms3dScanInput& scan, vt
 void vtkLMS3DSurfaceReconstructionFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumError: " << this->MaximumError << '\n';
   os << indent << "DepthStep: " << this->DepthStep << '\n';
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << '\n';
 }

@@ -172,7 +172,9 @@ BenchmarkScene MakeScene(const std::string& name)
   }
   if (name == "teapot")
   {
-    return ReadScene(name, { 0.10, -0.33, 0.30 });
+    BenchmarkScene teapot = ReadScene(name, { 0.10, -0.33, 0.30 });
+    teapot.DepthStep = 0.02;
+    return teapot;
   }
   if (name == "castle")
   {

@@ -20,6 +20,8 @@ struct BenchmarkScene
   /// Triangles alone.
   vtkSmartPointer<vtkPolyData> Surface;
   std::array<double, 3> Sensor;
+  /// Metres, for maps: less where the whole thing is small.
+  double DepthStep = 0.1;
 };
 
 /// From the smallest to the largest.

@@ -110,7 +110,7 @@ def compare(name, python, folder):
         except PeerProblem as problem:
             reasons.append(f"{peer.name} is left out: {problem}")
             rows.append(row + ["-"] * (len(COLUMNS) - len(row)))
-    _print(rows)
+    print_table(COLUMNS, rows)
     print("", *reasons, sep="\n", flush=True)
     return rows
 
@@ -154,9 +154,10 @@ def _describe(result, raw, beams, truth):
             f"{result['point_error']:.1e}", int(result["scans"])]
 
 
-def _print(rows):
-    rows = [COLUMNS, ["---"] * 2 + ["--:"] * (len(COLUMNS) - 2), *rows]
-    widths = [max(len(str(row[i])) for row in rows) for i in range(len(COLUMNS))]
+def print_table(columns, rows):
+    """Print Markdown; the first two columns hold words, the others numbers."""
+    rows = [columns, ["---"] * 2 + ["--:"] * (len(columns) - 2), *rows]
+    widths = [max(len(str(row[i])) for row in rows) for i in range(len(columns))]
     for row in rows:
         cells = [str(cell).ljust(width) if i < 2 else str(cell).rjust(width)
                  for i, (cell, width) in enumerate(zip(row, widths))]

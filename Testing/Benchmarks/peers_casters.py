@@ -23,12 +23,17 @@ FEWEST_SCANS = 5
 LONG_SCAN = 2.0
 
 
-def open3d(scene):
-    """Open3D's RaycastingScene, single precision, all cores."""
-    # Open3D links to libusb, which not every system has.
+def import_open3d():
+    """Return Open3D, which links to libusb, which not every system has."""
     import libusb_package
     ctypes.CDLL(str(libusb_package.get_library_path()), mode=ctypes.RTLD_GLOBAL)
     import open3d
+    return open3d
+
+
+def open3d(scene):
+    """Open3D's RaycastingScene, single precision, all cores."""
+    open3d = import_open3d()
     caster = open3d.t.geometry.RaycastingScene()
     caster.add_triangles(scene["points"].astype(numpy.float32),
                          scene["triangles"].astype(numpy.uint32))

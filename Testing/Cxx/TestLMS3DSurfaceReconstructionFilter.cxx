@@ -34,6 +34,7 @@ struct Pipeline
   {
     this->Scan->SetInputDataObject(scene);
     this->Map->SetInputConnection(this->Scan->GetOutputPort());
+    this->Map->SetMaximumError(0.0);
   }
 
   vtkPolyData* Run()
@@ -294,6 +295,7 @@ TEST(LMS3DSurfaceReconstructionFilter, NeverJoinsAcrossAMiss)
     }
   }
   vtkNew<vtkLMS3DSurfaceReconstructionFilter> map;
+  map->SetMaximumError(0.0);
   map->SetInputDataObject(holed);
   map->Update();
   // Each of the four cells around the hole keeps one of its two triangles.

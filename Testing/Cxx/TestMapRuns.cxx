@@ -36,6 +36,7 @@ protected:
     this->Scan->SetAlphaResolution(91);
     this->Scan->SetBetaResolution(90);
     this->Map->SetInputConnection(this->Scan->GetOutputPort());
+    this->Map->SetMaximumError(0.0);
     this->Map->Update();
   }
 
@@ -53,6 +54,7 @@ protected:
   {
     vtkNew<vtkLMS3DSurfaceReconstructionFilter> map;
     map->SetInputConnection(this->Scan->GetOutputPort());
+    map->SetMaximumError(0.0);
     map->Update();
     return map->GetOutput()->GetNumberOfPoints() > 0 ? Hash(map->GetOutput()) : 0;
   }
@@ -89,6 +91,7 @@ TEST(MapRuns, GiveTheSameBitsForAnyNumberOfThreads)
   scan->SetMaximumRange(3.0); // Leaves misses.
   vtkNew<vtkLMS3DSurfaceReconstructionFilter> map;
   map->SetInputConnection(scan->GetOutputPort());
+  map->SetMaximumError(0.0);
   map->SetNumberOfThreads(1);
   map->Update();
   ASSERT_GT(map->GetOutput()->GetNumberOfCells(), 10000);

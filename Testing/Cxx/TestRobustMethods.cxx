@@ -135,7 +135,7 @@ TEST_P(RobustMethods, LeavesCellsOutThatAreNotFinite)
   vtkNew<vtkLMS3DScanFilter> scan;
   Prepare(scan, scene, GetParam());
   const std::string warning = UpdateAndGetWarning(scan);
-  EXPECT_EQ(Count(warning, "Cells with a point that is not finite"), 1u) << warning;
+  EXPECT_EQ(Count(warning, "cells with a point that is not finite"), 1u) << warning;
   EXPECT_NE(warning.find("left out: 5."), std::string::npos) << warning;
   EXPECT_EQ(scan->GetErrorCode(), vtkErrorCode::NoError);
   EXPECT_EQ(Hash(scan->GetRangeImage()), Hash(clean->GetRangeImage()));

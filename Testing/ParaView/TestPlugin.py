@@ -49,6 +49,15 @@ def scan_room(**properties):
     return LMS3DScan(Input=VRMLReader(FileName=ROOM), Position=SENSOR, **properties)
 
 
+# Properties that connect proxies.
+INPUTS = {"Input", "Map", "Scene", "Scan"}
+
+
+def compare():
+    """A comparison with inputs, which ParaView asks for as soon as there is one."""
+    return LMS3DMapComparison(Map=simple.Sphere(), Scene=simple.Sphere())
+
+
 class TestProxies(unittest.TestCase):
     """What the plugin adds, as the properties panel shows it."""
 
@@ -57,13 +66,14 @@ class TestProxies(unittest.TestCase):
             VRMLReader: "vtkVRMLImporterSource",
             LMS3DScan: "vtkLMS3DScanFilter",
             LMS3DSurfaceReconstruction: "vtkLMS3DSurfaceReconstructionFilter",
+            compare: "vtkLMS3DMapComparison",
         }
         for make, name in classes.items():
             with self.subTest(name):
                 self.assertEqual(algorithm(make()).GetClassName(), name)
 
     def test_filters_are_in_the_menu_lms3d(self):
-        for make in (LMS3DScan, LMS3DSurfaceReconstruction):
+        for make in (LMS3DScan, LMS3DSurfaceReconstruction, compare):
             with self.subTest(make.__name__):
                 menu = make().SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
                 self.assertEqual(menu.GetAttribute("category"), "LMS3D")
@@ -73,6 +83,7 @@ class TestProxies(unittest.TestCase):
         self.assertEqual(LMS3DScan().GetXMLLabel(), "LMS3D Scan")
         self.assertEqual(
             LMS3DSurfaceReconstruction().GetXMLLabel(), "LMS3D Surface Reconstruction")
+        self.assertEqual(compare().GetXMLLabel(), "LMS3D Map Comparison")
 
     def test_properties_of_the_scan_are_grouped(self):
         proxy = LMS3DScan().SMProxy
@@ -91,7 +102,7 @@ class TestProxies(unittest.TestCase):
         })
 
     def test_every_property_is_explained(self):
-        for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction):
+        for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction, compare):
             proxy = make()
             for name in proxy.ListProperties():
                 with self.subTest(make.__name__, property=name):
@@ -108,10 +119,10 @@ class TestProxies(unittest.TestCase):
                                  for i in range(filter_.GetNumberOfIntersectionMethods())})
 
     def test_defaults_are_those_of_the_filters(self):
-        for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction):
+        for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction, compare):
             proxy = make()
             fresh = getattr(lms3d, algorithm(proxy).GetClassName())()
-            for name in set(proxy.ListProperties()) - {"Input", "FileName"}:
+            for name in set(proxy.ListProperties()) - INPUTS - {"FileName"}:
                 with self.subTest(make.__name__, property=name):
                     default = getattr(fresh, f"Get{name}")()
                     shown = proxy.SMProxy.GetProperty(name)
@@ -126,7 +137,7 @@ class TestRoom(unittest.TestCase):
     def setUpClass(cls):
         cls.reader = VRMLReader(FileName=ROOM)
         cls.scan = LMS3DScan(Input=cls.reader, Position=SENSOR)
-        cls.map = LMS3DSurfaceReconstruction(Input=cls.scan)
+        cls.map = LMS3DSurfaceReconstruction(Input=cls.scan, MaximumError=0.0)
 
     def test_reader_keeps_places_and_triangles(self):
         room = output(self.reader)
@@ -169,6 +180,26 @@ class TestRoom(unittest.TestCase):
         p, q, r = np.moveaxis(points(surface)[corners], 1, 0)
         facing = np.einsum("ij,ij->i", np.cross(q - p, r - p), SENSOR - p)
         self.assertTrue(np.all(facing > 0))
+
+    def test_map_within_a_bound_has_patches(self):
+        surface = output(LMS3DSurfaceReconstruction(Input=self.scan))
+        self.assertLess(surface.GetNumberOfPolys(), 3000)
+        results = surface.GetFieldData()
+        self.assertLessEqual(results.GetArray("LargestDeviation").GetValue(0), 0.01)
+        patches = vtk_to_numpy(surface.GetCellData().GetArray("PatchId"))
+        self.assertEqual(patches.max() + 1, results.GetArray("NumberOfPatches").GetValue(0))
+
+    def test_map_is_compared_with_the_scene(self):
+        for scan in ({}, {"Scan": self.scan}):
+            comparison = LMS3DMapComparison(Map=self.map, Scene=self.reader, **scan)
+            results = output(comparison).GetFieldData()
+            for name in ("Correctness", "Completeness"):
+                self.assertGreater(results.GetArray(name).GetValue(0), 0.9)
+            self.assertEqual(results.HasArray("LargestReturnDistance"), bool(scan))
+            self.assertEqual(array(output(comparison), "Error").size,
+                             output(self.map).GetNumberOfPoints())
+            seen = algorithm(comparison).GetOutputDataObject(1)
+            self.assertGreater(seen.GetNumberOfPoints(), 100000)
 
 
 class TestErrors(unittest.TestCase):

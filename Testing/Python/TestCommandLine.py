@@ -19,9 +19,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, VTK_ID_TYPE, VTK_INT
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkImplicitPolyDataDistance
 from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
-from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLReader, vtkSTLWriter
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import (
@@ -202,16 +202,22 @@ class TestScan(CommandLineTest):
         self.assertEqual(self.image.GetDimensions(), (BEAMS, TURNS, 1))
         np.testing.assert_array_equal(array(self.image, "Range"), array(self.scan, "Range"))
 
-    def test_the_map_is_triangles_between_returns_that_face_the_sensor(self):
+    def test_the_map_is_triangles_that_face_the_sensor(self):
         corners = points(self.map)[triangles(self.map)]
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         facing = np.einsum("ij,ij->i", normals, POSITION - corners[:, 0])
         self.assertGreaterEqual(facing.min(), -1e-12)
-        returned = {point.tobytes() for point in points(self.scan)}
-        self.assertTrue(all(point.tobytes() in returned for point in points(self.map)))
-        self.assertIsNotNone(self.map.GetPointData().GetNormals())
+        self.assertIsNotNone(self.map.GetCellData().GetNormals())
         np.testing.assert_allclose(np.linalg.norm(points(self.map) - POSITION, axis=1),
                                    array(self.map, "Range"), atol=1e-9)
+
+    def test_a_few_triangles_are_within_a_centimetre_of_every_return(self):
+        self.assertLess(self.map.GetNumberOfPolys(), 3000)
+        self.assertLessEqual(field(self.map, "LargestDeviation"), 0.01)
+        distance = vtkImplicitPolyDataDistance()
+        distance.SetInput(self.map)
+        farthest = max(abs(distance.EvaluateFunction(point)) for point in points(self.scan)[::97])
+        self.assertLessEqual(farthest, 0.01 + 1e-6)
 
     def test_the_picture_is_blue_left_and_green_right(self):
         picture = pixels(self.folder / "picture.png")
@@ -270,11 +276,30 @@ class TestOptions(CommandLineTest):
         counts = []
         for step in (0.01, 0.1, 100):
             path = self.folder / "step.vtp"
-            self.done("scan", ROOM, *POSE, *COARSE, "--depth-step", step, "--map", path)
+            self.done("scan", ROOM, *POSE, *COARSE, "--depth-step", step, "--maximum-error", 0,
+                      "--map", path)
             counts.append(read(vtkXMLPolyDataReader(), path).GetNumberOfPolys())
         self.assertEqual(counts, sorted(counts))
         self.assertLess(counts[0], counts[2])
         self.assertEqual(counts[2], 2 * (COARSE_BEAMS - 1) * COARSE_TURNS)
+
+    def test_a_larger_maximum_error_takes_fewer_triangles(self):
+        counts = []
+        for error in (0.001, 0.01, 0.1):
+            path = self.folder / "error.vtp"
+            self.done("scan", ROOM, *POSE, "--maximum-error", error, "--map", path)
+            local_map = read(vtkXMLPolyDataReader(), path)
+            counts.append(local_map.GetNumberOfPolys())
+            self.assertLessEqual(field(local_map, "LargestDeviation"), error)
+        self.assertEqual(counts, sorted(counts, reverse=True))
+        self.assertLess(counts[2], counts[0])
+
+    def test_without_a_maximum_error_every_return_is_a_corner(self):
+        scan_path, map_path = self.folder / "all.vtp", self.folder / "all_map.vtp"
+        self.done("scan", ROOM, *POSE, *COARSE, "--maximum-error", 0, "-o", scan_path,
+                  "--map", map_path)
+        np.testing.assert_array_equal(points(read(vtkXMLPolyDataReader(), map_path)),
+                                      points(read(vtkXMLPolyDataReader(), scan_path)))
 
     def test_the_largest_numbers_that_are_taken(self):
         self.done("scan", ROOM, *POSE, *COARSE, "--threads", 1024, "--maximum-range", "1e18",
@@ -385,6 +410,126 @@ class TestFormats(CommandLineTest):
         return [self.folder / f"room.{ending}" for ending in (*writers, "vrml")]
 
 
+class TestCompare(CommandLineTest):
+    """The errors of maps of the room, and those of a wall that was moved by hand."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        for name in ("map.vtp", "map.stl"):
+            cls().done("scan", ROOM, *POSE, "-o", cls.folder / "scan.vtp",
+                       "--map", cls.folder / name)
+        cls.write_wall("wall.obj", 2)
+        cls.write_wall("near.obj", 1.97)
+
+    @classmethod
+    def write_wall(cls, name, x):
+        """A square of 2 m x 2 m at x, that looks towards the origin."""
+        (cls.folder / name).write_text(
+            f"v {x} -1 -1\nv {x} -1 1\nv {x} 1 1\nv {x} 1 -1\nf 1 2 3 4\n")
+
+    def compare(self, name, scene, *arguments):
+        return self.done("compare", self.folder / name, scene, *arguments)
+
+    def errors(self, words, name):
+        """Mean, RMS, 95 % and maximum of a row of the table."""
+        row = re.search(rf"^{name} +([\d. ]+)  (?:mm|degrees)$", words, re.MULTILINE)
+        return [float(number) for number in row[1].split()]
+
+    def test_a_wall_that_is_30_mm_too_near(self):
+        words = self.compare("near.obj", self.folder / "wall.obj", "--position", 0, 0, 0)
+        self.assertEqual(self.errors(words, "map to scene"), [30, 30, 30, 30])
+        self.assertEqual(self.errors(words, "visible scene to map"), [30, 30, 30, 30])
+        self.assertEqual(self.errors(words, "normals"), [0, 0, 0, 0])
+        self.assertIn("within 10 mm: correct 0.00 %, complete 0.00 %, F 0.00 %", words)
+        self.assertIn("in free space: 4 m2", words)
+        self.assertIn("map      2 triangles, 4 m2; visible of the scene 4 m2", words)
+
+    def test_a_larger_tolerance_forgives(self):
+        words = self.compare("near.obj", self.folder / "wall.obj", "--position", 0, 0, 0,
+                             "--tolerance", 0.05)
+        self.assertIn("within 50 mm: correct 100.00 %, complete 100.00 %, F 100.00 %", words)
+        self.assertIn("in free space: 0 m2", words)
+
+    def test_the_map_of_the_room(self):
+        output, points_file = self.folder / "errors.vtp", self.folder / "points.vtp"
+        words = self.compare("map.vtp", ROOM, "--scan", self.folder / "scan.vtp", "-o", output,
+                             "--scene-points", points_file)
+        self.assertLess(self.errors(words, "map to scene")[0], 1)
+        self.assertLess(self.errors(words, "normals")[0], 3)
+        self.assertIn(f"returns: {BEAMS * TURNS:,}", words)
+        errors = read(vtkXMLPolyDataReader(), output)
+        self.assertEqual(errors.GetNumberOfPoints(), array(errors, "Error").size)
+        largest = vtk_to_numpy(errors.GetCellData().GetArray("LargestError"))
+        of_corners = array(errors, "Error")[triangles(errors)].max(axis=1)
+        self.assertTrue(np.all(largest >= of_corners))
+        self.assertGreater(largest.max(), 0.01)
+        self.assertGreaterEqual(largest.max(), field(errors, "MapToScene")[3])
+        self.assertAlmostEqual(1000 * field(errors, "MapToScene")[3],
+                               self.errors(words, "map to scene")[3], delta=0.005)
+        lacking = array(read(vtkXMLPolyDataReader(), points_file), "Error")
+        self.assertAlmostEqual(1000 * lacking.mean(),
+                               self.errors(words, "visible scene to map")[0], delta=0.005)
+
+    def test_a_map_that_has_lost_the_pose_is_told_it(self):
+        told = self.compare("map.stl", ROOM, *POSE)
+        known = self.compare("map.vtp", ROOM)
+        for name in ("map to scene", "visible scene to map", "normals"):
+            np.testing.assert_allclose(self.errors(told, name), self.errors(known, name), rtol=0.01)
+
+    def test_results_for_scripts(self):
+        from lms3d.comparison import compare
+
+        wall, near = (read(vtkOBJReader(), self.folder / f"{name}.obj") for name in ("wall", "near"))
+        scan = lms3d.vtkLMS3DScanFilter()
+        scan.SetInputData(wall)
+        scan.Update()
+        result = compare(near, wall, scan.GetOutput(), samples=1000, ranges=(0, 2.3))
+        self.assertAlmostEqual(result.map_to_scene.maximum, 0.03)
+        self.assertEqual(result.triangles, 2)
+        self.assertAlmostEqual(result.map_area, 4)
+        self.assertLess(result.visible_area, 4)
+        self.assertEqual(result.returns_within_tolerance, 0)
+        self.assertAlmostEqual(result.largest_return_distance, 0.03)
+
+    def test_one_thread_and_many_write_the_same_bytes(self):
+        for threads in (1, 2, 7):
+            self.compare("map.vtp", ROOM, "--samples", 5000, "--threads", threads,
+                         "-o", self.folder / f"threads{threads}.vtp")
+        one, *others = [(self.folder / f"threads{n}.vtp").read_bytes() for n in (1, 2, 7)]
+        self.assertEqual(others, [one, one])
+
+    def test_what_cannot_be_compared(self):
+        wall = self.folder / "wall.obj"
+        empty = self.folder / "empty.obj"
+        empty.write_text("v 0 0 0\n")
+        pose = ("--position", 0, 0, 0)
+        output = ("-o", self.folder / "out.vtp")
+        cases = {
+            "does not say where the sensor was": (2, wall, wall, *output),
+            "leave one": (2, wall, wall, *pose, "--scan", self.folder / "scan.vtp"),
+            "--orientation: of no use": (2, wall, wall, "--orientation", 0, 0, 9, *output),
+            "ending must be .vtp": (2, wall, wall, *pose, "-o", self.folder / "out.ply"),
+            "both map and map with errors": (2, self.folder / "map.vtp", ROOM, "-o",
+                                             self.folder / "map.vtp"),
+            "the ending is not one of .vtp .ply": (2, "map.gltf", wall, *pose, *output),
+            "not above 0": (2, wall, wall, *pose, "--tolerance", 0),
+            "is above 10000000": (2, wall, wall, *pose, "--samples", 10000001),
+            "cannot read map 'nowhere.stl': no such": (1, "nowhere.stl", wall, *pose, *output),
+            "cannot read scene 'nowhere.stl': no such": (1, wall, "nowhere.stl", *pose, *output),
+            "in the map": (1, empty, wall, *pose, *output),
+            "the file holds no triangles": (1, wall, empty, *pose, *output),
+            "no beam returned": (1, wall, wall, "--position", 500, 0, 0, *output),
+            "not all of the field data": (1, wall, wall, "--scan", self.folder / "bare.vtp"),
+            "sees nothing of the scene": (1, self.folder / "map.vtp", wall, "--maximum-range", 0.1,
+                                          *output),
+        }
+        write(vtkXMLPolyDataWriter(), room(), self.folder / "bare.vtp")
+        for expected, (code, *arguments) in cases.items():
+            with self.subTest(expected):
+                self.assertIn(expected, self.refused(code, "compare", *arguments))
+
+
 class TestProblems(CommandLineTest):
     """What is refused: the exit code, the words, and that no file appears."""
 
@@ -426,6 +571,9 @@ class TestProblems(CommandLineTest):
                                                 self.folder / "out.png", "--size", 16385, 620),
             "unknown method": ("scan", ROOM, *POSE, *output, "--method", "guess"),
             "unknown axis": ("scan", ROOM, *POSE, *output, "--up-axis", "x"),
+            "error below zero": ("scan", ROOM, *POSE, *output, "--maximum-error", -0.01),
+            "endless error": ("scan", ROOM, *POSE, *output, "--maximum-error", "inf"),
+            "error of a demo": ("demo", "--output", self.folder, "--maximum-error", -1),
             "no depth": ("scan", ROOM, *POSE, *output, "--depth-step", 0),
             "one name twice": ("scan", ROOM, *POSE, *output, "--map", self.target),
             "no step": ("view", ROOM, "--step", 0),
@@ -543,12 +691,12 @@ class TestHelp(CommandLineTest):
 
     def test_overview(self):
         words = self.done("--help")
-        for expected in ("scan", "view", "demo", "metres", "degrees", "z up", "clockwise",
+        for expected in ("scan", "compare", "view", "demo", "metres", "degrees", "z up", "clockwise",
                          "exit codes", "examples"):
             self.assertIn(expected, words)
 
     def test_each_command_has_an_example_and_each_option_a_text(self):
-        for command in ("scan", "view", "demo"):
+        for command in ("scan", "compare", "view", "demo"):
             with self.subTest(command):
                 words = self.done(command, "--help", COLUMNS="100")
                 self.assertIn(f"  lms3d {command} ", words)
@@ -556,7 +704,7 @@ class TestHelp(CommandLineTest):
 
     def test_defaults_are_the_papers(self):
         words = " ".join(self.done("scan", "--help").split())
-        for default in ("-90 90", "361", "0 360", "360", "80", "0.1", "1600 620"):
+        for default in ("-90 90", "361", "0 360", "360", "80", "0.01", "0.1", "1600 620"):
             self.assertRegex(words, rf"default: {re.escape(default)}[),]")
 
     def test_version(self):
@@ -573,6 +721,15 @@ class TestView(CommandLineTest):
         view, scan = (pixels(self.folder / f"{name}.png") for name in ("view", "scan"))
         self.assertEqual(view.shape, (160, 400, 3))
         np.testing.assert_array_equal(view, scan)
+
+    def test_edges_of_the_map(self):
+        arguments = (ROOM, *POSE, "--size", 400, 160, "--screenshot")
+        self.done("view", *arguments, self.folder / "plain.png")
+        self.done("view", *arguments, self.folder / "edges.png", "--edges")
+        plain, edges = (pixels(self.folder / f"{name}.png") for name in ("plain", "edges"))
+        np.testing.assert_array_equal(plain[:, :200], edges[:, :200])
+        dark = [(half[:, 200:].sum(axis=2) < 260).mean() for half in (plain, edges)]
+        self.assertGreater(dark[1], dark[0] + 0.02)
 
     def test_without_a_position_the_sensor_stands_in_the_middle(self):
         self.done("view", ROOM, *COARSE, "--size", 400, 160,

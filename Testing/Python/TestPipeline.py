@@ -48,7 +48,7 @@ def array(data, name):
 class Package(unittest.TestCase):
     def test_offers_every_class_and_enumeration(self):
         for name in ("vtkVRMLImporterSource", "vtkLMS3DScanFilter",
-                     "vtkLMS3DSurfaceReconstructionFilter"):
+                     "vtkLMS3DSurfaceReconstructionFilter", "vtkLMS3DMapComparison"):
             self.assertEqual(getattr(lms3d, name)().GetClassName(), name)
 
     def test_every_method_has_an_enumerator_and_a_setter(self):
@@ -172,6 +172,7 @@ class Composition(unittest.TestCase):
         half.SetClipFunction(plane)
         local_map = lms3d.vtkLMS3DSurfaceReconstructionFilter()
         local_map.SetInputConnection(half.GetOutputPort())
+        local_map.SetMaximumError(0.0)
         local_map.Update()
         self.assertGreater(local_map.GetOutput().GetNumberOfCells(), 8000)
         self.assertLessEqual(local_map.GetOutput().GetBounds()[5], 1.5)
@@ -189,12 +190,17 @@ class Composition(unittest.TestCase):
         edges.FeatureEdgesOff()
         edges.NonManifoldEdgesOn()
         edges.BoundaryEdgesOn()
-        edges.Update()
-        self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
         volume = vtkMassProperties()
         volume.SetInputConnection(local_map.GetOutputPort())
-        volume.Update()
-        self.assertAlmostEqual(volume.GetVolume() / (4.0 / 3.0 * np.pi * 8.0), 1.0, places=2)
+        for bound in (0.0, 0.01):
+            with self.subTest(bound):
+                local_map.SetMaximumError(bound)
+                edges.Update()
+                self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
+                volume.Update()
+                # A shell as thick as the bound, on a ball of 2 m.
+                self.assertAlmostEqual(volume.GetVolume() / (4.0 / 3.0 * np.pi * 8.0), 1.0,
+                                       delta=0.005 + 3.0 * bound / 2.0)
 
     def test_an_image_alone_can_be_asked_for(self):
         scan = scan_of(room(), beams=31, turns=36)

@@ -16,7 +16,8 @@ Scan a scene and look at the ranges (metres; angles are in degrees, z is up):
     ranges = vtk_to_numpy(scan.GetOutput().GetPointData().GetArray("Range"))
 
 The classes are ordinary VTK algorithms: vtkVRMLImporterSource reads a scene, vtkLMS3DScanFilter
-scans it, vtkLMS3DSurfaceReconstructionFilter makes a local map of triangles from a scan.
+scans it, vtkLMS3DSurfaceReconstructionFilter makes a local map of triangles from a scan, and
+vtkLMS3DMapComparison measures how far that is from the scene.
 Importing them needs no display. The same job from a shell:
 ``python3 -m lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp``.
 """

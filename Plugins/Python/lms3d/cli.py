@@ -24,6 +24,7 @@ exit codes: 0 done, 1 the job failed, 2 the command was wrong
 
 examples:
   lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp --map map.vtp
+  lms3d compare map.vtp room.wrl
   lms3d view room.wrl --position 0.3 -0.2 1
   lms3d demo --output demo
 

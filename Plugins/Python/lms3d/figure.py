@@ -35,6 +35,7 @@ _WHITE = (1.0, 1.0, 1.0)
 _BLUE = (0.44, 0.64, 0.96)
 _BLUE_EDGES = (0.20, 0.35, 0.66)
 _GREEN = (0.42, 0.80, 0.42)
+_GREEN_EDGES = (0.14, 0.42, 0.16)
 _RED = (0.85, 0.10, 0.10)
 _AXES = ((0.85, 0.10, 0.10), (0.10, 0.50, 0.10), (0.10, 0.20, 0.80))
 
@@ -73,10 +74,11 @@ def _x_server_answers():
 class Figure:
     """Scene and local map of a simulation side by side, drawn off screen unless told otherwise.
 
-    `window` is the vtkRenderWindow, `camera` the one camera of both halves.
+    `window` is the vtkRenderWindow, `camera` the one camera of both halves; `edges` draws those of
+    the map's triangles.
     """
 
-    def __init__(self, simulation, size=DEFAULT_SIZE, off_screen=True):
+    def __init__(self, simulation, size=DEFAULT_SIZE, off_screen=True, edges=False):
         check_display()
         self._simulation = simulation
         self._marker = _sensor_marker(_MARKER_SIZE * _diagonal(simulation.scene.surface))
@@ -86,7 +88,7 @@ class Figure:
         self.window.SetSize(*size)
         self.window.SetOffScreenRendering(off_screen)
         self._add_half(_scene_actor(simulation.scene.surface), (0.0, 0.0, 0.5, 1.0))
-        self._add_half(_map_actor(simulation.reconstruction), (0.5, 0.0, 1.0, 1.0))
+        self._add_half(_map_actor(simulation.reconstruction, edges), (0.5, 0.0, 1.0, 1.0))
         self.place_marker()
         self.reset_camera()
 
@@ -164,10 +166,12 @@ def _scene_actor(surface):
     return actor
 
 
-def _map_actor(reconstruction):
+def _map_actor(reconstruction, edges):
     """The local map, shaded by its own triangles."""
     actor = _surface_actor(reconstruction, _GREEN)
     actor.GetProperty().SetInterpolationToFlat()
+    actor.GetProperty().SetEdgeVisibility(edges)
+    actor.GetProperty().SetEdgeColor(*_GREEN_EDGES)
     return actor
 
 

@@ -22,18 +22,21 @@ ENDINGS = {
     "range image": (".vti",),
     "map": (".vtp", ".ply", ".stl"),
     "picture": (".png",),
+    "map with errors": (".vtp",),
+    "scene points": (".vtp",),
 }
 
 CSV_ARRAYS = ("Range", "Alpha", "Beta", "BeamId", "CellId")
 
 
-def check_targets(targets, scene):
+def check_targets(targets, scene, **inputs):
     """Make sure, before the work starts, that every result can be written where it shall go.
 
-    `targets` are pairs of a result ("scan", "range image", "map", "picture") and a path;
-    `scene` is the path of the scene, which no result may replace.
+    `targets` are pairs of a result (a key of ENDINGS) and a path; `scene`, and whatever else is
+    read, are paths that no result may replace.
     """
-    taken = {Path(scene).resolve(): "scene"}
+    inputs["scene"] = scene
+    taken = {Path(path).resolve(): name for name, path in inputs.items()}
     for result, path in targets:
         _check_ending(result, path)
         _check_place(result, path)

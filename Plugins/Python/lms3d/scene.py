@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reading scenes: any surface that VTK can read, chosen by the ending of the file name."""
+"""Reading scenes and maps: any surface that VTK can read, chosen by the ending of the file name."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -62,27 +62,31 @@ class Scene:
         return f"{self.path.name}: {self.triangles:,} triangles, {UP_AXES[self.up_axis]}"
 
 
-def check_readable(path):
-    """Raise UsageProblem for an ending that no reader knows, Problem where there is no file."""
+def check_readable(path, what="scene", endings=tuple(READERS)):
+    """Raise UsageProblem for an ending that is none of those, Problem where there is no file."""
     if Path(path).is_dir():
-        raise Problem(f"cannot read scene '{path}': that is a folder")
-    if Path(path).suffix.lower() not in READERS:
-        raise UsageProblem(f"cannot read scene '{path}': the ending is not one of "
-                           + " ".join(READERS))
+        raise Problem(f"cannot read {what} '{path}': that is a folder")
+    if Path(path).suffix.lower() not in endings:
+        raise UsageProblem(f"cannot read {what} '{path}': the ending is not one of "
+                           + " ".join(endings))
     if not Path(path).is_file():
-        raise Problem(f"cannot read scene '{path}': no such file")
+        raise Problem(f"cannot read {what} '{path}': no such file")
+
+
+def read_data(path, what, up_axis="file"):
+    """Read what VTK finds in a file; with up_axis "y" its y axis becomes the z axis."""
+    reader = READERS[Path(path).suffix.lower()]()
+    reader.SetFileName(str(path))
+    algorithm = reader if up_axis == "file" else _turned(reader)
+    update(algorithm, "reading", f"cannot read {what} '{path}'")
+    _pass_on_messages(reader)
+    return algorithm.GetOutputDataObject(0)
 
 
 def read_scene(path, up_axis="file"):
     """Read a scene; with up_axis "y" the file's y axis becomes the scene's z axis."""
     check_readable(path)
-    reader = READERS[Path(path).suffix.lower()]()
-    reader.SetFileName(str(path))
-    algorithm = reader if up_axis == "file" else _turned(reader)
-    update(algorithm, "reading", f"cannot read scene '{path}'")
-    _pass_on_messages(reader)
-
-    data = algorithm.GetOutputDataObject(0)
+    data = read_data(path, "scene", up_axis)
     scene = Scene(Path(path), up_axis, data, _surface(data))
     if scene.triangles <= 0:
         raise Problem(f"nothing to scan in '{path}': the file holds no triangles")

@@ -25,11 +25,11 @@ _MOVES = {
 class Viewer:
     """A window on a simulation whose sensor the keys move, by `step` metres."""
 
-    def __init__(self, simulation, size, step=None):
+    def __init__(self, simulation, size, step=None, edges=False):
         self._simulation = simulation
         self._start = simulation.sensor.GetPosition()
         self._step = step or _round_step(simulation.scene.surface.GetLength() / 50)
-        self._figure = Figure(simulation, size, off_screen=False)
+        self._figure = Figure(simulation, size, off_screen=False, edges=edges)
         self._figure.window.SetWindowName(f"lms3d: {simulation.scene.path.name}")
         self._text = self._add_text()
         self.interactor = self._make_interactor()

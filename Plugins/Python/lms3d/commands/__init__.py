@@ -6,6 +6,6 @@ A module has NAME, SUMMARY (a line), DESCRIPTION and EPILOG (help texts), add_ar
 and run(options), which returns nothing and raises Problem if the job cannot be done.
 """
 
-from . import demo, scan, view
+from . import compare, demo, scan, view
 
-COMMANDS = (scan, view, demo)
+COMMANDS = (scan, compare, view, demo)

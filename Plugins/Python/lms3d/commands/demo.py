@@ -11,6 +11,7 @@ from ..problems import Problem
 from ..results import save
 from ..scene import UP_AXES, read_scene
 from ..simulation import Simulation
+from . import sensor_options
 
 NAME = "demo"
 SUMMARY = "scan the room and the teapot of the paper, write everything"
@@ -32,6 +33,7 @@ class Experiment:
     name: str
     figure: str
     position: tuple
+    maximum_error: float = 0.01
     depth_step: float = 0.1
     alpha_range: tuple = (-90.0, 90.0)
     alpha_resolution: int = 361
@@ -41,7 +43,8 @@ class Experiment:
 
 ROOM = Experiment("room", "figure5", position=(0.3, -0.2, 1.0))
 
-TEAPOT = Experiment("teapot", "figure6", position=(0.1, -0.38, 0.28), depth_step=0.02,
+TEAPOT = Experiment("teapot", "figure6", position=(0.1, -0.38, 0.28),
+                    maximum_error=0.001, depth_step=0.02,
                     alpha_range=(-45.0, -5.0), alpha_resolution=401,
                     beta_range=(235.0, 305.0), beta_resolution=701)
 
@@ -55,6 +58,10 @@ def add_arguments(parser):
     parser.add_argument("--data", metavar="DIR",
                         help="folder of room.wrl and teapot.wrl (default: LMS3D_DATA_DIR, "
                         "else the folder installed with LMS3D)")
+    parser.add_argument("--maximum-error", type=sensor_options.bound, metavar="M",
+                        help="metres, no return is farther from its map than this; 0 keeps every "
+                        f"return as a corner (default: {ROOM.maximum_error:g} for the room, "
+                        f"{TEAPOT.maximum_error:g} for the teapot)")
 
 
 def run(options):
@@ -68,7 +75,7 @@ def run(options):
 
     rows, files = [_COLUMNS], []
     for experiment in (ROOM, TEAPOT):
-        simulation = simulate(experiment, options.data)
+        simulation = simulate(experiment, options.data, options.maximum_error)
         milliseconds = 1000 * simulation.scan_time()
         rows.append(_row(experiment, simulation, milliseconds))
         files += _write(experiment, simulation, folder)
@@ -76,14 +83,16 @@ def run(options):
     print(f"\nscenes: {UP_AXES['file']}\nwrote {folder}/: " + " ".join(files))
 
 
-def simulate(experiment, data=None):
-    """Scan and reconstruct the scene of an experiment."""
+def simulate(experiment, data=None, maximum_error=None):
+    """Scan and reconstruct the scene of an experiment, within its own bound if none is given."""
     simulation = Simulation(read_scene(scene_file(f"{experiment.name}.wrl", data)))
     simulation.sensor.SetPosition(experiment.position)
     simulation.sensor.SetAlphaRange(experiment.alpha_range)
     simulation.sensor.SetAlphaResolution(experiment.alpha_resolution)
     simulation.sensor.SetBetaRange(experiment.beta_range)
     simulation.sensor.SetBetaResolution(experiment.beta_resolution)
+    simulation.reconstruction.SetMaximumError(
+        experiment.maximum_error if maximum_error is None else maximum_error)
     simulation.reconstruction.SetDepthStep(experiment.depth_step)
     simulation.run()
     simulation.reconstruct()

@@ -13,10 +13,11 @@ def pixel_count(text):
     return count(text, _LARGEST_SIDE)
 
 
-def add_size(parser):
-    """Add the size of the picture or window."""
+def add_picture(parser):
+    """Add the size of the picture or window, and what is drawn of the map."""
     width, height = DEFAULT_SIZE
     parser.add_argument("--size", nargs=2, type=pixel_count, metavar=("WIDTH", "HEIGHT"),
                         default=DEFAULT_SIZE,
                         help=f"pixels of the picture, up to {_LARGEST_SIDE} each "
                         f"(default: {width} {height})")
+    parser.add_argument("--edges", action="store_true", help="draw the edges of the map's triangles")

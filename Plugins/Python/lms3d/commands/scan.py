@@ -37,7 +37,7 @@ def add_arguments(parser):
     sensor_options.add_map(results)
     results.add_argument("--picture", metavar="FILE",
                          help="scene in blue beside its local map in green: .png (needs a display)")
-    picture_options.add_size(results)
+    picture_options.add_picture(results)
 
 
 def run(options):
@@ -78,7 +78,7 @@ def _write(options, simulation):
         "scan": lambda: simulation.scan,
         "range image": lambda: simulation.range_image,
         "map": lambda: simulation.map,
-        "picture": lambda: Figure(simulation, options.size).image(),
+        "picture": lambda: Figure(simulation, options.size, edges=options.edges).image(),
     }
     for result, path in _targets(options):
         save(results[result](), path)

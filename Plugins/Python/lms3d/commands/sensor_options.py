@@ -6,6 +6,8 @@ import argparse
 import math
 import re
 
+import numpy as np
+
 from .. import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
 from ..problems import UsageProblem
 from ..scene import READERS, UP_AXES, read_scene
@@ -40,6 +42,14 @@ def positive(text):
     return value
 
 
+def bound(text):
+    """A finite number from zero."""
+    value = number(text)
+    if value < 0:
+        raise argparse.ArgumentTypeError(f"{text.strip()} is below 0")
+    return value
+
+
 def count(text, most=_LARGEST_COUNT):
     """A whole number from 1 to `most`."""
     value = int(text)
@@ -65,14 +75,17 @@ def add_scene(parser):
 
 def add_sensor(parser, position_needed):
     """Add the sensor's pose, angles, ranges and way of working."""
-    defaults = vtkLMS3DScanFilter()
-    _add_pose(parser.add_argument_group("pose of the sensor in the scene"), position_needed)
-    _add_angles(parser.add_argument_group("beams"), defaults)
-    _add_ranges(parser.add_argument_group("measurement"), defaults)
-
-
-def _add_pose(group, position_needed):
     where = "" if position_needed else " (default: the middle of the scene)"
+    add_pose(parser.add_argument_group("pose of the sensor in the scene"), position_needed, where)
+    add_angles(parser.add_argument_group("beams"))
+    measurement = parser.add_argument_group("measurement")
+    add_ranges(measurement)
+    _add_method(measurement)
+    add_threads(measurement)
+
+
+def add_pose(group, position_needed, where):
+    """Add position and orientation; `where` says where the sensor is without a position."""
     group.add_argument("--position", nargs=3, type=number, metavar=("X", "Y", "Z"),
                        required=position_needed, help=f"metres{where}")
     group.add_argument("--orientation", nargs=3, type=number, metavar=("RX", "RY", "RZ"),
@@ -81,7 +94,9 @@ def _add_pose(group, position_needed):
                        "(default: 0 0 0)")
 
 
-def _add_angles(group, defaults):
+def add_angles(group):
+    """Add the angles of the beams."""
+    defaults = vtkLMS3DScanFilter()
     for name, meaning in (("alpha", "elevation in the fan, within -90 90, both ends included"),
                           ("beta", "turn of the support, clockwise seen from above; the end of a "
                            "full circle is left out")):
@@ -94,15 +109,24 @@ def _add_angles(group, defaults):
                            help=f"number of {name} angles (default: {resolution})")
 
 
-def _add_ranges(group, defaults):
+def add_ranges(group):
+    """Add the ranges within which a beam returns."""
+    defaults = vtkLMS3DScanFilter()
     for name, word in (("minimum", "nearer"), ("maximum", "farther")):
         value = getattr(defaults, f"Get{name.title()}Range")()
         group.add_argument(f"--{name}-range", type=number, metavar="M", default=value,
                            help=f"metres, what is {word} gives no return (default: {value:g})")
+
+
+def _add_method(group):
     group.add_argument("--method", choices=METHODS, default="exact",
                        help="exact: no beam slips through an edge (default); fast: single "
                        "precision; the others are slow, for comparison: the paper's sum of angles, "
                        "Moeller-Trumbore, VTK's locator")
+
+
+def add_threads(group):
+    """Add the number of threads."""
     group.add_argument("--threads", type=thread_count, metavar="N", default=0,
                        help="cores to use, up to 1024; the result is the same for any number "
                        "(default: 0, all)")
@@ -110,10 +134,24 @@ def _add_ranges(group, defaults):
 
 def add_map(parser):
     """Add what shapes the local map."""
+    error = vtkLMS3DSurfaceReconstructionFilter().GetMaximumError()
+    parser.add_argument("--maximum-error", type=bound, metavar="M", default=error,
+                        help="metres, no return is farther from the map than this, which has as "
+                        "few triangles as that allows; 0 keeps every return as a corner "
+                        f"(default: {error:g})")
     step = vtkLMS3DSurfaceReconstructionFilter().GetDepthStep()
     parser.add_argument("--depth-step", type=positive, metavar="M", default=step,
                         help="metres, the map is torn where neighbouring ranges differ by more "
                         f"than this (default: {step:g})")
+
+
+def differing(options):
+    """Those of the pose's and beams' options, but the position, that are not at their default."""
+    defaults = vtkLMS3DScanFilter()
+    names = ("orientation", "alpha_range", "alpha_resolution", "beta_range", "beta_resolution")
+    return ["--" + name.replace("_", "-") for name in names
+            if np.any(np.not_equal(getattr(options, name),
+                                   getattr(defaults, "Get" + name.title().replace("_", ""))()))]
 
 
 def check(options):
@@ -147,7 +185,17 @@ def simulation(options):
     """Read the scene and put the sensor of the options into it; nothing is scanned yet."""
     result = Simulation(read_scene(options.scene, options.up_axis))
     sensor = result.sensor
-    sensor.SetPosition(options.position or result.scene.surface.GetCenter())
+    place(sensor, options, result.scene)
+    sensor.SetNumberOfThreads(options.threads)
+    sensor.SetIntersectionMethod(METHODS[options.method])
+    result.reconstruction.SetMaximumError(options.maximum_error)
+    result.reconstruction.SetDepthStep(options.depth_step)
+    return result
+
+
+def place(sensor, options, scene):
+    """Give the sensor the pose, the beams and the ranges of the options."""
+    sensor.SetPosition(options.position or scene.surface.GetCenter())
     sensor.SetOrientation(options.orientation)
     sensor.SetAlphaRange(options.alpha_range)
     sensor.SetAlphaResolution(options.alpha_resolution)
@@ -155,7 +203,3 @@ def simulation(options):
     sensor.SetBetaResolution(options.beta_resolution)
     sensor.SetMinimumRange(options.minimum_range)
     sensor.SetMaximumRange(options.maximum_range)
-    sensor.SetNumberOfThreads(options.threads)
-    sensor.SetIntersectionMethod(METHODS[options.method])
-    result.reconstruction.SetDepthStep(options.depth_step)
-    return result

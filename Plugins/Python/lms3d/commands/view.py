@@ -35,7 +35,7 @@ def add_arguments(parser):
                       help="metres that a key moves the sensor (default: a fiftieth of the scene)")
     view.add_argument("--screenshot", metavar="FILE",
                       help="draw once into this .png and exit, without a window")
-    picture_options.add_size(view)
+    picture_options.add_picture(view)
 
 
 def run(options):
@@ -51,9 +51,10 @@ def run(options):
     simulation.run()
     simulation.reconstruct()
     if options.screenshot:
-        save(Figure(simulation, options.size).image(), options.screenshot)
+        figure = Figure(simulation, options.size, edges=options.edges)
+        save(figure.image(), options.screenshot)
         print(f"wrote    {options.screenshot}")
     else:
         from ..viewer import Viewer  # text and interaction: only here
 
-        Viewer(simulation, options.size, options.step).run()
+        Viewer(simulation, options.size, options.step, options.edges).run()

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Three numbers: a point or a direction.
+ */
+#ifndef lms3dVector_h
+#define lms3dVector_h
+
+#include <array>
+
+using lms3dVector = std::array<double, 3>;
+
+inline double lms3dDot(const lms3dVector& a, const lms3dVector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline lms3dVector lms3dCross(const lms3dVector& a, const lms3dVector& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+inline lms3dVector lms3dSubtract(const lms3dVector& a, const lms3dVector& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+inline lms3dVector lms3dAdd(const lms3dVector& a, const lms3dVector& b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
+}
+
+inline lms3dVector lms3dScale(const lms3dVector& v, double factor)
+{
+  return { v[0] * factor, v[1] * factor, v[2] * factor };
+}
+
+#endif

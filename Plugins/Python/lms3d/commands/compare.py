@@ -1,0 +1,160 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""lms3d compare: how far a map is from the scene, and the visible scene from its map."""
+
+from .. import vtkLMS3DMapComparison
+from ..comparison import POSE_ARRAYS, compare, has_pose, pass_pose
+from ..problems import Problem, UsageProblem
+from ..results import check_targets, save
+from ..scene import check_readable, read_data, read_scene
+from ..simulation import Simulation
+from . import sensor_options
+
+NAME = "compare"
+SUMMARY = "measure the errors of a local map"
+DESCRIPTION = """\
+Compare a map with the scene that was scanned, both ways, by points spread evenly over both:
+
+  map to scene       how far the map is from the nearest part of the scene
+  visible scene to   how far what the sensor sees of the scene (within its angles and ranges, not
+    map              hidden by anything) is from the nearest part of the map
+  normals            the angle between the planes of the map's triangles and the scene's; 180
+                     degrees less that for a triangle that turns its back to the sensor
+  correct, complete  the shares of the map, and of the visible scene, within the tolerance of the
+                     other, and F, their harmonic mean
+  free space         the area of the map where the sensor has seen that there is nothing
+  returns            of the scan given by --scan: the share within the tolerance of the map, and
+                     the one farthest from it
+
+Where the sensor was is read from the map, if it is a .vtp of LMS3D, or from --scan; for others say
+it by --position and the options beside it.
+"""
+EPILOG = """\
+examples:
+  lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp --map map.vtp
+  lms3d compare map.vtp room.wrl --scan scan.vtp -o errors.vtp
+  lms3d compare other.stl room.wrl --position 0.3 -0.2 1 --tolerance 0.05
+"""
+
+_MAP_ENDINGS = (".vtp", ".ply", ".stl", ".obj")
+
+
+def add_arguments(parser):
+    """Add the options of this command."""
+    defaults = vtkLMS3DMapComparison()
+    parser.add_argument("map", metavar="MAP",
+                        help="the file to judge: " + " ".join(_MAP_ENDINGS))
+    sensor_options.add_scene(parser)
+    how = parser.add_argument_group("comparison")
+    how.add_argument("--tolerance", type=sensor_options.positive, metavar="M",
+                     default=defaults.GetTolerance(),
+                     help="metres, how near counts as right "
+                     f"(default: {defaults.GetTolerance():g})")
+    how.add_argument("--samples", type=_sample_count, metavar="N",
+                     default=defaults.GetNumberOfSamples(),
+                     help="points on each surface, the same in each run "
+                     f"(default: {defaults.GetNumberOfSamples()})")
+    sensor_options.add_threads(how)
+    results = parser.add_argument_group("results")
+    results.add_argument("-o", "--output", metavar="FILE",
+                         help="the map with its errors in metres: Error of its points, LargestError "
+                         "of its cells: .vtp")
+    results.add_argument("--scene-points", metavar="FILE",
+                         help="points of the visible scene, their Error the distance to the map, "
+                         "which shows what it lacks: .vtp")
+    sensor = parser.add_argument_group("sensor")
+    sensor.add_argument("--scan", metavar="FILE", help="the scan that the map was made of: .vtp")
+    sensor_options.add_pose(sensor, False, " (default: as the map or the scan says)")
+    sensor_options.add_angles(sensor)
+    sensor_options.add_ranges(sensor)
+
+
+def run(options):
+    """Check the options, read, compare, write."""
+    _check(options)
+    scene = read_scene(options.scene, options.up_axis)
+    local_map = _read_map(options.map)
+    scan = _read_scan(options.scan) if options.scan else None
+    position = _find_sensor(options, scene, local_map, scan)
+    print(f"scene    {scene}\nsensor   {position[0]:g} {position[1]:g} {position[2]:g} m")
+
+    comparison = compare(local_map, scene.data, scan, options.tolerance, options.samples,
+                         (options.minimum_range, options.maximum_range), options.threads)
+    _print(comparison, scan)
+    results = {"map with errors": comparison.map, "scene points": comparison.scene_points}
+    for result, path in _targets(options):
+        save(results[result], path)
+        print(f"wrote    {path}")
+
+
+def _sample_count(text):
+    return sensor_options.count(text, vtkLMS3DMapComparison().GetNumberOfSamplesMaxValue())
+
+
+def _targets(options):
+    paths = (("map with errors", options.output), ("scene points", options.scene_points))
+    return [(result, path) for result, path in paths if path]
+
+
+def _check(options):
+    sensor_options.check(options)
+    if options.scan and options.position:
+        raise UsageProblem("--scan and --position: the scan says where the sensor was, leave one")
+    without_position = sensor_options.differing(options)
+    if without_position and not options.position:
+        raise UsageProblem(f"{' '.join(without_position)}: of no use without --position")
+    inputs = {"map": options.map, **({"scan": options.scan} if options.scan else {})}
+    check_targets(_targets(options), options.scene, **inputs)
+    check_readable(options.map, "map", _MAP_ENDINGS)
+    check_readable(options.scene)
+    if options.scan:
+        check_readable(options.scan, "scan", (".vtp",))
+
+
+def _read_map(path):
+    local_map = read_data(path, "map")
+    if local_map.GetNumberOfPolys() + local_map.GetNumberOfStrips() == 0:
+        raise Problem(f"nothing to compare in the map '{path}': the file holds no triangles")
+    return local_map
+
+
+def _read_scan(path):
+    scan = read_data(path, "scan")
+    if not has_pose(scan):
+        raise Problem(f"cannot use the scan '{path}': it has not all of the field data "
+                      f"{', '.join(POSE_ARRAYS)}; give what 'lms3d scan -o' wrote")
+    return scan
+
+
+def _find_sensor(options, scene, local_map, scan):
+    """Where the sensor was; a position from the options is handed on to the map."""
+    if options.position:
+        simulation = Simulation(scene)
+        sensor_options.place(simulation.sensor, options, scene)
+        simulation.run()
+        pass_pose(simulation.scan, local_map)
+    elif not (scan or has_pose(local_map)):
+        raise UsageProblem(f"the map '{options.map}' does not say where the sensor was: give "
+                           "--scan or --position")
+    pose = (scan or local_map).GetFieldData().GetArray("SensorToWorld")
+    return [pose.GetValue(i) for i in (3, 7, 11)]
+
+
+def _print(comparison, scan):
+    print(f"map      {comparison.triangles:,} triangles, {comparison.map_area:.4g} m2; "
+          f"visible of the scene {comparison.visible_area:.4g} m2\n")
+    print(f"{'':22}" + "".join(f"{head:>10}" for head in ("mean", "RMS", "95 %", "max")))
+    for name, errors, factor, unit in (
+            ("map to scene", comparison.map_to_scene, 1000, "mm"),
+            ("visible scene to map", comparison.scene_to_map, 1000, "mm"),
+            ("normals", comparison.normal_error, 1, "degrees")):
+        print(f"{name:22}" + "".join(f"{factor * x:10.2f}" for x in errors) + f"  {unit}")
+    print(f"\nwithin {1000 * comparison.tolerance:g} mm: correct "
+          f"{100 * comparison.correctness:.2f} %, complete {100 * comparison.completeness:.2f} %, "
+          f"F {100 * comparison.f_score:.2f} %")
+    print(f"in free space: {comparison.area_in_free_space:.4g} m2 of the map")
+    if comparison.returns_within_tolerance is not None:
+        print(f"returns: {scan.GetNumberOfPoints():,}, "
+              f"{100 * comparison.returns_within_tolerance:.2f} % within "
+              f"{1000 * comparison.tolerance:g} mm, the farthest "
+              f"{1000 * comparison.largest_return_distance:.2f} mm from the map")

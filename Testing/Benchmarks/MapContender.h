@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Ways to a map of a scan: the filter of LMS3D, and what else VTK has for it.
+ */
+#ifndef MapContender_h
+#define MapContender_h
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+struct MapContender
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Map;
+  /// From the scan to the map, one thread.
+  double Milliseconds;
+};
+
+/// The scan as a sensor with Gaussian noise along its beams would have it, the same each time.
+vtkSmartPointer<vtkPolyData> AddRangeNoise(vtkPolyData* scan, double sigma);
+
+/// vtkLMS3DSurfaceReconstructionFilter with a bound and a DepthStep in metres, on one thread; the best
+/// of the runs within a budget (ms).
+MapContender MakeLocalMap(vtkPolyData* scan, double maximumError, double depthStep, double budget);
+
+/// The grid, decimated to a number of triangles; run once.
+MapContender DecimateByQuadrics(const MapContender& grid, vtkIdType triangles);
+MapContender DecimatePro(const MapContender& grid, vtkIdType triangles);
+
+/// vtkSurfaceReconstructionFilter, which knows the points alone, at a hundredth of the diagonal of
+/// their box; run once.
+MapContender ReconstructFromPoints(vtkPolyData* scan);
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The laws of the local map, and a judge that finds where a map breaks them.
+ *
+ * The judge knows the scan, the map, and the scene where there is one; it shares no code with the
+ * filter. Lengths are held to 1e-9 of the range, directions to 1e-9 radians.
+ *
+ * - bound: no return is farther from the surface than MaximumError. With a MaximumError of 0 each
+ *   return is a vertex. A pole is one vertex: where no range is within MaximumError of all its
+ *   returns, that of median range counts.
+ * - beam: each beam that returned meets the surface. (Of a plain grid, where its return has a
+ *   triangle.)
+ * - free space: what a beam that returned meets is within MaximumError, and the noise, of the
+ *   scene, or no farther from it than what joined neighbours span: so is the plain grid at a crease.
+ * - between beams: there, where nothing was measured, the surface may be off by half a cell more; of
+ *   a bounded map, whose borders pass between beams, at four places and one in a thousand by more. It may also
+ *   go on in the plane that a neighbouring beam saw, or that its return and two more of the same surface
+ *   lie in: within twice the bound, as a plane that is off by the bound at one beam and by as much to
+ *   the other side at the next one is half a cell further.
+ * - miss: no beam without a return meets the surface.
+ * - bridge: between neighbours on both sides of a depth step, one of the scene too where there is a
+ *   scene, the surface has a gap or a jump.
+ * - crack: between four beams whose ranges are within DepthStep there is surface.
+ * - overhang: no vertex is a whole cell away from all returns.
+ * - edge: at most two triangles share an edge, and they turn the same way.
+ * - boundary: an edge of one triangle lies at a depth step, a miss or the border of the scan.
+ * - T-junction: no vertex lies inside an edge.
+ * - facing: each triangle faces the sensor.
+ * - area: each triangle has an area, and three corners.
+ * - point: coordinates are finite, and each point belongs to a triangle. (Not of a plain grid.)
+ * - range, normal: `Range` is the distance from the sensor; `Normals` of points are units towards it,
+ *   those of triangles their own.
+ * - field data: what the filter tells of the map is so.
+ */
+#ifndef MapLaws_h
+#define MapLaws_h
+
+#include <vtkType.h>
+
+#include <cstddef>
+#include <iosfwd>
+#include <map>
+#include <string>
+
+class vtkPolyData;
+
+/// What the map owes.
+struct MapPromise
+{
+  double MaximumError = 0.01;
+  double DepthStep = 0.1;
+  /// The triangles that were scanned, cell by cell those of the scan's CellId, or none.
+  vtkPolyData* Scene = nullptr;
+  /// How far returns were moved along their beams, at most.
+  double Noise = 0.0;
+};
+
+class MapVerdict
+{
+public:
+  /// Of several breaches of a law the words of the worst are kept.
+  void Add(const std::string& law, const std::string& words, double amount = 0.0);
+
+  /// Forgives breaches of a law if they are no more than so many.
+  void Allow(const std::string& law, double count);
+
+  bool IsLawful() const { return this->Breaches.empty(); }
+  std::size_t GetNumberOfBreaches(const std::string& law) const;
+
+  /// Metres: the largest distance from a return to the surface; of a plain grid to a vertex.
+  double LargestDeviation = 0.0;
+  /// The same from the nearest triangle that the return's own beam meets.
+  double LargestDeviationOnBeams = 0.0;
+  vtkIdType NumberOfBoundaryEdges = 0;
+  vtkIdType EulerCharacteristic = 0;
+
+private:
+  struct Breach
+  {
+    std::size_t Count = 0;
+    double Amount = 0.0;
+    std::string Words;
+  };
+  std::map<std::string, Breach> Breaches;
+
+  friend std::ostream& operator<<(std::ostream& os, const MapVerdict& verdict);
+};
+
+MapVerdict JudgeMap(vtkPolyData* scan, vtkPolyData* map, const MapPromise& promise);
+
+#endif
