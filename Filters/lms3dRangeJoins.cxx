@@ -132,6 +132,7 @@ private:
   const LeanFinder& Leans;
   std::array<const double*, NumberOfRows> Rows;
 };
+
 // What is found of one turn.
 struct TurnFinds
 {

@@ -8,6 +8,7 @@
 #define lms3dVector_h
 
 #include <array>
+#include <cmath>
 
 using lms3dVector = std::array<double, 3>;
 
@@ -34,6 +35,22 @@ inline lms3dVector lms3dAdd(const lms3dVector& a, const lms3dVector& b)
 inline lms3dVector lms3dScale(const lms3dVector& v, double factor)
 {
   return { v[0] * factor, v[1] * factor, v[2] * factor };
+}
+
+/// Of length 1; zero where the vector has no length or no finite one.
+inline lms3dVector lms3dNormalize(const lms3dVector& v)
+{
+  const double length = std::hypot(v[0], v[1], v[2]);
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    return { 0.0, 0.0, 0.0 };
+  }
+  return { v[0] / length, v[1] / length, v[2] / length };
+}
+
+inline bool lms3dIsFinite(const lms3dVector& v)
+{
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
 #endif

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace
@@ -36,8 +37,8 @@ std::string GetWords(const std::string& message)
 
 void KeepMessage(vtkObject*, unsigned long, void* clientData, void* callData)
 {
-  auto* messages = static_cast<std::vector<std::string>*>(clientData);
-  messages->push_back(GetWords(static_cast<const char*>(callData)));
+  auto* messages = static_cast<std::vector<lms3dMessage>*>(clientData);
+  messages->push_back({ lms3dMessage::ERROR, "", 0, GetWords(static_cast<const char*>(callData)) });
 }
 
 std::uint8_t ToByte(double share)
@@ -45,10 +46,10 @@ std::uint8_t ToByte(double share)
   return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
 }
 
-std::array<std::uint8_t, 4> GetColor(vtkProperty* property)
+lms3dColor GetColor(vtkProperty* property)
 {
   const double* color = property->GetDiffuseColor();
-  return { ToByte(color[0]), ToByte(color[1]), ToByte(color[2]), ToByte(property->GetOpacity()) };
+  return { ToByte(color[0]), ToByte(color[1]), ToByte(color[2]) };
 }
 
 std::array<double, 3> TransformPoint(vtkMatrix4x4* matrix, const double point[3])
@@ -70,7 +71,7 @@ vtkIdType CountTriangles(vtkCellArray* cells)
   return count;
 }
 
-void AppendTriangles(vtkPolyData* surface, lms3dShape& shape)
+void AppendTriangles(vtkPolyData* surface, lms3dMesh& mesh)
 {
   auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(surface->GetPolys()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
@@ -78,7 +79,8 @@ void AppendTriangles(vtkPolyData* surface, lms3dShape& shape)
     vtkIdType count;
     const vtkIdType* corners;
     cells->GetCurrentCell(count, corners);
-    shape.Triangles.push_back({ corners[0], corners[1], corners[2] });
+    mesh.Triangles.push_back({ static_cast<std::int32_t>(corners[0]),
+      static_cast<std::int32_t>(corners[1]), static_cast<std::int32_t>(corners[2]) });
   }
 }
 
@@ -93,21 +95,25 @@ void AppendShape(vtkActor* actor, lms3dScene& scene)
   triangles->Update();
   vtkPolyData* surface = triangles->GetOutput();
 
-  lms3dShape shape;
-  shape.Color = GetColor(actor->GetProperty());
+  auto mesh = std::make_shared<lms3dMesh>();
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
-    shape.Points.push_back(TransformPoint(actor->GetMatrix(), surface->GetPoint(i)));
+    mesh->Points.push_back(TransformPoint(actor->GetMatrix(), surface->GetPoint(i)));
   }
-  AppendTriangles(surface, shape);
+  AppendTriangles(surface, *mesh);
 
   const vtkIdType expected = CountTriangles(read->GetPolys()) + CountTriangles(read->GetStrips());
-  const vtkIdType lost = expected - static_cast<vtkIdType>(shape.Triangles.size());
+  const vtkIdType lost = expected - static_cast<vtkIdType>(mesh->Triangles.size());
   if (lost > 0)
   {
-    scene.Messages.push_back("shape " + std::to_string(scene.Shapes.size()) + ": " +
-      std::to_string(lost) + " of " + std::to_string(expected) + " triangles could not be made");
+    scene.Messages.push_back({ lms3dMessage::ERROR, "", 0,
+      "shape " + std::to_string(scene.Shapes.size()) + ": " + std::to_string(lost) + " of " +
+        std::to_string(expected) + " triangles could not be made" });
   }
+  lms3dShape shape;
+  shape.Color = GetColor(actor->GetProperty());
+  shape.Opacity = ToByte(actor->GetProperty()->GetOpacity());
+  shape.Mesh = mesh;
   scene.Shapes.push_back(std::move(shape));
 }
 } // namespace

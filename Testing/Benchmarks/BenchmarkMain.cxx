@@ -30,15 +30,17 @@ struct Benchmark
   std::vector<std::string> Scenes = GetSceneNames();
 };
 
-const std::array<Benchmark, 3>& GetBenchmarks()
+const std::array<Benchmark, 4>& GetBenchmarks()
 {
-  static const std::array<Benchmark, 3> benchmarks = {
+  static const std::array<Benchmark, 4> benchmarks = {
     { { "scan", "a scan after a change of pose, every method, beside the raw cost of its beams",
         &RunScanBenchmark, { "room", "castle", "teapot", "terrain1e5" } },
       { "first", "the first scan, building included, beside Embree's own build", &RunFirstBenchmark,
         { "room", "terrain1e5" } },
       { "map", "local maps within error bounds, and what else makes maps: time, triangles, errors",
-        &RunMapBenchmark, { "room", "teapot" }, { "room", "teapot", "terrain1e5" } } }
+        &RunMapBenchmark, { "room", "teapot" }, { "room", "teapot", "terrain1e5" } },
+      { "read", "a VRML97 file, beside the bare cost of its numbers", &RunReadBenchmark,
+        { "room", "terrain1e5" } } }
   };
   return benchmarks;
 }

@@ -26,6 +26,9 @@ void RunScanBenchmark(const BenchmarkOptions& options);
 /// The first scan, building included, beside Embree's own build.
 void RunFirstBenchmark(const BenchmarkOptions& options);
 
+/// Reading a scene as a VRML97 file, beside the bare cost of its numbers.
+void RunReadBenchmark(const BenchmarkOptions& options);
+
 /// Local maps within several error bounds, without and with noise, beside what else makes maps:
 /// time, triangles and errors.
 void RunMapBenchmark(const BenchmarkOptions& options);

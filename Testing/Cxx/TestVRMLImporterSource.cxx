@@ -142,27 +142,45 @@ TEST_F(VRMLImporterSource, ReportsWhatIsNoScene)
   this->ExpectError(vtkErrorCode::FileNotFoundError, "regular file");
 
   this->Reader->SetFileName(this->File.string().c_str());
-  for (const char* words :
-    { "", "#VRML V1.0 ascii\nCube {}\n", "#Inventor V2.1 ascii\n", "solid x" })
+  for (const auto& [words, word] : std::vector<std::pair<const char*, const char*>>{
+         { "", "#VRML V2.0" }, { "#VRML V1.0 ascii\nCube {}\n", "VRML 1.0" },
+         { "#Inventor V2.1 ascii\n", "Open Inventor" }, { "solid x", "#VRML V2.0" } })
   {
     this->Write(words);
     this->Reader->Modified();
     EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(this->File.string().c_str()), 0);
-    this->ExpectError(vtkErrorCode::UnrecognizedFileTypeError, "#VRML V2.0");
+    this->ExpectError(vtkErrorCode::UnrecognizedFileTypeError, word);
   }
   this->Write("#VRML V2.0 utf8\nWorldInfo { title \"nothing\" }\n");
   this->Reader->Modified();
   this->ExpectError(vtkErrorCode::FileFormatError, "no surface");
 }
 
-TEST_F(VRMLImporterSource, WarnsOfPolygonsThatCannotBeTriangulated)
+TEST_F(VRMLImporterSource, TellsOncePerExecutionWhatIsLost)
 {
-  const std::string crossed = R"(Shape { geometry IndexedFaceSet {
-  coord Coordinate { point [ 0 0 0, 1 1 0, 1 0 0, 0 1 0 ] }
-  coordIndex [ 0, 1, 2, -1, 0, 1, 2, 3, -1 ]
-} }
-)";
-  this->Write(Square + crossed + crossed);
+  this->Write(Square + std::string("USE Nobody\nShape { geometry Nurbs { } }\n"));
+  this->Reader->SetFileName(this->File.string().c_str());
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Reader->Modified();
+    const std::string error = UpdateAndGetError(this->Reader);
+    EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 2);
+    EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoError);
+    ASSERT_EQ(this->Reader->GetNumberOfMessages(), 2);
+    const std::string file = this->File.string();
+    EXPECT_EQ(this->Reader->GetMessage(0), file + ":12: USE Nobody: no node before has this name");
+    EXPECT_EQ(
+      this->Reader->GetMessage(1), file + ":13: VRML97 has no node Nurbs; it is passed over");
+    EXPECT_EQ(this->Reader->GetMessageSeverity(0), vtkVRMLImporterSource::MESSAGE_ERROR);
+    EXPECT_NE(error.find(this->Reader->GetMessage(0) + " (and 1 more"), std::string::npos) << error;
+  }
+  EXPECT_EQ(this->Reader->GetMessage(2), "");
+  EXPECT_EQ(this->Reader->GetMessageSeverity(-1), vtkVRMLImporterSource::MESSAGE_WARNING);
+}
+
+TEST_F(VRMLImporterSource, WarnsWhereNothingIsLost)
+{
+  this->Write(Square + std::string("WorldInfo { author \"me\" }\n"));
   this->Reader->SetFileName(this->File.string().c_str());
   std::string warning;
   vtkNew<vtkCallbackCommand> keeper;
@@ -171,37 +189,98 @@ TEST_F(VRMLImporterSource, WarnsOfPolygonsThatCannotBeTriangulated)
     { *static_cast<std::string*>(clientData) += static_cast<const char*>(callData); });
   this->Reader->AddObserver(vtkCommand::WarningEvent, keeper);
   EXPECT_EQ(UpdateAndGetError(this->Reader), "");
+  ASSERT_EQ(this->Reader->GetNumberOfMessages(), 1);
+  EXPECT_EQ(this->Reader->GetMessageSeverity(0), vtkVRMLImporterSource::MESSAGE_WARNING);
+  EXPECT_NE(warning.find(this->Reader->GetMessage(0)), std::string::npos) << warning;
+}
+
+TEST_F(VRMLImporterSource, TellsTheErrorRatherThanAWarningBeforeIt)
+{
+  this->Write("#VRML V2.0 utf8\nGroup { foo 1 }\nInline { url \"gone.wrl\" }\n");
+  this->Reader->SetFileName(this->File.string().c_str());
+  this->ExpectError(vtkErrorCode::FileFormatError, "gone.wrl");
+}
+
+TEST_F(VRMLImporterSource, IsEmptyWithoutAnErrorAfterAnAbort)
+{
+  std::string text = "#VRML V2.0 utf8\nGroup { foo 1 }\n";
+  for (int i = 0; i < 20000; ++i)
+  {
+    text += "Shape { geometry Box { } }\n";
+  }
+  this->Write(text);
+  this->Reader->SetFileName(this->File.string().c_str());
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* reader = static_cast<vtkVRMLImporterSource*>(caller);
+      reader->SetAbortExecute(reader->GetProgress() > 0.3 ? 1 : 0);
+    });
+  const unsigned long tag = this->Reader->AddObserver(vtkCommand::ProgressEvent, abort);
+  EXPECT_EQ(UpdateAndGetError(this->Reader), "");
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoError);
+  EXPECT_EQ(this->Reader->GetNumberOfMessages(), 0);
+
+  this->Reader->RemoveObserver(tag);
+  this->Reader->SetAbortExecute(0);
+  this->Reader->Modified();
+  this->Reader->Update();
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 240000);
+}
+
+TEST_F(VRMLImporterSource, NamesShapesByTheNearestDEF)
+{
+  this->Write(Square +
+    std::string("DEF Room Group { children [ DEF Box Shape { geometry Box { } }"
+                " Shape { geometry Box { } } ] } Shape { geometry Box { } }"));
+  this->Reader->SetFileName(this->File.string().c_str());
+  EXPECT_EQ(UpdateAndGetError(this->Reader), "");
+  auto* names = vtkStringArray::SafeDownCast(
+    this->Reader->GetOutput()->GetFieldData()->GetAbstractArray("ShapeNames"));
+  ASSERT_EQ(names->GetNumberOfValues(), 4);
+  const char* const expected[] = { "Wall", "Box", "Room", "" };
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(names->GetValue(i), expected[i]);
+  }
+}
+
+TEST_F(VRMLImporterSource, ReadsWithVTKsImporterToo)
+{
+  this->Write(Square);
+  this->Reader->SetFileName(this->File.string().c_str());
+  this->Reader->SetEngineToVTKImporter();
+  EXPECT_EQ(UpdateAndGetError(this->Reader), "");
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 2);
+  EXPECT_EQ(this->Reader->GetNumberOfMessages(), 0);
+
+  const std::string crossed = R"(Shape { geometry IndexedFaceSet {
+  coord Coordinate { point [ 0 0 0, 1 1 0, 1 0 0, 0 1 0 ] }
+  coordIndex [ 0, 1, 2, -1, 0, 1, 2, 3, -1 ]
+} }
+)";
+  this->Write(Square + crossed + crossed);
+  this->Reader->Modified();
+  const std::string error = UpdateAndGetError(this->Reader);
   EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 4);
   ASSERT_EQ(this->Reader->GetNumberOfMessages(), 2);
   EXPECT_EQ(this->Reader->GetMessage(0), "shape 1: 2 of 3 triangles could not be made");
   EXPECT_EQ(this->Reader->GetMessage(1), "shape 2: 2 of 3 triangles could not be made");
-  EXPECT_NE(warning.find(this->Reader->GetMessage(0)), std::string::npos) << warning;
+  EXPECT_NE(error.find(this->Reader->GetMessage(0)), std::string::npos) << error;
 }
 
-TEST_F(VRMLImporterSource, CountsNoTrianglesLostThatWereNone)
+TEST_F(VRMLImporterSource, HasTwoEngines)
 {
-  this->Write("#VRML V2.0 utf8\nShape { geometry Box {} } Shape { geometry Sphere {} }"
-              "Shape { geometry Cone {} } Shape { geometry Cylinder {} }"
-              "Shape { geometry IndexedFaceSet { coord Coordinate { point [ 0 0 0, 1 0 0, 1 1 0 ] }"
-              " coordIndex [ 0, 1, -1, 0, 1, 2, -1 ] } }\n");
-  this->Reader->SetFileName(this->File.string().c_str());
-  EXPECT_EQ(UpdateAndGetError(this->Reader), "");
-  EXPECT_EQ(this->Reader->GetNumberOfMessages(), 0);
-}
-
-TEST_F(VRMLImporterSource, HasOneEngine)
-{
+  EXPECT_EQ(this->Reader->GetEngine(), vtkVRMLImporterSource::VRML97);
+  this->Reader->SetEngine(7);
   EXPECT_EQ(this->Reader->GetEngine(), vtkVRMLImporterSource::VTK_IMPORTER);
-  for (int engine : { -1, 0, 1, 2 })
-  {
-    this->Reader->SetEngine(engine);
-    EXPECT_EQ(this->Reader->GetEngine(), vtkVRMLImporterSource::VTK_IMPORTER);
-  }
-  this->Reader->SetEngineToVTKImporter();
-  EXPECT_EQ(this->Reader->GetEngine(), 1);
+  this->Reader->SetEngineToVRML97();
+  EXPECT_EQ(this->Reader->GetEngine(), 0);
   std::ostringstream words;
   this->Reader->Print(words);
-  EXPECT_NE(words.str().find("Engine: VTKImporter"), std::string::npos) << words.str();
+  EXPECT_NE(words.str().find("Engine: VRML97"), std::string::npos) << words.str();
 }
 
 TEST_F(VRMLImporterSource, KnowsItsFiles)

@@ -125,6 +125,7 @@ class TestProxies(unittest.TestCase):
             for name in set(proxy.ListProperties()) - INPUTS - {"FileName"}:
                 with self.subTest(make.__name__, property=name):
                     default = getattr(fresh, f"Get{name}")()
+                    default = "" if default is None else default  # ParaView's empty name is VTK's none
                     shown = proxy.SMProxy.GetProperty(name)
                     values = [shown.GetElement(i) for i in range(shown.GetNumberOfElements())]
                     self.assertEqual(values, list(np.atleast_1d(default)))

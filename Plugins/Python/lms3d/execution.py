@@ -51,12 +51,13 @@ class ProgressBar:
         self._stream.flush()
 
 
-def update(algorithm, label, failure):
+def update(algorithm, label, failure, keeps_parts=False):
     """Bring an algorithm up to date; `label` stands before the bar.
 
-    Raises Problem, `failure` followed by VTK's own words, if VTK reports an error.
+    Raises Problem, `failure` followed by VTK's own words, if VTK reports an error. Of an algorithm
+    that `keeps_parts` an error counts if it sets an error code; the caller tells of the others.
     """
-    _run(algorithm, algorithm.Update, label, failure)
+    _run(algorithm, algorithm.Update, label, failure, keeps_parts)
 
 
 def write(writer, failure):
@@ -64,9 +65,11 @@ def write(writer, failure):
     _run(writer, writer.Write, "writing", failure)
 
 
-def _run(algorithm, job, label, failure):
+def _run(algorithm, job, label, failure, keeps_parts=False):
     with VTKMessages() as messages, ProgressBar(label, algorithm):
         job()
     code = algorithm.GetErrorCode()
     failed = code != vtkErrorCode.NoError
+    if keeps_parts and not failed:
+        return
     messages.report(failure, vtkErrorCode.GetStringFromErrorCode(code) if failed else "")

@@ -25,6 +25,7 @@ from .problems import Problem, UsageProblem
 READERS = {
     ".wrl": vtkVRMLImporterSource,
     ".vrml": vtkVRMLImporterSource,
+    ".wrz": vtkVRMLImporterSource,
     ".vtp": vtkXMLPolyDataReader,
     ".stl": vtkSTLReader,
     ".ply": vtkPLYReader,
@@ -42,6 +43,17 @@ _MESSAGES_SHOWN = 10
 
 
 @dataclass(frozen=True)
+class Message:
+    """What a reader could not read as the file has it; `lost` where geometry is lost by it."""
+
+    lost: bool
+    text: str
+
+    def __str__(self):
+        return f"{'error' if self.lost else 'warning'}: {self.text}"
+
+
+@dataclass(frozen=True)
 class Scene:
     """A scene in memory, in metres, z up."""
 
@@ -49,6 +61,7 @@ class Scene:
     up_axis: str
     data: vtkDataObject
     surface: vtkPolyData
+    messages: tuple = ()
 
     @property
     def triangles(self):
@@ -57,6 +70,17 @@ class Scene:
             cells.GetNumberOfConnectivityIds() - 2 * cells.GetNumberOfCells()
             for cells in (self.surface.GetPolys(), self.surface.GetStrips())
         )
+
+    def tell_losses(self):
+        """Tell the user, as far as a screen holds, what of the file is not in the scene."""
+        lost = sum(message.lost for message in self.messages)
+        if lost:
+            say(f"warning: {self.path} is not whole: {lost} of its parts are lost")
+        worst_first = sorted(self.messages, key=lambda message: not message.lost)
+        for message in worst_first[:_MESSAGES_SHOWN]:
+            say(message)
+        if len(self.messages) > _MESSAGES_SHOWN:
+            say(f"{len(self.messages) - _MESSAGES_SHOWN} more messages; 'lms3d info' shows all")
 
     def __str__(self):
         return f"{self.path.name}: {self.triangles:,} triangles, {UP_AXES[self.up_axis]}"
@@ -73,24 +97,46 @@ def check_readable(path, what="scene", endings=tuple(READERS)):
         raise Problem(f"cannot read {what} '{path}': no such file")
 
 
-def read_data(path, what, up_axis="file"):
-    """Read what VTK finds in a file; with up_axis "y" its y axis becomes the z axis."""
-    reader = READERS[Path(path).suffix.lower()]()
-    reader.SetFileName(str(path))
-    algorithm = reader if up_axis == "file" else _turned(reader)
-    update(algorithm, "reading", f"cannot read {what} '{path}'")
-    _pass_on_messages(reader)
-    return algorithm.GetOutputDataObject(0)
+def read_data(path, what):
+    """Read what VTK finds in a file."""
+    return _read(_make_reader(path), path, what)
 
 
-def read_scene(path, up_axis="file"):
-    """Read a scene; with up_axis "y" the file's y axis becomes the scene's z axis."""
+def read_scene(path, up_axis="file", root=None):
+    """Read a scene; with up_axis "y" the file's y axis becomes the scene's z axis. The files that a
+    VRML file needs have to be below root, which is its own folder where None."""
     check_readable(path)
-    data = read_data(path, "scene", up_axis)
-    scene = Scene(Path(path), up_axis, data, _surface(data))
+    reader = _make_reader(path)
+    if root is not None:
+        _set_root(reader, path, root)
+    data = _read(reader, path, "scene", up_axis)
+    scene = Scene(Path(path), up_axis, data, _surface(data), _messages(reader))
     if scene.triangles <= 0:
         raise Problem(f"nothing to scan in '{path}': the file holds no triangles")
     return scene
+
+
+def _make_reader(path):
+    """The reader of a file, by its ending."""
+    reader = READERS[Path(path).suffix.lower()]()
+    reader.SetFileName(str(path))
+    return reader
+
+
+def _set_root(reader, path, root):
+    if not isinstance(reader, vtkVRMLImporterSource):
+        raise UsageProblem(f"--scene-root {root}: '{path}' is no VRML file")
+    if not Path(root).is_dir():
+        raise Problem(f"cannot read scene '{path}': --scene-root {root} is no folder")
+    reader.SetSceneRoot(str(root))
+
+
+def _read(reader, path, what, up_axis="file"):
+    """What a reader makes of its file; with up_axis "y" the y axis becomes the z axis."""
+    algorithm = reader if up_axis == "file" else _turned(reader)
+    update(algorithm, "reading", f"cannot read {what} '{path}'",
+           keeps_parts=isinstance(reader, vtkVRMLImporterSource))
+    return algorithm.GetOutputDataObject(0)
 
 
 def _turned(reader):
@@ -106,15 +152,14 @@ def _turned(reader):
     return turn
 
 
-def _pass_on_messages(reader):
-    """Tell what else of a VRML file was not read; the reader warns of the first thing itself."""
+def _messages(reader):
+    """What a VRML file has that was not read; VTK's readers fail instead."""
     if not isinstance(reader, vtkVRMLImporterSource):
-        return
-    count = reader.GetNumberOfMessages()
-    for i in range(1, min(count, _MESSAGES_SHOWN)):
-        say(f"warning: {reader.GetMessage(i)}")
-    if count > _MESSAGES_SHOWN:
-        say(f"warning: {count - _MESSAGES_SHOWN} more messages about this file")
+        return ()
+    return tuple(
+        Message(reader.GetMessageSeverity(i) == reader.MESSAGE_ERROR, reader.GetMessage(i))
+        for i in range(reader.GetNumberOfMessages())
+    )
 
 
 def _surface(data):

@@ -6,7 +6,7 @@ from .. import vtkLMS3DMapComparison
 from ..comparison import POSE_ARRAYS, compare, has_pose, pass_pose
 from ..problems import Problem, UsageProblem
 from ..results import check_targets, save
-from ..scene import check_readable, read_data, read_scene
+from ..scene import check_readable, read_data
 from ..simulation import Simulation
 from . import sensor_options
 
@@ -72,7 +72,8 @@ def add_arguments(parser):
 def run(options):
     """Check the options, read, compare, write."""
     _check(options)
-    scene = read_scene(options.scene, options.up_axis)
+    scene = sensor_options.read(options)
+    scene.tell_losses()
     local_map = _read_map(options.map)
     scan = _read_scan(options.scan) if options.scan else None
     position = _find_sensor(options, scene, local_map, scan)

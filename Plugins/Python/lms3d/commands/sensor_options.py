@@ -67,10 +67,18 @@ def thread_count(text):
 
 def add_scene(parser):
     """Add the scene and how its axes are meant."""
-    parser.add_argument("scene", metavar="SCENE", help="the file to scan: " + " ".join(READERS))
+    parser.add_argument("scene", metavar="SCENE", help="the file to read: " + " ".join(READERS))
     parser.add_argument("--up-axis", choices=UP_AXES, default="file",
                         help="file: leave the axes as they are, z is up (default); "
                         "y: the file is y-up, as most VRML is, turn it to z-up")
+    parser.add_argument("--scene-root", metavar="FOLDER",
+                        help="where the other files that a VRML scene needs have to be, or below "
+                        "(default: the scene's folder)")
+
+
+def read(options):
+    """The scene of the options."""
+    return read_scene(options.scene, options.up_axis, options.scene_root)
 
 
 def add_sensor(parser, position_needed):
@@ -183,7 +191,9 @@ def _rises(low, high, resolution):
 
 def simulation(options):
     """Read the scene and put the sensor of the options into it; nothing is scanned yet."""
-    result = Simulation(read_scene(options.scene, options.up_axis))
+    scene = read(options)
+    scene.tell_losses()
+    result = Simulation(scene)
     sensor = result.sensor
     place(sensor, options, result.scene)
     sensor.SetNumberOfThreads(options.threads)

@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""lms3d info: what a scene holds, and what of its file could not be read."""
+
+from collections import Counter
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from . import sensor_options
+
+NAME = "info"
+SUMMARY = "tell what a scene holds and what could not be read"
+DESCRIPTION = """\
+Read a scene and tell its triangles, bounds and shapes, and each thing that was not read.
+
+Shapes of VRML files have the names that DEF gives them or a group around them; those of
+one name are counted together. A message that begins with "error" tells of lost geometry.
+"""
+EPILOG = """\
+examples:
+  lms3d info room.wrl
+"""
+
+
+def add_arguments(parser):
+    """Add the options of this command."""
+    sensor_options.add_scene(parser)
+
+
+def run(options):
+    """Read, then print."""
+    scene = sensor_options.read(options)
+    print(f"scene    {scene}")
+    bounds = scene.surface.GetBounds()
+    for axis, low, high in zip("xyz", bounds[::2], bounds[1::2]):
+        print(f"{axis:8} {low:.6g} to {high:.6g} m")
+    _print_shapes(scene.surface)
+    print(f"messages {len(scene.messages)}")
+    for message in scene.messages:
+        print(f"  {message}")
+
+
+def _print_shapes(surface):
+    ids = surface.GetCellData().GetArray("ShapeId")
+    names = surface.GetFieldData().GetAbstractArray("ShapeNames")
+    if not ids or not names:
+        return
+    shapes, triangles = Counter(), Counter()
+    counts = np.bincount(vtk_to_numpy(ids), minlength=names.GetNumberOfValues())
+    for i, count in enumerate(counts.tolist()):
+        shapes[names.GetValue(i)] += 1
+        triangles[names.GetValue(i)] += count
+    print(f"shapes   {len(counts):,}")
+    for name, count in shapes.items():
+        print(f"  {name or '(no name)'}: {count:,} with {triangles[name]:,} triangles")
