@@ -44,6 +44,7 @@ std::vector<lms3dBeamSphere::Tick> lms3dBeamSphere::MakeTicks(
   const std::vector<double>& angles, const char* name)
 {
   std::vector<Tick> ticks;
+  ticks.reserve(angles.size());
   for (double angle : angles)
   {
     ticks.push_back({ angle, static_cast<int>(ticks.size()) });

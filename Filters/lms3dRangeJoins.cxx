@@ -237,8 +237,9 @@ bool lms3dRangeJoins::DropBesideGap(const lms3dRangeGrid& grid, const Doubt& dou
 
 bool lms3dRangeJoins::IsWholeAround(const lms3dRangeGrid& grid, const Doubt& doubt) const
 {
-  const auto [turn, beam, towards] = doubt;
-  if (towards == AlongFan)
+  const int turn = doubt.Turn;
+  const int beam = doubt.Beam;
+  if (doubt.Towards == AlongFan)
   {
     const auto isWhole = [&](int cell, int beyond)
     {

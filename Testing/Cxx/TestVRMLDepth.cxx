@@ -53,7 +53,7 @@ std::string Repeat(const std::string& text, int count)
 
 TEST_F(VRMLDepth, NeedsAStackOfOneMebibyteAtMost)
 {
-  for (const auto& [opening, closing] : std::vector<std::pair<std::string, std::string>>{
+  for (const auto& marks : std::vector<std::pair<std::string, std::string>>{
          { "DEF A Group { children [ ", "] } " }, { "Transform { children ", "} " },
          { "Group { Group { } ", "} " }, { "Switch { whichChoice 0 choice ", "} " },
          { "PROTO P [ ] { ", "} " }, { "PROTO P [ field MFNode n [ ", "] ] { } " },
@@ -62,8 +62,8 @@ TEST_F(VRMLDepth, NeedsAStackOfOneMebibyteAtMost)
     for (const int depth : { lms3dVRMLMaximumDepth - 10, lms3dVRMLMaximumDepth + 10 })
     {
       const std::string text =
-        SquareShape + Repeat(opening, depth) + SquareShape + Repeat(closing, depth);
-      RunOnStack(StackSize, [&] { EXPECT_GE(GetArea(this->Read(text)), 1.0) << opening; });
+        SquareShape + Repeat(marks.first, depth) + SquareShape + Repeat(marks.second, depth);
+      RunOnStack(StackSize, [&] { EXPECT_GE(GetArea(this->Read(text)), 1.0) << marks.first; });
     }
   }
 }
