@@ -115,17 +115,14 @@ void lms3dVRMLParser::ParseListElement(lms3dVRMLValue& value)
   {
     this->ParseStrings(value);
   }
-  else if (this->IsAtNode() && (isEmpty || std::holds_alternative<lms3dVRMLNodes>(value)))
+  else if ((this->IsAtNode() || token.Is("NULL")) &&
+    (isEmpty || std::holds_alternative<lms3dVRMLNodes>(value)))
   {
     this->ParseNodes(value);
   }
   else if (token.Kind == lms3dVRMLToken::WORD && isOfNumbers)
   {
     this->ParseWordAmongNumbers(value);
-  }
-  else if (token.Is("NULL") && (isEmpty || std::holds_alternative<lms3dVRMLNodes>(value)))
-  {
-    this->ParseNodes(value);
   }
   else if (token.Is("NULL") || token.Is("TRUE") || token.Is("FALSE"))
   {

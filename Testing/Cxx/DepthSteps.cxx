@@ -12,6 +12,12 @@
 
 namespace
 {
+// On the other side of a beam than the next one.
+ScanGrid::Beam GetBefore(const ScanGrid::Beam& beam, const ScanGrid::Beam& next)
+{
+  return { 2 * beam.Turn - next.Turn, 2 * beam.Number - next.Number };
+}
+
 double Invert(double inverse)
 {
   return inverse > 0.0 ? 1.0 / inverse : std::numeric_limits<double>::infinity();
@@ -47,7 +53,10 @@ double DepthSteps::Predict(const Beam& a, const Beam& b) const
   const Beam last = { 2 * a.Turn - b.Turn, 2 * a.Number - b.Number };
   const Beam aside = this->GetTowardsHorizon(a);
   const bool hasAside = a.Turn != b.Turn && this->GetRange(last) > 0.0 &&
-    this->AreJoined(a, aside, this->PredictAlong(a, aside), this->PredictAlong(aside, a));
+    this->AreJoined(a, aside,
+      { this->PredictAlong(a, aside), this->PredictAlong(aside, a),
+        this->PredictAlong(GetBefore(a, aside), a),
+        this->PredictAlong(GetBefore(aside, a), aside) });
   return hasAside ? Invert(this->PredictInverse(last, a, b)) : this->PredictAlong(a, b);
 }
 
@@ -91,29 +100,32 @@ double DepthSteps::PredictInverse(const Beam& last, const Beam& a, const Beam& b
 
 bool DepthSteps::AreJoined(const Beam& a, const Beam& b) const
 {
-  return this->AreJoined(a, b, this->Predict(a, b), this->Predict(b, a));
+  return this->AreJoined(a, b,
+    { this->Predict(a, b), this->Predict(b, a), this->Predict(GetBefore(a, b), a),
+      this->Predict(GetBefore(b, a), b) });
 }
 
-bool DepthSteps::AreJoined(const Beam& a, const Beam& b, double fromA, double fromB) const
+bool DepthSteps::AreJoined(const Beam& a, const Beam& b, const Predictions& predictions) const
 {
+  const auto& [ofB, ofA, ofAFromBefore, ofBFromBefore] = predictions;
   const double tolerance = this->GetTolerance(a, b);
   const auto isNear = [&](double range, const Beam& beam)
   { return std::abs(range - this->GetRange(beam)) <= tolerance; };
   const auto reaches = [&](double range, const Beam& beam)
   { return range >= this->GetRange(beam) - tolerance; };
   return this->HaveReturned(a, b) && this->GetStep(a, b) < vtkMath::Pi() &&
-    (isNear(this->GetRange(a), b) || isNear(fromA, b) || isNear(fromB, a) ||
-      (reaches(fromA, b) && reaches(fromB, a) &&
-        (this->GetRange(a) < this->GetRange(b) ? this->IsStraight(a, b) : this->IsStraight(b, a))));
+    (isNear(this->GetRange(a), b) || isNear(ofB, b) || isNear(ofA, a) ||
+      (reaches(ofB, b) && reaches(ofA, a) &&
+        (this->GetRange(a) < this->GetRange(b) ? this->IsStraight(a, b, ofAFromBefore)
+                                               : this->IsStraight(b, a, ofBFromBefore))));
 }
 
 // Whether the beam before a and the one before that say where a is.
-bool DepthSteps::IsStraight(const Beam& a, const Beam& b) const
+bool DepthSteps::IsStraight(const Beam& a, const Beam& b, double predicted) const
 {
-  const Beam before = { 2 * a.Turn - b.Turn, 2 * a.Number - b.Number };
-  return this->HaveReturned(before, a) &&
-    this->GetRange({ 3 * a.Turn - 2 * b.Turn, 3 * a.Number - 2 * b.Number }) > 0.0 &&
-    std::abs(this->Predict(before, a) - this->GetRange(a)) <= this->GetTolerance(before, a);
+  const Beam before = GetBefore(a, b);
+  return this->HaveReturned(before, a) && this->GetRange(GetBefore(before, a)) > 0.0 &&
+    std::abs(predicted - this->GetRange(a)) <= this->GetTolerance(before, a);
 }
 
 bool DepthSteps::AreApart(const Beam& a, const Beam& b) const

@@ -9,6 +9,8 @@
 
 #include "ScanGrid.h"
 
+#include <array>
+
 /**
  * A beam a and its neighbour b are joined where both returned and
  * - their ranges differ by no more than the tolerance: DepthStep and a share of the nearer range, 2
@@ -44,11 +46,15 @@ public:
   double GetTolerance(const Beam& a, const Beam& b) const;
 
 private:
+  /// Ranges, of one where the surface goes on to it: of b from a, of a from b, and of a and b from
+  /// the beams before them.
+  using Predictions = std::array<double, 4>;
+
   bool HaveReturned(const Beam& a, const Beam& b) const;
   double GetRange(const Beam& beam) const;
   double GetStep(const Beam& a, const Beam& b) const;
-  bool AreJoined(const Beam& a, const Beam& b, double fromA, double fromB) const;
-  bool IsStraight(const Beam& a, const Beam& b) const;
+  bool AreJoined(const Beam& a, const Beam& b, const Predictions& predictions) const;
+  bool IsStraight(const Beam& a, const Beam& b, double predicted) const;
   double Predict(const Beam& a, const Beam& b) const;
   double PredictAlong(const Beam& a, const Beam& b) const;
   double GetRangeBefore(const Beam& before, const Beam& a) const;

@@ -89,13 +89,15 @@ TEST(VRMLLexer, TellsNumbersThatAreNotFinite)
 TEST(VRMLLexer, RoundsNumbersOutOfRangeByAllTheirDigits)
 {
   const std::string zeros(400, '0');
-  for (const std::string& text : Texts{ "1" + zeros + "e-5", "1" + zeros, "-1" + zeros + ".5e+7",
-         "0.0001e1000", "1e" + zeros + "1" + zeros, "1" + zeros + "e-1" })
+  const Texts huge = { "1" + zeros + "e-5", "1" + zeros, "-1" + zeros + ".5e+7", "0.0001e1000",
+    "1e" + zeros + "1" + zeros, "1" + zeros + "e-1" };
+  const Texts tiny = { "0." + zeros + "1e5", "." + zeros + "1", "-0." + zeros + "1e-3",
+    "1000e-1000", "1e-1" + zeros, "0." + zeros + "1E+30" };
+  for (const std::string& text : huge)
   {
     EXPECT_TRUE(std::isinf(ReadOne(text.c_str()).Number)) << text;
   }
-  for (const std::string& text : Texts{ "0." + zeros + "1e5", "." + zeros + "1",
-         "-0." + zeros + "1e-3", "1000e-1000", "1e-1" + zeros, "0." + zeros + "1E+30" })
+  for (const std::string& text : tiny)
   {
     EXPECT_EQ(ReadOne(text.c_str()).Number, 0.0) << text;
   }
