@@ -51,6 +51,10 @@ double DepthSteps::GetTolerance(const Beam& a, const Beam& b) const
 double DepthSteps::Predict(const Beam& a, const Beam& b) const
 {
   const Beam last = { 2 * a.Turn - b.Turn, 2 * a.Number - b.Number };
+  if (!this->Grid.Contains(a))
+  {
+    return this->PredictAlong(a, b);
+  }
   const Beam aside = this->GetTowardsHorizon(a);
   const bool hasAside = a.Turn != b.Turn && this->GetRange(last) > 0.0 &&
     this->AreJoined(a, aside,
