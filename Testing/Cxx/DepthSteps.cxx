@@ -76,7 +76,8 @@ double DepthSteps::PredictAlong(const Beam& a, const Beam& b) const
 double DepthSteps::GetRangeBefore(const Beam& before, const Beam& a) const
 {
   const bool isBeyond = before.Number < 0 || before.Number >= this->Grid.GetNumberOfBeams();
-  if (!isBeyond || !this->Grid.IsPole(a.Number) || !this->Grid.IsClosed())
+  if (!isBeyond || !this->Grid.Contains(a) || !this->Grid.IsPole(a.Number) ||
+    !this->Grid.IsClosed())
   {
     return this->GetRange(before);
   }
