@@ -17,7 +17,7 @@ namespace
 using VRMLDepth = VRMLScene;
 
 // Sanitizers make frames several times as large.
-#if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)
+#ifdef LMS3D_FEWER_BEAMS
 constexpr std::size_t StackSize = std::size_t(16) << 20;
 #else
 constexpr std::size_t StackSize = std::size_t(1) << 20;
