@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Make images/paraview.png, a picture of ParaView's window with the room scanned.
+"""Make images/paraview.png, ParaView's window with the room's map and the sensor in hand.
 
     xvfb-run -a -s "-noreset -screen 0 1152x762x24" ./run python Documentation/make_paraview_screenshot.py
 
@@ -25,19 +25,19 @@ def fill_window():
     from paraview import simple
 
     room = simple.VRMLReader(registrationName="room.wrl", FileName=os.environ["LMS3D_SCENE"])
-    scan = simple.LMS3DScan(registrationName="LMS3DScan1", Input=room, Position=[0.3, -0.2, 1.0])
+    scan = simple.LMS3DScan(registrationName="LMS3DScan1", Input=room, Position=[0.3, -0.2, 1.0],
+                            Orientation=[0, 0, 30])
     local_map = simple.LMS3DSurfaceReconstruction(
         registrationName="LMS3DSurfaceReconstruction1", Input=scan)
 
     view = simple.GetActiveViewOrCreate("RenderView")
     display = simple.Show(local_map, view)
-    simple.ColorBy(display, ("POINTS", "Range"))
-    display.SetScalarBarVisibility(view, True)
     display.BackfaceRepresentation = "Cull Backface"
     view.CameraPosition = [-1.6, -5.6, 8.9]
     view.CameraFocalPoint = [1.0, 0.0, 0.6]
     view.CameraViewUp = [0, 0, 1]
     simple.SetActiveSource(scan)
+    simple.ShowInteractiveWidgets(proxy=scan)
     simple.Render(view)
     Path(os.environ[READY]).touch()
 

@@ -25,7 +25,7 @@ public:
   {
   }
 
-  void Cast(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
+  void Choose(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
   {
     for (int i = 0; i < count; ++i)
     {

@@ -11,7 +11,6 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace
@@ -43,26 +42,24 @@ vtkMTimeType GetSceneTime(vtkDataObject* scene)
 
 bool lms3dBuiltScene::IsFor(vtkDataObject* scene, int method) const
 {
-  return this->Caster && this->Scene == scene && this->SceneTime == GetSceneTime(scene) &&
-    this->Method == method;
+  return this->Scene == scene && this->SceneTime == GetSceneTime(scene) && this->Method == method;
 }
 
-std::string lms3dBuiltScene::Build(vtkDataObject* scene, int method)
+void lms3dBuiltScene::Build(vtkDataObject* scene, int method)
 {
   this->Caster.reset();
+  this->Scene = nullptr;
   lms3dSceneTriangles triangles = lms3dCollectTriangles(scene);
-  std::string leftOut = lms3dTellLeftOut(triangles, "The scene");
-  if (triangles.Mesh.Triangles.empty())
+  this->LeftOut = lms3dTellLeftOut(triangles, "The scene");
+  this->NumberOfCells = triangles.NumberOfCells;
+  this->HasIds = triangles.HasGlobalIds;
+  this->IsOfVolume = triangles.HasVolume;
+  if (!triangles.Mesh.Triangles.empty())
   {
-    throw std::runtime_error(leftOut.empty()
-        ? "The scene has no polygons, so there is nothing to scan. Connect a data set with "
-          "polygons, triangle strips or volume cells."
-        : "There is nothing left to scan. " + leftOut);
+    this->Caster = lms3dRayCaster::New(method, std::move(triangles.Mesh));
   }
-  this->Caster = lms3dRayCaster::New(method, std::move(triangles.Mesh));
   this->Scene = scene;
   this->SceneTime = GetSceneTime(scene);
   this->Method = method;
   this->BuildTime.Modified();
-  return leftOut;
 }

@@ -25,9 +25,13 @@ public:
   {
   }
 
-  void Cast(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
+  void Choose(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
   {
     this->Scene.Cast(viewpoint, packets, count);
+  }
+
+  void Measure(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
+  {
     lms3dMeasureRanges(this->GetMesh(), viewpoint, packets, count);
   }
 

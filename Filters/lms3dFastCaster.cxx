@@ -22,7 +22,7 @@ public:
   {
   }
 
-  void Cast(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
+  void Choose(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
   {
     this->Scene.Cast(viewpoint, packets, count);
     lms3dMeasureRangesRoughly(this->GetMesh(), viewpoint, packets, count);

@@ -51,6 +51,11 @@ std::unique_ptr<lms3dRayCaster> lms3dRayCaster::New(int method, lms3dTriangleMes
   return Methods[method].New(std::move(mesh));
 }
 
+void lms3dRayCaster::Measure(const lms3dViewpoint&, lms3dBeamPacket*, int) const
+{
+  // Most methods choose by the range that they give.
+}
+
 int lms3dRayCaster::GetNumberOfMethods()
 {
   return static_cast<int>(std::size(Methods));

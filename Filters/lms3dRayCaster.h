@@ -40,7 +40,21 @@ public:
    * Casts the active beams of some packets, and fills their Range and Triangle with the nearest hit
    * at a range above 0 and up to the viewpoint's maximum. May be called from many threads.
    */
-  virtual void Cast(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const = 0;
+  void Cast(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const
+  {
+    this->Choose(viewpoint, packets, count);
+    this->Measure(viewpoint, packets, count);
+  }
+
+  ///@{
+  /**
+   * The two steps of Cast. The first finds the nearest triangle, of those at the same range the one
+   * with the smallest number, by a range that has about 13 digits; the second gives it all digits.
+   */
+  virtual void Choose(
+    const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const = 0;
+  virtual void Measure(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const;
+  ///@}
 
   const lms3dTriangleMesh& GetMesh() const { return this->Mesh; }
 

@@ -4,9 +4,11 @@
 
 #include "lms3dPacketKernels.h"
 #include "lms3dPooledArray.h"
+#include "lms3dProcesses.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
+#include <vtkExtentTranslator.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
@@ -24,6 +26,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace
@@ -54,6 +57,11 @@ void AddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkF
   AddDoubles(fieldData, "AlphaAngles", alpha.data(), static_cast<vtkIdType>(alpha.size()));
   AddDoubles(fieldData, "BetaAngles", beta.data(), static_cast<vtkIdType>(beta.size()));
   AddDoubles(fieldData, "SensorToWorld", matrix.data(), static_cast<vtkIdType>(matrix.size()));
+}
+
+std::size_t CountBeams(const lms3dScanGeometry& geometry)
+{
+  return static_cast<std::size_t>(geometry.GetNumberOfBeams()) * geometry.GetNumberOfTurns();
 }
 
 // The beams of a turn that returned.
@@ -97,6 +105,13 @@ struct ImageFrame
   double Origin[3];
   double Spacing[3];
 };
+
+ImageFrame MakeFrame(const lms3dScanGeometry& geometry)
+{
+  return { { geometry.GetAlphaAngles().front(), geometry.GetAlphaStep(),
+             geometry.GetNumberOfBeams() },
+    { geometry.GetBetaAngles().front(), geometry.GetBetaStep(), geometry.GetNumberOfTurns() } };
+}
 } // namespace
 
 void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
@@ -205,7 +220,11 @@ struct lms3dScanOutput::TurnSource
     this->FillEach(
       returns.BeamId + slot, count, [&](int i) { return this->FirstBeam + beamOf(i); });
     this->FillEach(returns.CellId + slot, count,
-      [&](int i) { return this->Mesh.GetCell(this->Triangles[beamOf(i)]); });
+      [&](int i)
+      {
+        const int beam = beamOf(i);
+        return this->Mesh ? this->Mesh->GetCell(this->Triangles[beam]) : this->Cells[beam];
+      });
     std::fill_n(
       returns.Beta + slot, count, static_cast<float>(this->Geometry.GetBetaAngles()[this->Turn]));
     const vtkTypeInt32 first = static_cast<vtkTypeInt32>(slot);
@@ -234,33 +253,78 @@ struct lms3dScanOutput::TurnSource
   const lms3dScanGeometry& Geometry;
   const lms3dBeamDirections& Directions;
   const std::array<double, 3>& Position;
-  const lms3dTriangleMesh& Mesh;
+  const lms3dTriangleMesh* const Mesh;
   const int Turn;
   const int FirstBeam;
   const double* Ranges;
   const std::int32_t* Triangles;
+  const vtkIdType* Cells;
 };
 
 void lms3dScanOutput::Discard()
 {
   this->Ranges = nullptr;
+  this->Cells = {};
   this->Pool.FreeUnused();
+}
+
+void lms3dScanOutput::MakeRoom(std::size_t beams)
+{
+  this->Ranges = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Range", static_cast<vtkIdType>(beams));
+  if (this->Triangles.capacity() > 2 * beams)
+  {
+    this->Triangles = {};
+  }
+  this->Triangles.resize(beams);
 }
 
 bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
-  const vtkIdType beams =
-    static_cast<vtkIdType>(geometry.GetNumberOfBeams()) * geometry.GetNumberOfTurns();
-  this->Ranges = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Range", beams);
-  if (this->Triangles.capacity() > 2 * static_cast<std::size_t>(beams))
-  {
-    this->Triangles = {};
-  }
-  this->Triangles.resize(beams);
+  this->MakeRoom(CountBeams(geometry));
   const lms3dBeamDirections directions(geometry, pose);
   return lms3dScan(caster, geometry, directions, pose, limits, progress,
     this->Ranges->GetPointer(0), this->Triangles.data());
+}
+
+bool lms3dScanOutput::CastPart(const lms3dRayCaster* caster, const lms3dScanGeometry& geometry,
+  const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
+{
+  const std::size_t beams = CountBeams(geometry);
+  this->MakeRoom(beams);
+  this->ChosenRanges.assign(beams, lms3dBeamPacket::NoRange);
+  this->ChosenTriangles.assign(beams, lms3dBeamPacket::NoTriangle);
+  if (!caster)
+  {
+    std::fill_n(this->Ranges->GetPointer(0), beams, NAN);
+    return true;
+  }
+  const lms3dBeamDirections directions(geometry, pose);
+  const lms3dChoices choices = { this->ChosenRanges.data(), this->ChosenTriangles.data() };
+  return lms3dScan(*caster, geometry, directions, pose, limits, progress,
+    this->Ranges->GetPointer(0), this->Triangles.data(), &choices);
+}
+
+void lms3dScanOutput::TakeNearest(
+  const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell)
+{
+  const std::size_t beams = this->Triangles.size();
+  this->Cells.resize(beams);
+  for (std::size_t i = 0; i < beams; ++i)
+  {
+    const std::int32_t triangle = this->ChosenTriangles[i];
+    this->Cells[i] = triangle == lms3dBeamPacket::NoTriangle
+      ? lms3dProcesses::NoCell
+      : firstCell + caster->GetMesh().GetCell(triangle);
+  }
+  double* ranges = this->Ranges->GetPointer(0);
+  processes.TakeNearest(this->ChosenRanges, this->Cells, ranges);
+  for (std::size_t i = 0; i < beams; ++i)
+  {
+    this->Triangles[i] = std::isnan(ranges[i]) ? lms3dBeamPacket::NoTriangle : 0;
+  }
+  this->ChosenRanges = {};
+  this->ChosenTriangles = {};
 }
 
 /// For each turn the slot of its first return, and their number at the end.
@@ -285,7 +349,7 @@ std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& 
   return first;
 }
 
-void lms3dScanOutput::FillTurn(int turn, std::size_t slot, const lms3dTriangleMesh& mesh,
+void lms3dScanOutput::FillTurn(int turn, std::size_t slot, const lms3dTriangleMesh* mesh,
   const lms3dScanGeometry& geometry, const lms3dBeamDirections& directions,
   const std::array<double, 3>& position, const Returns& returns) const
 {
@@ -293,7 +357,7 @@ void lms3dScanOutput::FillTurn(int turn, std::size_t slot, const lms3dTriangleMe
   const std::size_t firstBeam = static_cast<std::size_t>(turn) * beams;
   const TurnSource source = { geometry, directions, position, mesh, turn,
     static_cast<int>(firstBeam), this->Ranges->GetPointer(0) + firstBeam,
-    this->Triangles.data() + firstBeam };
+    this->Triangles.data() + firstBeam, mesh ? nullptr : this->Cells.data() + firstBeam };
   const std::vector<int> hits = GetHits(source.Triangles, beams);
   if (static_cast<int>(hits.size()) == beams)
   {
@@ -305,7 +369,7 @@ void lms3dScanOutput::FillTurn(int turn, std::size_t slot, const lms3dTriangleMe
   }
 }
 
-void lms3dScanOutput::FillScan(const lms3dTriangleMesh& mesh, const lms3dScanGeometry& geometry,
+void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, vtkPolyData* scan)
 {
   const std::vector<std::size_t> first = this->CountReturns(geometry);
@@ -328,12 +392,35 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh& mesh, const lms3dScanGeo
 
 void lms3dScanOutput::FillRangeImage(const lms3dScanGeometry& geometry, vtkImageData* image)
 {
-  ImageFrame frame(
-    { geometry.GetAlphaAngles().front(), geometry.GetAlphaStep(), geometry.GetNumberOfBeams() },
-    { geometry.GetBetaAngles().front(), geometry.GetBetaStep(), geometry.GetNumberOfTurns() });
+  ImageFrame frame = MakeFrame(geometry);
   image->SetExtent(frame.Extent);
   image->SetOrigin(frame.Origin);
   image->SetSpacing(frame.Spacing);
   image->GetPointData()->SetScalars(this->Ranges);
   this->Ranges = nullptr;
+}
+
+void lms3dScanOutput::FillRangeImagePart(const lms3dScanGeometry& geometry,
+  const lms3dProcesses& processes, int ghostLevels, vtkImageData* image)
+{
+  ImageFrame frame = MakeFrame(geometry);
+  int part[6];
+  vtkNew<vtkExtentTranslator> translator;
+  if (!translator->PieceToExtentThreadSafe(processes.GetRank(), processes.GetCount(), ghostLevels,
+        frame.Extent, part, vtkExtentTranslator::BLOCK_MODE, 0))
+  {
+    return;
+  }
+  image->SetExtent(part);
+  image->SetOrigin(frame.Origin);
+  image->SetSpacing(frame.Spacing);
+  image->AllocateScalars(VTK_DOUBLE, 1);
+  double* out = static_cast<double*>(image->GetScalarPointer());
+  const int beams = geometry.GetNumberOfBeams();
+  for (int turn = part[2]; turn <= part[3]; ++turn)
+  {
+    const double* row = this->Ranges->GetPointer(static_cast<vtkIdType>(turn) * beams);
+    out = std::copy(row + part[0], row + part[1] + 1, out);
+  }
+  image->GetPointData()->GetScalars()->SetName("Range");
 }

@@ -67,7 +67,7 @@ class Scan
 public:
   Scan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
     const lms3dBeamDirections& directions, const lms3dPose& pose, const lms3dRangeLimits& limits,
-    double* ranges, std::int32_t* triangles)
+    double* ranges, std::int32_t* triangles, const lms3dChoices* choices)
     : Caster(caster)
     , Directions(directions)
     , Kernels(lms3dGetPacketKernels())
@@ -78,6 +78,7 @@ public:
     , Beams(geometry.GetNumberOfBeams())
     , Ranges(ranges)
     , Triangles(triangles)
+    , Choices(choices)
   {
   }
 
@@ -93,11 +94,16 @@ public:
       this->Kernels.Aim(this->Elevations[i], axes, packets[i]);
       packets[i].Active = GetActive(turns, this->CountBeams(i));
     }
-    this->Caster.Cast(this->Viewpoint, packets.get(), static_cast<int>(tiles));
+    this->Caster.Choose(this->Viewpoint, packets.get(), static_cast<int>(tiles));
+    for (std::size_t i = 0; this->Choices && i < tiles; ++i)
+    {
+      this->Store(firstTurn, turns, i, packets[i], this->Choices->Ranges, this->Choices->Triangles);
+    }
+    this->Caster.Measure(this->Viewpoint, packets.get(), static_cast<int>(tiles));
     for (std::size_t i = 0; i < tiles; ++i)
     {
       this->Kernels.Finish(this->MinimumRange, packets[i]);
-      this->Store(firstTurn, turns, i, packets[i]);
+      this->Store(firstTurn, turns, i, packets[i], this->Ranges, this->Triangles);
     }
   }
 
@@ -148,7 +154,8 @@ private:
     return active;
   }
 
-  void Store(int firstTurn, int turns, std::size_t tile, const lms3dBeamPacket& packet) const
+  void Store(int firstTurn, int turns, std::size_t tile, const lms3dBeamPacket& packet,
+    double* ranges, std::int32_t* triangles) const
   {
     const int beams = this->CountBeams(tile);
     std::size_t slot = static_cast<std::size_t>(firstTurn) * this->Beams + tile * TileSide;
@@ -159,13 +166,13 @@ private:
       // A number that the compiler knows saves the call of a general copy.
       if (beams == TileSide)
       {
-        std::copy_n(range, TileSide, this->Ranges + slot);
-        std::copy_n(triangle, TileSide, this->Triangles + slot);
+        std::copy_n(range, TileSide, ranges + slot);
+        std::copy_n(triangle, TileSide, triangles + slot);
       }
       else
       {
-        std::copy_n(range, beams, this->Ranges + slot);
-        std::copy_n(triangle, beams, this->Triangles + slot);
+        std::copy_n(range, beams, ranges + slot);
+        std::copy_n(triangle, beams, triangles + slot);
       }
     }
   }
@@ -180,14 +187,16 @@ private:
   const int Beams;
   double* Ranges;
   std::int32_t* Triangles;
+  const lms3dChoices* Choices;
 };
 } // namespace
 
 bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dBeamDirections& directions, const lms3dPose& pose, const lms3dRangeLimits& limits,
-  const lms3dProgress& progress, double* ranges, std::int32_t* triangles)
+  const lms3dProgress& progress, double* ranges, std::int32_t* triangles,
+  const lms3dChoices* choices)
 {
-  const Scan scan(caster, geometry, directions, pose, limits, ranges, triangles);
+  const Scan scan(caster, geometry, directions, pose, limits, ranges, triangles, choices);
   const int rows = CountTiles(geometry.GetNumberOfTurns());
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<int> rowsDone{ 0 };

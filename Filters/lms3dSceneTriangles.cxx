@@ -12,6 +12,7 @@
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkGenericCell.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -80,6 +82,20 @@ void AppendPoints(vtkPoints* points, std::vector<std::array<double, 3>>& out)
   }
 }
 
+bool HasVolumeCells(vtkDataSet* data)
+{
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    cell->SetCellType(data->GetCellType(i));
+    if (cell->GetCellDimension() == 3)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 class Collector
 {
 public:
@@ -109,6 +125,27 @@ public:
     }
   }
 
+  // Triangles are numbered as their cells are, whatever order or parts the scene comes in.
+  void TakeGlobalIds()
+  {
+    this->Scene.NumberOfCells = this->FirstCell;
+    this->Scene.HasGlobalIds = !this->GlobalIds.empty() &&
+      this->GlobalIds.size() == static_cast<std::size_t>(this->FirstCell);
+    std::vector<std::int64_t>& cells = this->Scene.Mesh.Cells;
+    if (!this->Scene.HasGlobalIds)
+    {
+      return;
+    }
+    for (std::int64_t& cell : cells)
+    {
+      cell = this->GlobalIds[cell];
+    }
+    if (!std::is_sorted(cells.begin(), cells.end()))
+    {
+      this->SortByCell();
+    }
+  }
+
   // A scene of nothing but triangles, all usable, needs no list of what cell each is a part of.
   void DropOwnNumbers()
   {
@@ -131,6 +168,24 @@ public:
   lms3dSceneTriangles Scene;
 
 private:
+  void SortByCell()
+  {
+    lms3dTriangleMesh& mesh = this->Scene.Mesh;
+    std::vector<std::size_t> order(mesh.Cells.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+      [&mesh](std::size_t a, std::size_t b) { return mesh.Cells[a] < mesh.Cells[b]; });
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::int64_t> cells;
+    for (std::size_t triangle : order)
+    {
+      triangles.push_back(mesh.Triangles[triangle]);
+      cells.push_back(mesh.Cells[triangle]);
+    }
+    mesh.Triangles = std::move(triangles);
+    mesh.Cells = std::move(cells);
+  }
+
   void AppendLeaf(vtkDataSet* leaf)
   {
     if (!leaf)
@@ -144,6 +199,7 @@ private:
     }
     else
     {
+      this->Scene.HasVolume = this->Scene.HasVolume || HasVolumeCells(leaf);
       vtkNew<vtkDataSetSurfaceFilter> filter;
       filter->SetInputData(leaf);
       filter->PassThroughCellIdsOn();
@@ -152,7 +208,13 @@ private:
         vtkIdTypeArray::SafeDownCast(
           filter->GetOutput()->GetCellData()->GetArray(filter->GetOriginalCellIdsName())));
     }
-    this->FirstCell += leaf->GetNumberOfCells();
+    const vtkIdType cells = leaf->GetNumberOfCells();
+    vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(leaf->GetCellData()->GetGlobalIds());
+    if (ids && ids->GetNumberOfValues() >= cells)
+    {
+      this->GlobalIds.insert(this->GlobalIds.end(), ids->GetPointer(0), ids->GetPointer(0) + cells);
+    }
+    this->FirstCell += cells;
   }
 
   // Cells of a vtkPolyData are numbered vertices, lines, polygons, strips.
@@ -269,6 +331,8 @@ private:
   }
 
   std::vector<std::array<double, 3>> Corners;
+  // As many as there are cells, or of no use.
+  std::vector<std::int64_t> GlobalIds;
   vtkIdTypeArray* OriginalCells = nullptr;
   std::size_t FirstPoint = 0;
   std::int64_t FirstCell = 0;
@@ -280,6 +344,7 @@ lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene)
 {
   Collector collector;
   collector.Append(scene);
+  collector.TakeGlobalIds();
   collector.DropOwnNumbers();
   collector.ClearUnusable();
   collector.DropUnusedRoom();

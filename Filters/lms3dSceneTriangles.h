@@ -18,6 +18,16 @@ struct lms3dSceneTriangles
 {
   lms3dTriangleMesh Mesh;
 
+  /// All of the scene, also those without a surface.
+  std::int64_t NumberOfCells = 0;
+
+  /// Whether Mesh.Cells are the scene's global cell ids, in increasing order, so that triangles that
+  /// come in another order, or in parts, are still numbered in the same order.
+  bool HasGlobalIds = false;
+
+  /// Whether some of it is the outer surface of volume cells.
+  bool HasVolume = false;
+
   /// Cells that were left out because one of their points is not finite, or beyond 1e18 m.
   std::int64_t SkippedCells = 0;
 
@@ -28,7 +38,7 @@ struct lms3dSceneTriangles
 /**
  * Takes all polygons and triangle strips of a vtkPolyData, the outer surface of any other data set,
  * or those of all leaves of a composite. The cells of a composite are numbered through, leaf after
- * leaf. Vertices, lines and polygons without area have no surface and are passed over.
+ * leaf, unless all of them have global ids. Vertices, lines and polygons without area have no surface and are passed over.
  *
  * Throws std::runtime_error, with words for the user, where a cell uses a point that is not there,
  * or where there are too many triangles.

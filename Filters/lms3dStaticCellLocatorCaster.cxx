@@ -46,7 +46,7 @@ public:
     this->Locator->BuildLocator();
   }
 
-  void Cast(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
+  void Choose(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
   {
     const double length = std::min(viewpoint.MaximumRange, this->GetReach(viewpoint.Origin));
     vtkNew<vtkGenericCell> cell;

@@ -4,21 +4,26 @@
 
 #include "lms3dAlgorithmProgress.h"
 #include "lms3dBuiltScene.h"
+#include "lms3dProcesses.h"
 #include "lms3dRayCaster.h"
 #include "lms3dScanGeometry.h"
 #include "lms3dScanOutput.h"
 #include "lms3dScanner.h"
 #include "lms3dThreads.h"
+#include "lms3dTrajectory.h"
 
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkExecutive.h>
+#include <vtkExtentTranslator.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
@@ -45,13 +50,52 @@ bool IsFinite(const double (&values)[N])
   return std::all_of(values, values + N, [](double x) { return std::isfinite(x); });
 }
 
-// A scan is one piece; those who ask for another, such as a second process, get an empty one.
-bool IsFirstPiece(vtkInformation* request, vtkInformationVector* outputVector)
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+vtkInformation* GetRequestedOutput(vtkInformation* request, vtkInformationVector* outputVector)
 {
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
-  vtkInformation* output = outputVector->GetInformationObject(port);
-  const auto piece = vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER();
+  return outputVector->GetInformationObject(port);
+}
+
+// A scan is one piece; those who ask for another get an empty one.
+bool IsFirstPiece(vtkInformation* output)
+{
+  const auto piece = Pipeline::UPDATE_PIECE_NUMBER();
   return !output->Has(piece) || output->Get(piece) <= 0;
+}
+
+void AskForPiece(int piece, int pieces, vtkInformation* info)
+{
+  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    int extent[6];
+    vtkNew<vtkExtentTranslator> translator;
+    translator->PieceToExtentThreadSafe(piece, pieces, 0, info->Get(Pipeline::WHOLE_EXTENT()),
+      extent, vtkExtentTranslator::BLOCK_MODE, 0);
+    info->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
+  }
+}
+
+// Brings an input up to date before the pipeline asks for data.
+void UpdateInput(vtkAlgorithm* filter, int input)
+{
+  int port;
+  vtkAlgorithm* producer = filter->GetInputAlgorithm(input, 0, port);
+  vtkNew<vtkInformationVector> requests;
+  requests->SetNumberOfInformationObjects(port + 1);
+  AskForPiece(0, 1, requests->GetInformationObject(port));
+  producer->Update(port, requests);
+}
+
+void SetTimes(const std::vector<double>& times, vtkInformation* output)
+{
+  const double range[2] = { times.front(), times.back() };
+  output->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+  output->Set(Pipeline::TIME_RANGE(), range, 2);
 }
 
 // Two different ends, or one beam that needs only the first.
@@ -86,6 +130,35 @@ struct vtkLMS3DScanFilter::Internals
     return *this->Geometry;
   }
 
+  /// Read anew where it or the filter has changed; throws where it is bad.
+  const lms3dTrajectory& GetTrajectory(vtkPolyData* poses, vtkLMS3DScanFilter* filter)
+  {
+    if (!this->Trajectory || this->TrajectoryTime < std::max(poses->GetMTime(), filter->GetMTime()))
+    {
+      this->Trajectory = std::make_unique<lms3dTrajectory>(poses, filter->Orientation);
+      this->TrajectoryTime.Modified();
+    }
+    return *this->Trajectory;
+  }
+
+  /// The pose at the time asked for, and its own time; without a trajectory that is not a number.
+  lms3dPose GetPose(
+    vtkPolyData* poses, vtkLMS3DScanFilter* filter, vtkInformation* request, double& time)
+  {
+    if (!poses)
+    {
+      time = NAN;
+      return lms3dPose::FromOrientation(filter->Position, filter->Orientation);
+    }
+    const lms3dTrajectory& trajectory = this->GetTrajectory(poses, filter);
+    const int step = request->Has(Pipeline::UPDATE_TIME_STEP())
+      ? trajectory.FindStep(request->Get(Pipeline::UPDATE_TIME_STEP()))
+      : 0;
+    time = trajectory.GetTimes()[step];
+    return trajectory.GetPose(step);
+  }
+
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   lms3dBuiltScene Scene;
   lms3dThreads Threads;
   lms3dScanOutput Output;
@@ -95,15 +168,33 @@ private:
 
   std::unique_ptr<lms3dScanGeometry> Geometry;
   Angles GeometryAngles;
+  std::unique_ptr<lms3dTrajectory> Trajectory;
+  vtkTimeStamp TrajectoryTime;
 };
 
 vtkLMS3DScanFilter::vtkLMS3DScanFilter()
   : Internal(new Internals)
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 vtkLMS3DScanFilter::~vtkLMS3DScanFilter() = default;
+
+void vtkLMS3DScanFilter::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Internal->Controller != controller)
+  {
+    this->Internal->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkLMS3DScanFilter::GetController() const
+{
+  return this->Internal->Controller;
+}
 
 vtkMTimeType vtkLMS3DScanFilter::GetBuildTime() const
 {
@@ -131,8 +222,14 @@ const char* vtkLMS3DScanFilter::GetIntersectionMethodName(int method)
   return isMethod ? lms3dRayCaster::GetMethodName(method) : nullptr;
 }
 
-int vtkLMS3DScanFilter::FillInputPortInformation(int, vtkInformation* info)
+int vtkLMS3DScanFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
@@ -189,8 +286,12 @@ std::string vtkLMS3DScanFilter::GetPropertyError() const
 }
 
 int vtkLMS3DScanFilter::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    this->TellTimes(inputVector, outputVector);
+  }
   // RequestData reports bad properties; an extent needs good ones.
   if (this->GetPropertyError().empty())
   {
@@ -200,18 +301,33 @@ int vtkLMS3DScanFilter::RequestInformation(
   return 1;
 }
 
+void vtkLMS3DScanFilter::TellTimes(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  UpdateInput(this, 1);
+  try
+  {
+    const std::vector<double>& times =
+      this->Internal->GetTrajectory(vtkPolyData::GetData(inputVector[1]), this).GetTimes();
+    SetTimes(times, outputVector->GetInformationObject(0));
+    SetTimes(times, outputVector->GetInformationObject(1));
+  }
+  catch (const std::exception&)
+  {
+    // RequestData reports it.
+  }
+}
+
 int vtkLMS3DScanFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // Every beam may meet any part of the scene, whatever part of the outputs is asked for.
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  if (input->Has(Pipeline::WHOLE_EXTENT()))
+  const lms3dProcesses processes(this->Internal->Controller);
+  AskForPiece(processes.GetRank(), processes.GetCount(), input);
+  if (vtkInformation* trajectory = inputVector[1]->GetInformationObject(0))
   {
-    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+    AskForPiece(0, 1, trajectory);
   }
   return 1;
 }
@@ -222,7 +338,8 @@ int vtkLMS3DScanFilter::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   // An image keeps its arrays from one execution to the next.
   vtkImageData::GetData(outputVector, 1)->Initialize();
-  if (!IsFirstPiece(request, outputVector))
+  vtkInformation* output = GetRequestedOutput(request, outputVector);
+  if (!lms3dProcesses(this->Internal->Controller).AreMany() && !IsFirstPiece(output))
   {
     return 1;
   }
@@ -236,8 +353,7 @@ int vtkLMS3DScanFilter::RequestData(
 
   try
   {
-    this->Scan(vtkDataObject::GetData(inputVector[0]), vtkPolyData::GetData(outputVector, 0),
-      vtkImageData::GetData(outputVector, 1));
+    this->Scan(output, inputVector, outputVector);
   }
   catch (const std::bad_alloc&)
   {
@@ -255,36 +371,119 @@ int vtkLMS3DScanFilter::RequestData(
   return 1;
 }
 
-void vtkLMS3DScanFilter::Scan(vtkDataObject* scene, vtkPolyData* scan, vtkImageData* image)
+void vtkLMS3DScanFilter::Scan(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const lms3dProcesses processes(this->Internal->Controller);
+  lms3dPose pose;
+  double time = NAN;
+  processes.Do(
+    [&]
+    {
+      if (processes.IsFirst())
+      {
+        vtkPolyData* poses = vtkPolyData::GetData(inputVector[1]);
+        pose = this->Internal->GetPose(poses, this, request, time);
+      }
+      this->Build(vtkDataObject::GetData(inputVector[0]));
+    });
+  processes.Share(pose, time);
+  this->UpdateProgress(BuildShare);
+
+  vtkPolyData* scan = vtkPolyData::GetData(outputVector, 0);
+  vtkImageData* image = vtkImageData::GetData(outputVector, 1);
+  if (processes.AreMany())
+  {
+    const int ghostLevels =
+      outputVector->GetInformationObject(1)->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
+    this->CastTogether(processes, pose, ghostLevels, scan, image);
+  }
+  else
+  {
+    this->CastAlone(pose, scan, image);
+  }
+  this->Internal->Output.Discard();
+  if (!std::isnan(time))
+  {
+    scan->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  }
+}
+
+void vtkLMS3DScanFilter::Build(vtkDataObject* scene)
 {
   lms3dBuiltScene& built = this->Internal->Scene;
   if (!built.IsFor(scene, this->IntersectionMethod))
   {
-    std::string leftOut;
     this->Internal->Threads.Run(
-      this->NumberOfThreads, [&] { leftOut = built.Build(scene, this->IntersectionMethod); });
-    if (!leftOut.empty())
+      this->NumberOfThreads, [&] { built.Build(scene, this->IntersectionMethod); });
+    if (built.GetCaster() && !built.GetLeftOut().empty())
     {
-      vtkWarningMacro(<< leftOut);
+      vtkWarningMacro(<< built.GetLeftOut());
     }
   }
-  this->UpdateProgress(BuildShare);
+}
 
+void vtkLMS3DScanFilter::CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image)
+{
+  const lms3dRayCaster* caster = this->Internal->Scene.GetCaster();
+  this->CheckScene(caster != nullptr);
   const lms3dScanGeometry& geometry = this->Internal->GetGeometry(this);
-  const lms3dPose pose = lms3dPose::FromOrientation(this->Position, this->Orientation);
-  const lms3dRayCaster& caster = built.GetCaster();
-  lms3dScanOutput& output = this->Internal->Output;
+  const lms3dRangeLimits limits = { this->MinimumRange, this->MaximumRange };
   const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
+  lms3dScanOutput& output = this->Internal->Output;
   this->Internal->Threads.Run(this->NumberOfThreads,
     [&]
     {
-      if (output.Cast(caster, geometry, pose, { this->MinimumRange, this->MaximumRange }, progress))
+      if (output.Cast(*caster, geometry, pose, limits, progress))
       {
-        output.FillScan(caster.GetMesh(), geometry, pose, scan);
+        output.FillScan(&caster->GetMesh(), geometry, pose, scan);
         output.FillRangeImage(geometry, image);
       }
     });
-  output.Discard();
+}
+
+// MPI wants to be called by the thread that it was started in, so outside of Run.
+void vtkLMS3DScanFilter::CastTogether(const lms3dProcesses& processes, const lms3dPose& pose,
+  int ghostLevels, vtkPolyData* scan, vtkImageData* image)
+{
+  const lms3dBuiltScene& built = this->Internal->Scene;
+  const lms3dRayCaster* caster = built.GetCaster();
+  this->CheckScene(processes.AskAny(caster != nullptr));
+  const std::int64_t firstCell =
+    processes.NumberCells(built.GetNumberOfCells(), built.HasGlobalIds(), built.HasVolume());
+  const lms3dScanGeometry& geometry = this->Internal->GetGeometry(this);
+  const lms3dRangeLimits limits = { this->MinimumRange, this->MaximumRange };
+  const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
+  lms3dScanOutput& output = this->Internal->Output;
+  const auto run = [this](const auto& work)
+  { this->Internal->Threads.Run(this->NumberOfThreads, work); };
+
+  bool isStopped = false;
+  processes.Do(
+    [&] { run([&] { isStopped = !output.CastPart(caster, geometry, pose, limits, progress); }); });
+  if (processes.AskAny(isStopped))
+  {
+    return;
+  }
+  output.TakeNearest(processes, caster, firstCell);
+  if (processes.IsFirst())
+  {
+    run([&] { output.FillScan(nullptr, geometry, pose, scan); });
+  }
+  output.FillRangeImagePart(geometry, processes, ghostLevels, image);
+}
+
+void vtkLMS3DScanFilter::CheckScene(bool hasTriangles) const
+{
+  const std::string& leftOut = this->Internal->Scene.GetLeftOut();
+  if (!hasTriangles)
+  {
+    throw std::runtime_error(leftOut.empty()
+        ? "The scene has no polygons, so there is nothing to scan. Connect a data set with "
+          "polygons, triangle strips or volume cells."
+        : "There is nothing left to scan. " + leftOut);
+  }
 }
 
 void vtkLMS3DScanFilter::PrintSelf(ostream& os, vtkIndent indent)
@@ -303,5 +502,6 @@ void vtkLMS3DScanFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumRange: " << this->MaximumRange << '\n';
   os << indent << "IntersectionMethod: " << this->GetIntersectionMethodAsString() << '\n';
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << '\n';
+  os << indent << "Controller: " << this->GetController() << '\n';
   os << indent << "BuildTime: " << this->GetBuildTime() << '\n';
 }

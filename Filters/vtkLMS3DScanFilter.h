@@ -23,8 +23,9 @@
  * - `Range` (float64): the distance from the sensor, metres;
  * - `Alpha`, `Beta` (float32): the beam's angles, degrees;
  * - `BeamId` (int32): turn * AlphaResolution + beam;
- * - `CellId` (vtkIdType): the input's cell that was hit; cells of a composite are numbered through,
- *   leaf after leaf.
+ * - `CellId` (vtkIdType): the input's cell that was hit: its global id where all cells have one
+ *   (vtkDataSetAttributes::GetGlobalIds), else its number; cells of a composite are numbered
+ *   through, leaf after leaf.
  *
  * Its field data: `AlphaAngles` and `BetaAngles` (float64, degrees), the axes of the grid, and
  * `SensorToWorld` (16 float64), the pose as a row-major matrix.
@@ -32,12 +33,38 @@
  * Output 1, the range image, is a vtkImageData of AlphaResolution x BetaResolution points with the
  * array `Range` (float64), NaN where a beam gave no return. Its axes are the angles in degrees.
  *
+ * Input 1, optional, is a trajectory: a vtkPolyData whose points are the poses of a moving sensor,
+ * one time step each, in place of Position. With one polyline the poses are its points in its
+ * order, without lines all points in theirs. The orientation of a pose is
+ * - that of the point array `Orientation` where there is one: quaternions w, x, y, z, of any length
+ *   but 0, which turn the sensor frame into the world's;
+ * - else, with a polyline, that of a vehicle: the sensor's x axis points from the pose before to the
+ *   one after, its y axis is level, to the left. Where the sensor stands still it keeps its axes (at
+ *   the start, the world's); where it moves straight up or down it keeps its y axis;
+ * - else the property Orientation.
+ *
+ * The time of a pose is that of the point array `Time` where there is one (finite, each later than
+ * the one before), else 0, 1, 2 and so on. The filter reports these as TIME_STEPS and TIME_RANGE, and
+ * gives the scan of the last pose whose time has come: between two steps that of the earlier, before
+ * the first that of the first, as when no time is asked for. DATA_TIME_STEP of the outputs is the
+ * pose's own time. A scene that changes with time is asked for the same time.
+ *
+ * With a Controller of several processes, as in ParaView under MPI, each casts against its own piece
+ * of the scene, and the nearest return wins. The first process has the scan, the others an empty
+ * one; the range image is spread over all as VTK spreads images. For EXACT, ANGLE_SUM and MOLLER_TRUMBORE the scan is that of the whole scene to the bit,
+ * however it is spread, provided that no cell was cut and that all have global ids, as ParaView's
+ * RedistributeDataSet generates: of hits at the same range that in the cell with the smallest number
+ * is returned. Without ids cells are numbered through, process after process, so that CellId, and
+ * which of several hits at the same range is returned, depend on how the scene is spread. The other
+ * methods round each piece differently. The trajectory is that of the first process.
+ *
  * The acceleration structure (Embree) is built when the input or IntersectionMethod changes, not
  * when the pose or the angles do. The outputs are the same to the bit for any NumberOfThreads.
  *
  * Bad input and bad properties give an error that says what to do, the error code
  * vtkErrorCode::UserError, and empty outputs: an input without polygons, a range that is empty
- * or out of its limits, more than 2^31 - 1 beams. Cells with a point that is not finite or beyond
+ * or out of its limits, more than 2^31 - 1 beams, a trajectory without points, with several lines
+ * or with bad positions, quaternions or times. Cells with a point that is not finite or beyond
  * 1e18 m, and polygons that cross themselves, are left out, with one warning that counts them.
  *
  * What a scene may be, for the method EXACT (IntersectionMethods tells of the others): triangles
@@ -51,7 +78,8 @@
  * of the scene, unless no more than 16 of them make it so large: an endless floor costs nothing.
  *
  * Memory, beside the input and the outputs: for EXACT and FAST 24 bytes a point and 12 a triangle
- * (20 where cells are not all triangles) and Embree's structure; 4 bytes a beam. The memory of an
+ * (20 where cells are not all triangles) and Embree's structure; 4 bytes a beam, of several
+ * processes 60 more. The memory of an
  * output that nobody looks at any more is kept for the next scan.
  *
  * @sa
@@ -66,7 +94,10 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+class lms3dProcesses;
 class vtkImageData;
+class vtkMultiProcessController;
+struct lms3dPose;
 
 class VTKLMS3DFILTERS_EXPORT vtkLMS3DScanFilter : public vtkPolyDataAlgorithm
 {
@@ -236,6 +267,25 @@ public:
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
+  ///@{
+  /**
+   * The trajectory, input 1; none by default. A vtkPolyData whose points are the sensor's positions,
+   * as the class tells.
+   */
+  void SetTrajectoryConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetTrajectoryData(vtkDataObject* poses) { this->SetInputDataObject(1, poses); }
+  ///@}
+
+  ///@{
+  /**
+   * The processes that scan together; null, or a controller of one process, for this one alone. The
+   * default is the global controller at the time the filter is made. All of them must update the
+   * filter, with the same properties.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
   /**
    * The time when the acceleration structure was last built, 0 before the first. Tells whether an
    * update had to build.
@@ -278,7 +328,16 @@ private:
   // Empty where all properties are good.
   std::string GetPropertyError() const;
 
-  void Scan(vtkDataObject* scene, vtkPolyData* scan, vtkImageData* image);
+  // Sets the time steps of both outputs.
+  void TellTimes(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
+  void Scan(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
+  void Build(vtkDataObject* scene);
+  void CheckScene(bool hasTriangles) const;
+  void CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image);
+  void CastTogether(const lms3dProcesses& processes, const lms3dPose& pose, int ghostLevels,
+    vtkPolyData* scan, vtkImageData* image);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -15,6 +15,7 @@ import lms3d
 import numpy as np
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonTransforms import vtkTransform
 
 ROOM = str(Path(os.environ["LMS3D_DATA_DIR"]) / "room.wrl")
 SENSOR = [0.3, -0.2, 1.0]
@@ -50,7 +51,7 @@ def scan_room(**properties):
 
 
 # Properties that connect proxies.
-INPUTS = {"Input", "Map", "Scene", "Scan"}
+INPUTS = {"Input", "Trajectory", "Map", "Scene", "Scan"}
 
 
 def compare():
@@ -122,7 +123,7 @@ class TestProxies(unittest.TestCase):
         for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction, compare):
             proxy = make()
             fresh = getattr(lms3d, algorithm(proxy).GetClassName())()
-            for name in set(proxy.ListProperties()) - INPUTS - {"FileName"}:
+            for name in set(proxy.ListProperties()) - INPUTS - {"FileName", "TimestepValues"}:
                 with self.subTest(make.__name__, property=name):
                     default = getattr(fresh, f"Get{name}")()
                     default = "" if default is None else default  # ParaView's empty name is VTK's none
@@ -201,6 +202,25 @@ class TestRoom(unittest.TestCase):
                              output(self.map).GetNumberOfPoints())
             seen = algorithm(comparison).GetOutputDataObject(1)
             self.assertGreater(seen.GetNumberOfPoints(), 100000)
+
+
+class TestPose(unittest.TestCase):
+    """The box in the view turns as the filter does: about z, then x, then y."""
+
+    def test_box_and_filter_agree(self):
+        angles = [20.0, -35.0, 130.0]
+        manager = simple.servermanager.ProxyManager().SMProxyManager
+        box = manager.NewProxy("3d_widget_representations", "BoxRepresentation")
+        for name, values in {"Position": SENSOR, "Rotation": angles}.items():
+            for i, value in enumerate(values):
+                box.GetProperty(name).SetElement(i, value)
+        box.UpdateVTKObjects()
+        drawn = vtkTransform()
+        box.GetClientSideObject().GetTransform(drawn)
+        matrix = [drawn.GetMatrix().GetElement(i, j) for i in range(4) for j in range(4)]
+        scan = output(scan_room(Orientation=angles, AlphaResolution=3, BetaResolution=4))
+        pose = vtk_to_numpy(scan.GetFieldData().GetArray("SensorToWorld")).ravel()
+        np.testing.assert_allclose(matrix, pose, rtol=0, atol=1e-12)
 
 
 class TestErrors(unittest.TestCase):

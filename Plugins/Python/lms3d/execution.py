@@ -15,11 +15,13 @@ _CLEAR_LINE = "\r\033[K"
 class ProgressBar:
     """One line on the terminal that follows an algorithm's progress while a block runs.
 
-    Nothing is drawn where the stream is no terminal, and the line is gone at the end.
+    `share` are the start and the end of what the algorithm does of a longer work. Nothing is drawn
+    where the stream is no terminal, and the line is gone at the end.
     """
 
-    def __init__(self, label, algorithm, stream=None):
+    def __init__(self, label, algorithm, stream=None, share=(0.0, 1.0)):
         self._label = label
+        self._share = share
         self._algorithm = algorithm
         self._stream = stream or sys.stderr
         self._percent = None
@@ -36,7 +38,8 @@ class ProgressBar:
             self._write(_CLEAR_LINE)
 
     def _follow(self, algorithm, _event):
-        percent = round(100 * min(max(algorithm.GetProgress(), 0.0), 1.0))
+        start, end = self._share
+        percent = round(100 * (start + (end - start) * min(max(algorithm.GetProgress(), 0.0), 1.0)))
         if percent != self._percent:
             self._percent = percent
             self._write("\r" + self.line(percent))
@@ -51,13 +54,14 @@ class ProgressBar:
         self._stream.flush()
 
 
-def update(algorithm, label, failure, keeps_parts=False):
-    """Bring an algorithm up to date; `label` stands before the bar.
+def update(algorithm, label, failure, keeps_parts=False, time=None, share=(0.0, 1.0)):
+    """Bring an algorithm up to date, for a `time` where one is given; `label` stands before the bar.
 
     Raises Problem, `failure` followed by VTK's own words, if VTK reports an error. Of an algorithm
     that `keeps_parts` an error counts if it sets an error code; the caller tells of the others.
     """
-    _run(algorithm, algorithm.Update, label, failure, keeps_parts)
+    job = algorithm.Update if time is None else lambda: algorithm.UpdateTimeStep(time)
+    _run(algorithm, job, label, failure, keeps_parts, share)
 
 
 def write(writer, failure):
@@ -65,8 +69,8 @@ def write(writer, failure):
     _run(writer, writer.Write, "writing", failure)
 
 
-def _run(algorithm, job, label, failure, keeps_parts=False):
-    with VTKMessages() as messages, ProgressBar(label, algorithm):
+def _run(algorithm, job, label, failure, keeps_parts=False, share=(0.0, 1.0)):
+    with VTKMessages() as messages, ProgressBar(label, algorithm, share=share):
         job()
     code = algorithm.GetErrorCode()
     failed = code != vtkErrorCode.NoError

@@ -24,6 +24,8 @@ ENDINGS = {
     "picture": (".png",),
     "map with errors": (".vtp",),
     "scene points": (".vtp",),
+    "series of scans": (".pvd",),
+    "series of maps": (".pvd",),
 }
 
 CSV_ARRAYS = ("Range", "Alpha", "Beta", "BeamId", "CellId")
@@ -65,6 +67,15 @@ def save(data, path):
     """Write a data object; the file appears under its name only when it is complete."""
     with _temporary(Path(path).resolve()) as temporary:
         _SAVERS[Path(path).suffix.lower()](data, temporary, f"cannot write '{path}'")
+
+
+def save_text(text, path):
+    """Write a text; the file appears under its name only when it is complete."""
+    with _temporary(Path(path).resolve()) as temporary:
+        try:
+            temporary.write_text(text, encoding="utf-8")
+        except OSError as error:
+            raise Problem(f"cannot write '{path}': {error.strerror}") from error
 
 
 @contextmanager

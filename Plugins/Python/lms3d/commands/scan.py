@@ -2,10 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """lms3d scan: scan a scene and write what the sensor measured."""
 
+from contextlib import ExitStack
+
 from ..figure import Figure, check_display
-from ..problems import UsageProblem
+from ..journey import Journey, Series
+from ..messages import say
+from ..problems import Problem, UsageProblem
 from ..results import check_targets, save
-from ..scene import check_readable
+from ..scene import check_readable, read_data
 from . import picture_options, sensor_options
 
 NAME = "scan"
@@ -16,24 +20,30 @@ Scan a scene once and write any of: the points, the range image, the local map, 
 The ending of each name chooses the format. A .vtp keeps everything in full precision; .ply
 and .stl hold single precision coordinates only; .csv has the columns
 x,y,z,Range,Alpha,Beta,BeamId,CellId.
+
+With --trajectory there is one scan, and with --map one local map, for each pose. Their names
+end in .pvd, which lists the files of all steps beside it with their times; ParaView plays it.
+The poses are those of the scene after --up-axis has turned it. Without Orientation the sensor
+looks along the polyline, or as --orientation says where there is none.
 """
 EPILOG = """\
 examples:
   lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp
   lms3d scan model.stl --up-axis y --position 0 0 1.5 --beta-range -45 45 \\
       --beta-resolution 181 -o points.csv --map map.stl --picture figure.png
+  lms3d scan room.wrl --trajectory path.vtp -o scans.pvd --map maps.pvd
 """
 
 
 def add_arguments(parser):
     """Add the options of this command."""
     sensor_options.add_scene(parser)
-    sensor_options.add_sensor(parser, position_needed=True)
+    sensor_options.add_sensor(parser, position_needed=True, may_move=True)
     results = parser.add_argument_group("results, at least one")
-    results.add_argument("-o", "--output", metavar="FILE", help="points: .vtp .ply .csv")
+    results.add_argument("-o", "--output", metavar="FILE", help="points: .vtp .ply .csv; of a trajectory .pvd")
     results.add_argument("--range-image", metavar="FILE",
                          help="grid of ranges, NaN where no beam returned: .vti")
-    results.add_argument("--map", metavar="FILE", help="triangles: .vtp .ply .stl")
+    results.add_argument("--map", metavar="FILE", help="triangles: .vtp .ply .stl; of a trajectory .pvd")
     sensor_options.add_map(results)
     results.add_argument("--picture", metavar="FILE",
                          help="scene in blue beside its local map in green: .png (needs a display)")
@@ -45,7 +55,13 @@ def run(options):
     _check(options)
     simulation = sensor_options.simulation(options)
     print(f"scene    {simulation.scene}")
+    if options.trajectory:
+        _travel(options, simulation)
+    else:
+        _stand(options, simulation)
 
+
+def _stand(options, simulation):
     simulation.run()
     print(f"scan     {simulation.beams:,} beams, {simulation.returns:,} returns, ranges "
           f"{simulation.ranges().min():.3f} to {simulation.ranges().max():.3f} m")
@@ -56,7 +72,33 @@ def run(options):
     _write(options, simulation)
 
 
+def _travel(options, simulation):
+    """Scan from each pose of the trajectory, and write all of them or nothing."""
+    journey = Journey(simulation, read_data(options.trajectory, "trajectory"))
+    results = {"series of scans": lambda: simulation.scan, "series of maps": lambda: simulation.map}
+    targets = _targets(options)
+    with ExitStack() as stack:
+        series = [(results[result], stack.enter_context(
+            Series(path, len(journey.times), (options.scene, options.trajectory))))
+            for result, path in targets]
+        for time in journey.scans(with_map=bool(options.map)):
+            for data, files in series:
+                files.add(data(), time)
+        if not any(journey.returns):
+            raise Problem("no beam returned from any pose: move the trajectory, or widen the "
+                          "sensor's ranges or angles")
+    print(f"scans    {len(journey.times):,} from time {journey.times[0]:g} to "
+          f"{journey.times[-1]:g}, {sum(journey.returns):,} returns")
+    if 0 in journey.returns:
+        say(f"warning: no beam returned from {journey.returns.count(0)} of the poses")
+    for _, path in targets:
+        print(f"wrote    {path} and the {len(journey.times):,} files that it lists")
+
+
 def _targets(options):
+    if options.trajectory:
+        paths = (("series of scans", options.output), ("series of maps", options.map))
+        return [(result, path) for result, path in paths if path]
     paths = (("scan", options.output), ("range image", options.range_image),
              ("map", options.map), ("picture", options.picture))
     return [(result, path) for result, path in paths if path]
@@ -64,10 +106,16 @@ def _targets(options):
 
 def _check(options):
     targets = _targets(options)
+    inputs = {}
+    if options.trajectory:
+        inputs["trajectory"] = options.trajectory
+        check_readable(options.trajectory, "trajectory", (".vtp",))
+        if options.range_image or options.picture:
+            raise UsageProblem("of a trajectory only -o and --map can be written")
     if not targets:
         raise UsageProblem("nothing to write: give -o, --range-image, --map or --picture a name")
     sensor_options.check(options)
-    check_targets(targets, options.scene)
+    check_targets(targets, options.scene, **inputs)
     check_readable(options.scene)
     if options.picture:
         check_display()

@@ -81,10 +81,11 @@ def read(options):
     return read_scene(options.scene, options.up_axis, options.scene_root)
 
 
-def add_sensor(parser, position_needed):
-    """Add the sensor's pose, angles, ranges and way of working."""
+def add_sensor(parser, position_needed, may_move=False):
+    """Add the sensor's pose, or its trajectory, angles, ranges and way of working."""
     where = "" if position_needed else " (default: the middle of the scene)"
-    add_pose(parser.add_argument_group("pose of the sensor in the scene"), position_needed, where)
+    add_pose(parser.add_argument_group("pose of the sensor in the scene"), position_needed, where,
+             may_move)
     add_angles(parser.add_argument_group("beams"))
     measurement = parser.add_argument_group("measurement")
     add_ranges(measurement)
@@ -92,10 +93,16 @@ def add_sensor(parser, position_needed):
     add_threads(measurement)
 
 
-def add_pose(group, position_needed, where):
+def add_pose(group, position_needed, where, may_move=False):
     """Add position and orientation; `where` says where the sensor is without a position."""
-    group.add_argument("--position", nargs=3, type=number, metavar=("X", "Y", "Z"),
-                       required=position_needed, help=f"metres{where}")
+    place = group.add_mutually_exclusive_group(required=position_needed)
+    place.add_argument("--position", nargs=3, type=number, metavar=("X", "Y", "Z"),
+                       help=f"metres{where}")
+    if may_move:
+        place.add_argument("--trajectory", metavar="FILE",
+                           help="one scan for each point of a polyline or point set: .vtp, "
+                           "optionally with the point arrays Orientation (quaternions w x y z) and "
+                           "Time (increasing)")
     group.add_argument("--orientation", nargs=3, type=number, metavar=("RX", "RY", "RZ"),
                        default=(0.0, 0.0, 0.0),
                        help="degrees, turned about z, then x, then y, as VTK's props are "

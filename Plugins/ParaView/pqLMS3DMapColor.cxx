@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqLMS3DMapColor.h"
+
+#include <pqApplicationCore.h>
+#include <pqRepresentation.h>
+#include <pqServerManagerModel.h>
+
+#include <vtkSMPVRepresentationProxy.h>
+#include <vtkSMPropertyHelper.h>
+#include <vtkSMTrace.h>
+
+#include <cstring>
+
+namespace
+{
+// Asked of the proxies: ParaView's window learns of the input only later.
+bool ShowsMap(vtkSMProxy* shown)
+{
+  vtkSMProxy* source = vtkSMPropertyHelper(shown, "Input", true).GetAsProxy();
+  return source && !std::strcmp(source->GetXMLName(), "LMS3DSurfaceReconstruction");
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+pqLMS3DMapColor::pqLMS3DMapColor(QObject* parentObject)
+  : Superclass(parentObject)
+{
+}
+
+//------------------------------------------------------------------------------
+void pqLMS3DMapColor::startup()
+{
+  this->connect(pqApplicationCore::instance()->getServerManagerModel(),
+    SIGNAL(representationAdded(pqRepresentation*)), SLOT(color(pqRepresentation*)));
+}
+
+//------------------------------------------------------------------------------
+void pqLMS3DMapColor::shutdown()
+{
+  QObject::disconnect(
+    pqApplicationCore::instance()->getServerManagerModel(), nullptr, this, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void pqLMS3DMapColor::color(pqRepresentation* added)
+{
+  vtkSMProxy* shown = added->getProxy();
+  if (pqApplicationCore::instance()->isLoadingState() || !ShowsMap(shown))
+  {
+    return;
+  }
+  if (!shown->GetProperty("DiffuseColor"))
+  {
+    return; // a view without surfaces, such as the spreadsheet
+  }
+  const double green[3] = { 0.2, 0.7, 0.3 };
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown);
+  vtkSMPVRepresentationProxy::SetScalarColoring(shown, nullptr, 0);
+  vtkSMPropertyHelper(shown, "AmbientColor", true).Set(green, 3);
+  vtkSMPropertyHelper(shown, "DiffuseColor").Set(green, 3);
+  shown->UpdateVTKObjects();
+}

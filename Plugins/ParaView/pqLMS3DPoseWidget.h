@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqLMS3DPoseWidget
+ * @brief moves and turns the sensor by hand, in the view or by numbers
+ *
+ * ParaView's box widget around the sensor, centred on it, so that turning the box does not move the
+ * sensor; its width is 4 % of the scene's diagonal. The sensor's frame is drawn with it: x red, where
+ * the first turn looks, y green, z blue, the platform's axis. The group's functions Position (metres)
+ * and Rotation (degrees, applied in the order z, x, y) are those of the box widget.
+ *
+ * With ParaView's Auto Apply the scan follows while dragging, else at Apply.
+ * In XML: `<PropertyGroup panel_widget="LMS3DPose">`.
+ */
+
+#ifndef pqLMS3DPoseWidget_h
+#define pqLMS3DPoseWidget_h
+
+#include "pqBoxPropertyWidget.h"
+
+#include <vtkNew.h>
+#include <vtkWeakPointer.h>
+
+class vtkAxesActor;
+class vtkRenderer;
+
+class pqLMS3DPoseWidget : public pqBoxPropertyWidget
+{
+  Q_OBJECT
+  typedef pqBoxPropertyWidget Superclass;
+
+public:
+  pqLMS3DPoseWidget(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
+  ~pqLMS3DPoseWidget() override;
+
+protected Q_SLOTS:
+  void placeWidget() override;
+
+private Q_SLOTS:
+  void showFrame(bool visible);
+  void moveFrame();
+
+private:
+  Q_DISABLE_COPY(pqLMS3DPoseWidget)
+
+  void simplify();
+  void followPose();
+  void removeFrame();
+
+  vtkNew<vtkAxesActor> Frame;
+  vtkWeakPointer<vtkRenderer> Renderer;
+};
+
+#endif

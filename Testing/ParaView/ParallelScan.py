@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scans by all processes of a pvbatch: `pvbatch ParallelScan.py JOB.json`, under mpirun.
+
+The job names the scenes, and for each case a scene, how it is spread over the processes and the
+filter's properties; the first process writes what each scan holds beside it, as CASE.npz, and what
+the filter said as CASE.txt.
+"""
+
+import json
+import os
+import sys
+from pathlib import Path
+
+import numpy as np
+from paraview import simple
+from paraview.vtk import vtkMultiProcessController
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+
+simple.LoadPlugin(os.environ["LMS3D_PLUGIN"], remote=False, ns=globals())
+
+JOB = Path(sys.argv[1])
+PROCESS = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
+
+
+def spread(scene, way):
+    """The scene as it is on the first process, or with its cells on all of them."""
+    if way == "one":
+        return scene
+    numbered = simple.GenerateGlobalIds(Input=scene)
+    return getattr(simple, way)(Input=numbered)
+
+
+def algorithm(proxy):
+    """The VTK filter behind a proxy, in this process."""
+    return proxy.SMProxy.GetClientSideObject()
+
+
+def listen(filter_, said):
+    """Collect the errors of a filter; its executive repeats them."""
+    def hear(caller, event, words):
+        said.append(words)
+    hear.CallDataType = "string0"
+    filter_.AddObserver("ErrorEvent", hear)
+    filter_.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
+
+
+def contents(scan):
+    """What the scan holds, by name."""
+    points = algorithm(scan).GetOutputDataObject(0)
+    arrays = {array.GetName(): vtk_to_numpy(array)
+              for array in map(points.GetPointData().GetArray,
+                               range(points.GetPointData().GetNumberOfArrays()))}
+    if arrays:
+        arrays["Points"] = vtk_to_numpy(points.GetPoints().GetData())
+    return arrays
+
+
+def save_image(scan, name):
+    """This process's part of the range image, and where it lies."""
+    image = algorithm(scan).GetOutputDataObject(1)
+    if image.GetNumberOfPoints():
+        first_beam, last_beam, first_turn, last_turn = image.GetExtent()[:4]
+        rows = vtk_to_numpy(image.GetPointData().GetArray("Range"))
+        np.savez(JOB.parent / f"{name}.image.{PROCESS}", first=(first_turn, first_beam),
+                 rows=rows.reshape(last_turn - first_turn + 1, last_beam - first_beam + 1))
+
+
+def run(case):
+    """Scan once, and map what was scanned."""
+    reader = VRMLReader if case["scene"].endswith(".wrl") else simple.OpenDataFile
+    scene = reader(FileName=case["scene"]) if reader is VRMLReader else reader(case["scene"])
+    scan = LMS3DScan(Input=spread(scene, case["spread"]), **case["properties"])
+    if "trajectory" in case:
+        poses = simple.OpenDataFile(case["trajectory"])
+        poses.UpdatePipeline()
+        algorithm(scan).SetInputConnection(1, algorithm(poses).GetOutputPort())
+    said = []
+    listen(algorithm(scan), said)
+    if "time" in case:
+        scan.UpdatePipeline(case["time"])
+    else:
+        scan.UpdatePipeline()
+    local_map = LMS3DSurfaceReconstruction(Input=scan)
+    if not said:
+        local_map.UpdatePipeline()
+    arrays = contents(scan)
+    save_image(scan, case["name"])
+    surface = algorithm(local_map).GetOutputDataObject(0)
+    if PROCESS == 0:
+        np.savez(JOB.parent / case["name"], Map=surface.GetNumberOfCells(), **arrays)
+        (JOB.parent / f"{case['name']}.txt").write_text("".join(said))
+    else:
+        assert not arrays and surface.GetNumberOfCells() == 0, "only the first has the scan"
+
+
+for case_ in json.loads(JOB.read_text()):
+    run(case_)

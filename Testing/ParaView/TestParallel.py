@@ -1,0 +1,215 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scans by several processes, held against those of one to the bit.
+
+Starts pvbatch under mpirun with ParallelScan.py. LMS3D_PVBATCH and LMS3D_MPIEXEC are the programs,
+LMS3D_PLUGIN the plugin's file, LMS3D_DATA_DIR the folder of room.wrl.
+"""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import lms3d
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkIOXML import (
+    vtkXMLPolyDataReader,
+    vtkXMLPolyDataWriter,
+    vtkXMLUnstructuredGridWriter,
+)
+
+ROOM = Path(os.environ["LMS3D_DATA_DIR"]) / "room.wrl"
+SCRIPT = Path(__file__).with_name("ParallelScan.py")
+
+# How pvbatch is run, by name: the number of processes, and whether all of them run the script or
+# only the first, which drives the others.
+RUNS = {"1": (1, True), "2": (2, True), "4": (4, True), "driven": (2, False)}
+
+SPREADS = ("one", "RedistributeDataSet", "D3")
+
+COARSE = {"AlphaResolution": 37, "BetaResolution": 36}
+
+# Sensors and methods, by name; each is scanned from a scene on one process and spread over all.
+SCANS = {
+    "room": (ROOM, {"Position": [0.3, -0.2, 1.0]}),
+    "near": (ROOM, {"Position": [0.3, -0.2, 1.0], "MinimumRange": 2.0, "MaximumRange": 4.0}),
+    # From its middle beams meet the ball's vertices and edges, and the squares' corners.
+    "lattice": ("lattice.vtp", {"Position": [0.0, 0.0, 0.0]}),
+    "paper": (ROOM, {"Position": [0.0, 0.0, 1.0], "IntersectionMethod": 2, **COARSE}),
+    "textbook": ("lattice.vtp", {"Position": [0.0, 0.0, 0.0], "IntersectionMethod": 3, **COARSE}),
+}
+
+
+def write(data, path, writer_class=vtkXMLPolyDataWriter):
+    """Write data so that every VTK reads it."""
+    writer = writer_class()
+    writer.SetInputData(data)
+    writer.SetFileName(str(path))
+    writer.SetDataModeToBinary()
+    writer.Write()
+
+
+def lattice():
+    """Half a ball of triangles and a floor of squares, all of which face the origin."""
+    ball = vtkSphereSource()
+    ball.SetRadius(3)
+    ball.SetThetaResolution(36)
+    ball.SetPhiResolution(37)
+    floor = vtkPlaneSource()
+    floor.SetOrigin(-2, -2, -1)
+    floor.SetPoint1(2, -2, -1)
+    floor.SetPoint2(-2, 2, -1)
+    floor.SetResolution(16, 16)
+    both = vtkAppendPolyData()
+    both.AddInputConnection(floor.GetOutputPort())
+    both.AddInputConnection(ball.GetOutputPort())
+    both.Update()
+    return both.GetOutput()
+
+
+def volume():
+    """A block of cubes."""
+    image = vtkImageData()
+    image.SetDimensions(5, 5, 5)
+    cubes = vtkAppendFilter()
+    cubes.AddInputData(image)
+    cubes.Update()
+    return cubes.GetOutput()
+
+
+def journey(*places):
+    """A trajectory of points."""
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    for place in places:
+        points.InsertNextPoint(place)
+    poses = vtkPolyData()
+    poses.SetPoints(points)
+    return poses
+
+
+def read(path):
+    """A scene as one process reads it, and the reader, which has to live."""
+    reader = (lms3d.vtkVRMLImporterSource if str(path).endswith(".wrl") else vtkXMLPolyDataReader)()
+    reader.SetFileName(str(path))
+    return reader
+
+
+def serial(scene, properties):
+    """What one process makes of a scene, as ParallelScan.py writes it."""
+    reader = read(scene)
+    scan = lms3d.vtkLMS3DScanFilter()
+    scan.SetInputConnection(reader.GetOutputPort())
+    for name, value in properties.items():
+        getattr(scan, f"Set{name}")(value)
+    local_map = lms3d.vtkLMS3DSurfaceReconstructionFilter()
+    local_map.SetInputConnection(scan.GetOutputPort())
+    local_map.Update()
+    data = scan.GetOutput().GetPointData()
+    arrays = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i))
+              for i in range(data.GetNumberOfArrays())}
+    arrays["Points"] = vtk_to_numpy(scan.GetOutput().GetPoints().GetData())
+    beams, turns, _ = scan.GetRangeImage().GetDimensions()
+    image = vtk_to_numpy(scan.GetRangeImage().GetPointData().GetArray("Range"))
+    arrays["Image"] = image.reshape(turns, beams)
+    arrays["Map"] = np.array(local_map.GetOutput().GetNumberOfCells())
+    return arrays
+
+
+class TestParallel(unittest.TestCase):
+    """All cases in one pvbatch for each number of processes."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        write(lattice(), cls.folder / "lattice.vtp")
+        write(volume(), cls.folder / "volume.vtu", vtkXMLUnstructuredGridWriter)
+        write(journey((0.0, 0.0, 0.5), (0.3, -0.2, 1.0)), cls.folder / "journey.vtp")
+        write(journey((0.0, 0.0, 1e19)), cls.folder / "bad.vtp")
+        for run, (count, is_symmetric) in RUNS.items():
+            cls.run_all(run, count, ["--sym"] if is_symmetric else [])
+
+    @classmethod
+    def run_all(cls, run, count, options):
+        """Let `count` processes scan everything."""
+        folder = cls.folder / run
+        folder.mkdir()
+        job = folder / "job.json"
+        job.write_text(json.dumps(list(cls.cases())))
+        subprocess.run(
+            [os.environ["LMS3D_MPIEXEC"], "--oversubscribe", "-n", str(count),
+             os.environ["LMS3D_PVBATCH"], *options, str(SCRIPT), str(job)],
+            env={**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"},
+            check=True, timeout=300)
+
+    @classmethod
+    def cases(cls):
+        """What ParallelScan.py is to do."""
+        for name, (scene, properties) in SCANS.items():
+            for spread in SPREADS:
+                yield {"name": f"{name}.{spread}", "scene": str(cls.folder / scene),
+                       "spread": spread, "properties": properties}
+        room = {"scene": str(ROOM), "spread": "RedistributeDataSet", "properties": {}}
+        yield {**room, "name": "journey", "trajectory": str(cls.folder / "journey.vtp"), "time": 1}
+        yield {**room, "name": "lost", "trajectory": str(cls.folder / "bad.vtp")}
+        yield {**room, "name": "volume", "scene": str(cls.folder / "volume.vtu")}
+        yield {**room, "name": "empty", "scene": str(cls.folder / "journey.vtp")}
+
+    def assert_same(self, name, scene, properties):
+        """Whatever the number of processes, the case's results are those of one process."""
+        expected = serial(self.folder / scene, properties)
+        self.assertGreater(expected["Map"], 0)
+        for run, (_, is_symmetric) in RUNS.items():
+            with self.subTest(name, run=run), np.load(self.folder / run / f"{name}.npz") as scan:
+                # Of a process that is driven the script sees nothing.
+                image = (self.image(name, run, expected["Image"].shape) if is_symmetric
+                         else expected["Image"])
+                found = {**scan, "Image": image}
+                self.assertEqual(set(found), set(expected))
+                for array, values in expected.items():
+                    np.testing.assert_array_equal(found[array], values, array)
+
+    def image(self, name, run, shape):
+        """The range image of a case, put together from the parts of all processes."""
+        whole = np.full(shape, -1.0)
+        for part in (self.folder / run).glob(f"{name}.image.*.npz"):
+            with np.load(part) as found:
+                (turn, beam), rows = found["first"], found["rows"]
+                whole[turn:turn + rows.shape[0], beam:beam + rows.shape[1]] = rows
+        return whole
+
+    def test_scans_are_those_of_one_process(self):
+        for name, (scene, properties) in SCANS.items():
+            for spread in SPREADS:
+                self.assert_same(f"{name}.{spread}", scene, properties)
+
+    def test_trajectory_is_followed_by_all(self):
+        self.assert_same("journey", ROOM, {"Position": [0.3, -0.2, 1.0]})
+
+    def test_errors_are_told_by_all_and_stop_nobody(self):
+        words_of = {"lost": "The trajectory has its point 0", "empty": "The scene has no polygons",
+                    "volume": "The scene has volume cells on several processes"}
+        for name, words in words_of.items():
+            for run, (count, _) in RUNS.items():
+                if name == "volume" and count == 1:
+                    continue
+                with self.subTest(name, run=run):
+                    folder = self.folder / run
+                    self.assertIn(words, (folder / f"{name}.txt").read_text())
+                    with np.load(folder / f"{name}.npz") as found:
+                        self.assertEqual(set(found), {"Map"})
+
+
+if __name__ == "__main__":
+    unittest.main()

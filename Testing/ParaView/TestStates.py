@@ -1,0 +1,126 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""States and traces in pvpython: what was saved comes back, with the same numbers.
+
+Run by pvpython. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the folder of room.wrl and
+LMS3D_STATES, where set, the folder of the states that the tests in ParaView's window have saved.
+"""
+
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from paraview import simple, smtrace
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+
+DATA = Path(os.environ["LMS3D_DATA_DIR"])
+SENSOR = [0.3, -0.2, 1.0]
+TILT = [5.0, -3.0, 40.0]
+
+simple.LoadPlugin(os.environ["LMS3D_PLUGIN"], remote=False, ns=globals())
+
+
+def make_pipeline():
+    """Reader, scan and map, with properties that are not their defaults."""
+    room = VRMLReader(registrationName="room", FileName=str(DATA / "room.wrl"))
+    scan = LMS3DScan(registrationName="scan", Input=room, Position=SENSOR, Orientation=TILT,
+                     AlphaResolution=181, BetaResolution=90, MaximumRange=5.0)
+    return LMS3DSurfaceReconstruction(registrationName="map", Input=scan, MaximumError=0.02)
+
+
+def points(proxy):
+    """The points that a proxy's filter made."""
+    proxy.UpdatePipeline()
+    data = proxy.SMProxy.GetClientSideObject().GetOutputDataObject(0)
+    return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def source(kind):
+    """The one source of this kind in the pipeline."""
+    (found,) = (proxy for proxy in simple.GetSources().values() if proxy.GetXMLName() == kind)
+    return found
+
+
+class TestRoundTrips(unittest.TestCase):
+    """A pipeline saved and restored is the same pipeline."""
+
+    def setUp(self):
+        simple.ResetSession()
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def check_restored(self, expected):
+        scan = source("LMS3DScan")
+        self.assertEqual(list(scan.Position), SENSOR)
+        self.assertEqual(list(scan.Orientation), TILT)
+        self.assertEqual((scan.AlphaResolution, scan.BetaResolution), (181, 90))
+        self.assertEqual(scan.MaximumRange, 5.0)
+        local_map = source("LMS3DSurfaceReconstruction")
+        self.assertEqual(local_map.MaximumError, 0.02)
+        np.testing.assert_array_equal(points(local_map), expected)
+
+    def check_file(self, name):
+        expected = points(make_pipeline()).copy()
+        file = str(Path(self.folder.name) / name)
+        simple.SaveState(file)
+        simple.ResetSession()
+        self.assertFalse(simple.GetSources())
+        simple.LoadState(file)
+        self.check_restored(expected)
+
+    def test_state(self):
+        self.check_file("state.pvsm")
+
+    def test_python_state(self):
+        self.check_file("state.py")
+
+    def test_trace(self):
+        smtrace.start_trace()
+        expected = points(make_pipeline()).copy()
+        trace = smtrace.stop_trace()
+        for name in ("VRMLReader(", "LMS3DScan(", "LMS3DSurfaceReconstruction("):
+            self.assertIn(name, trace)
+        simple.ResetSession()
+        exec(compile(trace, "trace", "exec"), {"__name__": "trace"})
+        self.check_restored(expected)
+
+
+@unittest.skipUnless("LMS3D_STATES" in os.environ, "no states from ParaView's window")
+class TestWindow(unittest.TestCase):
+    """What the tests in ParaView's window have saved."""
+
+    def load(self, name):
+        simple.ResetSession()
+        simple.LoadState(str(Path(os.environ["LMS3D_STATES"]) / name))
+
+    def test_sensor_was_dragged(self):
+        self.load("MovePose.pvsm")
+        scan = source("LMS3DScan")
+        x, y, z = scan.Position
+        self.assertGreater(x, 1.475 + 0.5)
+        self.assertGreater(y, 0.07 + 0.2)
+        self.assertAlmostEqual(z, 1.0, places=9)
+        np.testing.assert_allclose(list(scan.Orientation), 0, atol=1e-9)
+        self.check_map_of_pose(scan)
+
+    def check_map_of_pose(self, scan):
+        """The map is that of a scan from the same pose, made afresh."""
+        seen = points(source("LMS3DSurfaceReconstruction")).copy()
+        afresh = LMS3DScan(Input=VRMLReader(FileName=str(DATA / "room.wrl")),
+                           Position=list(scan.Position))
+        np.testing.assert_array_equal(points(LMS3DSurfaceReconstruction(Input=afresh)), seen)
+
+    def test_example_was_loaded(self):
+        self.load("LoadState.pvsm")
+        scan = source("LMS3DScan")
+        self.assertEqual(list(scan.Position), SENSOR)
+        self.assertEqual(Path(source("vrmlreader").FileName), DATA / "room.wrl")
+        self.assertEqual(len(points(scan)), 361 * 360)
+        self.check_map_of_pose(scan)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)

@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""`lms3d scan --trajectory` as a user meets it."""
+
+import unittest
+from xml.etree import ElementTree
+
+import numpy as np
+from TestCommandLine import COARSE, ROOM, CommandLineTest, array, field, points, read, room, write
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+PLACES = np.array(((-1.0, 0.0, 1.0), (0.0, 0.5, 1.0), (0.3, -0.2, 1.0)))
+TIMES = (2.0, 2.5, 4.25)
+
+
+def trajectory(line=False, **arrays):
+    """Poses at PLACES with point arrays."""
+    poses = vtkPolyData()
+    poses.SetPoints(vtkPoints())
+    poses.GetPoints().SetDataTypeToDouble()
+    for place in PLACES:
+        poses.GetPoints().InsertNextPoint(place)
+    if line:
+        poses.SetLines(vtkCellArray())
+        poses.GetLines().InsertNextCell(len(PLACES), range(len(PLACES)))
+    for name, values in arrays.items():
+        values = numpy_to_vtk(np.asarray(values, dtype=float), deep=True)
+        values.SetName(name)
+        poses.GetPointData().AddArray(values)
+    return poses
+
+
+class TestTrajectory(CommandLineTest):
+    """The room from three poses."""
+
+    def path(self, **options):
+        """The file of a trajectory."""
+        path = self.folder / "path.vtp"
+        write(vtkXMLPolyDataWriter(), trajectory(**options), path)
+        return path
+
+    def steps(self, name):
+        """What a .pvd lists: times, and the data of each."""
+        listed = ElementTree.parse(self.folder / name).getroot().findall("Collection/DataSet")
+        return ([float(entry.get("timestep")) for entry in listed],
+                [read(vtkXMLPolyDataReader(), self.folder / entry.get("file")) for entry in listed])
+
+    def tearDown(self):
+        for path in self.folder.iterdir():
+            path.unlink()
+
+    def test_each_step_is_the_scan_from_its_pose(self):
+        words = self.done("scan", ROOM, "--trajectory", self.path(Time=TIMES), *COARSE,
+                          "-o", self.folder / "scans.pvd", "--map", self.folder / "maps.pvd")
+        self.assertIn("3 from time 2 to 4.25", words)
+        names = [f"{result}_{i:04}.vtp" for result in ("maps", "scans") for i in range(3)]
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()),
+                         sorted(["path.vtp", "maps.pvd", "scans.pvd", *names]))
+        times, scans = self.steps("scans.pvd")
+        self.assertEqual(times, list(TIMES))
+        map_times, maps = self.steps("maps.pvd")
+        self.assertEqual(map_times, times)
+        for place, scan, surface in zip(PLACES, scans, maps):
+            single, single_map = (self.folder / name for name in ("single.vtp", "single_map.vtp"))
+            self.done("scan", ROOM, "--position", *place, *COARSE, "-o", single, "--map", single_map)
+            expected = read(vtkXMLPolyDataReader(), single)
+            np.testing.assert_array_equal(points(scan), points(expected))
+            for name in ("Range", "BeamId", "CellId"):
+                np.testing.assert_array_equal(array(scan, name), array(expected, name))
+            np.testing.assert_array_equal(
+                points(surface), points(read(vtkXMLPolyDataReader(), single_map)))
+
+    def test_the_sensor_looks_along_a_polyline(self):
+        self.done("scan", ROOM, "--trajectory", self.path(line=True), *COARSE,
+                  "-o", self.folder / "scans.pvd")
+        times, scans = self.steps("scans.pvd")
+        self.assertEqual(times, [0, 1, 2])
+        ahead = PLACES[2] - PLACES[0]
+        np.testing.assert_allclose(field(scans[1], "SensorToWorld").reshape(4, 4)[:3, 0],
+                                   ahead / np.linalg.norm(ahead), rtol=0, atol=1e-15)
+
+    def test_a_quaternion_turns_the_sensor(self):
+        half = np.sqrt(0.5)
+        self.done("scan", ROOM, "--trajectory", self.path(Orientation=[(half, 0, 0, half)] * 3),
+                  *COARSE, "-o", self.folder / "scans.pvd")
+        for scan in self.steps("scans.pvd")[1]:
+            np.testing.assert_allclose(field(scan, "SensorToWorld").reshape(4, 4)[:3, 0],
+                                       (0, 1, 0), rtol=0, atol=1e-15)
+
+    def test_what_is_refused_leaves_no_files(self):
+        self.path(Time=(0, 2, 2)).rename(self.folder / "bad.vtp")
+        path = self.path()
+        series = ("-o", self.folder / "scans.pvd")
+        cases = {
+            "not allowed with argument": (2, "--trajectory", path, "--position", 0, 0, 1, *series),
+            "ending must be .pvd": (2, "--trajectory", path, "-o", self.folder / "scan.vtp"),
+            "only -o and --map": (2, "--trajectory", path, *series,
+                                  "--picture", self.folder / "picture.png"),
+            "ending is not one of .vtp": (2, "--trajectory", "path.csv", *series),
+            "cannot read trajectory 'nowhere.vtp'": (1, "--trajectory", "nowhere.vtp", *series),
+            "Time 2 at its point 2, after 2": (1, "--trajectory", self.folder / "bad.vtp", *series),
+            "no beam returned from any pose": (1, "--trajectory", path, *series,
+                                               "--maximum-range", 0.01),
+            "ending must be .vtp or .ply or .csv": (2, "--position", 0, 0, 1, *series),
+        }
+        for words, (code, *arguments) in cases.items():
+            with self.subTest(words):
+                self.assertIn(words, self.refused(code, "scan", ROOM, *COARSE, *arguments))
+
+    def test_a_series_does_not_replace_what_it_is_made_of(self):
+        path = self.path()
+        scene = self.folder / "scans_0001.vtp"
+        write(vtkXMLPolyDataWriter(), room(), scene)
+        before = scene.read_bytes()
+        words = self.refused(2, "scan", scene, "--trajectory", path, *COARSE,
+                             "-o", self.folder / "scans.pvd")
+        self.assertIn("would be replaced", words)
+        self.assertEqual(scene.read_bytes(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()
