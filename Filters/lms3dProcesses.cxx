@@ -8,13 +8,77 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+// Bounds the memory that is needed beside the results.
+constexpr std::size_t BeamsAtOnce = std::size_t(1) << 20;
+
+/// How many processes have a part of the scene of some kind.
+struct Parts
+{
+  int WithIds = 0;
+  int WithoutIds = 0;
+  int WithVolume = 0;
+};
+
+void Check(const Parts& parts)
+{
+  if (parts.WithVolume > 0 && parts.WithIds + parts.WithoutIds > 1)
+  {
+    throw std::runtime_error("The scene has volume cells on several processes, and none of them "
+                             "can tell its outer surface from the seams. Extract the surface "
+                             "before the scene is spread.");
+  }
+  if (parts.WithIds > 0 && parts.WithoutIds > 0)
+  {
+    throw std::runtime_error("The cells of the scene have global ids on " +
+      std::to_string(parts.WithIds) + " processes and none on " + std::to_string(parts.WithoutIds) +
+      ". Generate them for all, or remove them.");
+  }
+}
+
+/// What a reduction leaves, for some of the beams.
+struct Reduced
+{
+  void MakeRoom(std::size_t beams)
+  {
+    this->Nearest.resize(beams);
+    this->Hit.resize(beams);
+    this->Said.resize(beams);
+  }
+
+  std::vector<double> Nearest;
+  std::vector<vtkIdType> Hit;
+  std::vector<double> Said;
+};
+
+void Reduce(vtkMultiProcessController* controller, const double* chosenRanges, vtkIdType* cells,
+  double* ranges, vtkIdType beams, Reduced& reduced)
+{
+  controller->AllReduce(chosenRanges, reduced.Nearest.data(), beams, vtkCommunicator::MIN_OP);
+  for (vtkIdType i = 0; i < beams; ++i)
+  {
+    cells[i] = chosenRanges[i] == reduced.Nearest[i] ? cells[i] : lms3dProcesses::NoCell;
+  }
+  controller->AllReduce(cells, reduced.Hit.data(), beams, vtkCommunicator::MIN_OP);
+
+  // A process whose hit is not the one, or whose hit gives no return, has nothing to say.
+  for (vtkIdType i = 0; i < beams; ++i)
+  {
+    const vtkIdType hit = reduced.Hit[i];
+    const bool isMine = hit != lms3dProcesses::NoCell && cells[i] == hit;
+    reduced.Said[i] = isMine && !std::isnan(ranges[i]) ? ranges[i] : Infinity;
+    cells[i] = hit;
+  }
+  controller->AllReduce(reduced.Said.data(), ranges, beams, vtkCommunicator::MIN_OP);
+  std::replace(ranges, ranges + beams, Infinity, std::numeric_limits<double>::quiet_NaN());
+}
 } // namespace
 
 lms3dProcesses::lms3dProcesses(vtkMultiProcessController* controller)
@@ -84,57 +148,29 @@ std::int64_t lms3dProcesses::NumberCells(std::int64_t cells, bool hasIds, bool h
   std::vector<vtkIdType> all(3 * static_cast<std::size_t>(this->Count));
   this->Controller->AllGather(mine, all.data(), 3);
   std::int64_t first = 0;
-  int withIds = 0;
-  int without = 0;
-  int withVolume = 0;
+  Parts parts;
   for (int rank = 0; rank < this->Count; ++rank)
   {
-    const vtkIdType theirs = all[3 * rank];
-    first += rank < this->Rank ? theirs : 0;
-    withIds += theirs > 0 && all[3 * rank + 1] ? 1 : 0;
-    without += theirs > 0 && !all[3 * rank + 1] ? 1 : 0;
-    withVolume += all[3 * rank + 2] ? 1 : 0;
+    const vtkIdType* theirs = all.data() + 3 * static_cast<std::ptrdiff_t>(rank);
+    first += rank < this->Rank ? theirs[0] : 0;
+    parts.WithIds += theirs[0] > 0 && theirs[1] ? 1 : 0;
+    parts.WithoutIds += theirs[0] > 0 && !theirs[1] ? 1 : 0;
+    parts.WithVolume += theirs[2] ? 1 : 0;
   }
-  if (withVolume > 0 && withIds + without > 1)
-  {
-    throw std::runtime_error(
-      "The scene has volume cells on several processes, and none of them can "
-      "tell its outer surface from the seams. Extract the surface before the "
-      "scene is spread.");
-  }
-  if (withIds > 0 && without > 0)
-  {
-    throw std::runtime_error("The cells of the scene have global ids on " +
-      std::to_string(withIds) + " processes and none on " + std::to_string(without) +
-      ". Generate them for all, or remove them.");
-  }
-  return withIds > 0 ? 0 : first;
+  Check(parts);
+  return parts.WithIds > 0 ? 0 : first;
 }
 
 void lms3dProcesses::TakeNearest(
   const std::vector<double>& chosenRanges, std::vector<vtkIdType>& cells, double* ranges) const
 {
-  const vtkIdType beams = static_cast<vtkIdType>(cells.size());
-  std::vector<double> nearest(beams);
-  this->Controller->AllReduce(chosenRanges.data(), nearest.data(), beams, vtkCommunicator::MIN_OP);
-  for (vtkIdType i = 0; i < beams; ++i)
+  const std::size_t beams = cells.size();
+  Reduced reduced;
+  this->Do([&] { reduced.MakeRoom(std::min(beams, BeamsAtOnce)); });
+  for (std::size_t first = 0; first < beams; first += BeamsAtOnce)
   {
-    cells[i] = chosenRanges[i] == nearest[i] ? cells[i] : NoCell;
-  }
-  std::vector<vtkIdType> hit(beams);
-  this->Controller->AllReduce(cells.data(), hit.data(), beams, vtkCommunicator::MIN_OP);
-
-  // A process whose hit is not the one, or whose hit gives no return, has nothing to say.
-  std::vector<double> said(beams);
-  for (vtkIdType i = 0; i < beams; ++i)
-  {
-    const bool isMine = hit[i] != NoCell && cells[i] == hit[i];
-    said[i] = isMine && !std::isnan(ranges[i]) ? ranges[i] : Infinity;
-  }
-  this->Controller->AllReduce(said.data(), ranges, beams, vtkCommunicator::MIN_OP);
-  cells = std::move(hit);
-  for (vtkIdType i = 0; i < beams; ++i)
-  {
-    ranges[i] = ranges[i] == Infinity ? NAN : ranges[i];
+    const std::size_t count = std::min(BeamsAtOnce, beams - first);
+    Reduce(this->Controller, chosenRanges.data() + first, cells.data() + first, ranges + first,
+      static_cast<vtkIdType>(count), reduced);
   }
 }

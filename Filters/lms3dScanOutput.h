@@ -8,25 +8,20 @@
 #define lms3dScanOutput_h
 
 #include "lms3dMemoryPool.h"
+#include "lms3dRangeImage.h"
 #include "lms3dScanner.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 class vtkImageData;
 class lms3dProcesses;
-class vtkInformation;
 class vtkPolyData;
-
-/// Sets extent, origin and spacing (degrees) and the scalar type of the range image to come.
-void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
-  const double betaRange[2], int betaResolution, vtkInformation* info);
 
 /**
  * Makes the outputs of one scan after the other, in memory that is used again. All methods are to
@@ -60,18 +55,13 @@ public:
     const lms3dPose& pose, vtkPolyData* scan);
   void FillRangeImage(const lms3dScanGeometry& geometry, vtkImageData* image);
 
-  /// After TakeNearest: the part of the image that VTK asks a process for.
-  void FillRangeImagePart(const lms3dScanGeometry& geometry, const lms3dProcesses& processes,
-    int ghostLevels, vtkImageData* image);
+  /// A piece of the image, after TakeNearest.
+  void FillRangeImagePiece(
+    const lms3dScanGeometry& geometry, const lms3dImagePiece& piece, vtkImageData* image) const;
 
 private:
-  struct Returns;
-  struct TurnSource;
   std::vector<std::size_t> CountReturns(const lms3dScanGeometry& geometry) const;
   void MakeRoom(std::size_t beams);
-  void FillTurn(int turn, std::size_t slot, const lms3dTriangleMesh* mesh,
-    const lms3dScanGeometry& geometry, const lms3dBeamDirections& directions,
-    const std::array<double, 3>& position, const Returns& returns) const;
 
   lms3dMemoryPool Pool;
   vtkSmartPointer<vtkDoubleArray> Ranges;

@@ -177,6 +177,8 @@ private:
       [&mesh](std::size_t a, std::size_t b) { return mesh.Cells[a] < mesh.Cells[b]; });
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::int64_t> cells;
+    triangles.reserve(order.size());
+    cells.reserve(order.size());
     for (std::size_t triangle : order)
     {
       triangles.push_back(mesh.Triangles[triangle]);
@@ -209,12 +211,19 @@ private:
           filter->GetOutput()->GetCellData()->GetArray(filter->GetOriginalCellIdsName())));
     }
     const vtkIdType cells = leaf->GetNumberOfCells();
-    vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(leaf->GetCellData()->GetGlobalIds());
-    if (ids && ids->GetNumberOfValues() >= cells)
-    {
-      this->GlobalIds.insert(this->GlobalIds.end(), ids->GetPointer(0), ids->GetPointer(0) + cells);
-    }
+    this->AppendGlobalIds(leaf->GetCellData()->GetGlobalIds(), cells);
     this->FirstCell += cells;
+  }
+
+  void AppendGlobalIds(vtkDataArray* ids, vtkIdType cells)
+  {
+    if (ids && ids->GetNumberOfTuples() >= cells)
+    {
+      vtkNew<vtkIdTypeArray> numbers;
+      numbers->DeepCopy(ids);
+      const vtkIdType* first = numbers->GetPointer(0);
+      this->GlobalIds.insert(this->GlobalIds.end(), first, first + cells);
+    }
   }
 
   // Cells of a vtkPolyData are numbered vertices, lines, polygons, strips.

@@ -38,7 +38,8 @@ struct lms3dSceneTriangles
 /**
  * Takes all polygons and triangle strips of a vtkPolyData, the outer surface of any other data set,
  * or those of all leaves of a composite. The cells of a composite are numbered through, leaf after
- * leaf, unless all of them have global ids. Vertices, lines and polygons without area have no surface and are passed over.
+ * leaf, unless all of them have global ids. Vertices, lines and polygons without area have no
+ * surface and are passed over.
  *
  * Throws std::runtime_error, with words for the user, where a cell uses a point that is not there,
  * or where there are too many triangles.

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dTrajectory.h"
 
+#include "lms3dScanChecks.h"
+#include "lms3dVector.h"
+
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
@@ -19,10 +22,6 @@
 
 namespace
 {
-using Vector = std::array<double, 3>;
-
-constexpr double LargestPosition = 1e18;
-
 [[noreturn]] void Fail(const std::string& what)
 {
   throw std::runtime_error("The trajectory " + what);
@@ -57,19 +56,16 @@ std::vector<vtkIdType> GetOrder(vtkPolyData* poses)
   return order;
 }
 
-Vector GetPosition(vtkPolyData* poses, vtkIdType point)
+lms3dVector GetPosition(vtkPolyData* poses, vtkIdType point)
 {
-  Vector position;
+  lms3dVector position;
   poses->GetPoint(point, position.data());
-  for (double x : position)
+  if (!lms3dIsPosition(position))
   {
-    if (!(std::abs(x) <= LargestPosition))
-    {
-      std::ostringstream words;
-      words << "has its point " << point << " at " << position[0] << ' ' << position[1] << ' '
-            << position[2] << "; finite numbers up to 1e18 m are expected.";
-      Fail(words.str());
-    }
+    std::ostringstream words;
+    words << "has its point " << point << " at " << position[0] << ' ' << position[1] << ' '
+          << position[2] << "; finite numbers up to 1e18 m are expected.";
+    Fail(words.str());
   }
   return position;
 }
@@ -116,7 +112,7 @@ std::vector<double> GetTimes(vtkPolyData* poses, const std::vector<vtkIdType>& o
 }
 
 // The columns of the rotation matrix of a quaternion w x y z of any length.
-std::array<Vector, 3> GetAxes(std::array<double, 4> q, vtkIdType point)
+std::array<lms3dVector, 3> GetAxes(std::array<double, 4> q, vtkIdType point)
 {
   double largest = 0.0;
   for (double x : q)
@@ -135,43 +131,32 @@ std::array<Vector, 3> GetAxes(std::array<double, 4> q, vtkIdType point)
   std::transform(q.begin(), q.end(), q.begin(), [largest](double x) { return x / largest; });
   const auto [w, x, y, z] = q;
   const double s = 2.0 / (w * w + x * x + y * y + z * z);
-  return { Vector{ 1.0 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y) },
-    Vector{ s * (x * y - w * z), 1.0 - s * (x * x + z * z), s * (y * z + w * x) },
-    Vector{ s * (x * z + w * y), s * (y * z - w * x), 1.0 - s * (x * x + y * y) } };
-}
-
-Vector Normalize(const Vector& v)
-{
-  const double length = std::hypot(v[0], v[1], v[2]);
-  return { v[0] / length, v[1] / length, v[2] / length };
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+  return { lms3dVector{ 1.0 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y) },
+    lms3dVector{ s * (x * y - w * z), 1.0 - s * (x * x + z * z), s * (y * z + w * x) },
+    lms3dVector{ s * (x * z + w * y), s * (y * z - w * x), 1.0 - s * (x * x + y * y) } };
 }
 
 // The sensor looks along x with its y axis level; where x is upright, y stays as it was.
-std::array<Vector, 3> GetAxesAlong(const Vector& tangent, const Vector& lastSide)
+std::array<lms3dVector, 3> GetAxesAlong(const lms3dVector& tangent, const lms3dVector& lastSide)
 {
-  const Vector ahead = Normalize(tangent);
+  const lms3dVector ahead = lms3dNormalize(tangent);
   const bool isUpright = ahead[0] == 0.0 && ahead[1] == 0.0;
-  const Vector side = isUpright ? lastSide : Normalize({ -ahead[1], ahead[0], 0.0 });
-  return { ahead, side, Cross(ahead, side) };
+  const lms3dVector side = isUpright ? lastSide : lms3dNormalize({ -ahead[1], ahead[0], 0.0 });
+  return { ahead, side, lms3dCross(ahead, side) };
 }
 
 // From the point before to the point after; where the sensor stands still it keeps its axes.
 void FollowPolyline(std::vector<lms3dPose>& poses)
 {
-  std::array<Vector, 3> axes = { Vector{ 1.0, 0.0, 0.0 }, Vector{ 0.0, 1.0, 0.0 },
-    Vector{ 0.0, 0.0, 1.0 } };
+  std::array<lms3dVector, 3> axes = { lms3dVector{ 1.0, 0.0, 0.0 }, lms3dVector{ 0.0, 1.0, 0.0 },
+    lms3dVector{ 0.0, 0.0, 1.0 } };
   const int last = static_cast<int>(poses.size()) - 1;
   for (int i = 0; i <= last; ++i)
   {
-    const Vector& from = poses[std::max(i - 1, 0)].Position;
-    const Vector& to = poses[std::min(i + 1, last)].Position;
-    const Vector tangent = { to[0] - from[0], to[1] - from[1], to[2] - from[2] };
-    if (tangent != Vector{ 0.0, 0.0, 0.0 })
+    const lms3dVector& from = poses[std::max(i - 1, 0)].Position;
+    const lms3dVector& to = poses[std::min(i + 1, last)].Position;
+    const lms3dVector tangent = lms3dSubtract(to, from);
+    if (tangent != lms3dVector{ 0.0, 0.0, 0.0 })
     {
       axes = GetAxesAlong(tangent, axes[1]);
     }
@@ -185,9 +170,10 @@ lms3dTrajectory::lms3dTrajectory(vtkPolyData* poses, const double orientation[3]
   const std::vector<vtkIdType> order = GetOrder(poses);
   this->Times = ::GetTimes(poses, order);
   vtkDataArray* quaternions = GetArray(poses, "Orientation", 4);
+  this->Poses.reserve(order.size());
   for (vtkIdType point : order)
   {
-    const Vector position = GetPosition(poses, point);
+    const lms3dVector position = GetPosition(poses, point);
     this->Poses.push_back(lms3dPose::FromOrientation(position.data(), orientation));
     if (quaternions)
     {

@@ -4,8 +4,11 @@
 
 #include "lms3dAlgorithmProgress.h"
 #include "lms3dBuiltScene.h"
+#include "lms3dPipelineRequests.h"
 #include "lms3dProcesses.h"
+#include "lms3dRangeImage.h"
 #include "lms3dRayCaster.h"
+#include "lms3dScanChecks.h"
 #include "lms3dScanGeometry.h"
 #include "lms3dScanOutput.h"
 #include "lms3dScanner.h"
@@ -13,10 +16,7 @@
 #include "lms3dTrajectory.h"
 
 #include <vtkDataSet.h>
-#include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
-#include <vtkExecutive.h>
-#include <vtkExtentTranslator.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -29,9 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -39,78 +37,10 @@ vtkStandardNewMacro(vtkLMS3DScanFilter);
 
 namespace
 {
-constexpr double LargestPosition = 1e18;
-
 // What of the whole work building takes, in the eyes of the progress bar.
 constexpr double BuildShare = 0.3;
 
-template <std::size_t N>
-bool IsFinite(const double (&values)[N])
-{
-  return std::all_of(values, values + N, [](double x) { return std::isfinite(x); });
-}
-
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-vtkInformation* GetRequestedOutput(vtkInformation* request, vtkInformationVector* outputVector)
-{
-  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
-  return outputVector->GetInformationObject(port);
-}
-
-// A scan is one piece; those who ask for another get an empty one.
-bool IsFirstPiece(vtkInformation* output)
-{
-  const auto piece = Pipeline::UPDATE_PIECE_NUMBER();
-  return !output->Has(piece) || output->Get(piece) <= 0;
-}
-
-void AskForPiece(int piece, int pieces, vtkInformation* info)
-{
-  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  if (info->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    int extent[6];
-    vtkNew<vtkExtentTranslator> translator;
-    translator->PieceToExtentThreadSafe(piece, pieces, 0, info->Get(Pipeline::WHOLE_EXTENT()),
-      extent, vtkExtentTranslator::BLOCK_MODE, 0);
-    info->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
-  }
-}
-
-// Brings an input up to date before the pipeline asks for data.
-void UpdateInput(vtkAlgorithm* filter, int input)
-{
-  int port;
-  vtkAlgorithm* producer = filter->GetInputAlgorithm(input, 0, port);
-  vtkNew<vtkInformationVector> requests;
-  requests->SetNumberOfInformationObjects(port + 1);
-  AskForPiece(0, 1, requests->GetInformationObject(port));
-  producer->Update(port, requests);
-}
-
-void SetTimes(const std::vector<double>& times, vtkInformation* output)
-{
-  const double range[2] = { times.front(), times.back() };
-  output->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-  output->Set(Pipeline::TIME_RANGE(), range, 2);
-}
-
-// Two different ends, or one beam that needs only the first.
-bool IsProperRange(const double range[2], int resolution)
-{
-  return range[0] < range[1] || (resolution == 1 && range[0] == range[1]);
-}
-
-template <typename T>
-std::string Pair(const T values[2])
-{
-  std::ostringstream words;
-  words << values[0] << " to " << values[1];
-  return words.str();
-}
 } // namespace
 
 struct vtkLMS3DScanFilter::Internals
@@ -243,46 +173,19 @@ int vtkLMS3DScanFilter::FillOutputPortInformation(int port, vtkInformation* info
 
 std::string vtkLMS3DScanFilter::GetPropertyError() const
 {
-  std::ostringstream error;
-  const auto isFar = [](double x) { return std::abs(x) > LargestPosition; };
-  if (!IsFinite(this->Position) || std::any_of(this->Position, this->Position + 3, isFar) ||
-    !IsFinite(this->Orientation))
+  const auto vector = [](const double v[3]) { return lms3dVector{ v[0], v[1], v[2] }; };
+  std::string error = lms3dFindPoseError(vector(this->Position), vector(this->Orientation));
+  if (error.empty())
   {
-    error << "The pose is Position " << this->Position[0] << ' ' << this->Position[1] << ' '
-          << this->Position[2] << ", Orientation " << this->Orientation[0] << ' '
-          << this->Orientation[1] << ' ' << this->Orientation[2]
-          << "; finite numbers are expected, positions up to 1e18 m.";
+    error = lms3dFindAngleError(
+      this->AlphaRange, this->AlphaResolution, this->BetaRange, this->BetaResolution);
   }
-  else if (this->AlphaResolution < 1 || this->BetaResolution < 1)
-  {
-    error << "AlphaResolution x BetaResolution is " << this->AlphaResolution << " x "
-          << this->BetaResolution << "; each must be at least 1.";
-  }
-  else if (static_cast<std::int64_t>(this->AlphaResolution) * this->BetaResolution >
-    std::numeric_limits<std::int32_t>::max())
-  {
-    error << "AlphaResolution x BetaResolution is " << this->AlphaResolution << " x "
-          << this->BetaResolution << " beams; at most 2147483647 are possible.";
-  }
-  else if (!IsProperRange(this->AlphaRange, this->AlphaResolution) || this->AlphaRange[0] < -90.0 ||
-    this->AlphaRange[1] > 90.0)
-  {
-    error << "AlphaRange is " << Pair(this->AlphaRange)
-          << " degrees; it must increase, within -90 to 90.";
-  }
-  else if (!IsFinite(this->BetaRange) || !IsProperRange(this->BetaRange, this->BetaResolution) ||
-    this->BetaRange[1] - this->BetaRange[0] > 360.0)
-  {
-    error << "BetaRange is " << Pair(this->BetaRange)
-          << " degrees; it must increase, by at most 360.";
-  }
-  else if (!(this->MinimumRange >= 0.0 && this->MinimumRange <= this->MaximumRange &&
-             this->MaximumRange > 0.0 && std::isfinite(this->MinimumRange)))
-  {
-    error << "MinimumRange and MaximumRange are " << this->MinimumRange << " and "
-          << this->MaximumRange << " m; 0 <= minimum <= maximum and 0 < maximum are expected.";
-  }
-  return error.str();
+  return error.empty() ? lms3dFindLimitError(this->GetLimits()) : error;
+}
+
+lms3dRangeLimits vtkLMS3DScanFilter::GetLimits() const
+{
+  return { this->MinimumRange, this->MaximumRange };
 }
 
 int vtkLMS3DScanFilter::RequestInformation(
@@ -304,13 +207,13 @@ int vtkLMS3DScanFilter::RequestInformation(
 void vtkLMS3DScanFilter::TellTimes(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  UpdateInput(this, 1);
+  lms3dUpdateInput(this, 1);
   try
   {
     const std::vector<double>& times =
       this->Internal->GetTrajectory(vtkPolyData::GetData(inputVector[1]), this).GetTimes();
-    SetTimes(times, outputVector->GetInformationObject(0));
-    SetTimes(times, outputVector->GetInformationObject(1));
+    lms3dOfferTimes(times, outputVector->GetInformationObject(0));
+    lms3dOfferTimes(times, outputVector->GetInformationObject(1));
   }
   catch (const std::exception&)
   {
@@ -324,10 +227,10 @@ int vtkLMS3DScanFilter::RequestUpdateExtent(
   // Every beam may meet any part of the scene, whatever part of the outputs is asked for.
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   const lms3dProcesses processes(this->Internal->Controller);
-  AskForPiece(processes.GetRank(), processes.GetCount(), input);
+  lms3dAskForPiece(processes.GetRank(), processes.GetCount(), input);
   if (vtkInformation* trajectory = inputVector[1]->GetInformationObject(0))
   {
-    AskForPiece(0, 1, trajectory);
+    lms3dAskForPiece(0, 1, trajectory);
   }
   return 1;
 }
@@ -338,8 +241,9 @@ int vtkLMS3DScanFilter::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   // An image keeps its arrays from one execution to the next.
   vtkImageData::GetData(outputVector, 1)->Initialize();
-  vtkInformation* output = GetRequestedOutput(request, outputVector);
-  if (!lms3dProcesses(this->Internal->Controller).AreMany() && !IsFirstPiece(output))
+  vtkInformation* output = lms3dGetRequestedOutput(request, outputVector);
+  // A scan is one piece; those who ask for another get an empty one.
+  if (!lms3dProcesses(this->Internal->Controller).AreMany() && !lms3dIsFirstPiece(output))
   {
     return 1;
   }
@@ -429,7 +333,7 @@ void vtkLMS3DScanFilter::CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtk
   const lms3dRayCaster* caster = this->Internal->Scene.GetCaster();
   this->CheckScene(caster != nullptr);
   const lms3dScanGeometry& geometry = this->Internal->GetGeometry(this);
-  const lms3dRangeLimits limits = { this->MinimumRange, this->MaximumRange };
+  const lms3dRangeLimits limits = this->GetLimits();
   const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
   lms3dScanOutput& output = this->Internal->Output;
   this->Internal->Threads.Run(this->NumberOfThreads,
@@ -453,7 +357,7 @@ void vtkLMS3DScanFilter::CastTogether(const lms3dProcesses& processes, const lms
   const std::int64_t firstCell =
     processes.NumberCells(built.GetNumberOfCells(), built.HasGlobalIds(), built.HasVolume());
   const lms3dScanGeometry& geometry = this->Internal->GetGeometry(this);
-  const lms3dRangeLimits limits = { this->MinimumRange, this->MaximumRange };
+  const lms3dRangeLimits limits = this->GetLimits();
   const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
   lms3dScanOutput& output = this->Internal->Output;
   const auto run = [this](const auto& work)
@@ -467,11 +371,16 @@ void vtkLMS3DScanFilter::CastTogether(const lms3dProcesses& processes, const lms
     return;
   }
   output.TakeNearest(processes, caster, firstCell);
-  if (processes.IsFirst())
-  {
-    run([&] { output.FillScan(nullptr, geometry, pose, scan); });
-  }
-  output.FillRangeImagePart(geometry, processes, ghostLevels, image);
+  processes.Do(
+    [&]
+    {
+      if (processes.IsFirst())
+      {
+        run([&] { output.FillScan(nullptr, geometry, pose, scan); });
+      }
+      output.FillRangeImagePiece(
+        geometry, { processes.GetRank(), processes.GetCount(), ghostLevels }, image);
+    });
 }
 
 void vtkLMS3DScanFilter::CheckScene(bool hasTriangles) const
@@ -490,13 +399,16 @@ void vtkLMS3DScanFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const auto vector = [&os](const double* v) { os << v[0] << ' ' << v[1] << ' ' << v[2] << '\n'; };
+  const auto range = [&os](const double* v) { os << v[0] << " to " << v[1] << '\n'; };
   os << indent << "Position: ";
   vector(this->Position);
   os << indent << "Orientation: ";
   vector(this->Orientation);
-  os << indent << "AlphaRange: " << Pair(this->AlphaRange) << '\n';
+  os << indent << "AlphaRange: ";
+  range(this->AlphaRange);
   os << indent << "AlphaResolution: " << this->AlphaResolution << '\n';
-  os << indent << "BetaRange: " << Pair(this->BetaRange) << '\n';
+  os << indent << "BetaRange: ";
+  range(this->BetaRange);
   os << indent << "BetaResolution: " << this->BetaResolution << '\n';
   os << indent << "MinimumRange: " << this->MinimumRange << '\n';
   os << indent << "MaximumRange: " << this->MaximumRange << '\n';

@@ -51,12 +51,13 @@
  *
  * With a Controller of several processes, as in ParaView under MPI, each casts against its own piece
  * of the scene, and the nearest return wins. The first process has the scan, the others an empty
- * one; the range image is spread over all as VTK spreads images. For EXACT, ANGLE_SUM and MOLLER_TRUMBORE the scan is that of the whole scene to the bit,
- * however it is spread, provided that no cell was cut and that all have global ids, as ParaView's
- * RedistributeDataSet generates: of hits at the same range that in the cell with the smallest number
- * is returned. Without ids cells are numbered through, process after process, so that CellId, and
- * which of several hits at the same range is returned, depend on how the scene is spread. The other
- * methods round each piece differently. The trajectory is that of the first process.
+ * one; the range image is spread over all as VTK spreads images. For EXACT, ANGLE_SUM and
+ * MOLLER_TRUMBORE the scan is that of the whole scene to the bit, however it is spread, provided
+ * that no cell was cut and that all have global ids, as ParaView's RedistributeDataSet generates:
+ * of hits at the same range that in the cell with the smallest number is returned. Without ids
+ * cells are numbered through, process after process, so that CellId, and which of several hits at
+ * the same range is returned, depend on how the scene is spread. The other methods round each piece
+ * differently. The trajectory is that of the first process.
  *
  * The acceleration structure (Embree) is built when the input or IntersectionMethod changes, not
  * when the pose or the angles do. The outputs are the same to the bit for any NumberOfThreads.
@@ -79,8 +80,8 @@
  *
  * Memory, beside the input and the outputs: for EXACT and FAST 24 bytes a point and 12 a triangle
  * (20 where cells are not all triangles) and Embree's structure; 4 bytes a beam, of several
- * processes 60 more. The memory of an
- * output that nobody looks at any more is kept for the next scan.
+ * processes 20 more. The memory of an output that nobody looks at any more is kept for the next
+ * scan.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkVRMLImporterSource
@@ -98,6 +99,7 @@ class lms3dProcesses;
 class vtkImageData;
 class vtkMultiProcessController;
 struct lms3dPose;
+struct lms3dRangeLimits;
 
 class VTKLMS3DFILTERS_EXPORT vtkLMS3DScanFilter : public vtkPolyDataAlgorithm
 {
@@ -327,6 +329,7 @@ private:
 
   // Empty where all properties are good.
   std::string GetPropertyError() const;
+  lms3dRangeLimits GetLimits() const;
 
   // Sets the time steps of both outputs.
   void TellTimes(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
