@@ -29,20 +29,19 @@ class Journey:
 
     def scans(self, with_map=False):
         """Go from pose to pose; the simulation holds the scan, and the map, of each time given."""
-        whole = len(self.times) * (2 if with_map else 1)
-        for time in self.times:
-            self._update(self._simulation.sensor, "scanning", "cannot scan", time, whole)
-            if with_map:
-                self._update(self._simulation.reconstruction, "mapping",
-                             "cannot build the local map", time, whole)
+        works = [(self._simulation.sensor, "scanning", "cannot scan")]
+        if with_map:
+            works.append(
+                (self._simulation.reconstruction, "mapping", "cannot build the local map"))
+        whole = len(self.times) * len(works)
+        done = 0
+        for step, time in enumerate(self.times, 1):
+            for algorithm, label, failure in works:
+                update(algorithm, f"{label} {step}", failure, time=time,
+                       share=(done / whole, (done + 1) / whole))
+                done += 1
             self.returns.append(self._simulation.returns)
             yield time
-
-    def _update(self, algorithm, label, failure, time, whole):
-        per_step = whole // len(self.times)
-        done = len(self.returns) * per_step + (per_step - 1 if label == "mapping" else 0)
-        update(algorithm, f"{label} {len(self.returns) + 1}", failure, time=time,
-               share=(done / whole, (done + 1) / whole))
 
 
 class Series:

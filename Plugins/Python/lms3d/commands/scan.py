@@ -40,10 +40,12 @@ def add_arguments(parser):
     sensor_options.add_scene(parser)
     sensor_options.add_sensor(parser, position_needed=True, may_move=True)
     results = parser.add_argument_group("results, at least one")
-    results.add_argument("-o", "--output", metavar="FILE", help="points: .vtp .ply .csv; of a trajectory .pvd")
+    results.add_argument("-o", "--output", metavar="FILE",
+                         help="points: .vtp .ply .csv; of a trajectory .pvd")
     results.add_argument("--range-image", metavar="FILE",
                          help="grid of ranges, NaN where no beam returned: .vti")
-    results.add_argument("--map", metavar="FILE", help="triangles: .vtp .ply .stl; of a trajectory .pvd")
+    results.add_argument("--map", metavar="FILE",
+                         help="triangles: .vtp .ply .stl; of a trajectory .pvd")
     sensor_options.add_map(results)
     results.add_argument("--picture", metavar="FILE",
                          help="scene in blue beside its local map in green: .png (needs a display)")
