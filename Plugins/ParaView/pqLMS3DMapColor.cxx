@@ -6,8 +6,9 @@
 #include <pqRepresentation.h>
 #include <pqServerManagerModel.h>
 
-#include <vtkSMPVRepresentationProxy.h>
+#include <vtkDataObject.h>
 #include <vtkSMPropertyHelper.h>
+#include <vtkSMProxy.h>
 #include <vtkSMTrace.h>
 
 #include <cstring>
@@ -56,7 +57,8 @@ void pqLMS3DMapColor::color(pqRepresentation* added)
   }
   const double green[3] = { 0.2, 0.7, 0.3 };
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown);
-  vtkSMPVRepresentationProxy::SetScalarColoring(shown, nullptr, 0);
+  vtkSMPropertyHelper(shown, "ColorArrayName", true)
+    .SetInputArrayToProcess(vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   vtkSMPropertyHelper(shown, "AmbientColor", true).Set(green, 3);
   vtkSMPropertyHelper(shown, "DiffuseColor").Set(green, 3);
   shown->UpdateVTKObjects();
