@@ -7,13 +7,12 @@
 #ifndef lms3dProcesses_h
 #define lms3dProcesses_h
 
+#include "lms3dFailure.h"
 #include "lms3dScanGeometry.h"
 
 #include <vtkType.h>
 
 #include <cstdint>
-#include <exception>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -49,20 +48,7 @@ public:
       work();
       return;
     }
-    std::string error;
-    try
-    {
-      work();
-    }
-    catch (const std::bad_alloc&)
-    {
-      error = "There is not enough memory.";
-    }
-    catch (const std::exception& failure)
-    {
-      error = failure.what();
-    }
-    this->ThrowError(error);
+    this->ThrowError(lms3dFindFailure(work, "There is not enough memory."));
   }
 
   /// Gives all what the first has.

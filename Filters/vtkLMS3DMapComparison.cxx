@@ -4,6 +4,7 @@
 
 #include "lms3dAlgorithmProgress.h"
 #include "lms3dComparisonOutput.h"
+#include "lms3dFailure.h"
 #include "lms3dMapComparison.h"
 #include "lms3dSceneTriangles.h"
 #include "lms3dThreads.h"
@@ -17,9 +18,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -157,22 +158,17 @@ int vtkLMS3DMapComparison::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  try
+  const std::string failure = lms3dFindFailure(
+    [&]
+    {
+      this->CheckProperties();
+      lms3dThreads threads;
+      threads.Run(this->NumberOfThreads, [&] { this->Compare(inputVector, outputVector); });
+    },
+    "There is not enough memory for so many samples; reduce NumberOfSamples.");
+  if (!failure.empty())
   {
-    this->CheckProperties();
-    lms3dThreads threads;
-    threads.Run(this->NumberOfThreads, [&] { this->Compare(inputVector, outputVector); });
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro("There is not enough memory for " << this->NumberOfSamples
-                                                    << " samples; reduce NumberOfSamples.");
-    this->SetErrorCode(vtkErrorCode::UserError);
-    return 0;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< failure);
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;
   }

@@ -4,6 +4,7 @@
 
 #include "lms3dAlgorithmProgress.h"
 #include "lms3dBuiltScene.h"
+#include "lms3dFailure.h"
 #include "lms3dPipelineRequests.h"
 #include "lms3dProcesses.h"
 #include "lms3dRangeImage.h"
@@ -29,7 +30,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
 #include <stdexcept>
 #include <vector>
 
@@ -247,28 +247,15 @@ int vtkLMS3DScanFilter::RequestData(
   {
     return 1;
   }
-  const std::string propertyError = this->GetPropertyError();
-  if (!propertyError.empty())
+  std::string failure = this->GetPropertyError();
+  if (failure.empty())
   {
-    vtkErrorMacro(<< propertyError);
-    this->SetErrorCode(vtkErrorCode::UserError);
-    return 0;
+    failure = lms3dFindFailure([&] { this->Scan(output, inputVector, outputVector); },
+      "There is not enough memory for the scan. Simplify the scene, or lower the resolutions.");
   }
-
-  try
+  if (!failure.empty())
   {
-    this->Scan(output, inputVector, outputVector);
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro("There is not enough memory for the scan. Simplify the scene, or lower the "
-                  "resolutions.");
-    this->SetErrorCode(vtkErrorCode::UserError);
-    return 0;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< failure);
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;
   }

@@ -5,6 +5,7 @@
 #include "lms3dAlgorithmProgress.h"
 #include "lms3dBoundedMesher.h"
 #include "lms3dBoundedOutput.h"
+#include "lms3dFailure.h"
 #include "lms3dGridMap.h"
 #include "lms3dRangeGrid.h"
 #include "lms3dRangeJoins.h"
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 vtkStandardNewMacro(vtkLMS3DSurfaceReconstructionFilter);
 
@@ -61,30 +63,37 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  try
+  const std::string failure = lms3dFindFailure(
+    [&]
+    {
+      this->CheckProperties();
+      const lms3dScanInput scan(vtkPolyData::GetData(inputVector[0]));
+      if (scan.GetNumberOfReturns() > 0)
+      {
+        this->Internal->Threads.Run(
+          this->NumberOfThreads, [&] { this->MakeMap(scan, vtkPolyData::GetData(outputVector)); });
+      }
+    },
+    "There is not enough memory for the map. Scan with lower resolutions.");
+  if (!failure.empty())
   {
-    if (std::isnan(this->DepthStep))
-    {
-      throw std::runtime_error("DepthStep is not a number; 0 or more metres are expected.");
-    }
-    if (std::isnan(this->MaximumError))
-    {
-      throw std::runtime_error("MaximumError is not a number; 0 or more metres are expected.");
-    }
-    const lms3dScanInput scan(vtkPolyData::GetData(inputVector[0]));
-    if (scan.GetNumberOfReturns() > 0)
-    {
-      this->Internal->Threads.Run(
-        this->NumberOfThreads, [&] { this->MakeMap(scan, vtkPolyData::GetData(outputVector)); });
-    }
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< failure);
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;
   }
   return 1;
+}
+
+void vtkLMS3DSurfaceReconstructionFilter::CheckProperties() const
+{
+  if (std::isnan(this->DepthStep))
+  {
+    throw std::runtime_error("DepthStep is not a number; 0 or more metres are expected.");
+  }
+  if (std::isnan(this->MaximumError))
+  {
+    throw std::runtime_error("MaximumError is not a number; 0 or more metres are expected.");
+  }
 }
 
 void vtkLMS3DSurfaceReconstructionFilter::MakeMap(const lms3dScanInput& scan, vtkPolyData* map)

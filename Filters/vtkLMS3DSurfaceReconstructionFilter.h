@@ -125,6 +125,7 @@ private:
   int NumberOfThreads = 0;
 
   // Within the threads of the calling arena.
+  void CheckProperties() const;
   void MakeMap(const lms3dScanInput& scan, vtkPolyData* map);
 
   struct Internals;
