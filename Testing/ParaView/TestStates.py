@@ -31,9 +31,9 @@ def make_pipeline():
     return LMS3DSurfaceReconstruction(registrationName="map", Input=scan, MaximumError=0.02)
 
 
-def points(proxy):
-    """The points that a proxy's filter made."""
-    proxy.UpdatePipeline()
+def points(proxy, time=None):
+    """The points that a proxy's filter makes, for a time of a trajectory."""
+    proxy.UpdatePipeline(time)
     data = proxy.SMProxy.GetClientSideObject().GetOutputDataObject(0)
     return vtk_to_numpy(data.GetPoints().GetData())
 
@@ -112,6 +112,26 @@ class TestWindow(unittest.TestCase):
         afresh = LMS3DScan(Input=VRMLReader(FileName=str(DATA / "room.wrl")),
                            Position=list(scan.Position))
         np.testing.assert_array_equal(points(LMS3DSurfaceReconstruction(Input=afresh)), seen)
+
+    def test_journey_was_played(self):
+        self.load("Journey.pvsm")
+        scan = source("LMS3DScan")
+        self.assertEqual(list(scan.TimestepValues), list(range(17)))
+        self.assertEqual(simple.GetAnimationScene().AnimationTime, 13)
+        doorway, ahead = [4.0, 0.75, 1.0], [1, 0, 0]
+        pose = self.pose_at(scan, 13)
+        np.testing.assert_allclose(pose[:3, 3], doorway, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(pose[:3, 0], ahead, rtol=0, atol=1e-12)
+        travelled = np.copy(points(source("LMS3DSurfaceReconstruction"), 13))
+        stood = LMS3DScan(Input=VRMLReader(FileName=str(DATA / "room.wrl")), Position=doorway)
+        np.testing.assert_array_equal(
+            points(LMS3DSurfaceReconstruction(Input=stood)), travelled)
+
+    def pose_at(self, scan, time):
+        """Where the sensor is at a time, as a matrix."""
+        scan.UpdatePipeline(time)
+        data = scan.SMProxy.GetClientSideObject().GetOutputDataObject(0)
+        return vtk_to_numpy(data.GetFieldData().GetArray("SensorToWorld")).reshape(4, 4)
 
     def test_example_was_loaded(self):
         self.load("LoadState.pvsm")
