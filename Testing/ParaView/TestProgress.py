@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Progress and abort of reading, scanning and mapping, as ParaView gives and takes them.
+
+Run by pvpython. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the folder of room.wrl.
+"""
+
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from paraview import simple
+
+ROOM = str(Path(os.environ["LMS3D_DATA_DIR"]) / "room.wrl")
+SIDE = 400
+
+simple.LoadPlugin(os.environ["LMS3D_PLUGIN"], remote=False, ns=globals())
+
+
+def write_field(path):
+    """A scene of 2 * SIDE * SIDE triangles, large enough to be waited for."""
+    numbers = range(SIDE + 1)
+    points = " ".join(f"{x} {y} 0," for y in numbers for x in numbers)
+    corners = ((y * (SIDE + 1) + x, y * (SIDE + 1) + x + 1, (y + 1) * (SIDE + 1) + x + 1,
+                (y + 1) * (SIDE + 1) + x) for y in numbers[:-1] for x in numbers[:-1])
+    faces = " ".join("{}, {}, {}, {}, -1,".format(*corner) for corner in corners)
+    path.write_text("#VRML V2.0 utf8\nShape { geometry IndexedFaceSet { coord Coordinate { point ["
+                    f"{points}] }} coordIndex [{faces}] }} }}\n")
+
+
+def algorithm(proxy):
+    """The VTK filter behind a proxy."""
+    return proxy.SMProxy.GetClientSideObject()
+
+
+def count(proxy):
+    """The points of the first output."""
+    return algorithm(proxy).GetOutputDataObject(0).GetNumberOfPoints()
+
+
+class TestProgress(unittest.TestCase):
+    """Each of the pipeline's steps, long enough to be watched."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.field = Path(folder.name) / "field.wrl"
+        write_field(cls.field)
+
+    def setUp(self):
+        simple.ResetSession()
+        self.scene = VRMLReader(FileName=str(self.field))
+        self.scan = LMS3DScan(Input=VRMLReader(FileName=ROOM), Position=[0.3, -0.2, 1.0],
+                              AlphaResolution=1000, BetaResolution=1000)
+        self.map = LMS3DSurfaceReconstruction(Input=self.scan)
+
+    def steps(self):
+        """What is run, each with what it needs at hand."""
+        self.scan.Input.UpdatePipeline()
+        yield self.scene
+        yield self.scan
+        self.scan.UpdatePipeline()
+        yield self.map
+
+    def test_progress_bar_moves_and_says_what_is_done(self):
+        handler = simple.servermanager.ActiveConnection.Session.GetProgressHandler()
+        handler.SetProgressInterval(0.01)
+        told = []
+        handler.AddObserver("ProgressEvent", lambda caller, event: told.append(
+            (caller.GetLastProgressText(), caller.GetLastProgress())))
+        for step in self.steps():
+            told.clear()
+            name = algorithm(step).GetClassName()
+            with self.subTest(name):
+                step.UpdatePipeline()
+                percents = [percent for text, percent in told if text == name]
+                self.assertEqual(percents, sorted(percents))
+                self.assertTrue(any(0 < percent < 100 for percent in percents), told)
+
+    def test_abort_leaves_nothing_and_the_next_run_everything(self):
+        for step in self.steps():
+            filter_ = algorithm(step)
+            with self.subTest(filter_.GetClassName()):
+                self.run_aborted(step)
+                self.assertEqual((count(step), filter_.GetErrorCode()), (0, 0))
+                filter_.SetAbortExecute(0)
+                filter_.Modified()
+                step.SMProxy.MarkModified(step.SMProxy)
+                step.UpdatePipeline()
+                self.assertGreater(count(step), 100)
+
+    def run_aborted(self, step):
+        """Abort in the midst of the work, as the button of later ParaViews does."""
+        filter_ = algorithm(step)
+
+        def stop(caller, event):
+            if 0.0 < caller.GetProgress() < 1.0:
+                caller.SetAbortExecuteAndUpdateTime()
+
+        tag = filter_.AddObserver("ProgressEvent", stop)
+        step.UpdatePipeline()
+        filter_.RemoveObserver(tag)
+        self.assertTrue(filter_.GetAbortExecute())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)
