@@ -6,8 +6,10 @@ Run by pvpython, which finds the package lms3d. LMS3D_PLUGIN is the plugin's fil
 the folder of room.wrl.
 """
 
+import gzip
 import os
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -130,6 +132,22 @@ class TestProxies(unittest.TestCase):
                     shown = proxy.SMProxy.GetProperty(name)
                     values = [shown.GetElement(i) for i in range(shown.GetNumberOfElements())]
                     self.assertEqual(values, list(np.atleast_1d(default)))
+
+
+class TestOpening(unittest.TestCase):
+    """ParaView takes our reader by itself for every file of VRML."""
+
+    def test_endings(self):
+        text = Path(ROOM).read_bytes()
+        with tempfile.TemporaryDirectory() as folder:
+            for name, content in {"room.wrl": text, "room.vrml": text,
+                                  "room.wrz": gzip.compress(text)}.items():
+                with self.subTest(name):
+                    file = Path(folder) / name
+                    file.write_bytes(content)
+                    reader = simple.OpenDataFile(str(file))
+                    self.assertEqual(algorithm(reader).GetClassName(), "vtkVRMLImporterSource")
+                    self.assertEqual(output(reader).GetNumberOfPolys(), 804)
 
 
 class TestRoom(unittest.TestCase):

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Client and server: a pvserver reads, scans and maps as pvpython does alone, to the bit.
+
+Starts pvserver, also under mpirun, and pvpython with ClientScan.py. LMS3D_PVSERVER, LMS3D_PVPYTHON
+and, where there is MPI, LMS3D_MPIEXEC are the programs, LMS3D_PLUGIN is the plugin's file,
+LMS3D_DATA_DIR the folder of room.wrl.
+"""
+
+import os
+import socket
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+SCRIPT = Path(__file__).with_name("ClientScan.py")
+
+
+def free_port():
+    """A port of the loopback device that nobody listens to."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        return free.getsockname()[1]
+
+
+class Server:
+    """A pvserver that waits for its client, and ends with it."""
+
+    def __init__(self, *launcher):
+        self.port = free_port()
+        self.process = subprocess.Popen(
+            [*launcher, os.environ["LMS3D_PVSERVER"], f"--server-port={self.port}"],
+            stdout=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True,
+            env={**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"})
+
+    def __enter__(self):
+        for line in self.process.stdout:
+            if line.startswith("Accepting connection"):
+                return self
+        raise RuntimeError(f"pvserver ended with {self.process.wait()}")
+
+    def __exit__(self, failure, *_):
+        if failure:
+            self.process.terminate()
+        self.process.wait(timeout=30)
+        self.process.stdout.close()
+
+
+class TestServer(unittest.TestCase):
+    """The same client with and without a server."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.file = Path(folder.name) / "results.npz"
+        cls.alone = cls.results()
+
+    @classmethod
+    def results(cls, *port):
+        """What a client gets."""
+        subprocess.run([os.environ["LMS3D_PVPYTHON"], str(SCRIPT), str(cls.file), *map(str, port)],
+                       check=True, timeout=120)
+        with np.load(cls.file) as found:
+            return dict(found)
+
+    def check(self, *launcher, processes):
+        with Server(*launcher) as server:
+            served = self.results(server.port)
+        self.assertTrue(served.pop("remote"))
+        self.assertEqual(served.pop("processes"), processes)
+        self.assertEqual(set(served), set(self.alone) - {"remote", "processes"})
+        for name, values in served.items():
+            with self.subTest(name):
+                np.testing.assert_array_equal(values, self.alone[name])
+
+    def test_client_alone_has_everything(self):
+        self.assertFalse(self.alone["remote"])
+        self.assertEqual(self.alone["room.Triangles"].size, 3 * 804)
+        for name in ("scan", "doorway"):
+            self.assertEqual(self.alone[f"{name}.Range"].shape, (361 * 360,))
+        self.assertGreater(self.alone["map.Triangles"].size, 3 * 500)
+
+    def test_one_process(self):
+        self.check(processes=1)
+
+    @unittest.skipUnless("LMS3D_MPIEXEC" in os.environ, "no MPI")
+    def test_two_processes(self):
+        self.check(os.environ["LMS3D_MPIEXEC"], "--oversubscribe", "-n", "2", processes=2)
+
+
+if __name__ == "__main__":
+    unittest.main()
