@@ -148,9 +148,8 @@ class TestParallel(unittest.TestCase):
         job = folder / "job.json"
         job.write_text(json.dumps(list(cls.cases())))
         subprocess.run(
-            [os.environ["LMS3D_MPIEXEC"], "--oversubscribe", "-n", str(count),
+            [os.environ["LMS3D_MPIEXEC"], "-n", str(count),
              os.environ["LMS3D_PVBATCH"], *options, str(SCRIPT), str(job)],
-            env={**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"},
             check=True, timeout=300)
 
     @classmethod
