@@ -15,6 +15,7 @@
 #include <vtkVersionMacros.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <fstream>
 #include <new>
 
@@ -23,6 +24,9 @@ vtkStandardNewMacro(vtkVRMLImporterSource);
 namespace
 {
 constexpr std::size_t LengthOfHeader = 64;
+
+// So many messages are listed in one warning.
+constexpr std::size_t MostListed = 20;
 
 bool CanOpen(const std::string& fileName)
 {
@@ -154,16 +158,30 @@ std::string vtkVRMLImporterSource::GetGravestMessage() const
   return this->GetMessage(static_cast<int>(gravest - this->Severities.begin()));
 }
 
+// Whole, for windows such as ParaView's, whose users cannot call GetMessage.
+std::string vtkVRMLImporterSource::ListMessages() const
+{
+  const std::size_t listed = std::min(this->Messages.size(), MostListed);
+  std::string list = "\nAll " + std::to_string(this->Messages.size()) + " messages:";
+  for (std::size_t i = 0; i < listed; ++i)
+  {
+    list.append("\n").append(this->Messages[i]);
+  }
+  if (listed < this->Messages.size())
+  {
+    list.append("\nand so on, see GetMessage");
+  }
+  return list;
+}
+
 void vtkVRMLImporterSource::SumUpMessages()
 {
   if (this->Messages.empty())
   {
     return;
   }
-  const std::string rest = this->Messages.size() == 1
-    ? ""
-    : " (and " + std::to_string(this->Messages.size() - 1) + " more, see GetMessage)";
-  const std::string words = this->GetGravestMessage() + rest;
+  const std::string words =
+    this->GetGravestMessage() + (this->Messages.size() > 1 ? this->ListMessages() : "");
   if (*std::max_element(this->Severities.begin(), this->Severities.end()) == MESSAGE_ERROR)
   {
     vtkErrorMacro(<< this->FileName << " was not read whole: " << words);

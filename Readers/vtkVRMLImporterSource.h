@@ -23,7 +23,8 @@
  * is told, never left out in silence: each fault of the file is a message with its file and line,
  * and all the rest is kept. A message is an error where geometry is lost or misplaced, else a
  * warning. After an execution with messages one vtkErrorMacro (if any is an error) or one
- * vtkWarningMacro sums them up; the output has what could be read, and the error code is NoError.
+ * vtkWarningMacro names the gravest and lists the first 20; the output has what could be read, and
+ * the error code is NoError.
  *
  * @par Errors
  * with an empty output: no FileName (vtkErrorCode::NoFileNameError), a file that does not exist or
@@ -209,6 +210,7 @@ private:
   bool IsAborted();
   void KeepMessages(const std::vector<lms3dMessage>& messages);
   std::string GetGravestMessage() const;
+  std::string ListMessages() const;
   void SumUpMessages();
   bool Fail(unsigned long errorCode, const std::string& words);
 

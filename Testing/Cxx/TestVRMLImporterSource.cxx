@@ -172,10 +172,28 @@ TEST_F(VRMLImporterSource, TellsOncePerExecutionWhatIsLost)
     EXPECT_EQ(
       this->Reader->GetMessage(1), file + ":13: VRML97 has no node Nurbs; it is passed over");
     EXPECT_EQ(this->Reader->GetMessageSeverity(0), vtkVRMLImporterSource::MESSAGE_ERROR);
-    EXPECT_NE(error.find(this->Reader->GetMessage(0) + " (and 1 more"), std::string::npos) << error;
+    const std::string list = std::string("All 2 messages:\n") + this->Reader->GetMessage(0) + "\n" +
+      this->Reader->GetMessage(1);
+    EXPECT_NE(error.find(list), std::string::npos) << error;
   }
   EXPECT_EQ(this->Reader->GetMessage(2), "");
   EXPECT_EQ(this->Reader->GetMessageSeverity(-1), vtkVRMLImporterSource::MESSAGE_WARNING);
+}
+
+TEST_F(VRMLImporterSource, ListsTwentyMessagesAtMost)
+{
+  std::string scene = Square;
+  for (int i = 0; i < 22; ++i)
+  {
+    scene.append("USE Nobody").append(std::to_string(i)).append("\n");
+  }
+  this->Write(scene);
+  this->Reader->SetFileName(this->File.string().c_str());
+  const std::string error = UpdateAndGetError(this->Reader);
+  EXPECT_EQ(this->Reader->GetNumberOfMessages(), 22);
+  EXPECT_NE(error.find("Nobody19: no node"), std::string::npos) << error;
+  EXPECT_EQ(error.find("Nobody20: no node"), std::string::npos) << error;
+  EXPECT_NE(error.find("and so on, see GetMessage"), std::string::npos) << error;
 }
 
 TEST_F(VRMLImporterSource, WarnsWhereNothingIsLost)
