@@ -30,6 +30,10 @@ constexpr double SmallScan = 256.0;
 // The share of the time that finding them takes.
 constexpr double PatchesDone = 0.4;
 
+// So often single returns may leave patches, and so large a share of one, before all of it is split.
+constexpr int PatientAttempts = 8;
+constexpr double MostUnmet = 0.01;
+
 double GetLargestRange(const lms3dRangeGrid& grid)
 {
   double largest = 0.0;
@@ -152,6 +156,7 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
   lms3dBoundedMap map;
   std::vector<int> members;
   double done = PatchesDone;
+  int attempt = 0;
   do
   {
     members = patches.CountMembers(this->Sphere);
@@ -165,7 +170,7 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
     }
     // Nobody knows how many attempts there will be.
     done = 0.5 * (done + 1.0);
-  } while (!this->TryToMesh(patches, members, map));
+  } while (!this->TryToMesh(patches, members, ++attempt < PatientAttempts, map));
   this->AddFacets(patches, map);
   return map;
 }
@@ -184,8 +189,8 @@ void lms3dBoundedMesher::AddFacets(const lms3dPatches& patches, lms3dBoundedMap&
   }
 }
 
-bool lms3dBoundedMesher::TryToMesh(
-  lms3dPatches& patches, const std::vector<int>& members, lms3dBoundedMap& map) const
+bool lms3dBoundedMesher::TryToMesh(lms3dPatches& patches, const std::vector<int>& members,
+  bool isPatient, lms3dBoundedMap& map) const
 {
   const lms3dBorderGates gates(this->Sphere, patches, CreaseShare * this->MaximumError);
   const lms3dPatchOutlines outlines(this->Sphere, patches, gates);
@@ -203,14 +208,19 @@ bool lms3dBoundedMesher::TryToMesh(
   for (std::size_t i = 0; i < members.size(); ++i)
   {
     failed[i] = members[i] > 0 && !meshes[i].IsValid;
+    if (!isPatient || MostUnmet * members[i] < static_cast<double>(meshes[i].Unmet.size()))
+    {
+      meshes[i].Unmet.clear();
+    }
   }
   for (std::int32_t patch : outlines.GetUneven())
   {
     failed[patch] = true;
+    meshes[patch].Unmet.clear();
   }
   if (std::find(failed.begin(), failed.end(), true) != failed.end())
   {
-    this->Split(patches, members, failed);
+    this->Split(patches, members, failed, meshes);
     return false;
   }
   this->Append(patches, outlines, meshes, members, map);
@@ -257,14 +267,21 @@ void lms3dBoundedMesher::Append(const lms3dPatches& patches, const lms3dPatchOut
   map.LargestDeviation = lms3dDeviationMeter(this->Sphere, patches, map).GetLargest(parts);
 }
 
-// What cannot be meshed as a whole is split into single returns, and those become facets.
-void lms3dBoundedMesher::Split(
-  lms3dPatches& patches, const std::vector<int>& members, const std::vector<bool>& failed) const
+// What cannot be meshed as a whole is split into single returns, and those become facets. Where only few
+// returns are beside their patch's outline, it is they that leave it.
+void lms3dBoundedMesher::Split(lms3dPatches& patches, const std::vector<int>& members,
+  const std::vector<bool>& failed, const std::vector<lms3dPatchMesh>& meshes) const
 {
   for (Place place = 0; place < this->Sphere.GetNumberOfPlaces(); ++place)
   {
     const std::int32_t label = patches.Labels[place];
     if (label < 0 || label >= static_cast<std::int32_t>(failed.size()) || !failed[label])
+    {
+      continue;
+    }
+    const std::vector<Place>& unmet = meshes[label].Unmet;
+    const Place first = this->Sphere.IsRepeated(place) ? this->Sphere.GetRow(place) : place;
+    if (!unmet.empty() && !std::binary_search(unmet.begin(), unmet.end(), first))
     {
       continue;
     }

@@ -18,8 +18,8 @@
 /**
  * Finds planar patches, straightens their borders and triangulates them, and returns only what has
  * been checked: every return is met by its beam on a triangle that is no farther from it than the
- * bound, measured along the beam. What fails is split into patches of one return, and those that
- * fail again become facets; where patches would have fewer than twenty returns on average, or the noise
+ * bound, measured along the beam. What fails is split into patches of one return, or loses the few
+ * returns that its outline leaves out, and those that fail again become facets; where patches would have fewer than twenty returns on average, or the noise
  * is as large as the bound, the triangles of the plain grid take their place.
  */
 class lms3dBoundedMesher
@@ -36,13 +36,13 @@ private:
 
   lms3dPatches FindPatches() const;
   bool AreTooMany(const std::vector<int>& members) const;
-  bool TryToMesh(
-    lms3dPatches& patches, const std::vector<int>& members, lms3dBoundedMap& map) const;
+  bool TryToMesh(lms3dPatches& patches, const std::vector<int>& members, bool isPatient,
+    lms3dBoundedMap& map) const;
   void Append(const lms3dPatches& patches, const lms3dPatchOutlines& outlines,
     const std::vector<lms3dPatchMesh>& meshes, const std::vector<int>& members,
     lms3dBoundedMap& map) const;
-  void Split(
-    lms3dPatches& patches, const std::vector<int>& members, const std::vector<bool>& failed) const;
+  void Split(lms3dPatches& patches, const std::vector<int>& members,
+    const std::vector<bool>& failed, const std::vector<lms3dPatchMesh>& meshes) const;
   std::optional<lms3dBoundedMap> MakePatchMap(const lms3dProgress& progress) const;
   void AddFacets(const lms3dPatches& patches, lms3dBoundedMap& map) const;
   std::vector<lms3dVector> SpreadPoles();

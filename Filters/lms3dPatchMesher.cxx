@@ -48,6 +48,8 @@ struct lms3dPatchMesher::Work
   lms3dVector Axes[3];
   bool IsPatient = true;
   int Met = 0;
+  /// All triangles have been met, by beams of the patch alone.
+  bool IsMetByItsOwn = false;
   std::vector<Miss> Misses;
   /// A triangle when its beams were met, and the largest distance along them that is in the bound.
   struct Checked
@@ -105,6 +107,10 @@ lms3dPatchMesh lms3dPatchMesher::Mesh(int patch, int members)
   if (this->Project(work) && this->Refine(work))
   {
     this->Finish(work);
+  }
+  else if (work.IsMetByItsOwn)
+  {
+    this->FindUnmet(work);
   }
   return std::move(work.Result);
 }
@@ -188,6 +194,7 @@ bool lms3dPatchMesher::Refine(Work& work)
 bool lms3dPatchMesher::Check(Work& work)
 {
   work.Misses.clear();
+  work.IsMetByItsOwn = false;
   work.Result.DeviationOnBeams = 0.0;
   work.Triangles.resize(work.Triangulation->GetNumberOfTriangles());
   for (int i = 0; i < work.Triangulation->GetNumberOfTriangles(); ++i)
@@ -207,7 +214,20 @@ bool lms3dPatchMesher::Check(Work& work)
     }
     work.Result.DeviationOnBeams = std::max(work.Result.DeviationOnBeams, triangle.Deviation);
   }
+  work.IsMetByItsOwn = true;
   return work.Met == work.Members;
+}
+
+void lms3dPatchMesher::FindUnmet(Work& work) const
+{
+  for (Place place = 0; place < this->Sphere.GetNumberOfPlaces(); ++place)
+  {
+    if (this->Patches.Labels[place] == work.Patch && this->States[place] == IsUnmet &&
+      !this->Sphere.IsRepeated(place))
+    {
+      work.Result.Unmet.push_back(place);
+    }
+  }
 }
 
 bool lms3dPatchMesher::CheckTriangle(Work& work, int triangle)

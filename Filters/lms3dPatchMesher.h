@@ -22,6 +22,8 @@ struct lms3dPatchMesh
   std::vector<std::array<std::int32_t, 3>> Triangles;
   /// No return is farther than so many metres from the triangle that its beam meets, along the beam.
   double DeviationOnBeams = 0.0;
+  /// Where it is not valid only because beams of the patch meet no triangle: these, in order.
+  std::vector<lms3dBeamSphere::Place> Unmet;
 };
 
 /**
@@ -30,8 +32,8 @@ struct lms3dPatchMesh
  * farther from the triangle than the bound, measured along the beam, the beam becomes a vertex: at
  * its return or, where the ranges are noisy, off it towards the triangle, by as much as noise and
  * bound allow, so that the surface does not follow the noise. That goes on until no return is too
- * far: at worst, all are vertices. A mesh is not valid where the outline crosses itself, or where a triangle meets a beam
- * that is not the patch's, or none one that is.
+ * far: at worst, all are vertices. A mesh is not valid where the outline crosses itself, or where a
+ * triangle meets a beam that is not the patch's, or none one that is.
  */
 class lms3dPatchMesher
 {
@@ -61,6 +63,7 @@ private:
   bool CheckTriangle(Work& work, int triangle);
   bool CheckBeams(
     Work& work, int triangle, const lms3dPlane& plane, int column, int first, int last);
+  void FindUnmet(Work& work) const;
   bool InsertBeams(Work& work);
   void Finish(Work& work) const;
 

@@ -16,6 +16,7 @@ import os
 import sys
 import tempfile
 import unittest
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -162,6 +163,12 @@ class TestTriangles(FigureTest):
             with self.subTest(experiment.name):
                 grid = simulate(experiment, DATA, maximum_error=0.0)
                 self.assertEqual(grid.map.GetNumberOfCells(), expected)
+
+
+    def test_a_return_beside_its_patch_costs_a_few_triangles(self):
+        """From there one return of 52,255 on the floor lies 1e-5 rad beside their common outline."""
+        beside = replace(ROOM, position=(0.2, 0.0, 1.0), maximum_error=0.01)
+        self.assertLess(simulate(beside, DATA).map.GetNumberOfCells(), 2000)
 
 
 class TestViewer(unittest.TestCase):
