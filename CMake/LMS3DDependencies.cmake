@@ -42,6 +42,10 @@ if (BUILD_TESTING)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${LMS3D_VTK_COMPONENTS})
 
+if (LMS3D_BUILD_CORBA)
+  find_package(omniORB4 4.2 REQUIRED)
+endif ()
+
 if (BUILD_TESTING)
   find_package(GTest REQUIRED)
 endif ()
