@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The checksums of LMS3DScanner.idl.
+ */
+#ifndef lms3dChecksum_h
+#define lms3dChecksum_h
+
+#include <cstdint>
+#include <vector>
+
+///@{
+/// CRC-32 of the numbers as little-endian bytes.
+std::uint32_t lms3dGetRangesChecksum(const std::vector<float>& ranges);
+std::uint32_t lms3dGetMapChecksum(
+  const std::vector<double>& points, const std::vector<std::uint32_t>& triangles);
+///@}
+
+#endif

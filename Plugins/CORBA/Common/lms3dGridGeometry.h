@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief From the IDL's numbers to the geometry of the device.
+ */
+#ifndef lms3dGridGeometry_h
+#define lms3dGridGeometry_h
+
+#include "LMS3DScanner.hh"
+#include "lms3dScanGeometry.h"
+
+///@{
+/// As the filter makes them, to the bit.
+lms3dScanGeometry lms3dGetGeometry(const LMS3D::Configuration& settings);
+lms3dPose lms3dGetPose(const LMS3D::Pose& pose);
+///@}
+
+#endif

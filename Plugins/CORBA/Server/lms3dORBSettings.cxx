@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dORBSettings.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+
+namespace
+{
+using Names = std::set<std::string>;
+
+constexpr const char* Prefix = "-ORB";
+
+Names GetNamesOfArguments(const std::vector<std::string>& arguments)
+{
+  Names names;
+  for (std::size_t i = 0; i < arguments.size(); i += 2)
+  {
+    names.insert(arguments[i].substr(std::string(Prefix).size()));
+  }
+  return names;
+}
+
+std::string GetConfigurationFile(const std::vector<std::string>& arguments)
+{
+  const auto name = std::find(arguments.begin(), arguments.end(), "-ORBconfigFile");
+  if (name != arguments.end())
+  {
+    return *(name + 1);
+  }
+  const char* const file = std::getenv("OMNIORB_CONFIG");
+  return file ? file : "/etc/omniORB.cfg";
+}
+
+// Lines of "name = value"; of a file that is not there none.
+Names GetNamesOfFile(const std::string& file)
+{
+  Names names;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);)
+  {
+    const std::size_t first = line.find_first_not_of(" \t");
+    const std::size_t end = line.find_first_of(" \t=", first);
+    if (first != std::string::npos && line[first] != '#' && end != std::string::npos)
+    {
+      names.insert(line.substr(first, end - first));
+    }
+  }
+  return names;
+}
+
+void AddTLS(lms3dORBSettings& settings, const lms3dServerOptions& options)
+{
+  settings.insert(settings.end(),
+    { { "sslCAFile", options.TLSAuthorities }, { "sslKeyFile", options.TLSKey },
+      // Without a password omniORB silently loads no key, even one that needs none.
+      { "sslKeyPassword", "none" } });
+}
+
+void AddConnectRules(lms3dORBSettings& settings, const lms3dServerOptions& options)
+{
+  const std::string transports = " unix,ssl,tcp";
+  settings.emplace_back("clientTransportRule", "127.0.0.0/255.0.0.0" + transports);
+  settings.emplace_back("clientTransportRule", "localhost" + transports);
+  for (const std::string& address : options.ConnectTo)
+  {
+    settings.emplace_back("clientTransportRule", address + transports);
+  }
+  settings.emplace_back("clientTransportRule", "* none");
+}
+} // namespace
+
+lms3dORBSettings lms3dGetORBSettings(const lms3dServerOptions& options)
+{
+  lms3dORBSettings settings = {
+    { "endPoint", options.Endpoint },
+    // A client that takes no answer, a listener or a naming service that gives none.
+    { "serverCallTimeOutPeriod", "5000" },
+    { "clientCallTimeOutPeriod", "5000" },
+    { "clientConnectTimeOutPeriod", "2000" },
+    // One that asks without reading, or many that connect: beyond 200 they share a pool of threads.
+    { "maxServerThreadPerConnection", "4" },
+    { "threadPerConnectionUpperLimit", "200" },
+    // Seconds after which a connection that is idle, or stuck in half a message, is closed.
+    { "inConScanPeriod", "30" },
+    { "unixTransportPermission", "600" },
+  };
+  AddConnectRules(settings, options);
+  if (!options.TLSKey.empty())
+  {
+    AddTLS(settings, options);
+  }
+
+  Names chosen = GetNamesOfFile(GetConfigurationFile(options.ORBArguments));
+  chosen.merge(GetNamesOfArguments(options.ORBArguments));
+  const auto isChosen = [&chosen](const lms3dORBSettings::value_type& setting)
+  { return chosen.count(setting.first) != 0 || std::getenv(("ORB" + setting.first).c_str()); };
+  settings.erase(std::remove_if(settings.begin(), settings.end(), isChosen), settings.end());
+  return settings;
+}

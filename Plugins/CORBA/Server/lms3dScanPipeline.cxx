@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dScanPipeline.h"
+
+#include "lms3dChecksum.h"
+#include "lms3dVTKProblems.h"
+#include "vtkLMS3DScanFilter.h"
+#include "vtkLMS3DSurfaceReconstructionFilter.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCommand.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+namespace
+{
+void AbortIfStopped(vtkObject* algorithm, unsigned long, void* stopped, void*)
+{
+  if (*static_cast<const std::atomic<bool>*>(stopped))
+  {
+    static_cast<vtkAlgorithm*>(algorithm)->SetAbortExecute(1);
+  }
+}
+
+// Returns the seconds that it took.
+double Update(vtkAlgorithm* algorithm)
+{
+  lms3dVTKProblems problems(algorithm);
+  const auto start = std::chrono::steady_clock::now();
+  algorithm->Update();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const std::string error = problems.TakeError();
+  if (!error.empty())
+  {
+    throw std::runtime_error(error);
+  }
+  return seconds.count();
+}
+
+std::vector<float> GetRanges(vtkImageData* image)
+{
+  auto* ranges = vtkDoubleArray::SafeDownCast(image->GetPointData()->GetArray("Range"));
+  const double* first = ranges->GetPointer(0);
+  std::vector<float> narrow(static_cast<std::size_t>(ranges->GetNumberOfValues()));
+  std::transform(first, first + narrow.size(), narrow.begin(),
+    [](double range) { return std::isnan(range) ? 0.0f : static_cast<float>(range); });
+  return narrow;
+}
+
+std::vector<double> GetCoordinates(vtkPolyData* map)
+{
+  if (map->GetNumberOfPoints() == 0)
+  {
+    return {};
+  }
+  auto* coordinates = vtkDoubleArray::SafeDownCast(map->GetPoints()->GetData());
+  const double* first = coordinates->GetPointer(0);
+  return { first, first + coordinates->GetNumberOfValues() };
+}
+
+template <typename Array>
+std::vector<std::uint32_t> Narrow(Array* connectivity)
+{
+  const auto* first = connectivity->GetPointer(0);
+  std::vector<std::uint32_t> numbers(static_cast<std::size_t>(connectivity->GetNumberOfValues()));
+  std::transform(first, first + numbers.size(), numbers.begin(),
+    [](auto number) { return static_cast<std::uint32_t>(number); });
+  return numbers;
+}
+
+std::vector<std::uint32_t> GetTriangles(vtkPolyData* map)
+{
+  vtkCellArray* triangles = map->GetPolys();
+  if (triangles->GetNumberOfCells() == 0)
+  {
+    return {};
+  }
+  return triangles->IsStorage64Bit() ? Narrow(triangles->GetConnectivityArray64())
+                                     : Narrow(triangles->GetConnectivityArray32());
+}
+} // namespace
+
+lms3dScanPipeline::lms3dScanPipeline(int threads)
+{
+  this->Scanner->SetNumberOfThreads(threads);
+  this->Mapper->SetNumberOfThreads(threads);
+  this->Mapper->SetInputConnection(this->Scanner->GetOutputPort());
+
+  vtkNew<vtkCallbackCommand> watch;
+  watch->SetCallback(AbortIfStopped);
+  watch->SetClientData(&this->Stopped);
+  this->Scanner->AddObserver(vtkCommand::ProgressEvent, watch);
+  this->Mapper->AddObserver(vtkCommand::ProgressEvent, watch);
+}
+
+lms3dScanPipeline::~lms3dScanPipeline() = default;
+
+std::shared_ptr<lms3dSnapshot> lms3dScanPipeline::Run(const lms3dScanSettings& settings)
+{
+  this->Configure(settings);
+  auto snapshot = std::make_shared<lms3dSnapshot>();
+  snapshot->Header.generation = settings.Generation;
+  snapshot->Header.scene = settings.Scene->Description.name;
+  snapshot->Header.sensorPose = settings.Pose;
+  snapshot->Header.settings = settings.Configuration;
+  this->Scan(*snapshot);
+  if (settings.Configuration.makeMap)
+  {
+    this->MakeMap(*snapshot);
+  }
+  snapshot->Header.mapPoints = static_cast<CORBA::ULong>(snapshot->MapPoints.size() / 3);
+  snapshot->Header.mapTriangles = static_cast<CORBA::ULong>(snapshot->MapTriangles.size() / 3);
+  snapshot->Header.mapChecksum = lms3dGetMapChecksum(snapshot->MapPoints, snapshot->MapTriangles);
+  return snapshot;
+}
+
+void lms3dScanPipeline::Configure(const lms3dScanSettings& settings)
+{
+  if (this->Scene != settings.Scene)
+  {
+    this->Scene = settings.Scene;
+    this->Scanner->SetInputData(this->Scene->Surface);
+  }
+  const LMS3D::Pose& pose = settings.Pose;
+  this->Scanner->SetPosition(pose.position.x, pose.position.y, pose.position.z);
+  this->Scanner->SetOrientation(pose.orientation.x, pose.orientation.y, pose.orientation.z);
+
+  const LMS3D::Configuration& configuration = settings.Configuration;
+  this->Scanner->SetAlphaRange(configuration.alpha.start, configuration.alpha.stop);
+  this->Scanner->SetAlphaResolution(static_cast<int>(configuration.alpha.count));
+  this->Scanner->SetBetaRange(configuration.beta.start, configuration.beta.stop);
+  this->Scanner->SetBetaResolution(static_cast<int>(configuration.beta.count));
+  this->Scanner->SetMinimumRange(configuration.minimumRange);
+  this->Scanner->SetMaximumRange(configuration.maximumRange);
+  this->Scanner->SetIntersectionMethod(configuration.method == LMS3D::METHOD_FAST
+      ? vtkLMS3DScanFilter::FAST
+      : vtkLMS3DScanFilter::EXACT);
+  this->Mapper->SetMaximumError(configuration.mapError);
+}
+
+// The endless loop measures again although nothing of its input may have changed.
+void lms3dScanPipeline::Scan(lms3dSnapshot& snapshot)
+{
+  this->Scanner->Modified();
+  snapshot.ScanSeconds = Update(this->Scanner);
+  snapshot.Ranges = GetRanges(this->Scanner->GetRangeImage());
+  snapshot.Header.beams = static_cast<CORBA::ULong>(snapshot.Ranges.size());
+  snapshot.Header.returns =
+    static_cast<CORBA::ULong>(this->Scanner->GetOutput()->GetNumberOfPoints());
+  snapshot.Header.rangesChecksum = lms3dGetRangesChecksum(snapshot.Ranges);
+}
+
+void lms3dScanPipeline::MakeMap(lms3dSnapshot& snapshot)
+{
+  snapshot.MapSeconds = Update(this->Mapper);
+  snapshot.MapPoints = GetCoordinates(this->Mapper->GetOutput());
+  snapshot.MapTriangles = GetTriangles(this->Mapper->GetOutput());
+}

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dScannerServant.h"
+
+#include "lms3dLog.h"
+#include "lms3dMessageParts.h"
+#include "lms3dPolarData.h"
+#include "lms3dSettingsCheck.h"
+#include "lms3dText.h"
+#include "lms3dVersion.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <string>
+
+namespace
+{
+using Clock = lms3dSnapshotStore::Clock;
+
+constexpr std::chrono::seconds FirstScanWait(5);
+constexpr CORBA::ULong LongestWait = 10000;
+
+// Counts one who waits for as long as it lives.
+class Waiter
+{
+public:
+  explicit Waiter(std::atomic<unsigned int>& count)
+    : Count(count)
+    , Number(++count)
+  {
+  }
+  ~Waiter() { --this->Count; }
+  Waiter(const Waiter&) = delete;
+  void operator=(const Waiter&) = delete;
+
+  unsigned int GetNumber() const { return this->Number; }
+
+private:
+  std::atomic<unsigned int>& Count;
+  const unsigned int Number;
+};
+} // namespace
+
+lms3dScannerServant::lms3dScannerServant(const lms3dPermissions& permissions,
+  const lms3dSceneCatalogue& catalogue, lms3dSettingsBoard& board, const lms3dSnapshotStore& store,
+  const lms3dScanLoop& loop, lms3dListeners& listeners)
+  : Permissions(permissions)
+  , Catalogue(catalogue)
+  , Board(board)
+  , Store(store)
+  , Loop(loop)
+  , Listeners(listeners)
+{
+}
+
+LMS3D::Data* lms3dScannerServant::fetch()
+{
+  const lms3dSnapshotPointer snapshot = this->Store.Wait(0, 0, Clock::now() + FirstScanWait);
+  if (!snapshot)
+  {
+    throw CORBA::TRANSIENT(0, CORBA::COMPLETED_NO);
+  }
+  if (3 * CORBA::ULongLong(snapshot->Header.beams) > lms3dGetMostElements(sizeof(CORBA::Float)))
+  {
+    throw CORBA::IMP_LIMIT(0, CORBA::COMPLETED_NO);
+  }
+  return lms3dMakePolarData(*snapshot);
+}
+
+LMS3D::Pose lms3dScannerServant::getPose()
+{
+  return this->Board.Get().Pose;
+}
+
+CORBA::ULongLong lms3dScannerServant::setPose(const LMS3D::Pose& newPose)
+{
+  this->RequireWritable();
+  lms3dCheckPose(newPose);
+  return this->Board.SetPose(newPose);
+}
+
+LMS3D::Configuration lms3dScannerServant::getConfiguration()
+{
+  return this->Board.Get().Configuration;
+}
+
+CORBA::ULongLong lms3dScannerServant::setConfiguration(const LMS3D::Configuration& newConfiguration)
+{
+  this->RequireWritable();
+  lms3dCheckConfiguration(newConfiguration);
+  return this->Board.SetConfiguration(newConfiguration);
+}
+
+LMS3D::SceneNames* lms3dScannerServant::listScenes()
+{
+  const std::vector<std::string> names = this->Catalogue.GetNames();
+  LMS3D::SceneNames_var list = new LMS3D::SceneNames;
+  list->length(static_cast<CORBA::ULong>(names.size()));
+  for (CORBA::ULong i = 0; i < list->length(); ++i)
+  {
+    list[i] = names[i].c_str();
+  }
+  return list._retn();
+}
+
+LMS3D::Scene* lms3dScannerServant::getScene()
+{
+  return new LMS3D::Scene(this->Board.Get().Scene->Description);
+}
+
+// One at a time: many clients that choose large scenes at once would fill the memory.
+CORBA::ULongLong lms3dScannerServant::selectScene(const char* name)
+{
+  this->RequireWritable();
+  const std::filesystem::path* file = this->Catalogue.Find(name);
+  if (!file)
+  {
+    throw LMS3D::NoSuchScene(name);
+  }
+  const std::lock_guard<std::mutex> lock(this->SceneMutex);
+  try
+  {
+    const CORBA::ULongLong generation =
+      this->Board.SetScene(lms3dReadScene(name, *file, this->Permissions.IsYUp));
+    lms3dLog("a client chose the scene " + std::string(name));
+    return generation;
+  }
+  catch (const std::exception& problem)
+  {
+    throw LMS3D::SceneFailed(name, lms3dText(problem.what()));
+  }
+}
+
+LMS3D::Status* lms3dScannerServant::getStatus()
+{
+  LMS3D::Status_var status = new LMS3D::Status;
+  const lms3dSnapshotPointer newest = this->Store.GetNewest();
+  status->version = lms3dVersion;
+  status->incarnation = this->Loop.GetIncarnation();
+  status->generation = this->Board.Get().Generation;
+  status->newest = newest ? newest->Header.number : 0;
+  status->rate = this->Permissions.Rate;
+  status->lateScans = this->Loop.GetNumberOfLateScans();
+  status->scanSeconds = newest ? newest->ScanSeconds : 0.0;
+  status->mapSeconds = newest ? newest->MapSeconds : 0.0;
+  status->isReadOnly = this->Permissions.ReadOnly;
+  status->hasCallbacks = this->Permissions.Callbacks;
+  status->waiting = this->Waiting;
+  status->listening = static_cast<CORBA::ULong>(this->Listeners.GetNumber());
+  status->problem = lms3dText(this->Loop.GetProblem());
+  return status._retn();
+}
+
+LMS3D::ScanHeader* lms3dScannerServant::getHeader()
+{
+  return new LMS3D::ScanHeader(this->GetNewest()->Header);
+}
+
+LMS3D::ScanHeader* lms3dScannerServant::waitForScan(
+  CORBA::ULongLong after, CORBA::ULongLong generation, CORBA::ULong timeout)
+{
+  const Waiter waiter(this->Waiting);
+  if (waiter.GetNumber() > MostWaiting)
+  {
+    throw LMS3D::LimitExceeded("too many clients wait for a scan", MostWaiting);
+  }
+  const std::chrono::milliseconds wait(std::min(timeout, LongestWait));
+  const lms3dSnapshotPointer snapshot = this->Store.Wait(after, generation, Clock::now() + wait);
+  if (!snapshot && this->Store.IsStopped())
+  {
+    throw CORBA::TRANSIENT(0, CORBA::COMPLETED_NO);
+  }
+  if (!snapshot)
+  {
+    throw LMS3D::NoScanYet(this->Store.GetNewestNumber());
+  }
+  return new LMS3D::ScanHeader(snapshot->Header);
+}
+
+LMS3D::Scan* lms3dScannerServant::getScan()
+{
+  const lms3dSnapshotPointer snapshot = this->GetNewest();
+  LMS3D::Scan_var scan = new LMS3D::Scan;
+  scan->header = snapshot->Header;
+  LMS3D::Ranges_var ranges =
+    lms3dMakePart<LMS3D::Ranges>(snapshot->Ranges, 1, 0, snapshot->Header.beams);
+  const CORBA::ULong length = ranges->length();
+  scan->beamRanges.replace(length, length, ranges->get_buffer(true), true);
+  return scan._retn();
+}
+
+LMS3D::Ranges* lms3dScannerServant::getRanges(
+  CORBA::ULongLong number, CORBA::ULong first, CORBA::ULong count)
+{
+  return lms3dMakePart<LMS3D::Ranges>(this->Find(number)->Ranges, 1, first, count);
+}
+
+LMS3D::Coordinates* lms3dScannerServant::getMapPoints(
+  CORBA::ULongLong number, CORBA::ULong first, CORBA::ULong count)
+{
+  return lms3dMakePart<LMS3D::Coordinates>(this->Find(number)->MapPoints, 3, first, count);
+}
+
+LMS3D::Indices* lms3dScannerServant::getMapTriangles(
+  CORBA::ULongLong number, CORBA::ULong first, CORBA::ULong count)
+{
+  return lms3dMakePart<LMS3D::Indices>(this->Find(number)->MapTriangles, 3, first, count);
+}
+
+CORBA::ULong lms3dScannerServant::subscribe(LMS3D::ScanListener_ptr listener)
+{
+  if (!this->Permissions.Callbacks)
+  {
+    throw LMS3D::NotPermitted("the server was started without callbacks; use waitForScan()");
+  }
+  if (CORBA::is_nil(listener))
+  {
+    throw LMS3D::InvalidArgument("the listener is nil");
+  }
+  const CORBA::ULong subscription = this->Listeners.Add(listener);
+  if (subscription == 0)
+  {
+    throw LMS3D::LimitExceeded("too many listeners", lms3dListeners::Most);
+  }
+  return subscription;
+}
+
+void lms3dScannerServant::unsubscribe(CORBA::ULong subscription)
+{
+  if (!this->Listeners.Remove(subscription))
+  {
+    throw LMS3D::InvalidArgument("there is no such subscription");
+  }
+}
+
+void lms3dScannerServant::RequireWritable() const
+{
+  if (this->Permissions.ReadOnly)
+  {
+    throw LMS3D::NotPermitted("the server was started read-only");
+  }
+}
+
+lms3dSnapshotPointer lms3dScannerServant::GetNewest() const
+{
+  lms3dSnapshotPointer snapshot = this->Store.GetNewest();
+  if (!snapshot)
+  {
+    throw LMS3D::NoScanYet(0);
+  }
+  return snapshot;
+}
+
+lms3dSnapshotPointer lms3dScannerServant::Find(CORBA::ULongLong number) const
+{
+  lms3dSnapshotPointer snapshot = this->Store.Find(number);
+  if (!snapshot)
+  {
+    throw LMS3D::ScanGone(this->Store.GetOldestNumber(), this->Store.GetNewestNumber());
+  }
+  return snapshot;
+}

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dServedScene.h"
+
+#include "lms3dLog.h"
+#include "lms3dVTKProblems.h"
+#include "vtkVRMLImporterSource.h"
+
+#include <vtkNew.h>
+
+#include <stdexcept>
+
+namespace
+{
+std::string WithoutFolder(std::string text, const std::filesystem::path& file)
+{
+  const std::string folder = file.parent_path().string() + "/";
+  for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
+  {
+    text.erase(at, folder.size());
+  }
+  return text;
+}
+
+LMS3D::Scene Describe(const std::string& name, vtkPolyData* surface)
+{
+  double bounds[6];
+  surface->GetBounds(bounds);
+  LMS3D::Scene scene;
+  scene.name = name.c_str();
+  scene.triangles = static_cast<CORBA::ULongLong>(surface->GetNumberOfPolys());
+  scene.lowest = { bounds[0], bounds[2], bounds[4] };
+  scene.highest = { bounds[1], bounds[3], bounds[5] };
+  return scene;
+}
+} // namespace
+
+lms3dServedScenePointer lms3dReadScene(
+  const std::string& name, const std::filesystem::path& file, bool isYUp)
+{
+  vtkNew<vtkVRMLImporterSource> reader;
+  lms3dVTKProblems problems(reader);
+  reader->SetFileName(file.c_str());
+  reader->SetUpAxis(isYUp ? vtkVRMLImporterSource::Y : vtkVRMLImporterSource::AS_IN_FILE);
+  reader->Update();
+
+  const std::string error = WithoutFolder(problems.TakeError(), file);
+  const std::string warning = WithoutFolder(problems.TakeWarning(), file);
+  if (reader->GetOutput()->GetNumberOfPolys() == 0)
+  {
+    throw std::runtime_error(error.empty() ? "the file has no surface" : error);
+  }
+  for (const std::string& message : { error, warning })
+  {
+    if (!message.empty())
+    {
+      lms3dLog("scene " + name + ": " + message);
+    }
+  }
+  auto scene = std::make_shared<lms3dServedScene>();
+  scene->Surface = reader->GetOutput();
+  scene->Description = Describe(name, scene->Surface);
+  return scene;
+}

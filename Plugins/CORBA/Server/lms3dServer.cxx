@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dServer.h"
+
+#include "lms3dLog.h"
+#include "lms3dObjectAddresses.h"
+#include "lms3dSettingsCheck.h"
+
+#include <iostream>
+#include <stdexcept>
+
+namespace
+{
+constexpr const char* ObjectKey = "LMS3D";
+
+lms3dScanSettings GetFirstSettings(
+  const lms3dServerOptions& options, const lms3dSceneCatalogue& catalogue)
+{
+  lms3dScanSettings settings;
+  settings.Configuration = lms3dDefaultConfiguration();
+  settings.Configuration.makeMap = options.MakeMap;
+  settings.Configuration.mapError = options.MapError;
+  settings.Pose.position = { options.Position[0], options.Position[1], options.Position[2] };
+  settings.Pose.orientation = { options.Orientation[0], options.Orientation[1],
+    options.Orientation[2] };
+
+  const std::string name = options.Scene.empty() ? catalogue.GetNames().front() : options.Scene;
+  const std::filesystem::path* file = catalogue.Find(name);
+  if (!file)
+  {
+    throw std::runtime_error("the folder of scenes has no \"" + name + "\"");
+  }
+  settings.Scene = lms3dReadScene(name, *file, options.IsYUp);
+  return settings;
+}
+
+lms3dPermissions GetPermissions(const lms3dServerOptions& options)
+{
+  lms3dPermissions permissions;
+  permissions.ReadOnly = options.ReadOnly;
+  permissions.Callbacks = options.Callbacks;
+  permissions.Rate = options.Rate;
+  permissions.IsYUp = options.IsYUp;
+  return permissions;
+}
+
+void LogAddresses(const std::vector<std::string>& addresses)
+{
+  for (const std::string& address : addresses)
+  {
+    lms3dLog("listening on " + address);
+    if (!lms3dIsLocalEndpoint(address))
+    {
+      lms3dLog("warning: other machines can reach " + address + ". Without TLS whoever does may " +
+        "look, and unless --read-only is given move the sensor");
+    }
+  }
+}
+} // namespace
+
+lms3dServer::lms3dServer(const lms3dServerOptions& options)
+  : Options(options)
+  , Catalogue(options.Scenes)
+  , Board(GetFirstSettings(options, this->Catalogue))
+  , Store(static_cast<std::size_t>(options.Keep))
+  , Loop(this->Board, this->Store, options.Rate, options.Threads)
+  , Listeners(this->Store)
+{
+}
+
+lms3dServer::~lms3dServer()
+{
+  this->Stop();
+}
+
+void lms3dServer::Start(CORBA::ORB_ptr orb)
+{
+  this->Loop.Start();
+  if (this->Options.Callbacks)
+  {
+    this->Listeners.Start();
+  }
+  // omniORB's own object adapter, whose objects have keys that clients can write in a corbaloc.
+  const CORBA::Object_var object = orb->resolve_initial_references("omniINSPOA");
+  const PortableServer::POA_var adapter = PortableServer::POA::_narrow(object);
+  const PortableServer::Servant_var<lms3dScannerServant> servant =
+    new lms3dScannerServant(GetPermissions(this->Options), this->Catalogue, this->Board,
+      this->Store, this->Loop, this->Listeners);
+  const PortableServer::ObjectId_var key = PortableServer::string_to_ObjectId(ObjectKey);
+  adapter->activate_object_with_id(key, servant);
+  const LMS3D::LaserScanner_var scanner = servant->_this();
+  const PortableServer::POAManager_var manager = adapter->the_POAManager();
+  manager->activate();
+  this->Announce(orb, scanner);
+}
+
+void lms3dServer::Announce(CORBA::ORB_ptr orb, CORBA::Object_ptr scanner)
+{
+  const std::vector<std::string> addresses = lms3dGetAddresses(scanner);
+  LogAddresses(addresses);
+  const CORBA::String_var reference = orb->object_to_string(scanner);
+  if (!this->Options.IORFile.empty())
+  {
+    this->ReferenceFile =
+      std::make_unique<lms3dReferenceFile>(this->Options.IORFile, reference.in());
+  }
+  if (this->Options.Naming)
+  {
+    this->NameRegistration = std::make_unique<lms3dNameRegistration>(
+      orb, this->Options.NamingService, this->Options.Name, scanner);
+  }
+  const std::string corbaloc = lms3dGetCorbaloc(addresses, ObjectKey);
+  if (!corbaloc.empty())
+  {
+    std::cout << corbaloc << '\n';
+  }
+  std::cout << reference.in() << std::endl;
+}
+
+// The name goes while calls still work, the store's waiting clients before the ORB waits for them.
+void lms3dServer::Stop()
+{
+  this->ReferenceFile.reset();
+  this->NameRegistration.reset();
+  this->Store.Stop();
+  this->Loop.Stop();
+}

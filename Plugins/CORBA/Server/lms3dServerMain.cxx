@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dLog.h"
+#include "lms3dORBSettings.h"
+#include "lms3dServer.h"
+#include "lms3dServerOptions.h"
+#include "lms3dStopSignal.h"
+#include "lms3dVersion.h"
+
+#include <omniORB4/linkHacks.h>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Nothing refers to the transport for TLS, which the linker would drop.
+OMNI_FORCE_LINK(omnisslTP);
+
+namespace
+{
+constexpr int ExitFailure = 1;
+constexpr int ExitUsage = 2;
+
+// Where files run out, omniORB accepts nobody any more and spins.
+void AllowManyConnections()
+{
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_NOFILE, &limit) == 0)
+  {
+    limit.rlim_cur = limit.rlim_max;
+    setrlimit(RLIMIT_NOFILE, &limit);
+  }
+}
+
+// The transport for TLS complains where nobody wants it.
+bool IsTLSWanted = false;
+
+bool WantsTLS(const lms3dServerOptions& options)
+{
+  const auto namesTLS = [](const std::string& text)
+  { return text.find("ssl") != std::string::npos; };
+  return namesTLS(options.Endpoint) ||
+    std::any_of(options.ORBArguments.begin(), options.ORBArguments.end(), namesTLS);
+}
+
+void LogORB(const char* text)
+{
+  std::string line(text);
+  line.erase(line.find_last_not_of('\n') + 1);
+  if (IsTLSWanted || line.find("SSL transport disabled") == std::string::npos)
+  {
+    lms3dLog(line);
+  }
+}
+
+CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
+{
+  const lms3dORBSettings settings = lms3dGetORBSettings(options);
+  std::vector<const char*> table;
+  for (const auto& setting : settings)
+  {
+    table.insert(table.end(), { setting.first.c_str(), setting.second.c_str() });
+  }
+  table.insert(table.end(), { nullptr, nullptr });
+
+  std::vector<std::string> arguments = options.ORBArguments;
+  arguments.insert(arguments.begin(), "lms3d-server");
+  std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
+  for (std::string& argument : arguments)
+  {
+    pointers.push_back(argument.data());
+  }
+  pointers.push_back(nullptr);
+  int count = static_cast<int>(arguments.size());
+  IsTLSWanted = WantsTLS(options);
+  omniORB::setLogFunction(LogORB);
+  using Table = const char*(*)[2];
+  return CORBA::ORB_init(count, pointers.data(), "omniORB4", reinterpret_cast<Table>(table.data()));
+}
+
+void Serve(const lms3dServerOptions& options)
+{
+  const lms3dStopSignal signal;
+  AllowManyConnections();
+  lms3dServer server(options);
+  const CORBA::ORB_var orb = MakeORB(options);
+  server.Start(orb);
+  lms3dLog(signal.Wait() + ": ending");
+  server.Stop();
+  orb->destroy();
+  lms3dLog("ended");
+}
+
+int Run(const lms3dServerOptions& options)
+{
+  if (options.Help || options.Version)
+  {
+    std::cout << (options.Help ? lms3dGetServerHelp() : std::string(lms3dVersion) + '\n');
+    return 0;
+  }
+  try
+  {
+    Serve(options);
+    return 0;
+  }
+  catch (const CORBA::SystemException& problem)
+  {
+    lms3dLog(std::string("the ORB failed: ") + problem._name() + ", " + problem.NP_minorString() +
+      "; is the endpoint in use?");
+  }
+  catch (const CORBA::Exception& problem)
+  {
+    lms3dLog(std::string("the ORB failed: ") + problem._name());
+  }
+  catch (const std::exception& problem)
+  {
+    lms3dLog(problem.what());
+  }
+  return ExitFailure;
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    return Run(lms3dReadServerOptions({ argv + 1, argv + argc }));
+  }
+  catch (const std::invalid_argument& problem)
+  {
+    std::cerr << "lms3d-server: " << problem.what() << '\n';
+    return ExitUsage;
+  }
+}
