@@ -72,7 +72,4 @@ struct lms3dTurn
   const vtkIdType* const Cells;
 };
 
-/// Alpha and beta of the grid and the pose, as the scan filter's header tells.
-void lms3dAddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan);
-
 #endif

@@ -5,6 +5,7 @@
 #include "lms3dPooledArray.h"
 #include "lms3dProcesses.h"
 #include "lms3dReturns.h"
+#include "lms3dScanFieldData.h"
 
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
