@@ -41,8 +41,7 @@ function (omniorb4_add_idl_library target)
     list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE dependencies)
     add_custom_command(
       OUTPUT ${outputs}
-      COMMAND "${omniORB4_OMNIIDL}" -bcxx -Wbuse-quotes "-I${CMAKE_CURRENT_SOURCE_DIR}"
-        "-C${CMAKE_CURRENT_BINARY_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}"
+      COMMAND "${omniORB4_OMNIIDL}" -bcxx -Wbuse-quotes "-C${CMAKE_CURRENT_BINARY_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}"
       DEPENDS ${dependencies}
       COMMENT "omniidl ${file}"
       VERBATIM)

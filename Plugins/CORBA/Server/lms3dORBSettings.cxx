@@ -62,8 +62,7 @@ void AddTLS(lms3dORBSettings& settings, const lms3dServerOptions& options)
 void AddConnectRules(lms3dORBSettings& settings, const lms3dServerOptions& options)
 {
   const std::string transports = " unix,ssl,tcp";
-  settings.emplace_back("clientTransportRule", "127.0.0.0/255.0.0.0" + transports);
-  settings.emplace_back("clientTransportRule", "localhost" + transports);
+  settings.emplace_back("clientTransportRule", "127.0.0.1/255.255.255.255" + transports);
   for (const std::string& address : options.ConnectTo)
   {
     settings.emplace_back("clientTransportRule", address + transports);

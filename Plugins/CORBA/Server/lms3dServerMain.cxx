@@ -1,25 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dLog.h"
+#include "lms3dORBLog.h"
 #include "lms3dORBSettings.h"
 #include "lms3dServer.h"
 #include "lms3dServerOptions.h"
 #include "lms3dStopSignal.h"
 #include "lms3dVersion.h"
 
-#include <omniORB4/linkHacks.h>
-
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-// Nothing refers to the transport for TLS, which the linker would drop.
-OMNI_FORCE_LINK(omnisslTP);
 
 namespace
 {
@@ -37,29 +32,12 @@ void AllowManyConnections()
   }
 }
 
-// The transport for TLS complains where nobody wants it.
-bool IsTLSWanted = false;
-
-bool WantsTLS(const lms3dServerOptions& options)
-{
-  const auto namesTLS = [](const std::string& text)
-  { return text.find("ssl") != std::string::npos; };
-  return namesTLS(options.Endpoint) ||
-    std::any_of(options.ORBArguments.begin(), options.ORBArguments.end(), namesTLS);
-}
-
-void LogORB(const char* text)
-{
-  std::string line(text);
-  line.erase(line.find_last_not_of('\n') + 1);
-  if (IsTLSWanted || line.find("SSL transport disabled") == std::string::npos)
-  {
-    lms3dLog(line);
-  }
-}
-
 CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
 {
+  std::vector<std::string> spoken = options.ORBArguments;
+  spoken.push_back(options.Endpoint);
+  lms3dSetORBLog(lms3dLog, spoken);
+
   const lms3dORBSettings settings = lms3dGetORBSettings(options);
   std::vector<const char*> table;
   for (const auto& setting : settings)
@@ -68,8 +46,8 @@ CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
   }
   table.insert(table.end(), { nullptr, nullptr });
 
-  std::vector<std::string> arguments = options.ORBArguments;
-  arguments.insert(arguments.begin(), "lms3d-server");
+  std::vector<std::string> arguments = { "lms3d-server" };
+  arguments.insert(arguments.end(), options.ORBArguments.begin(), options.ORBArguments.end());
   std::vector<char*> pointers;
   pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments)
@@ -78,8 +56,6 @@ CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
   }
   pointers.push_back(nullptr);
   int count = static_cast<int>(arguments.size());
-  IsTLSWanted = WantsTLS(options);
-  omniORB::setLogFunction(LogORB);
   using Table = const char*(*)[2];
   return CORBA::ORB_init(count, pointers.data(), "omniORB4", reinterpret_cast<Table>(table.data()));
 }

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief From what a user writes to the scanner's object.
+ */
+#ifndef lms3dScannerReference_h
+#define lms3dScannerReference_h
+
+#include "LMS3DScanner.hh"
+
+#include <string>
+
+/// `reference` is the name of a file that has an IOR, an IOR itself, a corbaloc or a corbaname. Throws
+/// std::runtime_error where it leads to no scanner, CORBA::Exception where nobody answers.
+LMS3D::LaserScanner_ptr lms3dFindScanner(CORBA::ORB_ptr orb, const std::string& reference);
+
+#endif

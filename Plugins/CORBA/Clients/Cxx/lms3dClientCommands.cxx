@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dClientCommands.h"
+
+#include "lms3dClientListener.h"
+#include "lms3dRemoteData.h"
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iostream>
+#include <stdexcept>
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+constexpr CORBA::ULong WaitMilliseconds = 5000;
+
+void Print(const LMS3D::ScanHeader& header)
+{
+  const LMS3D::Vector3& position = header.sensorPose.position;
+  std::cout << "scan " << header.number << " (generation " << header.generation << ") of "
+            << header.scene << " from " << position.x << ' ' << position.y << ' ' << position.z
+            << ": " << header.returns << " of " << header.beams << " beams returned, map of "
+            << header.mapTriangles << " triangles, "
+            << static_cast<double>(header.endTime - header.startTime) * 1e-6 << " ms" << std::endl;
+}
+
+void PrintStatus(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words&)
+{
+  const LMS3D::Status_var status = scanner->getStatus();
+  const LMS3D::Scene_var scene = scanner->getScene();
+  std::cout << "LMS3D " << status->version << ", " << status->newest << " scans, "
+            << status->lateScans << " late, rate " << status->rate << " Hz"
+            << (status->isReadOnly ? ", read-only" : "") << '\n'
+            << "scene " << scene->name << ", " << scene->triangles << " triangles\n";
+  if (*status->problem)
+  {
+    std::cout << "no scan: " << status->problem << '\n';
+  }
+  if (status->newest != 0)
+  {
+    const LMS3D::ScanHeader_var header = scanner->getHeader();
+    Print(header);
+  }
+}
+
+void PrintScenes(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words&)
+{
+  LMS3D::SceneNames_var names = scanner->listScenes();
+  for (CORBA::ULong i = 0; i < names->length(); ++i)
+  {
+    std::cout << names[i] << '\n';
+  }
+}
+
+// The way of 2008; Clients/Paper does it without knowing anything else.
+void Fetch(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words&)
+{
+  LMS3D::Data_var triples = scanner->fetch();
+  std::cout << "r, m\talpha, deg\tbeta, deg\n";
+  for (CORBA::ULong i = 0; i + 2 < triples->length(); i += 3)
+  {
+    std::cout << triples[i] << '\t' << triples[i + 1] << '\t' << triples[i + 2] << '\n';
+  }
+}
+
+// The server drops old scans, so that a slow client may come too late for a part.
+lms3dRemoteScan FetchNewest(LMS3D::LaserScanner_ptr scanner)
+{
+  constexpr int Tries = 5;
+  for (int i = 1;; ++i)
+  {
+    try
+    {
+      const LMS3D::ScanHeader_var header = scanner->waitForScan(0, 0, WaitMilliseconds);
+      return lms3dFetchScan(scanner, header);
+    }
+    catch (const LMS3D::ScanGone&)
+    {
+      if (i == Tries)
+      {
+        throw;
+      }
+    }
+  }
+}
+
+void Write(vtkPolyData* data, const std::string& file)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(file.c_str());
+  if (!writer->Write())
+  {
+    throw std::runtime_error("the file \"" + file + "\" cannot be written");
+  }
+}
+
+void Save(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& files)
+{
+  const lms3dRemoteScan remote = FetchNewest(scanner);
+  vtkNew<vtkPolyData> scan;
+  lms3dFillScan(remote, scan);
+  Write(scan, files[0]);
+  if (files.size() > 1)
+  {
+    vtkNew<vtkPolyData> map;
+    lms3dFillMap(remote, map);
+    Write(map, files[1]);
+  }
+  Print(remote.Header);
+}
+
+// "1e999" and "12x" are no numbers, and what is one is for the server to judge.
+double GetNumber(const std::string& word)
+{
+  std::size_t length = 0;
+  const double number = std::stod(word, &length);
+  if (length != word.size())
+  {
+    throw std::invalid_argument("\"" + word + "\" is not a number");
+  }
+  return number;
+}
+
+CORBA::ULongLong GetCount(const Words& words)
+{
+  return words.empty() ? ~CORBA::ULongLong(0)
+                       : static_cast<CORBA::ULongLong>(std::stoull(words[0]));
+}
+
+void Watch(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& words)
+{
+  CORBA::ULongLong last = 0;
+  for (CORBA::ULongLong count = GetCount(words); count > 0; --count)
+  {
+    const LMS3D::ScanHeader_var header = scanner->waitForScan(last, 0, WaitMilliseconds);
+    Print(header);
+    last = header->number;
+  }
+}
+
+void Listen(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner, const Words& words)
+{
+  lms3dListenToScanner(orb, scanner, GetCount(words), Print);
+}
+
+void WaitFor(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation)
+{
+  const LMS3D::ScanHeader_var header = scanner->waitForScan(0, generation, WaitMilliseconds);
+  Print(header);
+}
+
+void SetPose(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& words)
+{
+  LMS3D::Pose pose = scanner->getPose();
+  pose.position = { GetNumber(words[0]), GetNumber(words[1]), GetNumber(words[2]) };
+  if (words.size() == 6)
+  {
+    pose.orientation = { GetNumber(words[3]), GetNumber(words[4]), GetNumber(words[5]) };
+  }
+  WaitFor(scanner, scanner->setPose(pose));
+}
+
+void SelectScene(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& words)
+{
+  WaitFor(scanner, scanner->selectScene(words[0].c_str()));
+}
+
+struct Command
+{
+  const char* Name;
+  const char* Values;
+  const char* Help;
+  std::vector<std::size_t> Counts;
+  void (*Run)(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr, const Words&);
+};
+
+const std::vector<Command>& GetCommands()
+{
+  static const std::vector<Command> commands = {
+    { "status", "", "what the server does, and its newest scan", { 0 }, PrintStatus },
+    { "scenes", "", "the scenes to choose from", { 0 }, PrintScenes },
+    { "scene", "NAME", "choose one, and wait for its first scan", { 1 }, SelectScene },
+    { "pose", "X Y Z [RX RY RZ]",
+      "move the sensor (metres, degrees), and wait for a scan from there", { 3, 6 }, SetPose },
+    { "fetch", "", "range, alpha and beta of each beam, a line each", { 0 }, Fetch },
+    { "save", "SCAN.vtp [MAP.vtp]", "the newest scan and its local map as VTK files", { 1, 2 },
+      Save },
+    { "watch", "[COUNT]", "a line for each scan, waiting for the next (long poll)", { 0, 1 },
+      Watch },
+    { "listen", "[COUNT]", "the same as a listener; the server has to allow --callbacks", { 0, 1 },
+      Listen },
+  };
+  return commands;
+}
+} // namespace
+
+std::string lms3dGetClientHelp()
+{
+  std::string help = "Usage: lms3d-client SCANNER COMMAND [-ORBNAME VALUE ...]\n\n"
+                     "SCANNER: the file of --ior, an IOR, a corbaloc or a corbaname\n\n";
+  for (const Command& command : GetCommands())
+  {
+    help.append("  ").append(command.Name).append(" ").append(command.Values).append("\n      ");
+    help.append(command.Help).append("\n");
+  }
+  return help;
+}
+
+bool lms3dRunClientCommand(
+  CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner, const std::string& name, const Words& words)
+{
+  const std::vector<Command>& commands = GetCommands();
+  const auto command = std::find_if(commands.begin(), commands.end(),
+    [&name](const Command& candidate) { return name == candidate.Name; });
+  if (command == commands.end() ||
+    std::find(command->Counts.begin(), command->Counts.end(), words.size()) ==
+      command->Counts.end())
+  {
+    return false;
+  }
+  command->Run(orb, scanner, words);
+  return true;
+}
+
+std::string lms3dDescribe(const CORBA::Exception& problem)
+{
+  std::string text = problem._name();
+  if (const auto* system = CORBA::SystemException::_downcast(&problem))
+  {
+    text.append(", ").append(system->NP_minorString());
+  }
+  else if (const auto* argument = LMS3D::InvalidArgument::_downcast(&problem))
+  {
+    text.append(": ").append(argument->reason);
+  }
+  else if (const auto* scene = LMS3D::SceneFailed::_downcast(&problem))
+  {
+    text.append(": ").append(scene->reason);
+  }
+  else if (const auto* permission = LMS3D::NotPermitted::_downcast(&problem))
+  {
+    text.append(": ").append(permission->reason);
+  }
+  else if (const auto* limit = LMS3D::LimitExceeded::_downcast(&problem))
+  {
+    text.append(": ").append(limit->reason);
+  }
+  return text;
+}

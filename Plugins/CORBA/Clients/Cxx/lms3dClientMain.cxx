@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+// lms3d-client: looks at a scanner, saves what it sees, and moves it.
+#include "lms3dClientCommands.h"
+#include "lms3dORBLog.h"
+#include "lms3dScannerReference.h"
+
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr int ExitFailure = 1;
+constexpr int ExitUsage = 2;
+
+// Longer than the server lets anybody wait, so that a server that hangs is noticed.
+const char* ORBOptions[][2] = { { "clientCallTimeOutPeriod", "15000" },
+  { "clientConnectTimeOutPeriod", "3000" }, { "endPoint", "giop:tcp:127.0.0.1:" },
+  { nullptr, nullptr } };
+
+void PrintLine(const std::string& line)
+{
+  std::cerr << line << '\n';
+}
+
+int Run(CORBA::ORB_ptr orb, const std::vector<std::string>& arguments)
+{
+  if (arguments.size() < 2)
+  {
+    std::cerr << lms3dGetClientHelp();
+    return ExitUsage;
+  }
+  const LMS3D::LaserScanner_var scanner = lms3dFindScanner(orb, arguments[0]);
+  const std::vector<std::string> words(arguments.begin() + 2, arguments.end());
+  if (!lms3dRunClientCommand(orb, scanner, arguments[1], words))
+  {
+    std::cerr << lms3dGetClientHelp();
+    return ExitUsage;
+  }
+  return 0;
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  int code = ExitFailure;
+  try
+  {
+    lms3dSetORBLog(PrintLine, { argv + 1, argv + argc });
+    const CORBA::ORB_var orb = CORBA::ORB_init(argc, argv, "omniORB4", ORBOptions);
+    code = Run(orb, { argv + 1, argv + argc });
+    orb->destroy();
+  }
+  catch (const CORBA::Exception& problem)
+  {
+    std::cerr << "lms3d-client: " << lms3dDescribe(problem) << '\n';
+  }
+  catch (const std::exception& problem)
+  {
+    std::cerr << "lms3d-client: " << problem.what() << '\n';
+  }
+  return code;
+}
