@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClientORB.h"
+
+#include "lms3dScannerReference.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+constexpr CORBA::ULong Patience = 10000;
+
+// Enough connections for as many waiting threads as a server takes.
+const char* Options[][2] = { { "clientCallTimeOutPeriod", "60000" },
+  { "maxGIOPConnectionPerServer", "100" }, { "endPoint", "giop:tcp:127.0.0.1:" },
+  { nullptr, nullptr } };
+
+CORBA::ORB_ptr MakeORB()
+{
+  int count = 0;
+  return CORBA::ORB_init(count, nullptr, "omniORB4", Options);
+}
+} // namespace
+
+CORBA::ORB_ptr GetClientORB()
+{
+  static const CORBA::ORB_var orb = MakeORB();
+  return orb;
+}
+
+LMS3D::LaserScanner_var Connect(const std::string& reference)
+{
+  return lms3dFindScanner(GetClientORB(), reference);
+}
+
+LMS3D::ScanHeader WaitFor(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation)
+{
+  try
+  {
+    const LMS3D::ScanHeader_var header = scanner->waitForScan(0, generation, Patience);
+    return header.in();
+  }
+  catch (const LMS3D::NoScanYet& problem)
+  {
+    ADD_FAILURE() << "no scan of generation " << generation << "; the newest is " << problem.newest;
+    return {};
+  }
+}
+
+LMS3D::Pose At(double x, double y, double z)
+{
+  LMS3D::Pose pose;
+  pose.position = { x, y, z };
+  pose.orientation = { 0.0, 0.0, 0.0 };
+  return pose;
+}
+
+LMS3D::Configuration GetCoarseGrid()
+{
+  LMS3D::Configuration configuration;
+  configuration.alpha = { -60.0, 60.0, 13 };
+  configuration.beta = { 0.0, 360.0, 36 };
+  configuration.minimumRange = 0.0;
+  configuration.maximumRange = 80.0;
+  configuration.method = LMS3D::METHOD_EXACT;
+  configuration.makeMap = true;
+  configuration.mapError = 0.01;
+  return configuration;
+}

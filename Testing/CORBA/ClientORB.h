@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The one ORB of the test program, and what tests do with it.
+ */
+#ifndef ClientORB_h
+#define ClientORB_h
+
+#include "LMS3DScanner.hh"
+
+#include <string>
+
+CORBA::ORB_ptr GetClientORB();
+
+LMS3D::LaserScanner_var Connect(const std::string& reference);
+
+/// Waits for the first scan of a generation, or for any. A test failure where none comes.
+LMS3D::ScanHeader WaitFor(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation = 0);
+
+/// A pose without rotation.
+LMS3D::Pose At(double x, double y, double z);
+
+/// A smaller grid, for tests that are not about the scan.
+LMS3D::Configuration GetCoarseGrid();
+
+#endif

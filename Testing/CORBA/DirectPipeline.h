@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief What the filters give without any server between.
+ */
+#ifndef DirectPipeline_h
+#define DirectPipeline_h
+
+#include "LMS3DScanner.hh"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkPolyData;
+
+/// Shares no code with the server.
+struct DirectPipeline
+{
+  DirectPipeline(
+    const std::string& scene, const LMS3D::Pose& pose, const LMS3D::Configuration& configuration);
+
+  /// r, alpha, beta of each beam, r 0 without a return.
+  std::vector<float> Triples;
+  std::vector<float> Ranges;
+  std::vector<double> ReturnPoints;
+  std::vector<double> MapPoints;
+  std::vector<std::uint32_t> MapTriangles;
+
+private:
+  void TakeScan(vtkImageData* image, vtkPolyData* scan);
+  void TakeMap(vtkPolyData* map);
+};
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClientORB.h"
+#include "DirectPipeline.h"
+#include "ServerProcess.h"
+#include "lms3dChecksum.h"
+#include "lms3dRemoteScan.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+/// Threads that are joined at the end.
+class Crowd
+{
+public:
+  ~Crowd() { this->Join(); }
+
+  void Add(int count, const std::function<void()>& work)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      this->Threads.emplace_back(work);
+    }
+  }
+
+  void Join()
+  {
+    for (std::thread& thread : this->Threads)
+    {
+      thread.join();
+    }
+    this->Threads.clear();
+  }
+
+private:
+  std::vector<std::thread> Threads;
+};
+
+// Calls until the server is gone, or for ever where it gives an answer that is wrong.
+void CallUntilTheEnd(const std::function<void()>& call, std::atomic<int>& good)
+{
+  try
+  {
+    for (;;)
+    {
+      call();
+      ++good;
+    }
+  }
+  catch (const CORBA::SystemException&)
+  {
+  }
+}
+
+bool IsOneOf(const LMS3D::Data& triples, const std::vector<DirectPipeline>& expected)
+{
+  for (const DirectPipeline& direct : expected)
+  {
+    if (triples.length() == direct.Triples.size() &&
+      std::memcmp(
+        triples.get_buffer(), direct.Triples.data(), direct.Triples.size() * sizeof(float)) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+int GetNumberOfFetches()
+{
+  const char* const number = std::getenv("LMS3D_SOAK_FETCHES");
+  return number ? std::atoi(number) : 4000;
+}
+} // namespace
+
+TEST(ServerLoad, EndsWithinASecondUnderBusyAndWaitingClients)
+{
+  ServerProcess server;
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  WaitFor(scanner);
+  std::atomic<int> fetched(0);
+  std::atomic<int> waited(0);
+  Crowd clients;
+  clients.Add(8,
+    [&] { CallUntilTheEnd([&] { const LMS3D::Data_var triples = scanner->fetch(); }, fetched); });
+  clients.Add(20,
+    [&]
+    { CallUntilTheEnd([&] { scanner->waitForScan(~CORBA::ULongLong(0), 0, 10000); }, waited); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const LMS3D::Status_var status = scanner->getStatus();
+  EXPECT_EQ(status->waiting, 20u);
+
+  const Clock::time_point start = Clock::now();
+  EXPECT_EQ(server.Terminate(SIGTERM), 0);
+  const std::chrono::duration<double> seconds = Clock::now() - start;
+  EXPECT_LT(seconds.count(), 1.0);
+  clients.Join();
+  EXPECT_GT(fetched, 50);
+  EXPECT_EQ(waited, 0);
+}
+
+TEST(ServerLoad, EndsBySIGINTToo)
+{
+  ServerProcess server;
+  EXPECT_EQ(server.Terminate(SIGINT), 0);
+}
+
+// Two poses in turn: each answer is all of the one or all of the other.
+TEST(ServerLoad, NothingTearsWhileThePoseMoves)
+{
+  const LMS3D::Pose poses[2] = { At(0.3, -0.2, 1.0), At(-1.0, 0.5, 1.4) };
+  ServerProcess server({ "--rate", "0" });
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const LMS3D::Configuration configuration = scanner->getConfiguration();
+  const std::vector<DirectPipeline> expected = { { "room.wrl", poses[0], configuration },
+    { "room.wrl", poses[1], configuration } };
+  ASSERT_NE(expected[0].Triples, expected[1].Triples);
+
+  std::atomic<bool> isOver(false);
+  std::atomic<int> good(0);
+  std::atomic<int> torn(0);
+  Crowd clients;
+  clients.Add(3,
+    [&]
+    {
+      while (!isOver)
+      {
+        const LMS3D::Data_var triples = scanner->fetch();
+        ++(IsOneOf(triples, expected) ? good : torn);
+      }
+    });
+  // Checks header and checksums of what comes in parts.
+  clients.Add(1,
+    [&]
+    {
+      while (!isOver)
+      {
+        try
+        {
+          const LMS3D::Scan_var scan = scanner->getScan();
+          const std::vector<float> ranges(scan->beamRanges.get_buffer(),
+            scan->beamRanges.get_buffer() + scan->beamRanges.length());
+          const bool isWhole = lms3dGetRangesChecksum(ranges) == scan->header.rangesChecksum;
+          ++(isWhole ? good : torn);
+          lms3dFetchScan(scanner, scan->header);
+        }
+        catch (const LMS3D::ScanGone&)
+        {
+          continue;
+        }
+      }
+    });
+  for (int i = 0; i < 40; ++i)
+  {
+    const LMS3D::ScanHeader header = WaitFor(scanner, scanner->setPose(poses[i % 2]));
+    EXPECT_EQ(header.sensorPose.position.x, poses[i % 2].position.x);
+  }
+  isOver = true;
+  clients.Join();
+  EXPECT_GT(good, 40);
+  EXPECT_EQ(torn, 0);
+  EXPECT_EQ(server.Terminate(SIGTERM), 0);
+}
+
+// LMS3D_SOAK_FETCHES=100000 for the long run.
+TEST(ServerLoad, MemoryStaysFlat)
+{
+  constexpr int Threads = 4;
+  constexpr long Tolerance = 8 << 20;
+  ServerProcess server;
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const auto fetch = [&scanner](int count)
+  {
+    Crowd clients;
+    clients.Add(Threads,
+      [&]
+      {
+        for (int i = 0; i < count / Threads; ++i)
+        {
+          const LMS3D::Data_var triples = scanner->fetch();
+        }
+      });
+  };
+  fetch(1000);
+  const long before = server.GetResidentMemory();
+  fetch(GetNumberOfFetches());
+  const long after = server.GetResidentMemory();
+  RecordProperty("BytesBefore", std::to_string(before));
+  RecordProperty("BytesAfter", std::to_string(after));
+  EXPECT_LT(after - before, Tolerance) << before << " bytes before, " << after << " after";
+  EXPECT_EQ(server.Terminate(SIGTERM), 0);
+}

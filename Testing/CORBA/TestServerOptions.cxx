@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dORBSettings.h"
+#include "lms3dObjectAddresses.h"
+#include "lms3dReferenceFile.h"
+#include "lms3dSceneCatalogue.h"
+#include "lms3dServerOptions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include <unistd.h>
+
+namespace
+{
+/// A folder of its own for each test.
+class ServerOptions : public testing::Test
+{
+protected:
+  void SetUp() override { std::filesystem::create_directories(this->Folder); }
+  void TearDown() override { std::filesystem::remove_all(this->Folder); }
+
+  std::string Write(const std::string& name, const std::string& text) const
+  {
+    const std::string file = (this->Folder / name).string();
+    std::ofstream(file) << text;
+    return file;
+  }
+
+  const std::filesystem::path Folder =
+    std::filesystem::path(testing::TempDir()) / ("lms3d-options-" + std::to_string(getpid()));
+};
+
+std::string GetProblem(const std::vector<std::string>& arguments)
+{
+  try
+  {
+    lms3dReadServerOptions(arguments);
+    return "none";
+  }
+  catch (const std::invalid_argument& problem)
+  {
+    return problem.what();
+  }
+}
+
+std::string Find(const lms3dORBSettings& settings, const std::string& name)
+{
+  const auto setting = std::find_if(settings.begin(), settings.end(),
+    [&name](const auto& candidate) { return candidate.first == name; });
+  return setting == settings.end() ? "not set" : setting->second;
+}
+
+bool Speaks(const std::string& text, const std::string& word)
+{
+  return text.find(word) != std::string::npos;
+}
+} // namespace
+
+TEST_F(ServerOptions, DefaultsAreSafe)
+{
+  const lms3dServerOptions options = lms3dReadServerOptions({ "--scenes", "Data" });
+  EXPECT_EQ(options.Scenes, "Data");
+  EXPECT_EQ(options.Endpoint, "giop:tcp:127.0.0.1:");
+  EXPECT_EQ(options.Rate, 10.0);
+  EXPECT_EQ(options.Keep, 4);
+  EXPECT_FALSE(options.Callbacks);
+  EXPECT_FALSE(options.Naming);
+
+  const lms3dORBSettings settings = lms3dGetORBSettings(options);
+  EXPECT_EQ(Find(settings, "endPoint"), "giop:tcp:127.0.0.1:");
+  EXPECT_EQ(Find(settings, "serverCallTimeOutPeriod"), "5000");
+  EXPECT_EQ(Find(settings, "inConScanPeriod"), "30");
+  EXPECT_EQ(Find(settings, "giopMaxMsgSize"), "not set");
+  EXPECT_EQ(
+    settings.back(), std::make_pair(std::string("clientTransportRule"), std::string("* none")));
+}
+
+TEST_F(ServerOptions, TheCommandLineWinsOverTheFile)
+{
+  const std::string file = this->Write("server.conf",
+    "# a comment\n\n  scenes = My Scenes \r\nrate=5\nposition = 0.5 -1 1e1\nread-only\n"
+    "connect-to = 10.0.0.1/255.255.255.255\n");
+  const lms3dServerOptions options = lms3dReadServerOptions(
+    { "--rate", "7.5", "--config", file, "--threads", "2", "-ORBtraceLevel", "10" });
+  EXPECT_EQ(options.Scenes, "My Scenes");
+  EXPECT_EQ(options.Rate, 7.5);
+  EXPECT_EQ(options.Position, (std::array<double, 3>{ 0.5, -1.0, 10.0 }));
+  EXPECT_TRUE(options.ReadOnly);
+  EXPECT_EQ(options.Threads, 2);
+  EXPECT_EQ(options.ConnectTo, std::vector<std::string>{ "10.0.0.1/255.255.255.255" });
+  EXPECT_EQ(options.ORBArguments, (std::vector<std::string>{ "-ORBtraceLevel", "10" }));
+}
+
+TEST_F(ServerOptions, SayWhatIsWrongAndWhere)
+{
+  EXPECT_TRUE(Speaks(GetProblem({}), "--scenes"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--scene" }), "--scene: it takes 1 values, not 0"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--speed", "3" }), "--speed: there is no such option"));
+  EXPECT_TRUE(Speaks(GetProblem({ "room.wrl" }), "room.wrl: there is no such option"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--rate", "fast" }), "\"fast\" is not a number from 0"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--rate", "nan" }), "nan"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--rate", "-1" }), "-1"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--rate", "5x" }), "5x"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--keep", "0" }), "from 1 to 1000"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--keep", "2.5" }), "2.5"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--position", "0", "1" }), "it takes 3 values, not 2"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--position", "0", "inf", "1" }), "inf"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--up-axis", "x" }), "neither file nor y"));
+  EXPECT_TRUE(Speaks(GetProblem({ "-ORBtraceLevel" }), "it takes 1 values"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--config", "/no/such/file" }), "cannot be read"));
+  EXPECT_TRUE(
+    Speaks(GetProblem({ "--scenes", "Data", "--tls-key", "k.pem" }), "one needs the other"));
+
+  const std::string file = this->Write("bad.conf", "rate = 5\nport = 3\n");
+  EXPECT_TRUE(
+    Speaks(GetProblem({ "--config", file }), file + ":2: \"port = 3\": there is no such"));
+  const std::string flag = this->Write("flag.conf", "read-only = yes\n");
+  EXPECT_TRUE(Speaks(GetProblem({ "--config", flag }), "it takes 0 values, not 1"));
+  const std::string nested = this->Write("nested.conf", "config = " + file + "\n");
+  EXPECT_TRUE(Speaks(GetProblem({ "--config", nested }), "names no other"));
+}
+
+TEST_F(ServerOptions, OtherMachinesNeedAWord)
+{
+  for (const char* endpoint : { "giop:tcp::2810", "giop:tcp:0.0.0.0:2810", "giop:tcp:robot:2810",
+         "giop:ssl:10.0.0.1:2810", "giop:tcp:[::]:2810", "giop:tcp:128.0.0.1:" })
+  {
+    EXPECT_TRUE(
+      Speaks(GetProblem({ "--scenes", "Data", "--endpoint", endpoint }), "--allow-remote"))
+      << endpoint;
+    EXPECT_EQ(GetProblem({ "--scenes", "Data", "--endpoint", endpoint, "--allow-remote" }), "none");
+  }
+  for (const char* endpoint : { "giop:tcp:127.0.0.1:2810", "giop:ssl:localhost:2810",
+         "giop:tcp:[::1]:", "giop:unix:/run/lms3d" })
+  {
+    EXPECT_EQ(GetProblem({ "--scenes", "Data", "--endpoint", endpoint }), "none");
+  }
+}
+
+TEST_F(ServerOptions, TheAdministratorsORBSettingsAreKept)
+{
+  lms3dServerOptions options;
+  options.ORBArguments = { "-ORBendPoint", "giop:tcp:10.0.0.1:2810", "-ORBconfigFile",
+    this->Write("omniORB.cfg", "# inConScanPeriod = 1\nmaxServerThreadPerConnection = 7\n") };
+  setenv("ORBserverCallTimeOutPeriod", "1000", 1);
+  const lms3dORBSettings settings = lms3dGetORBSettings(options);
+  unsetenv("ORBserverCallTimeOutPeriod");
+  EXPECT_EQ(Find(settings, "endPoint"), "not set");
+  EXPECT_EQ(Find(settings, "maxServerThreadPerConnection"), "not set");
+  EXPECT_EQ(Find(settings, "serverCallTimeOutPeriod"), "not set");
+  EXPECT_EQ(Find(settings, "inConScanPeriod"), "30");
+}
+
+TEST_F(ServerOptions, TheCatalogueHasTheFoldersScenesAlone)
+{
+  std::filesystem::create_directories(this->Folder / "below.wrl");
+  this->Write("b.WRL", "");
+  this->Write("a.vrml", "");
+  this->Write("c.wrz", "");
+  this->Write("notes.txt", "");
+  this->Write("d.wrl.bak", "");
+  this->Write("below.wrl/e.wrl", "");
+  this->Write(std::string(130, 'x') + ".wrl", "");
+  this->Write("\xc3\xa9.wrl", "");
+  const lms3dSceneCatalogue catalogue(this->Folder);
+  EXPECT_EQ(catalogue.GetNames(), (std::vector<std::string>{ "a.vrml", "b.WRL", "c.wrz" }));
+  ASSERT_NE(catalogue.Find("b.WRL"), nullptr);
+  EXPECT_EQ(*catalogue.Find("b.WRL"), this->Folder / "b.WRL");
+  EXPECT_EQ(catalogue.Find("b.wrl"), nullptr);
+  EXPECT_EQ(catalogue.Find("below.wrl/e.wrl"), nullptr);
+
+  // Later files are not for clients.
+  this->Write("late.wrl", "");
+  EXPECT_EQ(catalogue.Find("late.wrl"), nullptr);
+}
+
+TEST_F(ServerOptions, ACatalogueNeedsScenes)
+{
+  EXPECT_THROW(lms3dSceneCatalogue("/no/such/folder"), std::runtime_error);
+  EXPECT_THROW(lms3dSceneCatalogue(this->Folder), std::runtime_error);
+}
+
+TEST_F(ServerOptions, TheReferenceFileIsThereAsLongAsTheServer)
+{
+  const std::string file = (this->Folder / "scanner.ior").string();
+  {
+    const lms3dReferenceFile reference(file, "IOR:00");
+    std::string line;
+    std::getline(std::ifstream(file), line);
+    EXPECT_EQ(line, "IOR:00");
+    EXPECT_FALSE(std::filesystem::exists(file + ".tmp"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(file));
+  {
+    const lms3dReferenceFile reference(file, "IOR:00");
+    this->Write("scanner.ior", "IOR:11\n");
+  }
+  EXPECT_TRUE(std::filesystem::exists(file)) << "another server's file was removed";
+  EXPECT_THROW(lms3dReferenceFile("/no/such/folder/x.ior", "IOR:00"), std::runtime_error);
+}
+
+TEST(ObjectAddresses, CorbalocsNameTheirVersion)
+{
+  EXPECT_EQ(lms3dGetCorbaloc({ "giop:unix:/run/x", "giop:tcp:127.0.0.1:2810" }, "LMS3D"),
+    "corbaloc:iiop:1.2@127.0.0.1:2810/LMS3D");
+  EXPECT_EQ(
+    lms3dGetCorbaloc({ "giop:ssl:[::1]:2810" }, "LMS3D"), "corbaloc:ssliop:1.2@[::1]:2810/LMS3D");
+  EXPECT_EQ(lms3dGetCorbaloc({ "giop:unix:/run/x" }, "LMS3D"), "");
+}

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClientORB.h"
+#include "ServerProcess.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <ostream>
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+struct BadConfiguration
+{
+  const char* Name;
+  void (*Change)(LMS3D::Configuration&);
+  /// What the reason must speak of.
+  const char* Word;
+};
+
+void PrintTo(const BadConfiguration& bad, std::ostream* os)
+{
+  *os << bad.Name;
+}
+
+using Settings = LMS3D::Configuration;
+
+const BadConfiguration BadConfigurations[] = {
+  { "AlphaNaN", [](Settings& c) { c.alpha.start = NaN; }, "alpha.start" },
+  { "AlphaBelow", [](Settings& c) { c.alpha.start = -90.5; }, "alpha.start" },
+  { "AlphaBeyond", [](Settings& c) { c.alpha.stop = 1e308; }, "alpha.stop" },
+  { "AlphaReversed", [](Settings& c) { c.alpha.stop = -70.0; }, "alpha.stop" },
+  { "AlphaEmpty", [](Settings& c) { c.alpha.count = 0; }, "alpha.count" },
+  { "BetaInfinite", [](Settings& c) { c.beta.stop = Infinity; }, "beta.stop" },
+  { "BetaTooFar", [](Settings& c) { c.beta.stop = 361.0; }, "beta" },
+  { "BetaEmpty", [](Settings& c) { c.beta.count = 0; }, "beta.count" },
+  { "MinimumNaN", [](Settings& c) { c.minimumRange = NaN; }, "minimumRange" },
+  { "MinimumNegative", [](Settings& c) { c.minimumRange = -1.0; }, "minimumRange" },
+  { "MinimumAboveMaximum", [](Settings& c) { c.minimumRange = 81.0; }, "minimumRange" },
+  { "MaximumZero", [](Settings& c) { c.maximumRange = 0.0; }, "maximumRange" },
+  { "MaximumInfinite", [](Settings& c) { c.maximumRange = Infinity; }, "maximumRange" },
+  { "ErrorNegative", [](Settings& c) { c.mapError = -0.01; }, "mapError" },
+  { "ErrorNaN", [](Settings& c) { c.mapError = NaN; }, "mapError" },
+};
+
+// The next scan and the settings are those from before.
+void ExpectUnchanged(LMS3D::LaserScanner_ptr scanner, const LMS3D::Status& before)
+{
+  const LMS3D::Status_var after = scanner->getStatus();
+  EXPECT_EQ(after->generation, before.generation);
+  EXPECT_STREQ(after->problem, "");
+}
+} // namespace
+
+TEST(ServerSettings, GenerationTellsTheFirstScanFromAPose)
+{
+  ServerProcess server;
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  CORBA::ULongLong before = WaitFor(scanner).generation;
+  for (const double x : { 0.5, -0.5, 0.25 })
+  {
+    const CORBA::ULongLong generation = scanner->setPose(At(x, 0.0, 1.0));
+    EXPECT_GT(generation, before);
+    before = generation;
+    const LMS3D::ScanHeader header = WaitFor(scanner, generation);
+    EXPECT_EQ(header.generation, generation);
+    EXPECT_EQ(header.sensorPose.position.x, x);
+    const LMS3D::Pose pose = scanner->getPose();
+    EXPECT_EQ(pose.position.x, x);
+  }
+}
+
+TEST(ServerSettings, ConfigurationIsTakenUpAndToldBack)
+{
+  ServerProcess server;
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  LMS3D::Configuration configuration = GetCoarseGrid();
+  configuration.makeMap = false;
+  configuration.method = LMS3D::METHOD_FAST;
+  const LMS3D::ScanHeader header = WaitFor(scanner, scanner->setConfiguration(configuration));
+  EXPECT_EQ(header.beams, 13u * 36u);
+  EXPECT_EQ(header.mapPoints, 0u);
+  EXPECT_EQ(header.mapTriangles, 0u);
+  const LMS3D::Configuration now = scanner->getConfiguration();
+  EXPECT_EQ(now.alpha.count, 13u);
+  EXPECT_EQ(now.method, LMS3D::METHOD_FAST);
+  EXPECT_FALSE(now.makeMap);
+}
+
+class ServerRefuses : public testing::TestWithParam<BadConfiguration>
+{
+};
+
+TEST_P(ServerRefuses, Configuration)
+{
+  ServerProcess server;
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const LMS3D::Status_var before = scanner->getStatus();
+  LMS3D::Configuration configuration = GetCoarseGrid();
+  GetParam().Change(configuration);
+  try
+  {
+    scanner->setConfiguration(configuration);
+    ADD_FAILURE() << "taken";
+  }
+  catch (const LMS3D::InvalidArgument& problem)
+  {
+    EXPECT_NE(std::strstr(problem.reason, GetParam().Word), nullptr) << problem.reason;
+  }
+  ExpectUnchanged(scanner, before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bad, ServerRefuses, testing::ValuesIn(BadConfigurations),
+  [](const auto& bad) { return bad.param.Name; });
+
+TEST(ServerSettings, RefusesMoreBeamsThanFit)
+{
+  ServerProcess server;
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const LMS3D::Status_var before = scanner->getStatus();
+  LMS3D::Configuration configuration = GetCoarseGrid();
+  // Products that would be 0, and 1, in 32 bits.
+  const CORBA::ULong counts[][2] = { { 65536, 65536 }, { 4294967295u, 4294967295u },
+    { 4000001, 1 } };
+  for (const auto& count : counts)
+  {
+    configuration.alpha.count = count[0];
+    configuration.beta.count = count[1];
+    try
+    {
+      scanner->setConfiguration(configuration);
+      ADD_FAILURE() << count[0] << " x " << count[1] << " was taken";
+    }
+    catch (const LMS3D::LimitExceeded& problem)
+    {
+      EXPECT_EQ(problem.limit, 4000000u);
+    }
+  }
+  ExpectUnchanged(scanner, before);
+}
+
+TEST(ServerSettings, RefusesPosesThatAreNone)
+{
+  ServerProcess server;
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const LMS3D::Status_var before = scanner->getStatus();
+  for (const double bad : { NaN, Infinity, -Infinity, 1.1e6 })
+  {
+    EXPECT_THROW(scanner->setPose(At(0.0, bad, 0.0)), LMS3D::InvalidArgument) << bad;
+  }
+  LMS3D::Pose turned = At(0.0, 0.0, 1.0);
+  turned.orientation.z = NaN;
+  EXPECT_THROW(scanner->setPose(turned), LMS3D::InvalidArgument);
+  ExpectUnchanged(scanner, before);
+}
+
+TEST(ServerSettings, KnowsNoScenesBesideTheCatalogue)
+{
+  ServerProcess server;
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const LMS3D::Status_var before = scanner->getStatus();
+  for (const char* name : { "", ".", "..", "../Data/room.wrl", "./room.wrl", "room", "ROOM.WRL",
+         "room.wrl/", "/etc/passwd", LMS3D_DATA_DIR "/room.wrl", "file:room.wrl" })
+  {
+    try
+    {
+      scanner->selectScene(name);
+      ADD_FAILURE() << "\"" << name << "\" was taken";
+    }
+    catch (const LMS3D::NoSuchScene& problem)
+    {
+      EXPECT_STREQ(problem.name, name);
+    }
+  }
+  ExpectUnchanged(scanner, before);
+}
+
+TEST(ServerSettings, KeepsTheSceneWhereTheNextIsBroken)
+{
+  const std::filesystem::path folder =
+    std::filesystem::path(testing::TempDir()) / ("lms3d-scenes-" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(std::filesystem::path(LMS3D_DATA_DIR) / "room.wrl",
+    folder / "room.wrl", std::filesystem::copy_options::overwrite_existing);
+  std::ofstream(folder / "broken.wrl") << "#VRML V2.0 utf8\nShape { geometry Box { size 1 ";
+  std::ofstream(folder / "empty.wrl") << "no scene at all";
+  {
+    ServerProcess server({ "--scenes", folder.string() });
+    const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+    const LMS3D::Status_var before = scanner->getStatus();
+    try
+    {
+      scanner->selectScene("empty.wrl");
+      ADD_FAILURE() << "taken";
+    }
+    catch (const LMS3D::SceneFailed& problem)
+    {
+      EXPECT_STREQ(problem.name, "empty.wrl");
+      EXPECT_NE(std::strstr(problem.reason, "VRML"), nullptr) << problem.reason;
+      EXPECT_EQ(std::strstr(problem.reason, folder.c_str()), nullptr) << problem.reason;
+    }
+    ExpectUnchanged(scanner, before);
+    EXPECT_STREQ(WaitFor(scanner).scene.in(), "room.wrl");
+    EXPECT_EQ(server.Terminate(SIGTERM), 0);
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ServerSettings, ReadOnlyLetsClientsLookOnly)
+{
+  ServerProcess server({ "--read-only" });
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const LMS3D::Status_var before = scanner->getStatus();
+  EXPECT_TRUE(before->isReadOnly);
+  EXPECT_THROW(scanner->setPose(At(0.0, 0.0, 1.0)), LMS3D::NotPermitted);
+  EXPECT_THROW(scanner->setConfiguration(GetCoarseGrid()), LMS3D::NotPermitted);
+  EXPECT_THROW(scanner->selectScene("teapot.wrl"), LMS3D::NotPermitted);
+  ExpectUnchanged(scanner, before);
+  const LMS3D::Data_var triples = scanner->fetch();
+  EXPECT_EQ(triples->length(), 389880u);
+}
