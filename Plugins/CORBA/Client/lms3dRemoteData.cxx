@@ -7,125 +7,149 @@
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTypeInt32Array.h>
-#include <vtkTypeInt64Array.h>
+#include <vtkTypeUInt64Array.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace
 {
-template <typename Array>
-void MakeRoom(Array* array, const char* name, std::size_t count, int components = 1)
+template <typename ArrayT>
+vtkNew<ArrayT> MakeArray(const char* name, vtkIdType count, int components = 1)
 {
+  vtkNew<ArrayT> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  array->SetNumberOfTuples(count);
+  return array;
 }
 
-std::size_t CountReturns(const std::vector<float>& ranges)
+// Cells of `size` points each.
+vtkNew<vtkCellArray> MakeCells(vtkTypeInt32Array* points, int size)
 {
-  return static_cast<std::size_t>(
-    std::count_if(ranges.begin(), ranges.end(), [](float range) { return range > 0.0f; }));
+  const vtkIdType count = points->GetNumberOfValues() / size;
+  const auto offsets = MakeArray<vtkTypeInt32Array>("Offsets", count + 1);
+  for (vtkIdType i = 0; i <= count; ++i)
+  {
+    offsets->SetValue(i, static_cast<vtkTypeInt32>(size * i));
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, points);
+  return cells;
 }
 
-/// The returns of a scan: a slot for each in every array.
+void SetPoints(vtkDoubleArray* coordinates, vtkPolyData* data)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  data->SetPoints(points);
+}
+
+void AddNumber(const char* name, CORBA::ULongLong number, vtkFieldData* fieldData)
+{
+  const auto array = MakeArray<vtkTypeUInt64Array>(name, 1);
+  array->SetValue(0, number);
+  fieldData->AddArray(array);
+}
+
+void AddOrigin(const LMS3D::ScanHeader& header, vtkFieldData* fieldData)
+{
+  AddNumber("ScanNumber", header.number, fieldData);
+  AddNumber("Incarnation", header.incarnation, fieldData);
+  AddNumber("Generation", header.generation, fieldData);
+  AddNumber("StartTime", header.startTime, fieldData);
+  AddNumber("EndTime", header.endTime, fieldData);
+  vtkNew<vtkStringArray> scene;
+  scene->SetName("Scene");
+  scene->InsertNextValue(header.scene.in());
+  fieldData->AddArray(scene);
+}
+
+/// Where the returns go: a slot for each in every array.
 struct Returns
 {
-  explicit Returns(std::size_t count)
+  explicit Returns(vtkIdType count)
+    : Points(MakeArray<vtkDoubleArray>("Points", count, 3))
+    , Ranges(MakeArray<vtkDoubleArray>("Range", count))
+    , Alphas(MakeArray<vtkFloatArray>("Alpha", count))
+    , Betas(MakeArray<vtkFloatArray>("Beta", count))
+    , BeamIds(MakeArray<vtkIntArray>("BeamId", count))
+    , Vertices(MakeArray<vtkTypeInt32Array>("Connectivity", count))
   {
-    MakeRoom(this->Points.GetPointer(), "Points", count, 3);
-    MakeRoom(this->Ranges.GetPointer(), "Range", count);
-    MakeRoom(this->Alphas.GetPointer(), "Alpha", count);
-    MakeRoom(this->Betas.GetPointer(), "Beta", count);
-    MakeRoom(this->BeamIds.GetPointer(), "BeamId", count);
+    std::iota(this->Vertices->GetPointer(0), this->Vertices->GetPointer(count), 0);
   }
 
   void MoveTo(vtkPolyData* scan) const
   {
-    vtkNew<vtkPoints> points;
-    points->SetData(this->Points);
-    scan->SetPoints(points);
-    scan->GetPointData()->SetScalars(this->Ranges);
-    scan->GetPointData()->AddArray(this->Alphas);
-    scan->GetPointData()->AddArray(this->Betas);
-    scan->GetPointData()->AddArray(this->BeamIds);
-    vtkNew<vtkCellArray> vertices;
-    vertices->AllocateExact(this->Ranges->GetNumberOfValues(), this->Ranges->GetNumberOfValues());
-    for (vtkIdType i = 0; i < this->Ranges->GetNumberOfValues(); ++i)
-    {
-      vertices->InsertNextCell(1, &i);
-    }
-    scan->SetVerts(vertices);
+    SetPoints(this->Points, scan);
+    scan->SetVerts(MakeCells(this->Vertices, 1));
+    vtkPointData* pointData = scan->GetPointData();
+    pointData->SetScalars(this->Ranges);
+    pointData->AddArray(this->Alphas);
+    pointData->AddArray(this->Betas);
+    pointData->AddArray(this->BeamIds);
   }
 
-  vtkNew<vtkDoubleArray> Points;
-  vtkNew<vtkDoubleArray> Ranges;
-  vtkNew<vtkFloatArray> Alphas;
-  vtkNew<vtkFloatArray> Betas;
-  vtkNew<vtkIntArray> BeamIds;
+  const vtkNew<vtkDoubleArray> Points;
+  const vtkNew<vtkDoubleArray> Ranges;
+  const vtkNew<vtkFloatArray> Alphas;
+  const vtkNew<vtkFloatArray> Betas;
+  const vtkNew<vtkIntArray> BeamIds;
+  const vtkNew<vtkTypeInt32Array> Vertices;
 };
 
+// By raw pointers: ParaView's VTK is slow to be called.
 void FillReturns(const std::vector<float>& ranges, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const Returns& returns)
 {
   const lms3dBeamDirections directions(geometry, pose);
   const int beams = geometry.GetNumberOfBeams();
-  vtkIdType slot = 0;
-  for (std::size_t id = 0; id < ranges.size(); ++id)
+  double* point = returns.Points->GetPointer(0);
+  double* range = returns.Ranges->GetPointer(0);
+  float* alpha = returns.Alphas->GetPointer(0);
+  float* beta = returns.Betas->GetPointer(0);
+  int* beamId = returns.BeamIds->GetPointer(0);
+  for (int id = 0; id < static_cast<int>(ranges.size()); ++id)
   {
-    const double range = ranges[id];
-    if (range > 0.0)
+    if (ranges[id] == 0.0F)
     {
-      const int turn = static_cast<int>(id) / beams;
-      const int beam = static_cast<int>(id) % beams;
-      const std::array<double, 3> direction = directions.GetDirection(turn, beam);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        returns.Points->SetValue(3 * slot + axis, pose.Position[axis] + range * direction[axis]);
-      }
-      returns.Ranges->SetValue(slot, range);
-      returns.Alphas->SetValue(slot, static_cast<float>(geometry.GetAlphaAngles()[beam]));
-      returns.Betas->SetValue(slot, static_cast<float>(geometry.GetBetaAngles()[turn]));
-      returns.BeamIds->SetValue(slot, static_cast<int>(id));
-      ++slot;
+      continue;
     }
+    const int turn = id / beams;
+    const int beam = id % beams;
+    const std::array<double, 3> direction = directions.GetDirection(turn, beam);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      *point++ = pose.Position[axis] + ranges[id] * direction[axis];
+    }
+    *range++ = ranges[id];
+    *alpha++ = static_cast<float>(geometry.GetAlphaAngles()[beam]);
+    *beta++ = static_cast<float>(geometry.GetBetaAngles()[turn]);
+    *beamId++ = id;
   }
-}
-
-vtkNew<vtkCellArray> MakeTriangles(const std::vector<std::uint32_t>& numbers)
-{
-  vtkNew<vtkTypeInt64Array> connectivity;
-  MakeRoom(connectivity.GetPointer(), "Connectivity", numbers.size());
-  std::copy(numbers.begin(), numbers.end(), connectivity->GetPointer(0));
-  vtkNew<vtkTypeInt64Array> offsets;
-  const std::size_t count = numbers.size() / 3;
-  MakeRoom(offsets.GetPointer(), "Offsets", count + 1);
-  for (std::size_t i = 0; i <= count; ++i)
-  {
-    offsets->SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt64>(3 * i));
-  }
-  vtkNew<vtkCellArray> triangles;
-  triangles->SetData(offsets, connectivity);
-  return triangles;
 }
 
 vtkNew<vtkDoubleArray> MakeRanges(const std::vector<double>& points, const LMS3D::Vector3& sensor)
 {
-  vtkNew<vtkDoubleArray> ranges;
-  MakeRoom(ranges.GetPointer(), "Range", points.size() / 3);
-  for (std::size_t i = 0; i < points.size() / 3; ++i)
+  const vtkIdType count = static_cast<vtkIdType>(points.size() / 3);
+  auto ranges = MakeArray<vtkDoubleArray>("Range", count);
+  double* range = ranges->GetPointer(0);
+  for (vtkIdType i = 0; i < count; ++i)
   {
     const double* point = points.data() + 3 * i;
-    ranges->SetValue(static_cast<vtkIdType>(i),
-      std::hypot(point[0] - sensor.x, point[1] - sensor.y, point[2] - sensor.z));
+    range[i] = std::hypot(point[0] - sensor.x, point[1] - sensor.y, point[2] - sensor.z);
   }
   return ranges;
 }
@@ -135,20 +159,22 @@ void lms3dFillScan(const lms3dRemoteScan& remote, vtkPolyData* scan)
 {
   const lms3dScanGeometry geometry = lms3dGetGeometry(remote.Header.settings);
   const lms3dPose pose = lms3dGetPose(remote.Header.sensorPose);
-  const Returns returns(CountReturns(remote.Ranges));
+  const Returns returns(remote.Header.returns);
   FillReturns(remote.Ranges, geometry, pose, returns);
   returns.MoveTo(scan);
   lms3dAddFieldData(geometry, pose, scan);
+  AddOrigin(remote.Header, scan->GetFieldData());
 }
 
 void lms3dFillMap(const lms3dRemoteScan& remote, vtkPolyData* map)
 {
-  vtkNew<vtkDoubleArray> coordinates;
-  MakeRoom(coordinates.GetPointer(), "Points", remote.MapPoints.size() / 3, 3);
-  std::copy(remote.MapPoints.begin(), remote.MapPoints.end(), coordinates->GetPointer(0));
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
-  map->SetPoints(points);
-  map->SetPolys(MakeTriangles(remote.MapTriangles));
+  const auto points = MakeArray<vtkDoubleArray>("Points", remote.Header.mapPoints, 3);
+  std::copy(remote.MapPoints.begin(), remote.MapPoints.end(), points->GetPointer(0));
+  SetPoints(points, map);
+  const auto corners = MakeArray<vtkTypeInt32Array>(
+    "Connectivity", static_cast<vtkIdType>(remote.MapTriangles.size()));
+  std::copy(remote.MapTriangles.begin(), remote.MapTriangles.end(), corners->GetPointer(0));
+  map->SetPolys(MakeCells(corners, 3));
   map->GetPointData()->SetScalars(MakeRanges(remote.MapPoints, remote.Header.sensorPose.position));
+  AddOrigin(remote.Header, map->GetFieldData());
 }

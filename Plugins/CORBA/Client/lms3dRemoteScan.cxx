@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dRemoteScan.h"
 
-#include "lms3dChecksum.h"
 #include "lms3dMessageLimit.h"
+#include "lms3dRemoteCheck.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -11,13 +11,21 @@
 
 namespace
 {
+void RequireLength(CORBA::ULong length, CORBA::ULong expected)
+{
+  if (length != expected)
+  {
+    throw std::runtime_error("the server sends " + std::to_string(length) +
+      " numbers in place of " + std::to_string(expected));
+  }
+}
+
 // `ask(first, count)` is one message's items, of `width` elements each. The server's limit may be
 // lower than the client's, which it then tells.
 template <typename Sequence, typename Element, typename Ask>
 void FetchAll(
   CORBA::ULong total, CORBA::ULong width, const Ask& ask, std::vector<Element>& elements)
 {
-  elements.reserve(std::size_t(total) * width);
   CORBA::ULongLong most = lms3dGetMostElements(width * sizeof(Element));
   for (CORBA::ULong first = 0; first < total;)
   {
@@ -25,6 +33,7 @@ void FetchAll(
     try
     {
       const typename Sequence::_var_type part = ask(first, count);
+      RequireLength(part->length(), count * width);
       elements.insert(elements.end(), part->get_buffer(), part->get_buffer() + part->length());
       first += count;
     }
@@ -38,18 +47,11 @@ void FetchAll(
     }
   }
 }
-
-void RequireChecksum(std::uint32_t checksum, std::uint32_t expected, const char* what)
-{
-  if (checksum != expected)
-  {
-    throw std::runtime_error(std::string("the checksum of the ") + what + " is wrong");
-  }
-}
 } // namespace
 
 lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::ScanHeader& header)
 {
+  lms3dCheckHeader(header);
   lms3dRemoteScan scan;
   scan.Header = header;
   const CORBA::ULongLong number = header.number;
@@ -68,11 +70,6 @@ lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::Sca
     [&](CORBA::ULong first, CORBA::ULong count)
     { return scanner->getMapTriangles(number, first, count); },
     scan.MapTriangles);
-  RequireChecksum(lms3dGetRangesChecksum(scan.Ranges), header.rangesChecksum, "ranges");
-  if (header.settings.makeMap)
-  {
-    RequireChecksum(
-      lms3dGetMapChecksum(scan.MapPoints, scan.MapTriangles), header.mapChecksum, "map");
-  }
+  lms3dCheckArrays(scan);
   return scan;
 }

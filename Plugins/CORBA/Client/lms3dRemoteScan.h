@@ -25,7 +25,8 @@ struct lms3dRemoteScan
 
 /**
  * Fetches the scan of a header, and its map, in as many messages as it takes. Throws LMS3D::ScanGone
- * where the server has dropped it meanwhile, std::runtime_error where a checksum is wrong.
+ * where the server has dropped it meanwhile, std::runtime_error where what it sends is not as it has to
+ * be (lms3dRemoteCheck.h).
  */
 lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::ScanHeader& header);
 

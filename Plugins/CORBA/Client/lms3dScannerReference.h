@@ -11,8 +11,9 @@
 
 #include <string>
 
-/// `reference` is the name of a file that has an IOR, an IOR itself, a corbaloc or a corbaname. Throws
-/// std::runtime_error where it leads to no scanner, CORBA::Exception where nobody answers.
+/// `reference` is an IOR, a corbaloc, a corbaname, or the name of a file that has one of these, with
+/// "file:" before it or without. Throws std::runtime_error where it leads to no scanner,
+/// CORBA::SystemException where nobody answers.
 LMS3D::LaserScanner_ptr lms3dFindScanner(CORBA::ORB_ptr orb, const std::string& reference);
 
 #endif
