@@ -1,9 +1,13 @@
-# The two VTK modules. Each source is compiled once; Python and ParaView only wrap the result.
+# The VTK modules. Each source is compiled once; Python and ParaView only wrap the result.
 
+set(module_files
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Readers/vtk.module")
+if (LMS3D_BUILD_CORBA)
+  list(APPEND module_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugins/CORBA/Remote/vtk.module")
+endif ()
 vtk_module_scan(
-  MODULE_FILES
-    "${CMAKE_CURRENT_SOURCE_DIR}/Filters/vtk.module"
-    "${CMAKE_CURRENT_SOURCE_DIR}/Readers/vtk.module"
+  MODULE_FILES ${module_files}
   PROVIDES_MODULES lms3d_modules
   WANT_BY_DEFAULT ON
   HIDE_MODULES_FROM_CACHE ON)

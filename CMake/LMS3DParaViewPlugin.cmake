@@ -1,7 +1,22 @@
-# The ParaView plugin: client-server wrappers of the modules and the XML, nothing compiled twice.
+# The ParaView plugins: client-server wrappers of the modules and the XML, nothing compiled twice.
 
+# The help pages are made of the XML by a program of Qt 5, also for windows of Qt 6; ParaView's own
+# search takes it from here.
+set(LMS3D_PARAVIEW_HELP OFF)
+if (LMS3D_PARAVIEW_WINDOW)
+  find_program(qt_xmlpatterns_executable NAMES xmlpatterns
+    HINTS "${ParaView_DIR}/../../../qt5/bin" NO_DEFAULT_PATH)
+  if (qt_xmlpatterns_executable AND TARGET ${LMS3D_QT}::qhelpgenerator)
+    set(LMS3D_PARAVIEW_HELP ON)
+  endif ()
+endif ()
+
+set(plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugins/ParaView/paraview.plugin")
+if (LMS3D_BUILD_CORBA)
+  list(APPEND plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugins/CORBA/ParaView/paraview.plugin")
+endif ()
 paraview_plugin_scan(
-  PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Plugins/ParaView/paraview.plugin"
+  PLUGIN_FILES ${plugin_files}
   PROVIDES_PLUGINS lms3d_plugins
   ENABLE_BY_DEFAULT ON
   HIDE_PLUGINS_FROM_CACHE ON)

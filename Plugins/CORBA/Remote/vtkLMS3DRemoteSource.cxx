@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLMS3DRemoteSource.h"
+
+#include "lms3dRemoteData.h"
+#include "lms3dRemoteThreads.h"
+#include "lms3dRemoteWatch.h"
+
+#include <vtkErrorCode.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <chrono>
+#include <cstdint>
+
+vtkStandardNewMacro(vtkLMS3DRemoteSource);
+
+namespace
+{
+std::chrono::milliseconds Milliseconds(double seconds)
+{
+  return std::chrono::milliseconds(static_cast<int>(1000.0 * seconds));
+}
+
+// The others of several processes are asked for pieces that a scan does not have.
+bool IsFirstPiece(vtkInformation* output)
+{
+  const auto piece = vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER();
+  return !output->Has(piece) || output->Get(piece) <= 0;
+}
+
+LMS3D::Vector3 MakeVector(const double values[3])
+{
+  return { values[0], values[1], values[2] };
+}
+} // namespace
+
+struct vtkLMS3DRemoteSource::Internals
+{
+  ~Internals() { this->Stop(); }
+
+  /// The one for these properties, started where there is none.
+  lms3dRemoteWatch& GetWatch(const std::string& url, double timeout)
+  {
+    if (!this->Watch || this->Url != url || this->Timeout != timeout)
+    {
+      this->Stop();
+      this->Url = url;
+      this->Timeout = timeout;
+      this->Watch = std::make_shared<lms3dRemoteWatch>(url, Milliseconds(timeout));
+      this->Shown = 0;
+      lms3dRemoteThreads::GetInstance().Start(this->Watch);
+    }
+    return *this->Watch;
+  }
+
+  void Stop() const
+  {
+    if (this->Watch)
+    {
+      this->Watch->Stop();
+    }
+  }
+
+  std::shared_ptr<lms3dRemoteWatch> Watch;
+  /// The count of the news that the last update showed.
+  std::uint64_t Shown = 0;
+  std::string WarnedOf;
+
+private:
+  std::string Url;
+  double Timeout = 0.0;
+};
+
+vtkLMS3DRemoteSource::vtkLMS3DRemoteSource()
+  : Internal(new Internals)
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkLMS3DRemoteSource::~vtkLMS3DRemoteSource() = default;
+
+vtkPolyData* vtkLMS3DRemoteSource::GetLocalMap()
+{
+  return this->GetOutput(1);
+}
+
+void vtkLMS3DRemoteSource::SendPose()
+{
+  if (this->URL.empty())
+  {
+    vtkErrorMacro("There is no server to send the pose to; set URL.");
+    return;
+  }
+  this->Internal->GetWatch(this->URL, this->Timeout)
+    .SendPose({ MakeVector(this->Position), MakeVector(this->Orientation) });
+}
+
+bool vtkLMS3DRemoteSource::GetNeedsUpdate()
+{
+  const auto& watch = this->Internal->Watch;
+  if (!watch || watch->GetCount() == this->Internal->Shown)
+  {
+    return false;
+  }
+  this->Modified();
+  return true;
+}
+
+std::string vtkLMS3DRemoteSource::GetProblem() const
+{
+  if (!this->Internal->Watch)
+  {
+    return "";
+  }
+  const lms3dRemoteNews news = this->Internal->Watch->GetNews();
+  return news.Problem.empty() ? news.Refusal : news.Problem;
+}
+
+int vtkLMS3DRemoteSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (!IsFirstPiece(outputVector->GetInformationObject(0)))
+  {
+    return 1;
+  }
+  if (this->URL.empty())
+  {
+    vtkErrorMacro("There is no server to ask; set URL, for example to what the server prints.");
+    this->SetErrorCode(vtkErrorCode::UserError);
+    return 0;
+  }
+  const lms3dRemoteNews news = this->Internal->GetWatch(this->URL, this->Timeout).WaitForNews();
+  this->Internal->Shown = news.Count;
+  this->Warn(news);
+  if (news.Scan)
+  {
+    lms3dFillScan(*news.Scan, vtkPolyData::GetData(outputVector, 0));
+    lms3dFillMap(*news.Scan, vtkPolyData::GetData(outputVector, 1));
+  }
+  return 1;
+}
+
+// Once of each thing.
+void vtkLMS3DRemoteSource::Warn(const lms3dRemoteNews& news)
+{
+  std::string problem = news.Problem.empty() ? news.Refusal : news.Problem;
+  if (problem.empty() && !news.Scan)
+  {
+    problem = "no scan came within the Timeout";
+  }
+  if (!problem.empty() && problem != this->Internal->WarnedOf)
+  {
+    vtkWarningMacro(<< "From the server at " << this->URL << ": " << problem << ". "
+                    << (news.Scan ? "The last scan is shown."
+                                  : "The output is empty until one comes."));
+  }
+  this->Internal->WarnedOf = problem;
+}
+
+void vtkLMS3DRemoteSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "URL: " << this->URL << '\n';
+  os << indent << "Timeout: " << this->Timeout << '\n';
+  os << indent << "Position: " << this->Position[0] << ' ' << this->Position[1] << ' '
+     << this->Position[2] << '\n';
+  os << indent << "Orientation: " << this->Orientation[0] << ' ' << this->Orientation[1] << ' '
+     << this->Orientation[2] << '\n';
+}
