@@ -42,4 +42,7 @@ private:
   std::string IOR;
 };
 
+/// A port of 127.0.0.1 that nobody has at the moment.
+int FindFreePort();
+
 #endif

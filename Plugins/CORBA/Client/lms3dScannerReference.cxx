@@ -63,16 +63,27 @@ CORBA::Object_ptr FindObject(CORBA::ORB_ptr orb, const std::string& url)
     throw std::runtime_error(Quote(url) + " names no object; the server prints one that does");
   }
 }
+
+void LimitCalls(CORBA::Object_ptr object, CORBA::ULong timeout)
+{
+  if (timeout != 0)
+  {
+    omniORB::setClientCallTimeout(object, timeout);
+  }
+}
 } // namespace
 
-LMS3D::LaserScanner_ptr lms3dFindScanner(CORBA::ORB_ptr orb, const std::string& reference)
+LMS3D::LaserScanner_ptr lms3dFindScanner(
+  CORBA::ORB_ptr orb, const std::string& reference, CORBA::ULong timeout)
 {
   const std::string url = IsURL(reference) ? reference : ReadFile(GetFileName(reference));
   const CORBA::Object_var object = FindObject(orb, url);
+  LimitCalls(object, timeout);
   LMS3D::LaserScanner_ptr scanner = LMS3D::LaserScanner::_narrow(object);
   if (CORBA::is_nil(scanner))
   {
     throw std::runtime_error("what is at " + Quote(reference) + " is no scanner of LMS3D");
   }
+  LimitCalls(scanner, timeout);
   return scanner;
 }

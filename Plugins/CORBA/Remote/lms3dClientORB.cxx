@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dClientORB.h"
 
+namespace
+{
+// For a naming service, which has no limit of its own.
+const char* Options[][2] = { { "clientCallTimeOutPeriod", "5000" }, { nullptr, nullptr } };
+
+CORBA::ORB_ptr MakeORB()
+{
+  int noArguments = 0;
+  return CORBA::ORB_init(noArguments, nullptr, "omniORB4", Options);
+}
+} // namespace
+
 CORBA::ORB_ptr lms3dGetClientORB()
 {
-  static const CORBA::ORB_ptr orb = []
-  {
-    int noArguments = 0;
-    return CORBA::ORB_init(noArguments, nullptr, "omniORB4");
-  }();
+  static const CORBA::ORB_ptr orb = MakeORB();
   return orb;
-}
-
-void lms3dSetCallTimeout(std::chrono::milliseconds timeout)
-{
-  lms3dGetClientORB(); // which its settings need
-  omniORB::setClientThreadCallTimeout(static_cast<CORBA::ULong>(timeout.count()));
 }

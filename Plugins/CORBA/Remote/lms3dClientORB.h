@@ -9,13 +9,8 @@
 
 #include <omniORB4/CORBA.h>
 
-#include <chrono>
-
 /// Made by the first call and never destroyed: there is one in a process, and others may use it too.
 /// Throws CORBA::SystemException.
 CORBA::ORB_ptr lms3dGetClientORB();
-
-/// What a call of this thread, which omni_thread must know, may take.
-void lms3dSetCallTimeout(std::chrono::milliseconds timeout);
 
 #endif

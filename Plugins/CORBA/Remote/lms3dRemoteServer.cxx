@@ -21,10 +21,12 @@ std::string Describe(const CORBA::SystemException& exception)
 }
 } // namespace
 
-lms3dRemoteServer::lms3dRemoteServer(const std::string& url)
+lms3dRemoteServer::lms3dRemoteServer(const std::string& url, std::chrono::milliseconds timeout)
 {
   this->Scanner = this->Ask<LMS3D::LaserScanner_ptr>(
-    [&url] { return lms3dFindScanner(lms3dGetClientORB(), url); });
+    [&url, timeout] {
+      return lms3dFindScanner(lms3dGetClientORB(), url, static_cast<CORBA::ULong>(timeout.count()));
+    });
 }
 
 // The result of a call, with what the server and the ORB object to in words.

@@ -9,6 +9,7 @@
 
 #include "lms3dRemoteScan.h"
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -16,13 +17,12 @@
 using lms3dRemoteScanPointer = std::shared_ptr<const lms3dRemoteScan>;
 
 /**
- * Every method talks to the server, for as long as the calling thread lets a call take
- * (lms3dSetCallTimeout), and throws std::runtime_error where that fails.
+ * Every method talks to the server, and throws std::runtime_error where that fails or takes too long.
  */
 class lms3dRemoteServer
 {
 public:
-  explicit lms3dRemoteServer(const std::string& url);
+  lms3dRemoteServer(const std::string& url, std::chrono::milliseconds timeout);
 
   /// The newest scan that this has not returned before, whole and checked; null where there is none
   /// within `milliseconds`, or where it was gone before all of it was fetched.

@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dRemoteWatch.h"
 
-#include "lms3dClientORB.h"
-
-#include <omnithread.h>
-
 #include <exception>
 #include <utility>
 
@@ -31,7 +27,6 @@ lms3dRemoteWatch::lms3dRemoteWatch(std::string url, std::chrono::milliseconds ti
 
 void lms3dRemoteWatch::Run()
 {
-  const omni_thread::ensure_self self;
   while (!this->IsStopped())
   {
     try
@@ -54,8 +49,7 @@ void lms3dRemoteWatch::Run()
 // Until something fails.
 void lms3dRemoteWatch::Follow()
 {
-  lms3dSetCallTimeout(this->Timeout);
-  lms3dRemoteServer server(this->Url);
+  lms3dRemoteServer server(this->Url, this->Timeout);
   while (!this->IsStopped())
   {
     this->SendWaitingPose(server);

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClientORB.h"
+#include "ServerProcess.h"
+#include "WatchingSource.h"
+
+#include <vtkErrorCode.h>
+#include <vtkPolyData.h>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <unistd.h>
+
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+// Far below any Timeout.
+constexpr double AtOnce = 0.25;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::vector<std::string> ListenAt(int port)
+{
+  return { "--endpoint", "giop:tcp:127.0.0.1:" + std::to_string(port) };
+}
+
+std::string GetCorbaloc(int port, const std::string& key = "LMS3D")
+{
+  return "corbaloc:iiop:1.2@127.0.0.1:" + std::to_string(port) + "/" + key;
+}
+
+std::string GetTemporaryFile()
+{
+  return (
+    std::filesystem::path(testing::TempDir()) / ("lms3d-" + std::to_string(getpid()) + ".ior"))
+    .string();
+}
+
+/// Stopped, not ended: its system still takes connections.
+class Hanging
+{
+public:
+  explicit Hanging(const ServerProcess& server)
+    : Process(server.GetProcess())
+  {
+    kill(this->Process, SIGSTOP);
+  }
+  ~Hanging() { kill(this->Process, SIGCONT); }
+  Hanging(const Hanging&) = delete;
+  void operator=(const Hanging&) = delete;
+
+private:
+  const pid_t Process;
+};
+
+void ExpectNothing(WatchingSource& source)
+{
+  source->Update();
+  EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(source.GetMap()->GetNumberOfPoints(), 0);
+}
+} // namespace
+
+TEST(RemoteFaults, ServerIsStartedAnewAtTheSamePlace)
+{
+  const int port = FindFreePort();
+  WatchingSource source(GetCorbaloc(port));
+  std::uint64_t incarnation = 0;
+  std::uint64_t seen = 0;
+  {
+    ServerProcess server(ListenAt(port));
+    source->Update();
+    incarnation = source.GetNumber("Incarnation");
+    ASSERT_TRUE(source.UpdateUntil([&] { return source.GetNumber("ScanNumber") > 5; }));
+    server.Terminate(SIGKILL);
+    std::string warnings;
+    EXPECT_TRUE(source.UpdateUntil([&] { return !(warnings += source.TakeWarnings()).empty(); }));
+    EXPECT_NE(warnings.find("no answer"), std::string::npos) << warnings;
+    EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 129960) << "the last scan does not stay";
+    seen = source.GetNumber("ScanNumber");
+  }
+  ServerProcess server(ListenAt(port));
+  EXPECT_TRUE(source.UpdateUntil([&] { return source.GetNumber("Incarnation") > incarnation; }));
+  EXPECT_LE(source.GetNumber("ScanNumber"), seen + 5) << "the numbers begin again";
+  EXPECT_EQ(source->GetProblem(), "");
+}
+
+TEST(RemoteFaults, ServerIsStartedAnewElsewhere)
+{
+  const std::string file = GetTemporaryFile();
+  WatchingSource source("file:" + file);
+  ExpectNothing(source);
+  EXPECT_NE(source.TakeWarnings().find(file), std::string::npos);
+  std::uint64_t incarnation = 0;
+  {
+    ServerProcess server({ "--ior", file });
+    EXPECT_TRUE(source.UpdateUntil([&] { return source.GetNumber("Incarnation") > 0; }));
+    incarnation = source.GetNumber("Incarnation");
+    EXPECT_EQ(server.Terminate(SIGTERM), 0);
+  }
+  ServerProcess server({ "--ior", file });
+  EXPECT_TRUE(source.UpdateUntil([&] { return source.GetNumber("Incarnation") > incarnation; }));
+}
+
+TEST(RemoteFaults, NobodyAnswers)
+{
+  const int port = FindFreePort();
+  WatchingSource source(GetCorbaloc(port));
+  ExpectNothing(source);
+  EXPECT_NE(source.TakeWarnings().find("no answer"), std::string::npos);
+  EXPECT_EQ(source->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  EXPECT_FALSE(source.UpdateUntil([] { return false; }, 2)) << "some retries later";
+  EXPECT_EQ(source.TakeWarnings(), "") << "warns more than once";
+
+  ServerProcess server(ListenAt(port));
+  EXPECT_TRUE(source.UpdateUntil([&] { return source.GetScan()->GetNumberOfPoints() > 0; }));
+}
+
+TEST(RemoteFaults, URLsThatLeadNowhere)
+{
+  ServerProcess server;
+  const std::string corbaloc = server.GetCorbaloc();
+  const std::string file = GetTemporaryFile();
+  std::ofstream(file) << "no reference\n";
+  const std::vector<std::string> urls = { "garbage", " ", "corbaloc:", "corbaloc:iiop:1.2@:/",
+    "corbaloc:iiop:1.2@127.0.0.1:99999/LMS3D", "IOR:", "IOR:zz", "IOR:0100", "corbaname:nowhere",
+    "http://127.0.0.1/", "file:", "file:/no/such/file", "file:///", "file:" + file, LMS3D_SERVER,
+    corbaloc + "x", std::string(100000, 'x'), "IOR:" + std::string(100000, '0') };
+  for (const std::string& url : urls)
+  {
+    SCOPED_TRACE(url.substr(0, 50));
+    WatchingSource source(url);
+    ExpectNothing(source);
+    EXPECT_FALSE(source->GetProblem().empty());
+    EXPECT_LT(source->GetProblem().size(), 1000u);
+    EXPECT_FALSE(source.TakeWarnings().empty());
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(RemoteFaults, WithoutAURL)
+{
+  WatchingSource source("");
+  source->Update();
+  EXPECT_EQ(source->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+  EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 0);
+  EXPECT_FALSE(source->GetNeedsUpdate());
+  EXPECT_EQ(source->GetProblem(), "");
+}
+
+TEST(RemoteFaults, ServerHangsFromTheStart)
+{
+  ServerProcess server;
+  WatchingSource source(server.GetCorbaloc());
+  {
+    const Hanging hanging(server);
+    source->SetTimeout(1.0);
+    const Clock::time_point start = Clock::now();
+    ExpectNothing(source);
+    EXPECT_LT(SecondsSince(start), 1.0 + AtOnce);
+    EXPECT_FALSE(source.TakeWarnings().empty());
+  }
+  EXPECT_TRUE(source.UpdateUntil([&] { return source.GetScan()->GetNumberOfPoints() > 0; }));
+}
+
+TEST(RemoteFaults, ServerHangsForAWhile)
+{
+  ServerProcess server;
+  WatchingSource source(server.GetCorbaloc());
+  source->SetTimeout(1.0);
+  source->Update();
+  std::uint64_t before = 0;
+  {
+    const Hanging hanging(server);
+    const Clock::time_point start = Clock::now();
+    source->SendPose();
+    source->GetNeedsUpdate();
+    source->Update();
+    EXPECT_LT(SecondsSince(start), AtOnce);
+    EXPECT_TRUE(source.UpdateUntil([&] { return !source->GetProblem().empty(); }));
+    EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 129960) << "the last scan does not stay";
+    before = source.GetNumber("ScanNumber");
+  }
+  EXPECT_TRUE(source.UpdateUntil([&] { return source.GetNumber("ScanNumber") > before; }));
+  EXPECT_EQ(source->GetProblem(), "");
+}
+
+TEST(RemoteFaults, DestructionWaitsForNobody)
+{
+  ServerProcess server;
+  WatchingSource source(server.GetCorbaloc());
+  source->SetTimeout(4.0);
+  source->Update();
+  const Hanging hanging(server);
+  // The thread is in the middle of a call then.
+  EXPECT_TRUE(source.UpdateUntil([&] { return !source->GetNeedsUpdate(); }));
+  const Clock::time_point start = Clock::now();
+  source.Destroy();
+  EXPECT_LT(SecondsSince(start), AtOnce);
+}
+
+TEST(RemoteFaults, AnotherURLOrTimeoutIsFollowedAtOnce)
+{
+  ServerProcess first;
+  ServerProcess second;
+  WatchingSource source(first.GetCorbaloc());
+  source->Update();
+  const std::uint64_t incarnation = source.GetNumber("Incarnation");
+  const Hanging hanging(first);
+  const Clock::time_point start = Clock::now();
+  source->SetURL(second.GetCorbaloc().c_str());
+  source->Update();
+  EXPECT_GT(source.GetNumber("Incarnation"), incarnation);
+  source->SetTimeout(3.0);
+  source->Update();
+  EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 129960);
+  EXPECT_LT(SecondsSince(start), 1.0);
+}
