@@ -129,7 +129,7 @@ TEST(RemoteFaults, NobodyAnswers)
 TEST(RemoteFaults, URLsThatLeadNowhere)
 {
   ServerProcess server;
-  const std::string corbaloc = server.GetCorbaloc();
+  const std::string& corbaloc = server.GetCorbaloc();
   const std::string file = GetTemporaryFile();
   std::ofstream(file) << "no reference\n";
   const std::vector<std::string> urls = { "garbage", " ", "corbaloc:", "corbaloc:iiop:1.2@:/",

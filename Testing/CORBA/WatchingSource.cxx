@@ -53,7 +53,7 @@ bool WatchingSource::UpdateUntil(const std::function<bool()>& condition, int sec
 
 std::string WatchingSource::TakeWarnings()
 {
-  const std::string warnings = this->Observer->GetWarningMessage();
+  std::string warnings = this->Observer->GetWarningMessage();
   this->Observer->Clear();
   return warnings;
 }

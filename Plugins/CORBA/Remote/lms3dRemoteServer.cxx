@@ -81,7 +81,7 @@ lms3dRemoteScanPointer lms3dRemoteServer::WaitForScan(std::uint32_t milliseconds
     return nullptr;
   }
   this->Seen = header->number;
-  const auto scan =
+  auto scan =
     this->Ask<lms3dRemoteScanPointer>([this, &header] { return this->Fetch(header); });
   this->GoneInARow = scan ? 0 : this->GoneInARow + 1;
   if (this->GoneInARow == MostGoneInARow)
