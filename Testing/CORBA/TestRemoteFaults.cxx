@@ -85,7 +85,7 @@ TEST(RemoteFaults, ServerIsStartedAnewAtTheSamePlace)
     server.Terminate(SIGKILL);
     std::string warnings;
     EXPECT_TRUE(source.UpdateUntil([&] { return !(warnings += source.TakeWarnings()).empty(); }));
-    EXPECT_NE(warnings.find("no answer"), std::string::npos) << warnings;
+    EXPECT_NE(warnings.find("no server answers"), std::string::npos) << warnings;
     EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 129960) << "the last scan does not stay";
     seen = source.GetNumber("ScanNumber");
   }
@@ -117,7 +117,7 @@ TEST(RemoteFaults, NobodyAnswers)
   const int port = FindFreePort();
   WatchingSource source(GetCorbaloc(port));
   ExpectNothing(source);
-  EXPECT_NE(source.TakeWarnings().find("no answer"), std::string::npos);
+  EXPECT_NE(source.TakeWarnings().find("no server answers"), std::string::npos);
   EXPECT_EQ(source->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
   EXPECT_FALSE(source.UpdateUntil([] { return false; }, 2)) << "some retries later";
   EXPECT_EQ(source.TakeWarnings(), "") << "warns more than once";

@@ -14,11 +14,7 @@ namespace
 // One may be unlucky.
 constexpr int MostGoneInARow = 10;
 
-std::string Describe(const CORBA::SystemException& exception)
-{
-  const char* detail = exception.NP_minorString();
-  return std::string(exception._name()) + (detail ? std::string(" ") + detail : std::string());
-}
+constexpr const char* NoServer = "no server answers there";
 } // namespace
 
 lms3dRemoteServer::lms3dRemoteServer(const std::string& url, std::chrono::milliseconds timeout)
@@ -49,9 +45,25 @@ Result lms3dRemoteServer::Ask(const Call& call) const
   {
     throw std::runtime_error("the server limits that: " + std::string(refusal.reason));
   }
+  catch (const CORBA::TIMEOUT&)
+  {
+    throw std::runtime_error("the server does not answer in time");
+  }
+  catch (const CORBA::TRANSIENT&)
+  {
+    throw std::runtime_error(NoServer);
+  }
+  catch (const CORBA::COMM_FAILURE&)
+  {
+    throw std::runtime_error(NoServer);
+  }
+  catch (const CORBA::OBJECT_NOT_EXIST&)
+  {
+    throw std::runtime_error("the server there has no object of that name");
+  }
   catch (const CORBA::SystemException& exception)
   {
-    throw std::runtime_error("no answer (" + Describe(exception) + "); does the server run there?");
+    throw std::runtime_error(std::string("the call failed, ") + exception._name());
   }
 }
 
@@ -81,8 +93,7 @@ lms3dRemoteScanPointer lms3dRemoteServer::WaitForScan(std::uint32_t milliseconds
     return nullptr;
   }
   this->Seen = header->number;
-  auto scan =
-    this->Ask<lms3dRemoteScanPointer>([this, &header] { return this->Fetch(header); });
+  auto scan = this->Ask<lms3dRemoteScanPointer>([this, &header] { return this->Fetch(header); });
   this->GoneInARow = scan ? 0 : this->GoneInARow + 1;
   if (this->GoneInARow == MostGoneInARow)
   {

@@ -156,7 +156,7 @@ void vtkLMS3DRemoteSource::Warn(const lms3dRemoteNews& news)
   }
   if (!problem.empty() && problem != this->Internal->WarnedOf)
   {
-    vtkWarningMacro(<< "From the server at " << this->URL << ": " << problem << ". "
+    vtkWarningMacro(<< this->URL << ": " << problem << ". "
                     << (news.Scan ? "The last scan is shown."
                                   : "The output is empty until one comes."));
   }
