@@ -18,6 +18,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr CORBA::ULongLong Never = ~CORBA::ULongLong(0);
 
+using Words = std::vector<std::string>;
+
 double SecondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -122,10 +124,9 @@ TEST(ServerWaiting, ScansThatWereDroppedAreGone)
 
 TEST(ServerWaiting, AClientFollowsAServerThatIsStartedAnew)
 {
-  auto server = std::make_unique<ServerProcess>();
+  const std::string endpoint = "giop:tcp:127.0.0.1:" + std::to_string(FindFreePort());
+  auto server = std::make_unique<ServerProcess>(Words{ "--endpoint", endpoint });
   const std::string corbaloc = server->GetCorbaloc();
-  const std::string address = corbaloc.substr(corbaloc.find('@') + 1);
-  const std::string endpoint = "giop:tcp:" + address.substr(0, address.find('/'));
   const LMS3D::LaserScanner_var scanner = Connect(corbaloc);
   const LMS3D::ScanHeader before = WaitFor(scanner);
 

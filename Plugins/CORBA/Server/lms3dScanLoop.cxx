@@ -86,12 +86,9 @@ void lms3dScanLoop::MakeScan()
 {
   const std::uint64_t start = NanosecondsSince1970();
   std::shared_ptr<lms3dSnapshot> snapshot = this->Pipeline.Run(this->Board.Get());
+  if (!snapshot)
   {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    if (this->Stopped)
-    {
-      return;
-    }
+    return;
   }
   snapshot->Header.number = ++this->Number;
   snapshot->Header.incarnation = this->Incarnation;

@@ -30,21 +30,6 @@ void AbortIfStopped(vtkObject* algorithm, unsigned long, void* stopped, void*)
   }
 }
 
-// Returns the seconds that it took.
-double Update(vtkAlgorithm* algorithm)
-{
-  lms3dVTKProblems problems(algorithm);
-  const auto start = std::chrono::steady_clock::now();
-  algorithm->Update();
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const std::string error = problems.TakeError();
-  if (!error.empty())
-  {
-    throw std::runtime_error(error);
-  }
-  return seconds.count();
-}
-
 std::vector<float> GetRanges(vtkImageData* image)
 {
   auto* ranges = vtkDoubleArray::SafeDownCast(image->GetPointData()->GetArray("Range"));
@@ -111,15 +96,9 @@ std::shared_ptr<lms3dSnapshot> lms3dScanPipeline::Run(const lms3dScanSettings& s
   snapshot->Header.scene = settings.Scene->Description.name;
   snapshot->Header.sensorPose = settings.Pose;
   snapshot->Header.settings = settings.Configuration;
-  this->Scan(*snapshot);
-  if (settings.Configuration.makeMap)
-  {
-    this->MakeMap(*snapshot);
-  }
-  snapshot->Header.mapPoints = static_cast<CORBA::ULong>(snapshot->MapPoints.size() / 3);
-  snapshot->Header.mapTriangles = static_cast<CORBA::ULong>(snapshot->MapTriangles.size() / 3);
-  snapshot->Header.mapChecksum = lms3dGetMapChecksum(snapshot->MapPoints, snapshot->MapTriangles);
-  return snapshot;
+  const bool isWhole =
+    this->Scan(*snapshot) && (!settings.Configuration.makeMap || this->MakeMap(*snapshot));
+  return isWhole ? snapshot : nullptr;
 }
 
 void lms3dScanPipeline::Configure(const lms3dScanSettings& settings)
@@ -146,21 +125,50 @@ void lms3dScanPipeline::Configure(const lms3dScanSettings& settings)
   this->Mapper->SetMaximumError(configuration.mapError);
 }
 
+bool lms3dScanPipeline::Update(vtkAlgorithm* algorithm, double& seconds) const
+{
+  lms3dVTKProblems problems(algorithm);
+  const auto start = std::chrono::steady_clock::now();
+  algorithm->Update();
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::string error = problems.TakeError();
+  if (!error.empty())
+  {
+    throw std::runtime_error(error);
+  }
+  // An aborted filter leaves outputs without arrays.
+  return !this->Stopped;
+}
+
 // The endless loop measures again although nothing of its input may have changed.
-void lms3dScanPipeline::Scan(lms3dSnapshot& snapshot)
+bool lms3dScanPipeline::Scan(lms3dSnapshot& snapshot)
 {
   this->Scanner->Modified();
-  snapshot.ScanSeconds = Update(this->Scanner);
+  if (!this->Update(this->Scanner, snapshot.ScanSeconds))
+  {
+    return false;
+  }
   snapshot.Ranges = GetRanges(this->Scanner->GetRangeImage());
   snapshot.Header.beams = static_cast<CORBA::ULong>(snapshot.Ranges.size());
   snapshot.Header.returns =
     static_cast<CORBA::ULong>(this->Scanner->GetOutput()->GetNumberOfPoints());
   snapshot.Header.rangesChecksum = lms3dGetRangesChecksum(snapshot.Ranges);
+  snapshot.Header.mapPoints = 0;
+  snapshot.Header.mapTriangles = 0;
+  snapshot.Header.mapChecksum = lms3dGetMapChecksum({}, {});
+  return true;
 }
 
-void lms3dScanPipeline::MakeMap(lms3dSnapshot& snapshot)
+bool lms3dScanPipeline::MakeMap(lms3dSnapshot& snapshot)
 {
-  snapshot.MapSeconds = Update(this->Mapper);
+  if (!this->Update(this->Mapper, snapshot.MapSeconds))
+  {
+    return false;
+  }
   snapshot.MapPoints = GetCoordinates(this->Mapper->GetOutput());
   snapshot.MapTriangles = GetTriangles(this->Mapper->GetOutput());
+  snapshot.Header.mapPoints = static_cast<CORBA::ULong>(snapshot.MapPoints.size() / 3);
+  snapshot.Header.mapTriangles = static_cast<CORBA::ULong>(snapshot.MapTriangles.size() / 3);
+  snapshot.Header.mapChecksum = lms3dGetMapChecksum(snapshot.MapPoints, snapshot.MapTriangles);
+  return true;
 }

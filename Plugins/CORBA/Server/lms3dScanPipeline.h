@@ -15,6 +15,7 @@
 #include <atomic>
 #include <memory>
 
+class vtkAlgorithm;
 class vtkLMS3DScanFilter;
 class vtkLMS3DSurfaceReconstructionFilter;
 
@@ -28,8 +29,8 @@ public:
   lms3dScanPipeline(const lms3dScanPipeline&) = delete;
   void operator=(const lms3dScanPipeline&) = delete;
 
-  /// Header and numbers of a scan, without its number, incarnation and times. Throws
-  /// std::runtime_error where a filter fails. A scan that Stop() ended is worth nothing.
+  /// Header and numbers of a scan, without its number, incarnation and times; null where Stop() ended
+  /// it. Throws std::runtime_error where a filter fails.
   std::shared_ptr<lms3dSnapshot> Run(const lms3dScanSettings& settings);
 
   /// From any thread: ends the scan that is being made.
@@ -37,8 +38,12 @@ public:
 
 private:
   void Configure(const lms3dScanSettings& settings);
-  void Scan(lms3dSnapshot& snapshot);
-  void MakeMap(lms3dSnapshot& snapshot);
+  ///@{
+  /// False where Stop() ended it.
+  bool Update(vtkAlgorithm* algorithm, double& seconds) const;
+  bool Scan(lms3dSnapshot& snapshot);
+  bool MakeMap(lms3dSnapshot& snapshot);
+  ///@}
 
   vtkNew<vtkLMS3DScanFilter> Scanner;
   vtkNew<vtkLMS3DSurfaceReconstructionFilter> Mapper;
