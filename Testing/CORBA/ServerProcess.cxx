@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include <netinet/in.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -43,6 +44,8 @@ ServerProcess::ServerProcess(const std::vector<std::string>& arguments)
   this->Process = fork();
   if (this->Process == 0)
   {
+    // Nor does it outlive a test program that crashes.
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     dup2(output[1], STDOUT_FILENO);
     close(output[0]);
     close(output[1]);

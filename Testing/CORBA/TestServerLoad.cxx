@@ -128,6 +128,7 @@ TEST(ServerLoad, NothingTearsWhileThePoseMoves)
   const std::vector<DirectPipeline> expected = { { "room.wrl", poses[0], configuration },
     { "room.wrl", poses[1], configuration } };
   ASSERT_NE(expected[0].Triples, expected[1].Triples);
+  WaitFor(scanner, scanner->setPose(poses[1]));
 
   std::atomic<bool> isOver(false);
   std::atomic<int> good(0);

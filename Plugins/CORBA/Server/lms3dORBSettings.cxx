@@ -79,9 +79,12 @@ lms3dORBSettings lms3dGetORBSettings(const lms3dServerOptions& options)
     { "serverCallTimeOutPeriod", "5000" },
     { "clientCallTimeOutPeriod", "5000" },
     { "clientConnectTimeOutPeriod", "2000" },
-    // One that asks without reading, or many that connect: beyond 200 they share a pool of threads.
+    // One that asks without reading.
     { "maxServerThreadPerConnection", "4" },
-    { "threadPerConnectionUpperLimit", "200" },
+    // Beyond this many connections all share a pool of threads, which clients that send half a
+    // message can fill; below it they only have a thread of their own, which costs little.
+    { "threadPerConnectionUpperLimit", "2000" },
+    { "threadPerConnectionLowerLimit", "1900" },
     // Seconds after which a connection that is idle, or stuck in half a message, is closed.
     { "inConScanPeriod", "30" },
     { "unixTransportPermission", "600" },

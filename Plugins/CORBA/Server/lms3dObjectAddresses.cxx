@@ -14,7 +14,13 @@ std::vector<std::string> lms3dGetAddresses(CORBA::Object_ptr object)
   std::vector<std::string> addresses;
   for (const omni::giopAddress* address : ior->getIORInfo()->addresses())
   {
-    addresses.emplace_back(address->address());
+    // What is served by TLS alone has a plain address too, of port 0, for nobody.
+    const std::string name = address->address();
+    const std::string nobody = ":0";
+    if (name.size() < nobody.size() || name.substr(name.size() - nobody.size()) != nobody)
+    {
+      addresses.push_back(name);
+    }
   }
   return addresses;
 }

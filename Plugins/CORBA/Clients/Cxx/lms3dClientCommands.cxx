@@ -5,6 +5,7 @@
 #include "lms3dClientListener.h"
 #include "lms3dRemoteData.h"
 
+#include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -95,7 +96,7 @@ void Write(vtkPolyData* data, const std::string& file)
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
   writer->SetFileName(file.c_str());
-  if (!writer->Write())
+  if (!writer->Write() || writer->GetErrorCode() != vtkErrorCode::NoError)
   {
     throw std::runtime_error("the file \"" + file + "\" cannot be written");
   }

@@ -1,0 +1,202 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clients that send garbage, half a message or nothing, stall or vanish: nobody else notices."""
+
+import contextlib
+import random
+import signal
+import socket
+import struct
+import subprocess
+import time
+import unittest
+
+import giop
+from server_process import BEAMS, CLIENT, Server, allow_many_files, wait_until
+
+CONNECTIONS = 1000
+
+_header = giop.message(giop.REQUEST, b"")[:8]
+_fetch = giop.request(b"LMS3D", "fetch")
+HALF_MESSAGES = (
+    b"GIOP", _header, _header + struct.pack("<I", 0x7FFFFFFF), _header + struct.pack("<I", 33 << 20),
+    _fetch[:20], _fetch[:-1], giop.message(giop.REQUEST, b"")[:7] + b"\x02" + struct.pack("<I", 64))
+
+
+def garbage(number):
+    """The same for each number."""
+    generator = random.Random(number)
+    kinds = (generator.randbytes(generator.randrange(1, 3000)), b"GET / HTTP/1.1\r\n\r\n",
+             b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03" + generator.randbytes(500),
+             b"GIOP" + generator.randbytes(200), _fetch[:12] + generator.randbytes(len(_fetch) - 12))
+    return kinds[number % len(kinds)]
+
+
+class HostileTest(unittest.TestCase):
+    """A server for each test, and a client that must be served whatever happens."""
+
+    @classmethod
+    def setUpClass(cls):
+        allow_many_files()
+
+    def setUp(self):
+        self.server = self.enterContext(Server())
+        self.files = self.server.count_files()
+        self.memory = self.server.measure_memory()
+
+    def check_service(self, seconds=10):
+        """A newcomer gets a whole scan."""
+        start = time.monotonic()
+        with self.server.connect() as client:
+            self.assertEqual(len(client.fetch()), 3 * BEAMS)
+        self.assertLess(time.monotonic() - start, seconds)
+
+    def check_recovery(self):
+        """Connections are closed, memory is not kept, and the end is in order."""
+        self.assertTrue(wait_until(lambda: self.server.count_files() <= self.files + 2))
+        self.check_service()
+        self.assertLess(self.server.measure_memory() - self.memory, 64 << 20)
+        self.assertEqual(self.server.stop()[0], 0)
+
+    def connect_all(self, data_of):
+        """A thousand connections, each with its bytes sent."""
+        stack = self.enterContext(contextlib.ExitStack())
+        host, port, _ = giop.parse_corbaloc(self.server.corbaloc)
+        for number in range(CONNECTIONS):
+            connection = stack.enter_context(socket.create_connection((host, port), 20))
+            # The server may have closed it already, as garbage deserves.
+            with contextlib.suppress(ConnectionError):
+                connection.sendall(data_of(number))
+        return stack
+
+    def test_thousand_that_send_garbage(self):
+        """Random bytes, other protocols, requests with a broken inside."""
+        with self.connect_all(garbage):
+            self.check_service()
+        self.check_recovery()
+
+    def test_thousand_that_send_half_a_message(self):
+        """Headers cut anywhere, and headers that promise up to 2 GB."""
+        with self.connect_all(lambda number: HALF_MESSAGES[number % len(HALF_MESSAGES)]):
+            self.check_service()
+        self.check_recovery()
+
+    def test_thousand_that_send_nothing(self):
+        """Idle connections cost a thread each, and little memory."""
+        with self.connect_all(lambda _: b""):
+            self.check_service()
+            self.assertLess(self.server.measure_memory() - self.memory, 64 << 20)
+        self.check_recovery()
+
+    def test_four_hundred_flipped_bits(self):
+        """Of a good request, one at a time."""
+        for bit in range(0, 400):
+            data = bytearray(_fetch)
+            data[bit // 8 % len(data)] ^= 1 << bit % 8
+            with self.server.connect() as client:
+                client.connection.settimeout(0.05)
+                client.connection.sendall(data)
+                with contextlib.suppress(OSError, giop.SystemException, struct.error):
+                    client.read_reply()
+        self.check_service()
+        self.check_recovery()
+
+    def test_clients_that_vanish_in_mid_call(self):
+        """Three hundred that ask and reset the connection, before the answer or in the middle of it."""
+        for number in range(300):
+            with self.server.connect() as client:
+                client.connection.sendall(_fetch)
+                if number % 2:
+                    client.connection.recv(1000)
+                client.connection.setsockopt(
+                    socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+        self.check_service()
+        self.check_recovery()
+
+    def test_clients_that_are_killed_in_mid_call(self):
+        """Real ones, while they wait for a scan."""
+        watching = [subprocess.Popen([CLIENT, self.server.reference, "watch"],
+                                     stdout=subprocess.DEVNULL) for _ in range(20)]
+        time.sleep(1)
+        for process in watching:
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+        self.check_service()
+        self.check_recovery()
+
+    def test_clients_that_do_not_read(self):
+        """Each asks forty times and takes nothing: few threads, and the end comes all the same."""
+        with contextlib.ExitStack() as stack:
+            for _ in range(8):
+                client = stack.enter_context(self.server.connect())
+                client.connection.sendall(_fetch * 40)
+            time.sleep(1)
+            self.check_service()
+            self.assertLess(self.server.count_threads(), 60)
+            code, seconds = self.server.stop()
+        self.assertEqual(code, 0)
+        self.assertLess(seconds, 12)
+
+
+class StallTest(unittest.TestCase):
+    """Connections that are stuck are closed by the server itself."""
+
+    def test_half_a_message_times_out(self):
+        """After the period that the administrator sets, here two seconds."""
+        with Server("-ORBinConScanPeriod", "2", "-ORBscanGranularity", "1") as server:
+            with server.connect() as client:
+                client.connection.sendall(_fetch[:-1])
+                start = time.monotonic()
+                with contextlib.suppress(ConnectionResetError):
+                    while client.connection.recv(1000):
+                        pass
+                self.assertLess(time.monotonic() - start, 15)
+
+
+class ArgumentTest(unittest.TestCase):
+    """Good messages with bad contents."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server = cls.enterClassContext(Server())
+
+    def fail_with(self, exception, name, operation, arguments):
+        """The call fails as expected, and the next one works."""
+        with self.server.connect() as client:
+            with self.assertRaisesRegex(exception, name):
+                client.call(operation, arguments)
+        with self.server.connect() as client:
+            self.assertEqual(len(client.fetch()), 3 * BEAMS)
+
+    def test_names_of_scenes(self):
+        """Paths, and what is longer than the IDL allows, in fact or in pretence."""
+        for name in (b"../room.wrl", b"/etc/passwd", b"..", b"room.wrl\n", b"%2e%2e/room.wrl"):
+            self.fail_with(giop.UserException, "NoSuchScene", "selectScene",
+                           lambda e, name=name: e.string(name))
+        self.fail_with(giop.SystemException, "MARSHAL|BAD_PARAM", "selectScene",
+                       lambda e: e.string(b"x" * 129))
+        self.fail_with(giop.SystemException, "MARSHAL", "selectScene",
+                       lambda e: e.number("I", 0xFFFFFFFF))
+
+    def test_a_name_with_a_zero(self):
+        """Whatever the ORB makes of it, it is no path."""
+        self.fail_with((giop.UserException, giop.SystemException), "NoSuchScene|MARSHAL|BAD_PARAM",
+                       "selectScene", lambda e: e.string(b"room\0/../../etc/passwd"))
+
+    def test_missing_arguments(self):
+        """A pose without its end, an operation that is none."""
+        self.fail_with(giop.SystemException, "MARSHAL", "setPose", lambda e: e.number("d", 1.0))
+        self.fail_with(giop.SystemException, "BAD_OPERATION", "format", None)
+
+    def test_a_method_that_is_none(self):
+        """An enumeration beyond its end."""
+        def configuration(encoder):
+            for start, stop, count in ((-90, 90, 5), (0, 360, 5)):
+                encoder.number("d", start).number("d", stop).number("I", count)
+            encoder.number("d", 0).number("d", 80).number("I", 99)
+            encoder.number("B", 1).number("d", 0.01)
+        self.fail_with(giop.SystemException, "MARSHAL", "setConfiguration", configuration)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The server in a real naming service, omniNames."""
+
+import os
+import socket
+import subprocess
+import tempfile
+import unittest
+
+from server_process import Server, run_client, wait_until
+
+OMNINAMES = os.environ["LMS3D_OMNINAMES"]
+
+
+def find_free_port():
+    """A port of 127.0.0.1 that nobody has at the moment."""
+    with socket.socket() as listener:
+        listener.bind(("127.0.0.1", 0))
+        return listener.getsockname()[1]
+
+
+def is_open(port):
+    """Whether somebody listens."""
+    with socket.socket() as connection:
+        return connection.connect_ex(("127.0.0.1", port)) == 0
+
+
+class NamingTest(unittest.TestCase):
+    """A naming service for each test."""
+
+    def setUp(self):
+        folder = self.enterContext(tempfile.TemporaryDirectory())
+        self.port = find_free_port()
+        self.names = subprocess.Popen(
+            [OMNINAMES, "-start", str(self.port), "-always", "-datadir", folder,
+             "-errlog", os.path.join(folder, "err"), "-ORBendPoint", f"giop:tcp:127.0.0.1:{self.port}"])
+        self.addCleanup(self.names.wait)
+        self.addCleanup(self.names.kill)
+        self.assertTrue(wait_until(lambda: is_open(self.port)))
+        self.service = f"corbaloc:iiop:1.2@127.0.0.1:{self.port}/NameService"
+
+    def look_up(self, name):
+        """The client's answer by way of the naming service."""
+        return run_client(f"corbaname:iiop:1.2@127.0.0.1:{self.port}#{name}", "status")
+
+    def test_is_there_as_long_as_the_server(self):
+        """And is gone after it."""
+        with Server("--naming-service", self.service) as server:
+            self.assertIn("registered with the naming service as LMS3D.Scanner", server.read_log())
+            self.assertIn("scene room.wrl", self.look_up("LMS3D.Scanner").stdout)
+            self.assertEqual(server.stop()[0], 0)
+        self.assertIn("BAD_PARAM", self.look_up("LMS3D.Scanner").stderr)
+
+    def test_the_orbs_own_service_and_another_name(self):
+        """As -ORBInitRef names it."""
+        with Server("--naming", "--name", "Robot.Laser", "-ORBInitRef",
+                    f"NameService={self.service}"):
+            self.assertIn("scene room.wrl", self.look_up("Robot.Laser").stdout)
+
+    def test_a_server_that_was_killed_is_replaced(self):
+        """Its stale name is taken over, and kept by the one who took it."""
+        with Server("--naming-service", self.service) as first:
+            first.process.kill()
+            first.process.wait()
+            self.assertIn("TRANSIENT", self.look_up("LMS3D.Scanner").stderr)
+            with Server("--naming-service", self.service) as second:
+                self.assertIn("scene room.wrl", self.look_up("LMS3D.Scanner").stdout)
+                with Server("--naming-service", self.service):
+                    self.assertEqual(second.stop()[0], 0)
+                    self.assertIn("scene room.wrl", self.look_up("LMS3D.Scanner").stdout)
+
+    def test_serves_without_it(self):
+        """The log says so, and everything else works."""
+        with Server("--naming-service", "corbaloc:iiop:1.2@127.0.0.1:1/NameService") as server:
+            self.assertIn("not registered with the naming service", server.read_log())
+            self.assertIn("scene room.wrl", run_client(server.corbaloc, "status").stdout)
+            self.assertEqual(server.stop()[0], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,135 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""lms3d-server and its clients as a user starts them."""
+
+import signal
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from server_process import BEAMS, DATA, PAPER_CLIENT, SERVER, Server, run_client
+
+
+def run_server(*arguments):
+    """A server that does not come up."""
+    return subprocess.run([SERVER, *arguments], capture_output=True, text=True, timeout=30,
+                          check=False)
+
+
+class StartTest(unittest.TestCase):
+    """Options, files, and what goes wrong with them."""
+
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def test_help(self):
+        """Every option is in it."""
+        finished = run_server("--help")
+        self.assertEqual(finished.returncode, 0)
+        for option in ("--scenes", "--rate", "--read-only", "--callbacks", "--tls-key", "--config"):
+            self.assertIn(option, finished.stdout)
+
+    def test_wrong_options(self):
+        """Code 2, and which one it was."""
+        for arguments, word in (((), "--scenes"), (("--scenes", DATA, "--rate", "x"), "--rate"),
+                                (("--scenes", DATA, "--endpoint", "giop:tcp::2810"), "--allow-remote")):
+            finished = run_server(*arguments)
+            self.assertEqual(finished.returncode, 2)
+            self.assertIn(word, finished.stderr)
+
+    def test_what_cannot_start(self):
+        """Code 1, and why."""
+        with Server() as server:
+            taken = server.corbaloc.split("@")[1].split("/")[0]
+            finished = run_server("--scenes", DATA, "--endpoint", f"giop:tcp:{taken}")
+            self.assertEqual(finished.returncode, 1)
+            self.assertIn("in use", finished.stderr)
+        for arguments, word in ((("--scenes", "/no/such/folder"), "cannot be read"),
+                                (("--scenes", self.folder), "no file"),
+                                (("--scenes", DATA, "--scene", "x.wrl"), "x.wrl"),
+                                (("--scenes", DATA, "--ior", "/no/such/x.ior"), "x.ior")):
+            finished = run_server(*arguments)
+            self.assertEqual(finished.returncode, 1)
+            self.assertIn(word, finished.stderr)
+
+    def test_files(self):
+        """The configuration file holds, and the IOR file is there while the server is."""
+        reference = self.folder / "scanner.ior"
+        configuration = self.folder / "server.conf"
+        configuration.write_text(f"ior = {reference}\nrate = 50\nposition = 0.5 0.5 1\nread-only\n")
+        with Server("--config", configuration) as server:
+            self.assertEqual(reference.read_text().strip(), server.reference)
+            self.assertIn("rate 50 Hz, read-only", run_client(reference, "status").stdout)
+            self.assertIn("NotPermitted", run_client(reference, "pose", "0", "0", "1").stderr)
+            # The command line of Server() has a position too.
+            self.assertIn("from 0.3 -0.2 1:", run_client(reference, "watch", "1").stdout)
+            self.assertEqual(server.stop(signal.SIGINT)[0], 0)
+            self.assertFalse(reference.exists())
+            self.assertIn("SIGINT: ending", server.read_log())
+
+    def test_remote_is_logged(self):
+        """Who lets other machines in is told."""
+        with Server("--endpoint", "giop:tcp:0.0.0.0:", "--allow-remote") as server:
+            self.assertIn("other machines can reach", server.read_log())
+        with Server() as server:
+            self.assertNotIn("other machines", server.read_log())
+
+
+class ClientTest(unittest.TestCase):
+    """The two C++ clients."""
+
+    def setUp(self):
+        self.server = self.enterContext(Server("--callbacks"))
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def run_client(self, *arguments):
+        """What it prints, if all went well."""
+        finished = run_client(self.server.corbaloc, *arguments)
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        self.assertEqual(finished.stderr, "")
+        return finished.stdout
+
+    def test_paper_client(self):
+        """Compiled from the paper's interface alone."""
+        finished = run_client(self.server.corbaloc, program=PAPER_CLIENT)
+        self.assertEqual(finished.stdout, f"{BEAMS} beams, {BEAMS} returns\n"
+                         "nearest: r 1 m, alpha -90, beta 0 degrees\n")
+
+    def test_looks(self):
+        """Status, scenes, scans."""
+        self.assertIn("scene room.wrl, 804 triangles", self.run_client("status"))
+        self.assertEqual(self.run_client("scenes"), "room.wrl\nteapot.wrl\n")
+        self.assertEqual(len(self.run_client("fetch").splitlines()), BEAMS + 1)
+        self.assertEqual(len(self.run_client("watch", "3").splitlines()), 3)
+        self.assertEqual(len(self.run_client("listen", "3").splitlines()), 3)
+
+    def test_changes(self):
+        """The scan that is printed is the first from there."""
+        self.assertIn("from 1 0.5 1.2:", self.run_client("pose", "1", "0.5", "1.2"))
+        self.assertIn("of teapot.wrl", self.run_client("scene", "teapot.wrl"))
+
+    def test_saves(self):
+        """Scan and map as VTK's files."""
+        scan, surface = self.folder / "scan.vtp", self.folder / "map.vtp"
+        self.run_client("save", scan, surface)
+        self.assertIn(b'NumberOfPoints="%d"' % BEAMS, scan.read_bytes()[:1000])
+        self.assertIn(b'NumberOfPolys="1976"', surface.read_bytes()[:1000])
+
+    def test_failures(self):
+        """Words for a human being, and a code for scripts."""
+        for arguments, code, word in (
+                ((self.server.corbaloc, "scene", "../room.wrl"), 1, "NoSuchScene"),
+                ((self.server.corbaloc, "pose", "nan", "0", "0"), 1, "position is nan"),
+                ((self.server.corbaloc, "pose", "a", "0", "0"), 1, "stod"),
+                ((self.server.corbaloc, "save", "/no/such/folder/x.vtp"), 1, "cannot be written"),
+                ((self.server.corbaloc, "jump"), 2, "Usage"), ((), 2, "Usage"),
+                (("corbaloc:iiop:1.2@127.0.0.1:1/LMS3D", "status"), 1, "TRANSIENT"),
+                (("nonsense", "status"), 1, "BAD_PARAM")):
+            finished = run_client(*arguments)
+            self.assertEqual(finished.returncode, code, arguments)
+            self.assertIn(word, finished.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The server behind TLS, with certificates of its own making."""
+
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from server_process import Server, run_client
+
+
+def openssl(*arguments, folder):
+    """A command of openssl, as Documentation/corba.md has them."""
+    subprocess.run(["openssl", *arguments], cwd=folder, check=True, capture_output=True)
+
+
+def make_authority(folder, name):
+    """name.pem and name.key of somebody who signs certificates."""
+    openssl("req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", f"/CN={name}",
+            "-keyout", f"{name}.key", "-out", f"{name}.pem", folder=folder)
+
+
+def make_certificate(folder, name, authority):
+    """name.both.pem: a key and its certificate."""
+    openssl("req", "-newkey", "rsa:2048", "-nodes", "-subj", f"/CN={name}",
+            "-keyout", f"{name}.key", "-out", f"{name}.csr", folder=folder)
+    openssl("x509", "-req", "-in", f"{name}.csr", "-CA", f"{authority}.pem",
+            "-CAkey", f"{authority}.key", "-CAcreateserial", "-days", "2", "-out", f"{name}.pem",
+            folder=folder)
+    both = (folder / f"{name}.pem").read_text() + (folder / f"{name}.key").read_text()
+    (folder / f"{name}.both.pem").write_text(both)
+
+
+class TLSTest(unittest.TestCase):
+    """One server, and clients with good, foreign and no certificates."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+        for authority, holders in (("lab", ("server", "robot")), ("stranger", ("intruder",))):
+            make_authority(cls.folder, authority)
+            for holder in holders:
+                make_certificate(cls.folder, holder, authority)
+        cls.server = cls.enterClassContext(Server(
+            "--endpoint", "giop:ssl:127.0.0.1:", "--tls-key", cls.folder / "server.both.pem",
+            "--tls-authorities", cls.folder / "lab.pem"))
+
+    def ask(self, holder, authority="lab"):
+        """The client's answer with this certificate."""
+        return run_client(
+            self.server.corbaloc, "status", "-ORBsslCAFile", self.folder / f"{authority}.pem",
+            "-ORBsslKeyFile", self.folder / f"{holder}.both.pem", "-ORBsslKeyPassword", "none")
+
+    def test_a_good_certificate(self):
+        """The corbaloc says that TLS is needed."""
+        self.assertTrue(self.server.corbaloc.startswith("corbaloc:ssliop:1.2@127.0.0.1:"))
+        self.assertIn("scene room.wrl", self.ask("robot").stdout)
+
+    def test_a_foreign_certificate(self):
+        """Signed by somebody else: refused, and others still served."""
+        finished = self.ask("intruder")
+        self.assertEqual(finished.returncode, 1)
+        self.assertIn("TRANSIENT", finished.stderr)
+        self.assertIn("scene room.wrl", self.ask("robot").stdout)
+
+    def test_a_foreign_server(self):
+        """A client that trusts others only does not talk to this server."""
+        self.assertEqual(self.ask("robot", authority="stranger").returncode, 1)
+
+    def test_no_certificate(self):
+        """Neither TLS without a key nor plain TCP."""
+        finished = run_client(self.server.corbaloc, "status", "-ORBsslCAFile",
+                              self.folder / "lab.pem")
+        self.assertEqual(finished.returncode, 1)
+        plain = self.server.corbaloc.replace("ssliop", "iiop")
+        self.assertEqual(run_client(plain, "status", "-ORBclientCallTimeOutPeriod", "3000").returncode, 1)
+        self.assertIn("scene room.wrl", self.ask("robot").stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

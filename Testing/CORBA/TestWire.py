@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the server sends, read without any ORB."""
+
+import struct
+import unittest
+import zlib
+
+from server_process import BEAMS, Server
+
+
+def read_header(reply):
+    """Of LMS3D::ScanHeader what the tests look at, field by field as the IDL has them."""
+    header = dict(zip(("number", "incarnation", "generation", "start", "end"), reply.numbers("Q", 5)))
+    header["scene"] = reply.string()
+    header["pose"] = reply.numbers("d", 6)
+    for axis in ("alpha", "beta"):
+        start, stop = reply.numbers("d", 2)
+        header[axis] = start, stop, reply.number("I")
+    header["limits"] = reply.numbers("d", 2)
+    header["method"] = reply.number("I")
+    header["makeMap"] = reply.number("B")
+    header["mapError"] = reply.number("d")
+    names = "beams", "returns", "mapPoints", "mapTriangles", "rangesChecksum", "mapChecksum"
+    header.update(zip(names, reply.numbers("I", 6)))
+    return header
+
+
+class WireTest(unittest.TestCase):
+    """One server for all."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server = cls.enterClassContext(Server())
+
+    def test_fetch(self):
+        """Range, elevation and turn of each beam, turn by turn, in metres and degrees."""
+        with self.server.connect() as client:
+            values = client.fetch()
+        self.assertEqual(len(values), 3 * BEAMS)
+        self.assertEqual(values[1::3], tuple(0.5 * i - 90 for i in range(361)) * 360)
+        self.assertEqual(values[2::3], tuple(float(i // 361) for i in range(BEAMS)))
+        # The sensor is 1 m above the room's floor and 3.7 m from the wall that it looks at.
+        self.assertEqual(values[0], 1.0)
+        self.assertAlmostEqual(values[3 * 180], 3.7, 6)
+        self.assertTrue(all(0 < r < 20 for r in values[::3]))
+
+    def test_header_and_checksum(self):
+        """The checksum is zlib's, of the ranges as they come."""
+        with self.server.connect() as client:
+            header = read_header(client.call("getHeader"))
+            ranges = client.fetch()[::3]
+        self.assertEqual(header["scene"], "room.wrl")
+        self.assertEqual(header["pose"], (0.3, -0.2, 1, 0, 0, 0))
+        self.assertEqual(header["alpha"], (-90, 90, 361))
+        self.assertEqual(header["beta"], (0, 360, 360))
+        self.assertEqual((header["limits"], header["mapError"]), ((0, 80), 0.01))
+        self.assertEqual((header["beams"], header["returns"]), (BEAMS, BEAMS))
+        self.assertEqual(zlib.crc32(struct.pack(f"<{BEAMS}f", *ranges)), header["rangesChecksum"])
+
+    def test_map(self):
+        """The map's checksum covers points, then triangles."""
+        with self.server.connect() as client:
+            header = read_header(client.call("getHeader"))
+
+            def everything(count):
+                return lambda e: e.number("Q", header["number"]).number("I", 0).number("I", count)
+
+            points = client.call("getMapPoints", everything(header["mapPoints"]))
+            coordinates = points.numbers("d", points.number("I"))
+            triangles = client.call("getMapTriangles", everything(header["mapTriangles"]))
+            corners = triangles.numbers("I", triangles.number("I"))
+        self.assertEqual(len(coordinates), 3 * header["mapPoints"])
+        self.assertEqual(len(corners), 3 * header["mapTriangles"])
+        self.assertLess(max(corners), header["mapPoints"])
+        checksum = zlib.crc32(struct.pack(f"<{len(coordinates)}d", *coordinates))
+        checksum = zlib.crc32(struct.pack(f"<{len(corners)}I", *corners), checksum)
+        self.assertEqual(checksum, header["mapChecksum"])
+        self.check_facing(coordinates, corners, header["pose"][:3])
+
+    def check_facing(self, coordinates, corners, sensor):
+        """Seen from the sensor, corners turn counter-clockwise; slivers of no area aside."""
+        points = [[coordinates[i + k] - sensor[k] for k in range(3)]
+                  for i in range(0, len(coordinates), 3)]
+        for i in range(0, len(corners), 3):
+            a, b, c = (points[corner] for corner in corners[i:i + 3])
+            volume = (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+                      + a[2] * (b[0] * c[1] - b[1] * c[0]))
+            self.assertLess(volume, 1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()
