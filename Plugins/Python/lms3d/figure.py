@@ -81,14 +81,14 @@ class Figure:
     def __init__(self, simulation, size=DEFAULT_SIZE, off_screen=True, edges=False):
         check_display()
         self._simulation = simulation
-        self._marker = _sensor_marker(_MARKER_SIZE * _diagonal(simulation.scene.surface))
+        self._marker = _sensor_marker(_MARKER_SIZE * _diagonal(self._surface()))
         self.camera = vtkCamera()
         self.window = vtkRenderWindow()
         self.window.SetMultiSamples(0)
         self.window.SetSize(*size)
         self.window.SetOffScreenRendering(off_screen)
-        self._add_half(_scene_actor(simulation.scene.surface), (0.0, 0.0, 0.5, 1.0))
-        self._add_half(_map_actor(simulation.reconstruction, edges), (0.5, 0.0, 1.0, 1.0))
+        self._add_half(self._left_actor(), (0.0, 0.0, 0.5, 1.0))
+        self._add_half(_map_actor(self._map_port(), edges), (0.5, 0.0, 1.0, 1.0))
         self.place_marker()
         self.reset_camera()
 
@@ -99,8 +99,8 @@ class Figure:
 
     def reset_camera(self):
         """Look at the whole scene from a place that shows what the sensor sees."""
-        surface = self._simulation.scene.surface
-        direction = _camera_direction(surface.GetBounds(), self._simulation.sensor.GetPosition())
+        surface = self._surface()
+        direction = _camera_direction(surface.GetBounds(), self._marker.GetPosition())
         points = vtk_to_numpy(surface.GetPoints().GetData())
         width, height = self.window.GetSize()
         _frame(self.camera, points, direction, 0.5 * width / height)
@@ -122,6 +122,17 @@ class Figure:
         grab.ShouldRerenderOff()
         grab.Update()
         return grab.GetOutput()
+
+    def _surface(self):
+        """What the camera looks at."""
+        return self._simulation.scene.surface
+
+    def _left_actor(self):
+        return _scene_actor(self._simulation.scene.surface)
+
+    def _map_port(self):
+        """Where the local map comes from."""
+        return self._simulation.reconstruction.GetOutputPort()
 
     def _add_half(self, actor, viewport):
         renderer = vtkRenderer()
@@ -160,24 +171,24 @@ def _scene_actor(surface):
     normals.SetInputConnection(triangles.GetOutputPort())
     normals.SetFeatureAngle(_FEATURE_ANGLE)
     normals.ConsistencyOff()
-    actor = _surface_actor(normals, _BLUE)
+    actor = _surface_actor(normals.GetOutputPort(), _BLUE)
     actor.GetProperty().EdgeVisibilityOn()
     actor.GetProperty().SetEdgeColor(*_BLUE_EDGES)
     return actor
 
 
-def _map_actor(reconstruction, edges):
-    """The local map, shaded by its own triangles."""
-    actor = _surface_actor(reconstruction, _GREEN)
+def _map_actor(port, edges):
+    """The local map of an output port, shaded by its own triangles."""
+    actor = _surface_actor(port, _GREEN)
     actor.GetProperty().SetInterpolationToFlat()
     actor.GetProperty().SetEdgeVisibility(edges)
     actor.GetProperty().SetEdgeColor(*_GREEN_EDGES)
     return actor
 
 
-def _surface_actor(algorithm, color):
+def _surface_actor(port, color):
     mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(algorithm.GetOutputPort())
+    mapper.SetInputConnection(port)
     mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)

@@ -31,13 +31,14 @@ ENDINGS = {
 CSV_ARRAYS = ("Range", "Alpha", "Beta", "BeamId", "CellId")
 
 
-def check_targets(targets, scene, **inputs):
+def check_targets(targets, scene=None, **inputs):
     """Make sure, before the work starts, that every result can be written where it shall go.
 
-    `targets` are pairs of a result (a key of ENDINGS) and a path; `scene`, and whatever else is
-    read, are paths that no result may replace.
+    `targets` are pairs of a result (a key of ENDINGS) and a path; `scene`, if there is one, and
+    whatever else is read, are paths that no result may replace.
     """
-    inputs["scene"] = scene
+    if scene is not None:
+        inputs["scene"] = scene
     taken = {Path(path).resolve(): name for name, path in inputs.items()}
     for result, path in targets:
         _check_ending(result, path)

@@ -22,15 +22,14 @@ _MOVES = {
 }
 
 
-class Viewer:
-    """A window on a simulation whose sensor the keys move, by `step` metres."""
+class Window:
+    """A window on a figure, in which keys move a sensor by `step` metres, or by a fiftieth of
+    `length`. What moves, and what refreshes the figure, is for who inherits."""
 
-    def __init__(self, simulation, size, step=None, edges=False):
-        self._simulation = simulation
-        self._start = simulation.sensor.GetPosition()
-        self._step = step or _round_step(simulation.scene.surface.GetLength() / 50)
-        self._figure = Figure(simulation, size, off_screen=False, edges=edges)
-        self._figure.window.SetWindowName(f"lms3d: {simulation.scene.path.name}")
+    def __init__(self, figure, title, step, length):
+        self._figure = figure
+        self._step = step or _round_step(length / 50)
+        self._figure.window.SetWindowName(f"lms3d: {title}")
         self._text = self._add_text()
         self.interactor = self._make_interactor()
 
@@ -40,11 +39,21 @@ class Viewer:
         self.interactor.Start()
 
     def refresh(self):
-        """Scan from where the sensor is and draw."""
-        self._simulation.reconstruction.Update()
-        self._figure.place_marker()
-        place = "  ".join(f"{x:.2f}" for x in self._simulation.sensor.GetPosition())
-        self._text.SetInput(f"sensor {place} m    {self._simulation.returns:,} returns    {_HELP}")
+        """Bring the figure up to date and draw."""
+        raise NotImplementedError
+
+    def move(self, shift):
+        """Move the sensor by metres along x, y and z."""
+        raise NotImplementedError
+
+    def reset(self):
+        """Put the sensor back."""
+        raise NotImplementedError
+
+    def draw(self, position, returns, further=""):
+        """Draw, with what there is to know in a line of text."""
+        place = "  ".join(f"{x:.2f}" for x in position)
+        self._text.SetInput(f"sensor {place} m    {returns:,} returns    {_HELP}{further}")
         self._figure.render()
 
     def _make_interactor(self):
@@ -60,23 +69,13 @@ class Viewer:
     def _on_key(self, interactor, _event):
         key = interactor.GetKeySym()
         if key in _MOVES:
-            self._move(_MOVES[key])
+            self.move([self._step * x for x in _MOVES[key]])
         elif key == "r":
-            self._reset()
+            self.reset()
+            self._figure.reset_camera()
+            self.refresh()
         elif key == "q":
             interactor.TerminateApp()
-
-    def _move(self, direction):
-        position = self._simulation.sensor.GetPosition()
-        self._simulation.sensor.SetPosition(
-            *(x + self._step * d for x, d in zip(position, direction))
-        )
-        self.refresh()
-
-    def _reset(self):
-        self._simulation.sensor.SetPosition(self._start)
-        self._figure.reset_camera()
-        self.refresh()
 
     def _add_text(self):
         text = vtkTextActor()
@@ -85,6 +84,32 @@ class Viewer:
         text.GetTextProperty().SetColor(0.2, 0.2, 0.2)
         self._figure.window.GetRenderers().GetFirstRenderer().AddViewProp(text)
         return text
+
+
+class Viewer(Window):
+    """A window on a simulation."""
+
+    def __init__(self, simulation, size, step=None, edges=False):
+        self._simulation = simulation
+        self._start = simulation.sensor.GetPosition()
+        super().__init__(Figure(simulation, size, off_screen=False, edges=edges),
+                         simulation.scene.path.name, step, simulation.scene.surface.GetLength())
+
+    def refresh(self):
+        """Scan from where the sensor is and draw."""
+        self._simulation.reconstruction.Update()
+        self._figure.place_marker()
+        self.draw(self._simulation.sensor.GetPosition(), self._simulation.returns)
+
+    def move(self, shift):
+        """Scan from a place beside."""
+        position = self._simulation.sensor.GetPosition()
+        self._simulation.sensor.SetPosition(*(x + d for x, d in zip(position, shift)))
+        self.refresh()
+
+    def reset(self):
+        """Put the sensor where it was at first."""
+        self._simulation.sensor.SetPosition(self._start)
 
 
 def _round_step(length):

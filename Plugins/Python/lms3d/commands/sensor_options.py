@@ -65,9 +65,10 @@ def thread_count(text):
     return 0 if int(text) == 0 else count(text, _MOST_THREADS)
 
 
-def add_scene(parser):
+def add_scene(parser, is_needed=True):
     """Add the scene and how its axes are meant."""
-    parser.add_argument("scene", metavar="SCENE", help="the file to read: " + " ".join(READERS))
+    parser.add_argument("scene", metavar="SCENE", nargs=None if is_needed else "?",
+                        help="the file to read: " + " ".join(READERS))
     parser.add_argument("--up-axis", choices=UP_AXES, default="file",
                         help="file: leave the axes as they are, z is up (default); "
                         "y: the file is y-up, as most VRML is, turn it to z-up")

@@ -3,6 +3,8 @@
 """lms3d view: a window with the scene and the local map that follows the sensor."""
 
 from ..figure import Figure, check_display
+from ..problems import UsageProblem
+from ..remote import RemoteScanner
 from ..results import check_targets, save
 from ..scene import check_readable
 from . import picture_options, sensor_options
@@ -10,7 +12,8 @@ from . import picture_options, sensor_options
 NAME = "view"
 SUMMARY = "move the sensor in a window; the local map follows"
 DESCRIPTION = """\
-Show the scene on the left in blue and the local map on the right in green.
+Show the scene on the left in blue and the local map on the right in green; of a server (lms3d-server)
+its scan on the left, coloured by range, as the scans come.
 
   mouse               turns, moves and zooms both views
   arrow keys          move the sensor along x and y
@@ -22,12 +25,16 @@ EPILOG = """\
 examples:
   lms3d view room.wrl --position 0.3 -0.2 1
   lms3d view room.wrl --position 0.3 -0.2 1 --screenshot figure.png
+  lms3d view --server corbaloc:iiop:1.2@127.0.0.1:2810/LMS3D
 """
 
 
 def add_arguments(parser):
     """Add the options of this command."""
-    sensor_options.add_scene(parser)
+    sensor_options.add_scene(parser, is_needed=False)
+    parser.add_argument("--server", metavar="URL",
+                        help="watch this server in place of a scene: what it prints, corbaloc:..., "
+                        "IOR:..., corbaname:... or file:PATH of its --ior; keys move its sensor, for all")
     sensor_options.add_sensor(parser, position_needed=False)
     view = parser.add_argument_group("view")
     sensor_options.add_map(view)
@@ -40,6 +47,15 @@ def add_arguments(parser):
 
 def run(options):
     """Check the options, then open the window or draw the picture."""
+    if (options.scene is None) == (options.server is None):
+        raise UsageProblem("view takes a SCENE or --server URL")
+    if options.server is None:
+        _view_scene(options)
+    else:
+        _view_server(options)
+
+
+def _view_scene(options):
     sensor_options.check(options)
     if options.screenshot:
         check_targets([("picture", options.screenshot)], options.scene)
@@ -51,10 +67,31 @@ def run(options):
     simulation.run()
     simulation.reconstruct()
     if options.screenshot:
-        figure = Figure(simulation, options.size, edges=options.edges)
-        save(figure.image(), options.screenshot)
-        print(f"wrote    {options.screenshot}")
+        _draw(Figure(simulation, options.size, edges=options.edges), options.screenshot)
     else:
         from ..viewer import Viewer  # text and interaction: only here
 
         Viewer(simulation, options.size, options.step, options.edges).run()
+
+
+def _view_server(options):
+    useless = sensor_options.differing(options) + ["--position"] * (options.position is not None)
+    if useless:
+        raise UsageProblem(f"{useless[0]}: the server has its own sensor")
+    if options.screenshot:
+        check_targets([("picture", options.screenshot)])
+    check_display()
+
+    from ..remote_viewer import RemoteFigure, RemoteViewer
+
+    scanner = RemoteScanner(options.server)
+    print(f"server   {options.server}")
+    if options.screenshot:
+        _draw(RemoteFigure(scanner, options.size, edges=options.edges), options.screenshot)
+    else:
+        RemoteViewer(scanner, options.size, options.server, options.step, options.edges).run()
+
+
+def _draw(figure, path):
+    save(figure.image(), path)
+    print(f"wrote    {path}")

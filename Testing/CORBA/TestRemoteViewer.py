@@ -1,0 +1,178 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""lms3d view --server: the small viewer with a real server. Needs a display."""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from lms3d.problems import Problem
+from lms3d.remote import RemoteScanner
+from lms3d.remote_viewer import RemoteViewer
+from server_process import BEAMS, Server, wait_until
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+SIZE = (400, 160)
+
+_windows = []
+
+# A process of its own, since VTK's loop goes on until all windows of a process are closed.
+_QUIT_LATER = """
+import sys, time
+from lms3d.remote import RemoteScanner
+from lms3d.remote_viewer import RemoteViewer
+
+def press_q(*_):
+    if time.monotonic() > start + 1:
+        viewer.interactor.SetKeySym("q")
+        viewer.interactor.InvokeEvent("KeyPressEvent")
+
+viewer = RemoteViewer(RemoteScanner(sys.argv[1]), (400, 160), "test")
+print("shown", flush=True)
+start = time.monotonic()
+viewer.interactor.AddObserver("TimerEvent", press_q)
+viewer.run()
+print("quit", flush=True)
+"""
+
+
+def run_view(*arguments):
+    """The finished command."""
+    return subprocess.run([sys.executable, "-m", "lms3d", "view", *arguments], capture_output=True,
+                          text=True, timeout=60, check=False)
+
+
+def read_picture(path):
+    """Rows of colours."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)
+
+
+class TestWindow(unittest.TestCase):
+    """The window, as its user drives it."""
+
+    def setUp(self):
+        self.folder = self.enterContext(tempfile.TemporaryDirectory())
+        self.arguments = ("--ior", f"{self.folder}/server.ior")
+        self.url = f"file:{self.folder}/server.ior"
+
+    def open(self):
+        """A scanner and the window on it."""
+        scanner = RemoteScanner(self.url)
+        viewer = RemoteViewer(scanner, SIZE, "test", step=0.5)
+        viewer.refresh()
+        # VTK 9.2 crashes where a second window follows one that was destroyed.
+        _windows.append(viewer)
+        return scanner, viewer
+
+    def assert_soon(self, viewer, condition):
+        """While the window works, the condition becomes true."""
+
+        def work():
+            viewer.interactor.ProcessEvents()
+            return condition()
+
+        self.assertTrue(wait_until(work))
+
+    def press(self, viewer, key):
+        """As the keyboard does."""
+        viewer.interactor.SetKeySym(key)
+        viewer.interactor.InvokeEvent("KeyPressEvent")
+
+    def assert_place(self, scanner, viewer, place):
+        """The sensor gets there."""
+        self.assert_soon(viewer, lambda: np.allclose(scanner.pose()[0], place, rtol=0, atol=1e-12))
+
+    def test_scans_come_by_themselves(self):
+        with Server(*self.arguments):
+            scanner, viewer = self.open()
+            self.assertEqual(scanner.returns, BEAMS)
+            first = scanner.number
+            self.assert_soon(viewer, lambda: scanner.number > first + 2)
+
+    def test_keys_move_the_servers_sensor(self):
+        with Server(*self.arguments, "--orientation", "10", "20", "30"):
+            scanner, viewer = self.open()
+            self.press(viewer, "Right")
+            self.press(viewer, "Right")
+            self.press(viewer, "Prior")
+            self.assert_place(scanner, viewer, (1.3, -0.2, 1.5))
+            np.testing.assert_allclose(scanner.pose()[1], (10, 20, 30), rtol=0, atol=1e-9)
+            self.press(viewer, "r")
+            self.assert_place(scanner, viewer, (0.3, -0.2, 1.0))
+
+    def test_it_follows_a_restart_elsewhere(self):
+        with Server(*self.arguments) as server:
+            scanner, viewer = self.open()
+            server.stop(signal.SIGKILL)
+            self.assert_soon(viewer, lambda: "no server answers" in scanner.problem)
+            self.assertEqual(scanner.returns, BEAMS)
+        with Server(*self.arguments, "--position", "1", "0", "1.5"):
+            self.assert_place(scanner, viewer, (1, 0, 1.5))
+            self.assertEqual(scanner.problem, "")
+
+    def test_it_quits_while_the_server_hangs(self):
+        with Server(*self.arguments) as server:
+            window = subprocess.Popen([sys.executable, "-c", _QUIT_LATER, self.url],
+                                      stdout=subprocess.PIPE, text=True)
+            self.assertEqual(window.stdout.readline(), "shown\n")
+            server.process.send_signal(signal.SIGSTOP)
+            self.assertEqual(window.communicate(timeout=30)[0], "quit\n")
+            self.assertEqual(window.returncode, 0)
+
+
+class TestCommand(unittest.TestCase):
+    """What a shell shows."""
+
+    def test_picture(self):
+        with tempfile.TemporaryDirectory() as folder, Server() as server:
+            picture = Path(folder) / "view.png"
+            done = run_view("--server", server.corbaloc, "--screenshot", str(picture), "--size",
+                            *map(str, SIZE))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            left, right = np.split(read_picture(picture).astype(int), 2, axis=1)
+            coloured = [np.ptp(half, axis=2) > 40 for half in (left, right)]
+            self.assertGreater(coloured[0].mean(), 0.05)
+            self.assertGreater(coloured[1].mean(), 0.3)
+            green = right[coloured[1]]
+            self.assertGreater(np.mean(green.argmax(axis=1) == 1), 0.9)
+
+    def test_nobody_answers(self):
+        with Server() as server:
+            url = server.corbaloc
+        for place, words in ((url, "no server answers there"), ("nonsense", "no corbaloc")):
+            with self.subTest(place):
+                done = run_view("--server", place)
+                self.assertEqual(done.returncode, 1)
+                self.assertRegex(done.stderr, rf"^lms3d: error: [^\n]*{words}[^\n]*\n$")
+
+    def test_words_that_do_not_go_together(self):
+        for arguments in ((), ("room.wrl", "--server", "x"), ("--server", "x", "--position", *"000"),
+                          ("--server", "x", "--alpha-resolution", "9")):
+            with self.subTest(arguments):
+                self.assertEqual(run_view(*arguments).returncode, 2)
+
+    def test_without_corba(self):
+        """The module is not there, as where LMS3D was built without."""
+        hidden = "import sys; sys.modules['lms3d.vtkLMS3DRemote'] = None; from lms3d.cli import main; " \
+            "sys.exit(main(['view', '--server', 'x']))"
+        done = subprocess.run([sys.executable, "-c", hidden], capture_output=True, text=True,
+                              timeout=60, check=False, env=os.environ)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("without CORBA", done.stderr)
+
+    def test_problem_of_a_scanner(self):
+        self.assertRaises(Problem, RemoteScanner, "file:/nowhere")
+
+
+if __name__ == "__main__":
+    unittest.main()
