@@ -8,6 +8,7 @@
 #include "lms3dSettingsCheck.h"
 #include "lms3dText.h"
 #include "lms3dVersion.h"
+#include "lms3dWaiter.h"
 
 #include <algorithm>
 #include <chrono>
@@ -20,26 +21,6 @@ using Clock = lms3dSnapshotStore::Clock;
 
 constexpr std::chrono::seconds FirstScanWait(5);
 constexpr CORBA::ULong LongestWait = 10000;
-
-// Counts one who waits for as long as it lives.
-class Waiter
-{
-public:
-  explicit Waiter(std::atomic<unsigned int>& count)
-    : Count(count)
-    , Number(++count)
-  {
-  }
-  ~Waiter() { --this->Count; }
-  Waiter(const Waiter&) = delete;
-  void operator=(const Waiter&) = delete;
-
-  unsigned int GetNumber() const { return this->Number; }
-
-private:
-  std::atomic<unsigned int>& Count;
-  const unsigned int Number;
-};
 } // namespace
 
 lms3dScannerServant::lms3dScannerServant(const lms3dPermissions& permissions,
@@ -160,7 +141,7 @@ LMS3D::ScanHeader* lms3dScannerServant::getHeader()
 LMS3D::ScanHeader* lms3dScannerServant::waitForScan(
   CORBA::ULongLong after, CORBA::ULongLong generation, CORBA::ULong timeout)
 {
-  const Waiter waiter(this->Waiting);
+  const lms3dWaiter waiter(this->Waiting);
   if (waiter.GetNumber() > MostWaiting)
   {
     throw LMS3D::LimitExceeded("too many clients wait for a scan", MostWaiting);

@@ -18,7 +18,4 @@ std::string lms3dGetClientHelp();
 bool lms3dRunClientCommand(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner,
   const std::string& command, const std::vector<std::string>& words);
 
-/// An exception's name and what it tells.
-std::string lms3dDescribe(const CORBA::Exception& problem);
-
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // lms3d-client: looks at a scanner, saves what it sees, and moves it.
 #include "lms3dClientCommands.h"
+#include "lms3dExceptionText.h"
 #include "lms3dORBLog.h"
 #include "lms3dScannerReference.h"
 
