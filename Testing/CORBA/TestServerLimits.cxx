@@ -79,7 +79,7 @@ TEST(ServerLimits, PartsBeyondTheEndAreRefused)
     scanner->getMapTriangles(number, header.mapTriangles + 1, 0), LMS3D::InvalidArgument);
 }
 
-TEST(ServerLimits, AHigherLimitOfTheAdministratorsHolds)
+TEST(ServerLimits, TheAdministratorsMessageLimitHolds)
 {
   ServerProcess server({ "-ORBgiopMaxMsgSize", "100000" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());

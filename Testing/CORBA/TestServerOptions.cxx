@@ -128,8 +128,9 @@ TEST_F(ServerOptions, SayWhatIsWrongAndWhere)
 
 TEST_F(ServerOptions, OtherMachinesNeedAWord)
 {
-  for (const char* endpoint : { "giop:tcp::2810", "giop:tcp:0.0.0.0:2810", "giop:tcp:robot:2810",
-         "giop:ssl:10.0.0.1:2810", "giop:tcp:[::]:2810", "giop:tcp:128.0.0.1:" })
+  for (const char* endpoint :
+    { "giop:tcp::2810", "giop:tcp:0.0.0.0:2810", "giop:tcp:robot:2810", "giop:ssl:10.0.0.1:2810",
+      "giop:tcp:[::]:2810", "giop:tcp:128.0.0.1:", "giop:tcp:127.robots.example:2810" })
   {
     EXPECT_TRUE(
       Speaks(GetProblem({ "--scenes", "Data", "--endpoint", endpoint }), "--allow-remote"))

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -182,8 +183,7 @@ std::string lms3dGetServerHelp()
 
 bool lms3dIsLocalEndpoint(const std::string& endpoint)
 {
-  constexpr const char* LocalStarts[] = { "giop:unix:", "giop:tcp:127.", "giop:ssl:127.",
-    "giop:tcp:localhost:", "giop:ssl:localhost:", "giop:tcp:[::1]:", "giop:ssl:[::1]:" };
-  return std::any_of(std::begin(LocalStarts), std::end(LocalStarts),
-    [&endpoint](const char* start) { return endpoint.rfind(start, 0) == 0; });
+  static const std::regex local(
+    R"(giop:unix:.*|giop:(tcp|ssl):(127(\.\d{1,3}){3}|localhost|\[::1\]):\d*)");
+  return std::regex_match(endpoint, local);
 }

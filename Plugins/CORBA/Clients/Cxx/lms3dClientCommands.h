@@ -16,6 +16,6 @@ std::string lms3dGetClientHelp();
 
 /// False where there is no such command, or not with so many words. Throws what goes wrong.
 bool lms3dRunClientCommand(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner,
-  const std::string& command, const std::vector<std::string>& words);
+  const std::string& name, const std::vector<std::string>& words);
 
 #endif
