@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+import LMS3D.DataExchange;
+import LMS3D.DataExchangeHelper;
+import java.util.Properties;
+import org.omg.CORBA.ORB;
+import org.omg.CORBA.SystemException;
+
+/**
+ * Fetches a scan by the paper's interface and prints range (metres), alpha and beta (degrees) of each
+ * beam, a line each. It is made from LMS3D.idl alone.
+ */
+public final class PaperClient {
+  private PaperClient() {}
+
+  public static void main(String[] arguments) {
+    if (arguments.length != 1) {
+      System.err.println("Usage: java -jar paper-client.jar IOR-OR-CORBALOC");
+      System.exit(2);
+    }
+    try {
+      ORB orb = makeORB();
+      DataExchange scanner = DataExchangeHelper.narrow(orb.string_to_object(arguments[0]));
+      print(scanner.fetch());
+      orb.destroy();
+    } catch (SystemException problem) {
+      System.err.println("paper-client: " + problem);
+      System.exit(1);
+    }
+  }
+
+  private static ORB makeORB() {
+    Properties properties = new Properties();
+    properties.put("org.omg.CORBA.ORBClass", "org.jacorb.orb.ORB");
+    properties.put("org.omg.CORBA.ORBSingletonClass", "org.jacorb.orb.ORBSingleton");
+    return ORB.init((String[]) null, properties);
+  }
+
+  private static void print(float[] triples) {
+    StringBuilder text = new StringBuilder();
+    for (int i = 0; i < triples.length; i += 3) {
+      text.append(triples[i]).append('\t').append(triples[i + 1]).append('\t');
+      text.append(triples[i + 2]).append('\n');
+    }
+    System.out.print(text);
+  }
+}

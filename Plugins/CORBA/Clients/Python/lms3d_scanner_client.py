@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Moves a scanner, takes scans and local maps from it, and watches it, by omniORBpy.
+
+Needs the package jeteve-omniorb, and beside it the stubs that omniidl makes; see ../README.md.
+"""
+
+import argparse
+import pathlib
+import sys
+
+from omniORB import CORBA
+
+import LMS3D
+
+# Longer than the server lets anybody wait, so that a server that hangs is noticed.
+ORB_OPTIONS = ["-ORBclientCallTimeOutPeriod", "15000"]
+WAIT_MILLISECONDS = 10_000
+# Beams, points or triangles in a message, of 2 MiB at most: 1.2 MB of points.
+PART = 50_000
+TRIES = 5
+
+
+def connect(reference):
+    """The scanner that an IOR or a corbaloc names."""
+    orb = CORBA.ORB_init(ORB_OPTIONS)
+    # The type is among the arguments: the server is asked whether it is of that type.
+    scanner = orb.string_to_object(reference)._narrow(LMS3D.LaserScanner)
+    if scanner is None:
+        raise ValueError(f"what is at {reference} is no scanner of LMS3D")
+    return scanner
+
+
+def move(scanner, position):
+    """Move the sensor and return the generation of the scans from there."""
+    pose = scanner.getPose()
+    pose.position = LMS3D.Vector3(*position)
+    return scanner.setPose(pose)
+
+
+def get_parts(operation, number, count):
+    """All elements of scan `number` that an operation gives in parts."""
+    elements = []
+    for first in range(0, count, PART):
+        elements += operation(number, first, min(PART, count - first))
+    return elements
+
+
+def take_scan(scanner, generation=0):
+    """The newest scan of a generation: header, ranges, the map's coordinates and point numbers.
+
+    The server keeps the newest few scans only: who is slow may find a part gone, and tries again.
+    """
+    for attempt in range(1, TRIES + 1):
+        header = scanner.waitForScan(0, generation, WAIT_MILLISECONDS)
+        try:
+            return (header,
+                    get_parts(scanner.getRanges, header.number, header.beams),
+                    get_parts(scanner.getMapPoints, header.number, header.mapPoints),
+                    get_parts(scanner.getMapTriangles, header.number, header.mapTriangles))
+        except LMS3D.ScanGone:
+            if attempt == TRIES:
+                raise
+
+
+def get_angles(axis):
+    """The angles of an axis in degrees, as LMS3DScanner.idl describes them."""
+    is_circle = abs(axis.stop - axis.start - 360) <= 1e-6
+    steps = max(1, axis.count if is_circle else axis.count - 1)
+    return [axis.start + (axis.stop - axis.start) * i / steps for i in range(axis.count)]
+
+
+def print_beams(header, ranges):
+    """Print range, alpha and beta of each beam."""
+    beams = iter(ranges)
+    elevations = get_angles(header.settings.alpha)
+    for turn in get_angles(header.settings.beta):
+        for elevation in elevations:
+            print(next(beams), elevation, turn, sep="\t")
+
+
+def write_map(path, coordinates, numbers):
+    """Write a local map as a Wavefront OBJ file, which counts points from 1."""
+    with open(path, "w", encoding="ascii") as file:
+        for i in range(0, len(coordinates), 3):
+            print("v", *coordinates[i:i + 3], file=file)
+        for i in range(0, len(numbers), 3):
+            print("f", *(number + 1 for number in numbers[i:i + 3]), file=file)
+
+
+def fetch(scanner, _):
+    """Print range, alpha and beta of each beam, by the paper's interface."""
+    triples = scanner.fetch()
+    for i in range(0, len(triples), 3):
+        print(*triples[i:i + 3], sep="\t")
+
+
+def scan(scanner, options):
+    """Print the same of a scan from a position, and save its local map."""
+    generation = move(scanner, options.position) if options.position else 0
+    header, ranges, coordinates, numbers = take_scan(scanner, generation)
+    print_beams(header, ranges)
+    if options.map:
+        write_map(options.map, coordinates, numbers)
+
+
+def watch(scanner, options):
+    """Print a line for each scan as soon as it is there."""
+    last = 0
+    for _ in range(options.count):
+        header = scanner.waitForScan(last, 0, WAIT_MILLISECONDS)
+        print(f"scan {header.number}, generation {header.generation}, of {header.scene}: "
+              f"{header.returns} of {header.beams} beams returned", flush=True)
+        last = header.number
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("scanner", help="an IOR or a corbaloc")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    for command in (fetch, scan, watch):
+        words = commands.add_parser(command.__name__, help=command.__doc__)
+        words.set_defaults(run=command)
+        if command is scan:
+            words.add_argument("--position", type=float, nargs=3, metavar=("X", "Y", "Z"),
+                               help="move the sensor there first, metres")
+            words.add_argument("--map", type=pathlib.Path, metavar="FILE.obj")
+        if command is watch:
+            words.add_argument("count", type=int)
+    return parser.parse_args()
+
+
+def main():
+    options = parse_arguments()
+    try:
+        options.run(connect(options.scanner), options)
+    except LMS3D.InvalidArgument as problem:
+        sys.exit(f"InvalidArgument: {problem.reason}")
+    except (CORBA.Exception, OSError, ValueError) as problem:
+        sys.exit(repr(problem))
+
+
+if __name__ == "__main__":
+    main()

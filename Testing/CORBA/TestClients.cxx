@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The clients in other languages, as programs of their own.
+#include "ClientORB.h"
+#include "ClientProgram.h"
+#include "DirectPipeline.h"
+#include "ServerProcess.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+Client GetJavaClient(const std::string& name)
+{
+  return { { "java", "-jar", LMS3D_MADE_CLIENTS_DIR "/Java/" + name + '/' + name + ".jar" }, {} };
+}
+
+Client GetTclClient(const std::string& name)
+{
+  return { { "tclsh", LMS3D_CLIENTS_DIR "/Tcl/" + name + ".tcl" }, {} };
+}
+
+Client GetGIOPClient(const Words& option)
+{
+  return { { LMS3D_PYTHON, LMS3D_CLIENTS_DIR "/Python/lms3d_giop.py" }, option, true };
+}
+
+Client GetOmniORBpyClient(const Words& command)
+{
+  return { { "env", "PYTHONDONTWRITEBYTECODE=1",
+             "PYTHONPATH=" LMS3D_MADE_CLIENTS_DIR "/Python/stubs",
+             LMS3D_MADE_CLIENTS_DIR "/Python/environment/bin/python",
+             LMS3D_CLIENTS_DIR "/Python/lms3d_scanner_client.py" },
+    command };
+}
+
+DirectPipeline MakeDirect(const LMS3D::ScanHeader& header)
+{
+  return DirectPipeline(header.scene.in(), header.sensorPose, header.settings);
+}
+
+} // namespace
+
+class PaperClient : public testing::TestWithParam<Client>
+{
+};
+
+TEST_P(PaperClient, PrintsTheDirectPipelinesTriples)
+{
+  const TemporaryFile file("lms3d-ior");
+  ServerProcess server({ "--ior", file.Path.string() });
+  const std::string reference = GetParam().TakesFile ? file.Path.string() : server.GetIOR();
+  const std::vector<float> triples = ReadTable(RunClient(GetParam(), reference));
+  ASSERT_EQ(triples.size(), 389880u);
+  EXPECT_EQ(triples, MakeDirect(WaitFor(Connect(server.GetCorbaloc()))).Triples);
+}
+
+TEST_P(PaperClient, TellsThatThereIsNoServer)
+{
+  const TemporaryFile file("lms3d-ior");
+  ServerProcess server;
+  std::ofstream(file.Path) << server.GetIOR() << '\n';
+  const std::string reference = GetParam().TakesFile ? file.Path.string() : server.GetCorbaloc();
+  server.Terminate(SIGKILL);
+  const Outcome outcome = RunClient(GetParam(), reference);
+  EXPECT_EQ(outcome.Code, 1);
+  EXPECT_NE(outcome.Text, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Java, PaperClient, testing::Values(GetJavaClient("paper-client")));
+INSTANTIATE_TEST_SUITE_P(Tcl, PaperClient, testing::Values(GetTclClient("lms3d_paper_client")));
+INSTANTIATE_TEST_SUITE_P(
+  GIOP, PaperClient, testing::Values(GetGIOPClient({}), GetGIOPClient({ "--big-endian" })));
+INSTANTIATE_TEST_SUITE_P(OmniORBpy, PaperClient, testing::Values(GetOmniORBpyClient({ "fetch" })));
+
+/// Those that move the sensor.
+class ScannerClient : public testing::TestWithParam<Client>
+{
+};
+
+TEST_P(ScannerClient, PrintsTheScanFromWhereItMovedTheSensor)
+{
+  ServerProcess server({ "--orientation", "10", "-20", "30" });
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  LMS3D::Configuration configuration = GetCoarseGrid();
+  configuration.maximumRange = 3.5;
+  scanner->setConfiguration(configuration);
+  const std::vector<float> triples =
+    ReadTable(RunClient(GetParam(), server.GetCorbaloc(), { "0.4", "-0.3", "0.9" }));
+  LMS3D::Pose pose = At(0.4, -0.3, 0.9);
+  pose.orientation = { 10.0, -20.0, 30.0 };
+  EXPECT_EQ(triples, DirectPipeline("room.wrl", pose, configuration).Triples);
+  EXPECT_NE(std::find(triples.begin(), triples.end(), 0.0f), triples.end()) << "no misses";
+}
+
+TEST_P(ScannerClient, TellsWhyAPositionIsRefused)
+{
+  ServerProcess server;
+  const Outcome outcome = RunClient(GetParam(), server.GetCorbaloc(), { "0", "2e6", "0" });
+  EXPECT_EQ(outcome.Code, 1);
+  EXPECT_NE(
+    outcome.Text.find("InvalidArgument: a coordinate of the position is 2e+06"), std::string::npos)
+    << outcome.Text;
+}
+
+TEST_P(ScannerClient, TellsThatItMayNotMoveTheSensor)
+{
+  ServerProcess server({ "--read-only" });
+  const Outcome outcome = RunClient(GetParam(), server.GetCorbaloc(), { "0", "0", "1" });
+  EXPECT_EQ(outcome.Code, 1);
+  EXPECT_NE(outcome.Text.find("NotPermitted"), std::string::npos) << outcome.Text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Java, ScannerClient, testing::Values(GetJavaClient("scanner-client")));
+INSTANTIATE_TEST_SUITE_P(Tcl, ScannerClient, testing::Values(GetTclClient("lms3d_scanner_client")));
+INSTANTIATE_TEST_SUITE_P(
+  OmniORBpy, ScannerClient, testing::Values(GetOmniORBpyClient({ "scan", "--position" })));
+
+TEST(OmniORBpyClient, SavesTheDirectPipelinesMap)
+{
+  const TemporaryFile file("lms3d-map");
+  ServerProcess server;
+  const Outcome outcome = RunClient(
+    GetOmniORBpyClient({ "scan", "--map" }), server.GetCorbaloc(), { file.Path.string() });
+  ASSERT_EQ(outcome.Code, 0) << outcome.Text;
+  const DirectPipeline direct = MakeDirect(WaitFor(Connect(server.GetCorbaloc())));
+  const Map map = ReadMap(file.Path);
+  EXPECT_EQ(map.Points, direct.MapPoints);
+  EXPECT_EQ(map.Triangles, direct.MapTriangles);
+}
+
+TEST(OmniORBpyClient, WatchesScanAfterScan)
+{
+  ServerProcess server;
+  const Outcome outcome = RunClient(GetOmniORBpyClient({ "watch" }), server.GetCorbaloc(), { "3" });
+  EXPECT_EQ(outcome.Code, 0);
+  std::istringstream lines(outcome.Text);
+  unsigned long long last = 0;
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count)
+  {
+    unsigned long long number = 0;
+    ASSERT_EQ(std::sscanf(line.c_str(), "scan %llu,", &number), 1) << line;
+    EXPECT_GT(number, last);
+    last = number;
+  }
+  EXPECT_EQ(count, 3);
+}
