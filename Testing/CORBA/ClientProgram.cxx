@@ -45,7 +45,8 @@ std::vector<float> ReadTable(const Outcome& outcome)
     const char separator = numbers.size() % 3 == 0 ? '\n' : '\t';
     if (end == text || *end != separator)
     {
-      ADD_FAILURE() << "no table of three columns from here on: " << std::string(text, 0, 300);
+      ADD_FAILURE() << "no table of three columns from here on: "
+                    << std::string(text).substr(0, 300);
       return {};
     }
   }

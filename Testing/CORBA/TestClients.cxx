@@ -13,32 +13,38 @@
 #include <cstdio>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace
 {
 using Words = std::vector<std::string>;
 
+const std::string Clients = LMS3D_CLIENTS_DIR;
+const std::string MadeClients = LMS3D_MADE_CLIENTS_DIR;
+
 Client GetJavaClient(const std::string& name)
 {
-  return { { "java", "-jar", LMS3D_MADE_CLIENTS_DIR "/Java/" + name + '/' + name + ".jar" }, {} };
+  std::string jar = MadeClients;
+  jar.append("/Java/").append(name).append("/").append(name).append(".jar");
+  return { { "java", "-jar", jar }, {} };
 }
 
-Client GetTclClient(const std::string& name)
+Client GetTclClient(const std::string& script)
 {
-  return { { "tclsh", LMS3D_CLIENTS_DIR "/Tcl/" + name + ".tcl" }, {} };
+  return { { "tclsh", Clients + "/Tcl/" + script }, {} };
 }
 
 Client GetGIOPClient(const Words& option)
 {
-  return { { LMS3D_PYTHON, LMS3D_CLIENTS_DIR "/Python/lms3d_giop.py" }, option, true };
+  return { { LMS3D_PYTHON, Clients + "/Python/lms3d_giop.py" }, option, true };
 }
 
 Client GetOmniORBpyClient(const Words& command)
 {
-  return { { "env", "PYTHONDONTWRITEBYTECODE=1",
-             "PYTHONPATH=" LMS3D_MADE_CLIENTS_DIR "/Python/stubs",
-             LMS3D_MADE_CLIENTS_DIR "/Python/environment/bin/python",
-             LMS3D_CLIENTS_DIR "/Python/lms3d_scanner_client.py" },
+  const std::string made = MadeClients + "/Python";
+  return { { "env", "PYTHONDONTWRITEBYTECODE=1", "PYTHONPATH=" + made + "/stubs",
+             made + "/environment/bin/python", Clients + "/Python/lms3d_scanner_client.py" },
     command };
 }
 
@@ -76,7 +82,7 @@ TEST_P(PaperClient, TellsThatThereIsNoServer)
 }
 
 INSTANTIATE_TEST_SUITE_P(Java, PaperClient, testing::Values(GetJavaClient("paper-client")));
-INSTANTIATE_TEST_SUITE_P(Tcl, PaperClient, testing::Values(GetTclClient("lms3d_paper_client")));
+INSTANTIATE_TEST_SUITE_P(Tcl, PaperClient, testing::Values(GetTclClient("lms3d_paper_client.tcl")));
 INSTANTIATE_TEST_SUITE_P(
   GIOP, PaperClient, testing::Values(GetGIOPClient({}), GetGIOPClient({ "--big-endian" })));
 INSTANTIATE_TEST_SUITE_P(OmniORBpy, PaperClient, testing::Values(GetOmniORBpyClient({ "fetch" })));
@@ -120,7 +126,8 @@ TEST_P(ScannerClient, TellsThatItMayNotMoveTheSensor)
 }
 
 INSTANTIATE_TEST_SUITE_P(Java, ScannerClient, testing::Values(GetJavaClient("scanner-client")));
-INSTANTIATE_TEST_SUITE_P(Tcl, ScannerClient, testing::Values(GetTclClient("lms3d_scanner_client")));
+INSTANTIATE_TEST_SUITE_P(
+  Tcl, ScannerClient, testing::Values(GetTclClient("lms3d_scanner_client.tcl")));
 INSTANTIATE_TEST_SUITE_P(
   OmniORBpy, ScannerClient, testing::Values(GetOmniORBpyClient({ "scan", "--position" })));
 
