@@ -37,7 +37,7 @@ Client GetTclClient(const std::string& script)
 
 Client GetGIOPClient(const Words& option)
 {
-  return { { LMS3D_PYTHON, Clients + "/Python/lms3d_giop.py" }, option, true };
+  return { { LMS3D_PYTHON, Clients + "/Python/lms3d_paper_client.py" }, option, true };
 }
 
 Client GetOmniORBpyClient(const Words& command)
