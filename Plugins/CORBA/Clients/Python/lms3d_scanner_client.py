@@ -25,7 +25,6 @@ TRIES = 5
 def connect(reference):
     """The scanner that an IOR or a corbaloc names."""
     orb = CORBA.ORB_init(ORB_OPTIONS)
-    # The type is among the arguments: the server is asked whether it is of that type.
     scanner = orb.string_to_object(reference)._narrow(LMS3D.LaserScanner)
     if scanner is None:
         raise ValueError(f"what is at {reference} is no scanner of LMS3D")
@@ -116,6 +115,7 @@ def watch(scanner, options):
 
 
 def parse_arguments():
+    """The scanner, the command and what belongs to it."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("scanner", help="an IOR or a corbaloc")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
@@ -132,6 +132,7 @@ def parse_arguments():
 
 
 def main():
+    """Run one command."""
     options = parse_arguments()
     try:
         options.run(connect(options.scanner), options)

@@ -19,6 +19,10 @@ combat::ir add {
   }}
 }
 
+if {$argc != 1} {
+  puts stderr "Usage: lms3d_paper_client.tcl REFERENCE"
+  exit 2
+}
 corba::init
 corba::try {
   set scanner [corba::string_to_object [lindex $argv 0]]

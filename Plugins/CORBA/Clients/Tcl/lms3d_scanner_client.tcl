@@ -47,6 +47,10 @@ proc print_scan {scan} {
   }
 }
 
+if {$argc != 4} {
+  puts stderr "Usage: lms3d_scanner_client.tcl REFERENCE X Y Z"
+  exit 2
+}
 corba::init
 corba::try {
   lassign $argv reference x y z
