@@ -62,7 +62,8 @@ class PaperClient : public testing::TestWithParam<Client>
 TEST_P(PaperClient, PrintsTheDirectPipelinesTriples)
 {
   const TemporaryFile file("lms3d-ior");
-  ServerProcess server({ "--ior", file.Path.string() });
+  // Leaves the machine to the client.
+  ServerProcess server({ "--ior", file.Path.string(), "--rate", "0.5" });
   const std::string reference = GetParam().TakesFile ? file.Path.string() : server.GetIOR();
   const std::vector<float> triples = ReadTable(RunClient(GetParam(), reference));
   ASSERT_EQ(triples.size(), 389880u);
@@ -123,6 +124,15 @@ TEST_P(ScannerClient, TellsThatItMayNotMoveTheSensor)
   const Outcome outcome = RunClient(GetParam(), server.GetCorbaloc(), { "0", "0", "1" });
   EXPECT_EQ(outcome.Code, 1);
   EXPECT_NE(outcome.Text.find("NotPermitted"), std::string::npos) << outcome.Text;
+}
+
+TEST_P(ScannerClient, GivesUpOnAServerThatHangs)
+{
+  ServerProcess server;
+  kill(server.GetProcess(), SIGSTOP);
+  const Outcome outcome = RunClient(GetParam(), server.GetCorbaloc(), { "0", "0", "1" });
+  EXPECT_EQ(outcome.Code, 1);
+  EXPECT_NE(outcome.Text, "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Java, ScannerClient, testing::Values(GetJavaClient("scanner-client")));

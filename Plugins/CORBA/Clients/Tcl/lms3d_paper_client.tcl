@@ -23,6 +23,11 @@ if {$argc != 1} {
   puts stderr "Usage: lms3d_paper_client.tcl REFERENCE"
   exit 2
 }
+# Combat waits in Tcl's event loop, and for ever: this notices a server that hangs.
+after 30000 {
+  puts stderr "lms3d_paper_client: the server does not answer"
+  exit 1
+}
 corba::init
 corba::try {
   set scanner [corba::string_to_object [lindex $argv 0]]

@@ -51,6 +51,11 @@ if {$argc != 4} {
   puts stderr "Usage: lms3d_scanner_client.tcl REFERENCE X Y Z"
   exit 2
 }
+# Combat waits in Tcl's event loop, and for ever: this notices a server that hangs.
+after 30000 {
+  puts stderr "lms3d_scanner_client: the server does not answer"
+  exit 1
+}
 corba::init
 corba::try {
   lassign $argv reference x y z

@@ -45,6 +45,8 @@ public final class ScannerClient {
     Properties properties = new Properties();
     properties.put("org.omg.CORBA.ORBClass", "org.jacorb.orb.ORB");
     properties.put("org.omg.CORBA.ORBSingletonClass", "org.jacorb.orb.ORBSingleton");
+    // Milliseconds, more than the server lets anybody wait: one that hangs is noticed.
+    properties.put("jacorb.connection.client.pending_reply_timeout", "15000");
     return ORB.init((String[]) null, properties);
   }
 
