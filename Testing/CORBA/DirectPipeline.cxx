@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectPipeline.h"
 
+#include "ServerProcess.h"
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 #include "vtkVRMLImporterSource.h"
@@ -39,6 +40,7 @@ DirectPipeline::DirectPipeline(
   reader->SetFileName((std::string(LMS3D_DATA_DIR) + "/" + scene).c_str());
   vtkNew<vtkLMS3DScanFilter> scanner;
   scanner->SetInputConnection(reader->GetOutputPort());
+  scanner->SetNumberOfThreads(FilterThreads);
   scanner->SetPosition(pose.position.x, pose.position.y, pose.position.z);
   scanner->SetOrientation(pose.orientation.x, pose.orientation.y, pose.orientation.z);
   scanner->SetAlphaRange(configuration.alpha.start, configuration.alpha.stop);
@@ -49,6 +51,7 @@ DirectPipeline::DirectPipeline(
   scanner->SetMaximumRange(configuration.maximumRange);
   vtkNew<vtkLMS3DSurfaceReconstructionFilter> mapper;
   mapper->SetInputConnection(scanner->GetOutputPort());
+  mapper->SetNumberOfThreads(FilterThreads);
   mapper->SetMaximumError(configuration.mapError);
   mapper->Update();
   this->TakeScan(scanner->GetRangeImage(), scanner->GetOutput());

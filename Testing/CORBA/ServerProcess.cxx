@@ -18,7 +18,7 @@ namespace
 std::vector<std::string> Complete(const std::vector<std::string>& arguments)
 {
   std::vector<std::string> all = { LMS3D_SERVER, "--scenes", LMS3D_DATA_DIR, "--scene", "room.wrl",
-    "--position", "0.3", "-0.2", "1" };
+    "--position", "0.3", "-0.2", "1", "--threads", std::to_string(FilterThreads) };
   all.insert(all.end(), arguments.begin(), arguments.end());
   return all;
 }

@@ -13,6 +13,14 @@
 
 #include <sys/types.h>
 
+/// The threads of the filters, of servers and beside them; 0: all cores. TBB's library is not made for
+/// ThreadSanitizer, which would take its handing over of work for races.
+#ifdef __SANITIZE_THREAD__
+constexpr int FilterThreads = 1;
+#else
+constexpr int FilterThreads = 0;
+#endif
+
 /// Runs until Terminate(), or is killed at the end of the test.
 class ServerProcess
 {

@@ -9,17 +9,22 @@
 
 #include <string>
 
-/// One in a process. Made before all else, so that no early signal ends the process halfway.
+#include <csignal>
+
+/// Takes the signals away from the threads that are made after it, so that they interrupt nobody and
+/// wait for Wait(); to be made before all threads.
 class lms3dStopSignal
 {
 public:
-  /// Throws std::runtime_error where the system refuses.
   lms3dStopSignal();
   lms3dStopSignal(const lms3dStopSignal&) = delete;
   void operator=(const lms3dStopSignal&) = delete;
 
-  /// Returns the signal's name when it has come.
+  /// Returns the signal's name when it has come, or if it has already.
   std::string Wait() const;
+
+private:
+  sigset_t Signals;
 };
 
 #endif
