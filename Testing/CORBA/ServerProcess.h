@@ -14,7 +14,7 @@
 #include <sys/types.h>
 
 /// The threads of the filters, of servers and beside them; 0: all cores. TBB's library is not made for
-/// ThreadSanitizer, which would take its handing over of work for races.
+/// ThreadSanitizer.
 #ifdef __SANITIZE_THREAD__
 constexpr int FilterThreads = 1;
 #else

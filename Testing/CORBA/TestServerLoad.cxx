@@ -118,6 +118,23 @@ TEST(ServerLoad, EndsBySIGINTToo)
   EXPECT_EQ(server.Terminate(SIGINT), 0);
 }
 
+// Wherever it is: while it casts, while it makes the map, or after that.
+TEST(ServerLoad, EndsInTheMiddleOfALargeScan)
+{
+  for (const int milliseconds : { 10, 50, 200 })
+  {
+    ServerProcess server;
+    const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+    WaitFor(scanner);
+    LMS3D::Configuration configuration = GetCoarseGrid();
+    configuration.alpha = { -90.0, 90.0, 2000 };
+    configuration.beta = { 0.0, 360.0, 2000 };
+    scanner->setConfiguration(configuration);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100 + milliseconds));
+    EXPECT_EQ(server.Terminate(SIGTERM), 0);
+  }
+}
+
 // Two poses in turn: each answer is all of the one or all of the other.
 TEST(ServerLoad, NothingTearsWhileThePoseMoves)
 {

@@ -124,6 +124,21 @@ TEST(ServerValues, VTKDataOfTheClientAreTheDirectPipelines)
   }
 }
 
+TEST(ServerValues, AScanWithoutReturnsIsAScan)
+{
+  ServerProcess server;
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const LMS3D::ScanHeader header = WaitFor(scanner, scanner->setPose(At(1e6, 0.0, 0.0)));
+  EXPECT_EQ(header.returns, 0u);
+  EXPECT_EQ(header.mapPoints, 0u);
+  EXPECT_EQ(header.mapTriangles, 0u);
+  const lms3dRemoteScan remote = lms3dFetchScan(scanner, header);
+  EXPECT_EQ(remote.Ranges, std::vector<float>(header.beams, 0.0f));
+  const LMS3D::Status_var status = scanner->getStatus();
+  EXPECT_STREQ(status->problem, "");
+  EXPECT_EQ(server.Terminate(SIGTERM), 0);
+}
+
 TEST(ServerValues, ChoosesScenes)
 {
   ServerProcess server;

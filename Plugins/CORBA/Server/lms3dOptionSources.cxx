@@ -49,7 +49,12 @@ Words Split(const std::string& values, std::size_t count)
   return words;
 }
 
-lms3dOptionSetting ReadLine(const std::string& line, lms3dOptionCount getCount)
+std::string DescribePlace(const std::string& file, int number, const std::string& line)
+{
+  return file + ":" + std::to_string(number) + ": \"" + line + "\"";
+}
+
+lms3dOptionSetting ParseLine(const std::string& line, lms3dOptionCount getCount)
 {
   const std::size_t equals = line.find('=');
   lms3dOptionSetting setting;
@@ -63,6 +68,21 @@ lms3dOptionSetting ReadLine(const std::string& line, lms3dOptionCount getCount)
   setting.Values = values.empty() ? Words() : Split(values, count);
   RequireCount(setting.Values, count);
   return setting;
+}
+
+lms3dOptionSetting ReadLine(
+  const std::string& line, const std::string& origin, lms3dOptionCount getCount)
+{
+  try
+  {
+    lms3dOptionSetting setting = ParseLine(line, getCount);
+    setting.Origin = origin;
+    return setting;
+  }
+  catch (const std::invalid_argument& problem)
+  {
+    throw std::invalid_argument(origin + ": " + problem.what());
+  }
 }
 
 // The values after place `i`, which moves on to the last of them.
@@ -84,7 +104,7 @@ lms3dCommandLine lms3dReadCommandLine(
   lms3dCommandLine line;
   for (std::size_t i = 0; i < arguments.size(); ++i)
   {
-    const std::string origin = arguments[i];
+    const std::string& origin = arguments[i];
     try
     {
       if (BeginsWith(origin, "-ORB"))
@@ -120,19 +140,9 @@ std::vector<lms3dOptionSetting> lms3dReadOptionFile(
   {
     ++number;
     line = Trim(line);
-    if (line.empty() || line[0] == '#')
+    if (!line.empty() && line[0] != '#')
     {
-      continue;
-    }
-    const std::string origin = file + ":" + std::to_string(number) + ": \"" + line + "\"";
-    try
-    {
-      settings.push_back(ReadLine(line, getCount));
-      settings.back().Origin = origin;
-    }
-    catch (const std::invalid_argument& problem)
-    {
-      throw std::invalid_argument(origin + ": " + problem.what());
+      settings.push_back(ReadLine(line, DescribePlace(file, number, line), getCount));
     }
   }
   return settings;

@@ -22,6 +22,14 @@ std::string WithoutFolder(std::string text, const std::filesystem::path& file)
   return text;
 }
 
+void LogIfAny(const std::string& name, const std::string& message)
+{
+  if (!message.empty())
+  {
+    lms3dLog("scene " + name + ": " + message);
+  }
+}
+
 LMS3D::Scene Describe(const std::string& name, vtkPolyData* surface)
 {
   double bounds[6];
@@ -50,13 +58,8 @@ lms3dServedScenePointer lms3dReadScene(
   {
     throw std::runtime_error(error.empty() ? "the file has no surface" : error);
   }
-  for (const std::string& message : { error, warning })
-  {
-    if (!message.empty())
-    {
-      lms3dLog("scene " + name + ": " + message);
-    }
-  }
+  LogIfAny(name, error);
+  LogIfAny(name, warning);
   auto scene = std::make_shared<lms3dServedScene>();
   scene->Surface = reader->GetOutput();
   scene->Description = Describe(name, scene->Surface);

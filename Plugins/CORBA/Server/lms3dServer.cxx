@@ -44,15 +44,20 @@ lms3dPermissions GetPermissions(const lms3dServerOptions& options)
   return permissions;
 }
 
+bool UsesTLS(const std::string& address)
+{
+  return address.rfind("giop:ssl:", 0) == 0;
+}
+
 void LogAddresses(const std::vector<std::string>& addresses)
 {
   for (const std::string& address : addresses)
   {
     lms3dLog("listening on " + address);
-    if (!lms3dIsLocalEndpoint(address))
+    if (!lms3dIsLocalEndpoint(address) && !UsesTLS(address))
     {
-      lms3dLog("warning: other machines can reach " + address + ". Without TLS whoever does may " +
-        "look, and unless --read-only is given move the sensor");
+      lms3dLog("warning: other machines can reach this, and whoever does may look and, unless "
+               "--read-only is given, move the sensor");
     }
   }
 }
