@@ -68,6 +68,8 @@ void PrintHelp()
     "  %-9s  %s\n", "peers", "other ray casters for Python beside LMS3D; by ./run bench alone");
   std::printf("  %-9s  %s\n", "map-peers",
     "maps of other libraries for Python beside those of LMS3D; by ./run bench alone");
+  std::printf("  %-9s  %s\n", "corba",
+    "what fetch() costs beside a bare socket, and the scanner; by ./run bench corba alone");
   std::printf("\nScenes: %s", Join(GetSceneNames()).c_str());
   std::printf("\n\nMethods, of the benchmark scan: %s\n\n", Join(ScanSubject::GetNames()).c_str());
 }

@@ -2,11 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A running server instead of a simulation: its scan, its local map and its sensor's pose."""
 
+import time
+
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonTransforms import vtkTransform
 
 from .messages import VTKMessages
 from .problems import Problem
+
+_PATIENCE = 10.0  # seconds for a server's first scan
 
 
 class RemoteScanner:
@@ -23,10 +27,18 @@ class RemoteScanner:
                           "omniORB is installed") from error
         self.source = vtkLMS3DRemoteSource()
         self.source.SetURL(url)
-        self.update()
+        self._wait_for_first()
         if self.returns == 0:
             reason = self.source.GetProblem() or "the server has no scan with any return"
             raise Problem(f"nothing to show from '{url}': {reason}")
+
+    def _wait_for_first(self):
+        end = time.monotonic() + _PATIENCE
+        self.update()
+        while self.returns == 0 and not self.problem and time.monotonic() < end:
+            time.sleep(0.05)
+            if self.has_news():
+                self.update()
 
     def update(self):
         """Take what has been fetched; `problem` tells what was not."""
