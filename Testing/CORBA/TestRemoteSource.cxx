@@ -162,7 +162,7 @@ TEST(RemoteSource, WarnsWhereTheServerIsReadOnly)
   EXPECT_NE(source->GetProblem().find("not permit"), std::string::npos) << source->GetProblem();
 }
 
-TEST(RemoteSource, TellsWhyThereAreNoScans)
+TEST(RemoteSource, ServersMayMakeNoMaps)
 {
   ServerProcess server({ "--no-map" });
   WatchingSource source(server.GetCorbaloc());

@@ -32,6 +32,8 @@
  * address. What a server sends is checked before it is used, its checksums included: a scan that is
  * not as the interface demands is not shown.
  *
+ * There is no TLS: servers on other machines are to be reached through a tunnel.
+ *
  * There is one sensor for all clients. SendPose() moves it, unless the server was started so that
  * clients may not.
  *
