@@ -3,6 +3,7 @@
 #include "lms3dPipelineRequests.h"
 
 #include <vtkAlgorithm.h>
+#include <vtkDataObject.h>
 #include <vtkExecutive.h>
 #include <vtkExtentTranslator.h>
 #include <vtkInformation.h>
@@ -59,4 +60,15 @@ void lms3dOfferTimes(const std::vector<double>& times, vtkInformation* output)
   const double range[2] = { times.front(), times.back() };
   output->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
   output->Set(Pipeline::TIME_RANGE(), range, 2);
+}
+
+// VTK takes for good what a filter leaves, also where it was stopped.
+void lms3dForgetOutputs(vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* output = outputVector->GetInformationObject(port);
+    output->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    output->Get(vtkDataObject::DATA_OBJECT())->ReleaseData();
+  }
 }

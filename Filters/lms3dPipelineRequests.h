@@ -29,4 +29,7 @@ void lms3dUpdateInput(vtkAlgorithm* filter, int port);
 /// Offers increasing times of which there is at least one.
 void lms3dOfferTimes(const std::vector<double>& times, vtkInformation* output);
 
+/// Empties all outputs and lets the next update run again, after work that was stopped.
+void lms3dForgetOutputs(vtkInformationVector* outputVector);
+
 #endif

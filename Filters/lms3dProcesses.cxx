@@ -88,15 +88,15 @@ lms3dProcesses::lms3dProcesses(vtkMultiProcessController* controller)
 {
 }
 
-bool lms3dProcesses::AskAny(bool mine) const
+int lms3dProcesses::CountWho(bool mine) const
 {
-  int said = mine ? 1 : 0;
+  int count = mine ? 1 : 0;
   if (this->AreMany())
   {
-    const int own = said;
-    this->Controller->AllReduce(&own, &said, 1, vtkCommunicator::MAX_OP);
+    const int own = count;
+    this->Controller->AllReduce(&own, &count, 1, vtkCommunicator::SUM_OP);
   }
-  return said != 0;
+  return count;
 }
 
 void lms3dProcesses::ThrowError(const std::string& mine) const

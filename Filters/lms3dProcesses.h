@@ -35,8 +35,11 @@ public:
   bool IsFirst() const { return this->Rank == 0; }
   ///@}
 
-  /// Whether one of them says so.
-  bool AskAny(bool mine) const;
+  ///@{
+  /// How many of them say so, and whether one does.
+  int CountWho(bool mine) const;
+  bool AskAny(bool mine) const { return this->CountWho(mine) > 0; }
+  ///@}
 
   /// Does this process's share of some work; throws std::runtime_error in all of them where it fails
   /// in one, with the words of the first that failed. One process alone throws what the work throws.

@@ -24,8 +24,8 @@ class lms3dProcesses;
 class vtkPolyData;
 
 /**
- * Makes the outputs of one scan after the other, in memory that is used again. All methods are to
- * be called in the TBB arena whose threads they use.
+ * Makes the outputs of one scan after the other, in memory that is used again. Cast,
+ * CastPart and FillScan are to be called in the TBB arena whose threads they use.
  */
 class lms3dScanOutput
 {

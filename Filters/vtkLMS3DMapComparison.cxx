@@ -6,12 +6,14 @@
 #include "lms3dComparisonOutput.h"
 #include "lms3dFailure.h"
 #include "lms3dMapComparison.h"
+#include "lms3dProcesses.h"
 #include "lms3dSceneTriangles.h"
 #include "lms3dThreads.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
@@ -60,6 +62,26 @@ std::vector<double> GetVertexErrors(const lms3dSurfaceQuery& scene, vtkPolyData*
   std::replace(errors.begin(), errors.end(), std::numeric_limits<double>::infinity(),
     std::numeric_limits<double>::quiet_NaN());
   return errors;
+}
+
+bool HasCells(vtkDataObject* data)
+{
+  return data && data->GetNumberOfElements(vtkDataObject::CELL) > 0;
+}
+
+// Under MPI one process has the map, and has to have all of the scene.
+bool IsForThisProcess(vtkInformationVector** inputVector)
+{
+  const lms3dProcesses processes(vtkMultiProcessController::GetGlobalController());
+  const bool hasScene = HasCells(vtkDataObject::GetData(inputVector[1]));
+  const int withScene = processes.CountWho(hasScene);
+  if (withScene > 1)
+  {
+    throw std::runtime_error("The scene is spread over " + std::to_string(withScene) +
+      " processes, and each would compare the map with its own piece alone. Compare in one "
+      "process.");
+  }
+  return !processes.AreMany() || hasScene || HasCells(vtkDataObject::GetData(inputVector[0]));
 }
 
 std::string TellNothingSeen(const lms3dSensorView& view)
@@ -162,8 +184,11 @@ int vtkLMS3DMapComparison::RequestData(
     [&]
     {
       this->CheckProperties();
-      lms3dThreads threads;
-      threads.Run(this->NumberOfThreads, [&] { this->Compare(inputVector, outputVector); });
+      if (IsForThisProcess(inputVector))
+      {
+        lms3dThreads threads;
+        threads.Run(this->NumberOfThreads, [&] { this->Compare(inputVector, outputVector); });
+      }
     },
     "There is not enough memory for so many samples; reduce NumberOfSamples.");
   if (!failure.empty())

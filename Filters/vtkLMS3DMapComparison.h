@@ -48,7 +48,8 @@
  *
  * Bad input gives an error that says what to do, the error code vtkErrorCode::UserError, and empty
  * outputs: a map or a scene without triangles, no pose, a sensor that sees nothing of the scene.
- * Cells with a point that is not finite are left out, with a warning.
+ * Cells with a point that is not finite are left out, with a warning. Of several processes the one
+ * with the map compares; a scene that is spread over more than one is refused.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkLMS3DScanFilter

@@ -63,9 +63,11 @@ struct vtkLMS3DScanFilter::Internals
   /// Read anew where it or the filter has changed; throws where it is bad.
   const lms3dTrajectory& GetTrajectory(vtkPolyData* poses, vtkLMS3DScanFilter* filter)
   {
-    if (!this->Trajectory || this->TrajectoryTime < std::max(poses->GetMTime(), filter->GetMTime()))
+    if (!this->Trajectory || this->TrajectoryData != poses ||
+      this->TrajectoryTime < std::max(poses->GetMTime(), filter->GetMTime()))
     {
       this->Trajectory = std::make_unique<lms3dTrajectory>(poses, filter->Orientation);
+      this->TrajectoryData = poses;
       this->TrajectoryTime.Modified();
     }
     return *this->Trajectory;
@@ -99,6 +101,7 @@ private:
   std::unique_ptr<lms3dScanGeometry> Geometry;
   Angles GeometryAngles;
   std::unique_ptr<lms3dTrajectory> Trajectory;
+  vtkSmartPointer<vtkPolyData> TrajectoryData;
   vtkTimeStamp TrajectoryTime;
 };
 
@@ -191,9 +194,9 @@ lms3dRangeLimits vtkLMS3DScanFilter::GetLimits() const
 int vtkLMS3DScanFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->GetNumberOfInputConnections(1) > 0)
+  if (this->GetNumberOfInputConnections(1) > 0 && !this->TellTimes(inputVector, outputVector))
   {
-    this->TellTimes(inputVector, outputVector);
+    return 0;
   }
   // RequestData reports bad properties; an extent needs good ones.
   if (this->GetPropertyError().empty())
@@ -204,14 +207,23 @@ int vtkLMS3DScanFilter::RequestInformation(
   return 1;
 }
 
-void vtkLMS3DScanFilter::TellTimes(
+bool vtkLMS3DScanFilter::TellTimes(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   lms3dUpdateInput(this, 1);
+  vtkPolyData* poses = vtkPolyData::GetData(inputVector[1]);
+  if (!poses)
+  {
+    // Of a composite the pipeline would scan once for each block.
+    vtkErrorMacro("The trajectory is no vtkPolyData. Connect a polyline or points; of a composite "
+                  "data set extract the block.");
+    this->SetErrorCode(vtkErrorCode::UserError);
+    lms3dForgetOutputs(outputVector);
+    return false;
+  }
   try
   {
-    const std::vector<double>& times =
-      this->Internal->GetTrajectory(vtkPolyData::GetData(inputVector[1]), this).GetTimes();
+    const std::vector<double>& times = this->Internal->GetTrajectory(poses, this).GetTimes();
     lms3dOfferTimes(times, outputVector->GetInformationObject(0));
     lms3dOfferTimes(times, outputVector->GetInformationObject(1));
   }
@@ -219,6 +231,7 @@ void vtkLMS3DScanFilter::TellTimes(
   {
     // RequestData reports it.
   }
+  return true;
 }
 
 int vtkLMS3DScanFilter::RequestUpdateExtent(
@@ -276,6 +289,7 @@ void vtkLMS3DScanFilter::Scan(
         vtkPolyData* poses = vtkPolyData::GetData(inputVector[1]);
         pose = this->Internal->GetPose(poses, this, request, time);
       }
+      this->Internal->GetGeometry(this);
       this->Build(vtkDataObject::GetData(inputVector[0]));
     });
   processes.Share(pose, time);
@@ -283,17 +297,22 @@ void vtkLMS3DScanFilter::Scan(
 
   vtkPolyData* scan = vtkPolyData::GetData(outputVector, 0);
   vtkImageData* image = vtkImageData::GetData(outputVector, 1);
+  bool isDone = false;
   if (processes.AreMany())
   {
     const int ghostLevels =
       outputVector->GetInformationObject(1)->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
-    this->CastTogether(processes, pose, ghostLevels, scan, image);
+    isDone = this->CastTogether(processes, pose, ghostLevels, scan, image);
   }
   else
   {
-    this->CastAlone(pose, scan, image);
+    isDone = this->CastAlone(pose, scan, image);
   }
   this->Internal->Output.Discard();
+  if (!isDone)
+  {
+    lms3dForgetOutputs(outputVector);
+  }
   if (!std::isnan(time))
   {
     scan->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
@@ -308,14 +327,16 @@ void vtkLMS3DScanFilter::Build(vtkDataObject* scene)
   {
     this->Internal->Threads.Run(
       this->NumberOfThreads, [&] { built.Build(scene, this->IntersectionMethod); });
-    if (built.GetCaster() && !built.GetLeftOut().empty())
+    // Where nothing is left at all, an error says so.
+    const bool others = lms3dProcesses(this->Internal->Controller).AreMany();
+    if ((built.GetCaster() || others) && !built.GetLeftOut().empty())
     {
       vtkWarningMacro(<< built.GetLeftOut());
     }
   }
 }
 
-void vtkLMS3DScanFilter::CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image)
+bool vtkLMS3DScanFilter::CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image)
 {
   const lms3dRayCaster* caster = this->Internal->Scene.GetCaster();
   this->CheckScene(caster != nullptr);
@@ -323,19 +344,22 @@ void vtkLMS3DScanFilter::CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtk
   const lms3dRangeLimits limits = this->GetLimits();
   const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
   lms3dScanOutput& output = this->Internal->Output;
+  bool isDone = false;
   this->Internal->Threads.Run(this->NumberOfThreads,
     [&]
     {
-      if (output.Cast(*caster, geometry, pose, limits, progress))
+      isDone = output.Cast(*caster, geometry, pose, limits, progress);
+      if (isDone)
       {
         output.FillScan(&caster->GetMesh(), geometry, pose, scan);
         output.FillRangeImage(geometry, image);
       }
     });
+  return isDone;
 }
 
 // MPI wants to be called by the thread that it was started in, so outside of Run.
-void vtkLMS3DScanFilter::CastTogether(const lms3dProcesses& processes, const lms3dPose& pose,
+bool vtkLMS3DScanFilter::CastTogether(const lms3dProcesses& processes, const lms3dPose& pose,
   int ghostLevels, vtkPolyData* scan, vtkImageData* image)
 {
   const lms3dBuiltScene& built = this->Internal->Scene;
@@ -355,7 +379,7 @@ void vtkLMS3DScanFilter::CastTogether(const lms3dProcesses& processes, const lms
     [&] { run([&] { isStopped = !output.CastPart(caster, geometry, pose, limits, progress); }); });
   if (processes.AskAny(isStopped))
   {
-    return;
+    return false;
   }
   output.TakeNearest(processes, caster, firstCell);
   processes.Do(
@@ -368,6 +392,7 @@ void vtkLMS3DScanFilter::CastTogether(const lms3dProcesses& processes, const lms
       output.FillRangeImagePiece(
         geometry, { processes.GetRank(), processes.GetCount(), ghostLevels }, image);
     });
+  return true;
 }
 
 void vtkLMS3DScanFilter::CheckScene(bool hasTriangles) const

@@ -51,7 +51,7 @@
  *
  * With a Controller of several processes, as in ParaView under MPI, each casts against its own piece
  * of the scene, and the nearest return wins. The first process has the scan, the others an empty
- * one; the range image is spread over all as VTK spreads images. For EXACT, ANGLE_SUM and
+ * one; each has its block of the range image, as VTK spreads images. For EXACT, ANGLE_SUM and
  * MOLLER_TRUMBORE the scan is that of the whole scene to the bit, however it is spread, provided
  * that no cell was cut and that all have global ids, as ParaView's RedistributeDataSet generates:
  * of hits at the same range that in the cell with the smallest number is returned. Without ids
@@ -331,15 +331,15 @@ private:
   std::string GetPropertyError() const;
   lms3dRangeLimits GetLimits() const;
 
-  // Sets the time steps of both outputs.
-  void TellTimes(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  // Sets the time steps of both outputs; false where the trajectory is of another kind.
+  bool TellTimes(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   void Scan(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
   void Build(vtkDataObject* scene);
   void CheckScene(bool hasTriangles) const;
-  void CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image);
-  void CastTogether(const lms3dProcesses& processes, const lms3dPose& pose, int ghostLevels,
+  bool CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image);
+  bool CastTogether(const lms3dProcesses& processes, const lms3dPose& pose, int ghostLevels,
     vtkPolyData* scan, vtkImageData* image);
 
   struct Internals;

@@ -7,6 +7,7 @@
 #include "lms3dBoundedOutput.h"
 #include "lms3dFailure.h"
 #include "lms3dGridMap.h"
+#include "lms3dPipelineRequests.h"
 #include "lms3dRangeGrid.h"
 #include "lms3dRangeJoins.h"
 #include "lms3dScanInput.h"
@@ -63,6 +64,13 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  bool isStopped = false;
+  const lms3dProgress report = lms3dReportTo(this, 0.0, 1.0);
+  const auto progress = [&report, &isStopped](double done)
+  {
+    isStopped = !report(done) || isStopped;
+    return !isStopped;
+  };
   const std::string failure = lms3dFindFailure(
     [&]
     {
@@ -70,8 +78,8 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
       const lms3dScanInput scan(vtkPolyData::GetData(inputVector[0]));
       if (scan.GetNumberOfReturns() > 0)
       {
-        this->Internal->Threads.Run(
-          this->NumberOfThreads, [&] { this->MakeMap(scan, vtkPolyData::GetData(outputVector)); });
+        this->Internal->Threads.Run(this->NumberOfThreads,
+          [&] { this->MakeMap(scan, progress, vtkPolyData::GetData(outputVector)); });
       }
     },
     "There is not enough memory for the map. Scan with lower resolutions.");
@@ -80,6 +88,10 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
     vtkErrorMacro(<< failure);
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;
+  }
+  if (isStopped)
+  {
+    lms3dForgetOutputs(outputVector);
   }
   return 1;
 }
@@ -96,30 +108,31 @@ void vtkLMS3DSurfaceReconstructionFilter::CheckProperties() const
   }
 }
 
-void vtkLMS3DSurfaceReconstructionFilter::MakeMap(const lms3dScanInput& scan, vtkPolyData* map)
+void vtkLMS3DSurfaceReconstructionFilter::MakeMap(
+  const lms3dScanInput& scan, const lms3dProgress& progress, vtkPolyData* map)
 {
   scan.CheckPoints();
   lms3dRangeGrid& grid = this->Internal->Grid;
   grid.Place(this->Internal->GetGeometry(scan), scan.GetRanges(), scan.GetBeamIds(),
     scan.GetNumberOfReturns());
   this->Internal->Joins.Find(grid, this->DepthStep);
-  if (!lms3dReportTo(this, 0.0, 1.0)(PlaceShare))
+  if (!progress(PlaceShare))
   {
     return;
   }
+  const auto progressOfRest = [&progress](double done)
+  { return progress(PlaceShare + done * (1.0 - PlaceShare)); };
   if (this->MaximumError > 0.0)
   {
     lms3dBoundedMesher mesher(grid, this->Internal->Joins, this->MaximumError);
-    if (const std::optional<lms3dBoundedMap> bounded =
-          mesher.MakeMap(lms3dReportTo(this, PlaceShare, 1.0)))
+    if (const std::optional<lms3dBoundedMap> bounded = mesher.MakeMap(progressOfRest))
     {
       lms3dFillBoundedOutput(scan, *bounded, map);
     }
   }
   else
   {
-    this->Internal->Map.Fill(
-      scan, grid, this->Internal->Joins, lms3dReportTo(this, PlaceShare, 1.0), map);
+    this->Internal->Map.Fill(scan, grid, this->Internal->Joins, progressOfRest, map);
   }
 }
 

@@ -68,6 +68,7 @@
 #include "vtkLMS3DFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <functional> // For std::function
 #include <memory> // For std::unique_ptr
 
 class lms3dScanInput;
@@ -124,9 +125,10 @@ private:
   double DepthStep = 0.1;
   int NumberOfThreads = 0;
 
-  // Within the threads of the calling arena.
   void CheckProperties() const;
-  void MakeMap(const lms3dScanInput& scan, vtkPolyData* map);
+  // Within the threads of the calling arena.
+  void MakeMap(
+    const lms3dScanInput& scan, const std::function<bool(double)>& progress, vtkPolyData* map);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

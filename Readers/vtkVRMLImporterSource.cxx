@@ -12,6 +12,7 @@
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkVersionMacros.h>
 
 #include <algorithm>
@@ -198,16 +199,29 @@ int vtkVRMLImporterSource::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   this->Messages.clear();
   this->Severities.clear();
-  if (!this->CheckFile())
+  vtkInformation* output = outputVector->GetInformationObject(0);
+  if (this->CheckFile() && this->ReadFile(output))
   {
-    return 0;
+    return 1;
   }
+  // Of several processes the first alone reads. If the pipeline stopped here in that one, the others
+  // would wait for it in the next filter whose processes talk to one another.
+  const auto pieces = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES();
+  return output->Has(pieces) && output->Get(pieces) > 1 ? 1 : 0;
+}
+
+bool vtkVRMLImporterSource::ReadFile(vtkInformation* output)
+{
+  auto* surface = vtkPolyData::SafeDownCast(output->Get(vtkDataObject::DATA_OBJECT()));
   try
   {
     const lms3dScene scene = this->Read();
     if (this->IsAborted())
     {
-      return 1;
+      // VTK takes for good what a filter leaves, also where it was stopped.
+      output->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+      surface->ReleaseData();
+      return true;
     }
     this->KeepMessages(scene.Messages);
     if (!lms3dHasSurface(scene))
@@ -216,18 +230,18 @@ int vtkVRMLImporterSource::RequestData(
         std::string(this->FileName) + " has no surface that can be read. " +
           this->GetGravestMessage());
     }
-    lms3dWriteScene(scene, this->UpAxis == Y, vtkPolyData::GetData(outputVector));
+    lms3dWriteScene(scene, this->UpAxis == Y, surface);
   }
   catch (const std::bad_alloc&)
   {
-    vtkPolyData::GetData(outputVector)->Initialize();
+    surface->Initialize();
     return this->Fail(vtkErrorCode::UserError,
       std::string(this->FileName) +
         " needs more memory than there is; lower MaximumNumberOfNodes or "
         "MaximumNumberOfTriangles.");
   }
   this->SumUpMessages();
-  return 1;
+  return true;
 }
 
 void vtkVRMLImporterSource::PrintSelf(ostream& os, vtkIndent indent)

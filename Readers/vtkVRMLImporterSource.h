@@ -208,6 +208,7 @@ private:
   bool CheckFile();
   lms3dScene Read();
   bool IsAborted();
+  bool ReadFile(vtkInformation* output);
   void KeepMessages(const std::vector<lms3dMessage>& messages);
   std::string GetGravestMessage() const;
   std::string ListMessages() const;

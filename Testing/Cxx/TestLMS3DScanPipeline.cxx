@@ -10,8 +10,10 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkImageData.h>
+#include <vtkIntArray.h>
 #include <vtkMath.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPoints.h>
@@ -132,9 +134,41 @@ TEST(LMS3DScanPipeline, StopsWhenAskedAndIsWholeAgainAfterwards)
 
   scan->RemoveObserver(tag);
   scan->AbortExecuteOff();
-  scan->Modified();
   scan->Update();
   EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 361 * 360);
+}
+
+TEST(LMS3DScanPipeline, NamesCellsByTheirGlobalIds)
+{
+  auto ball = MakeBall(1.0, 12);
+  auto plain = MakeScan(ball);
+  SetGrid(plain, 19, 18);
+  plain->Update();
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("Ids");
+  const vtkIdType cells = ball->GetNumberOfCells();
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    ids->InsertNextValue(static_cast<int>(1000 - cell));
+  }
+  vtkNew<vtkPolyData> numbered;
+  numbered->ShallowCopy(ball);
+  numbered->GetCellData()->SetGlobalIds(ids);
+  auto scan = MakeScan(numbered);
+  SetGrid(scan, 19, 18);
+  scan->Update();
+  ASSERT_EQ(scan->GetOutput()->GetNumberOfPoints(), plain->GetOutput()->GetNumberOfPoints());
+  vtkDataArray* named = GetArray(scan, "CellId");
+  vtkDataArray* counted = GetArray(plain, "CellId");
+  int same = 0;
+  for (vtkIdType i = 0; i < named->GetNumberOfTuples(); ++i)
+  {
+    same += named->GetTuple1(i) == 1000 - counted->GetTuple1(i) ? 1 : 0;
+    EXPECT_GT(named->GetTuple1(i), 1000 - cells);
+  }
+  // At vertices and edges of the ball the smallest id wins, which is another cell.
+  EXPECT_GT(same, named->GetNumberOfTuples() / 2);
+  EXPECT_LT(same, named->GetNumberOfTuples());
 }
 
 TEST(LMS3DScanPipeline, IsOnePieceOfAllTheScene)

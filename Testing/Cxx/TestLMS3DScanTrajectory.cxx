@@ -14,9 +14,11 @@
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTrivialProducer.h>
 
 #include <gtest/gtest.h>
 
@@ -197,10 +199,46 @@ TEST(LMS3DScanTrajectory, NoticesANewTrajectory)
   scan->UpdateTimeStep(1);
   poses->GetPoints()->InsertNextPoint(0, 0, 3);
   poses->GetPoints()->Modified();
-  scan->Modified();
   EXPECT_EQ(GetTimes(scan).size(), 4u);
   scan->UpdateTimeStep(3);
   EXPECT_EQ(GetPosition(scan), (Point{ 0, 0, 3 }));
+}
+
+TEST(LMS3DScanTrajectory, TakesAnOlderTrajectoryInPlaceOfANewerOne)
+{
+  auto older = MakePoses({ { 0, 0, 1 } });
+  auto newer = MakePoses(ThreePlaces);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(newer);
+  auto scan = MakeJourney(nullptr);
+  scan->SetTrajectoryConnection(producer->GetOutputPort());
+  scan->Update();
+  EXPECT_EQ(GetTimes(scan).size(), 3u);
+  producer->SetOutput(older);
+  scan->Update();
+  EXPECT_EQ(GetTimes(scan).size(), 1u);
+  EXPECT_EQ(GetPosition(scan), (Point{ 0, 0, 1 }));
+}
+
+TEST(LMS3DScanTrajectory, RefusesOtherKindsOfData)
+{
+  vtkNew<vtkMultiBlockDataSet> group;
+  group->SetBlock(0, MakePoses(ThreePlaces));
+  auto scan = MakeJourney(MakePoses(ThreePlaces));
+  scan->Update();
+  ASSERT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
+  scan->SetTrajectoryData(group);
+  const std::string error = UpdateAndGetError(scan);
+  EXPECT_NE(error.find("The trajectory is no vtkPolyData"), std::string::npos) << error;
+  EXPECT_EQ(scan->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+  for (int port : { 0, 1 })
+  {
+    EXPECT_EQ(scan->GetOutputDataObject(port)->GetNumberOfElements(vtkDataObject::POINT), 0);
+  }
+
+  scan->SetTrajectoryData(MakePoses(ThreePlaces));
+  scan->Update();
+  EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 TEST(LMS3DScanTrajectory, TurnsByQuaternions)
@@ -248,7 +286,6 @@ TEST(LMS3DScanTrajectory, FollowsAPolylineInItsOrder)
   }
   poses->GetPoints()->SetPoint(3, 2, 1, 0);
   poses->GetPoints()->Modified();
-  scan->Modified();
   scan->UpdateTimeStep(2);
   ExpectAxis(scan, 0, { half, half, 0 });
 }

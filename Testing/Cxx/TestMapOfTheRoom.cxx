@@ -184,10 +184,15 @@ TEST(MapOfTheRoom, IsEmptyWhereTheUserStopsIt)
         auto* algorithm = static_cast<vtkAlgorithm*>(caller);
         algorithm->SetAbortExecute(algorithm->GetProgress() >= *static_cast<double*>(at) ? 1 : 0);
       });
-    filter->AddObserver(vtkCommand::ProgressEvent, stop);
+    const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
     filter->Update();
     EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::NoError);
     EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0) << share;
+
+    filter->RemoveObserver(tag);
+    filter->AbortExecuteOff();
+    filter->Update();
+    EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 1000) << share;
   }
 }
 

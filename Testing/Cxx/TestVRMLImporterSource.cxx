@@ -243,9 +243,18 @@ TEST_F(VRMLImporterSource, IsEmptyWithoutAnErrorAfterAnAbort)
 
   this->Reader->RemoveObserver(tag);
   this->Reader->SetAbortExecute(0);
-  this->Reader->Modified();
   this->Reader->Update();
   EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 240000);
+}
+
+TEST_F(VRMLImporterSource, LetsThePipelineGoOnWhereOthersWaitForIt)
+{
+  this->Reader->SetFileName((this->File.string() + ".not").c_str());
+  EXPECT_EQ(this->Reader->UpdatePiece(0, 2, 0), 1);
+  EXPECT_EQ(
+    this->Reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileNotFoundError));
+  this->Reader->Modified();
+  EXPECT_EQ(this->Reader->UpdatePiece(0, 1, 0), 0);
 }
 
 TEST_F(VRMLImporterSource, NamesShapesByTheNearestDEF)
