@@ -24,7 +24,7 @@ LMS3D::Configuration GetLargeGrid()
 
 TEST(ServerLimits, AScanOverTheMessageLimitComesInParts)
 {
-  ServerProcess server;
+  ServerProcess server({ "--keep", "50" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   const LMS3D::ScanHeader header = WaitFor(scanner, scanner->setConfiguration(GetLargeGrid()));
   ASSERT_EQ(header.beams, 586500u);
@@ -40,7 +40,7 @@ TEST(ServerLimits, AScanOverTheMessageLimitComesInParts)
 // The greatest part that the server names does go into a message.
 TEST(ServerLimits, AMapOverTheMessageLimitComesInParts)
 {
-  ServerProcess server({ "--map-error", "0", "--rate", "2" });
+  ServerProcess server({ "--map-error", "0", "--rate", "2", "--keep", "50" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   const LMS3D::ScanHeader header = WaitFor(scanner);
   ASSERT_GT(header.mapPoints * 24u, 2097152u);
@@ -68,7 +68,7 @@ TEST(ServerLimits, AMapOverTheMessageLimitComesInParts)
 
 TEST(ServerLimits, PartsBeyondTheEndAreRefused)
 {
-  ServerProcess server({ "--rate", "1" });
+  ServerProcess server({ "--rate", "1", "--keep", "50" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   const LMS3D::ScanHeader header = WaitFor(scanner);
   const CORBA::ULongLong number = header.number;
@@ -81,7 +81,7 @@ TEST(ServerLimits, PartsBeyondTheEndAreRefused)
 
 TEST(ServerLimits, TheAdministratorsMessageLimitHolds)
 {
-  ServerProcess server({ "-ORBgiopMaxMsgSize", "100000" });
+  ServerProcess server({ "-ORBgiopMaxMsgSize", "100000", "--keep", "50" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   EXPECT_THROW(scanner->fetch(), CORBA::IMP_LIMIT);
   const lms3dRemoteScan remote = lms3dFetchScan(scanner, WaitFor(scanner));

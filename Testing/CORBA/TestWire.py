@@ -31,7 +31,8 @@ class WireTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.server = cls.enterClassContext(Server())
+        # Scans are not dropped while a test looks at them, however busy the machine is.
+        cls.server = cls.enterClassContext(Server("--keep", "100"))
 
     def test_fetch(self):
         """Range, elevation and turn of each beam, turn by turn, in metres and degrees."""
