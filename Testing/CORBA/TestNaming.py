@@ -52,7 +52,7 @@ class NamingTest(unittest.TestCase):
             self.assertIn("registered with the naming service as LMS3D.Scanner", server.read_log())
             self.assertIn("scene room.wrl", self.look_up("LMS3D.Scanner").stdout)
             self.assertEqual(server.stop()[0], 0)
-        self.assertIn("BAD_PARAM", self.look_up("LMS3D.Scanner").stderr)
+        self.assertIn("names no object", self.look_up("LMS3D.Scanner").stderr)
 
     def test_the_orbs_own_service_and_another_name(self):
         """As -ORBInitRef names it."""
