@@ -5,6 +5,7 @@
 #include <pqApplicationCore.h>
 #include <pqRepresentation.h>
 #include <pqServerManagerModel.h>
+#include <pqUndoStack.h>
 
 #include <vtkDataObject.h>
 #include <vtkSMPropertyHelper.h>
@@ -20,6 +21,14 @@ bool ShowsMap(vtkSMProxy* shown)
 {
   vtkSMProxy* source = vtkSMPropertyHelper(shown, "Input", true).GetAsProxy();
   return source && !std::strcmp(source->GetXMLName(), "LMS3DSurfaceReconstruction");
+}
+
+// What comes back as it was, from a state or by undo and redo, has its colours already.
+bool IsRestoring()
+{
+  pqApplicationCore* core = pqApplicationCore::instance();
+  const pqUndoStack* stack = core->getUndoStack();
+  return core->isLoadingState() || (stack && (stack->getInUndo() || stack->getInRedo()));
 }
 } // namespace
 
@@ -47,7 +56,7 @@ void pqLMS3DMapColor::shutdown()
 void pqLMS3DMapColor::color(pqRepresentation* added)
 {
   vtkSMProxy* shown = added->getProxy();
-  if (pqApplicationCore::instance()->isLoadingState() || !ShowsMap(shown))
+  if (IsRestoring() || !ShowsMap(shown))
   {
     return;
   }

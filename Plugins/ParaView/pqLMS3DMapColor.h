@@ -4,8 +4,9 @@
  * @class pqLMS3DMapColor
  * @brief shows a new local map as a green surface
  *
- * Without it a map takes over the colours of its scan and looks like it. Only what comes from the
- * mouse is coloured: a loaded state keeps its own colours.
+ * Without it a map takes over the colours of its scan and looks like it. A map is new when it is first
+ * shown in a view, by the mouse or by Show() in the window's Python shell; what a state, undo or redo
+ * brings back keeps the colours that it had.
  */
 
 #ifndef pqLMS3DMapColor_h

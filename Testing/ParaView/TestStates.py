@@ -113,6 +113,12 @@ class TestWindow(unittest.TestCase):
                            Position=list(scan.Position))
         np.testing.assert_array_equal(points(LMS3DSurfaceReconstruction(Input=afresh)), seen)
 
+    def test_map_came_back_with_its_colours(self):
+        self.load("TwoSensors.pvsm")
+        surface = source("LMS3DSurfaceReconstruction")
+        display = simple.GetRepresentation(surface, simple.GetViews()[0])
+        self.assertEqual(list(display.ColorArrayName), ["POINTS", "Range"])
+
     def test_journey_was_played(self):
         self.load("Journey.pvsm")
         scan = source("LMS3DScan")
