@@ -57,8 +57,7 @@ def fill_window():
     view.CameraFocalPoint = [1.0, 0.0, 0.6]
     view.CameraViewUp = [0, 0, 1]
     simple.SetActiveSource(scan)
-    if not scan.Trajectory:
-        simple.ShowInteractiveWidgets(proxy=scan)
+    simple.ShowInteractiveWidgets(proxy=scan)
     simple.Render(view)
     Path(os.environ[READY]).touch()
 

@@ -49,6 +49,7 @@ pqLMS3DPoseWidget::pqLMS3DPoseWidget(
   this->simplify();
   this->followPose();
   this->connect(this, SIGNAL(widgetVisibilityUpdated(bool)), SLOT(showFrame(bool)));
+  this->followTrajectory();
 }
 
 //------------------------------------------------------------------------------
@@ -71,10 +72,16 @@ void pqLMS3DPoseWidget::placeWidget()
 }
 
 //------------------------------------------------------------------------------
+QCheckBox* pqLMS3DPoseWidget::getShowBox() const
+{
+  return this->findChild<QCheckBox*>("show3DWidget");
+}
+
+//------------------------------------------------------------------------------
 // The box widget would fit itself to the input's bounds, which is nothing for a sensor.
 void pqLMS3DPoseWidget::simplify()
 {
-  if (auto* shown = this->findChild<QCheckBox*>("show3DWidget"))
+  if (QCheckBox* shown = this->getShowBox())
   {
     shown->setText(tr("Show Sensor"));
   }
@@ -96,6 +103,44 @@ void pqLMS3DPoseWidget::followPose()
       this->widgetProxy()->GetProperty(name), vtkCommand::ModifiedEvent, this, SLOT(moveFrame()));
   }
   this->moveFrame();
+}
+
+//------------------------------------------------------------------------------
+void pqLMS3DPoseWidget::followTrajectory()
+{
+  pqCoreUtilities::connect(this->proxy()->GetProperty("Trajectory"), vtkCommand::ModifiedEvent,
+    this, SLOT(updateWidgetVisibility()));
+  this->pqLMS3DPoseWidget::updateWidgetVisibility();
+}
+
+//------------------------------------------------------------------------------
+bool pqLMS3DPoseWidget::hasTrajectory() const
+{
+  return vtkSMPropertyHelper(this->proxy(), "Trajectory").GetAsProxy() != nullptr;
+}
+
+//------------------------------------------------------------------------------
+// What the user wants is kept for the time after the trajectory.
+void pqLMS3DPoseWidget::updateWidgetVisibility()
+{
+  const bool wanted = this->WidgetVisibility;
+  const bool possible = !this->hasTrajectory();
+  this->WidgetVisibility = wanted && possible;
+  this->Superclass::updateWidgetVisibility();
+  this->WidgetVisibility = wanted;
+  if (QCheckBox* shown = this->getShowBox())
+  {
+    shown->setEnabled(possible);
+  }
+}
+
+//------------------------------------------------------------------------------
+// ParaView would take a box that a trajectory hides for one that the user has hidden.
+void pqLMS3DPoseWidget::hideEvent(QHideEvent* event)
+{
+  const bool wanted = this->WidgetVisibility;
+  this->Superclass::hideEvent(event);
+  this->VisibleState = wanted;
 }
 
 //------------------------------------------------------------------------------

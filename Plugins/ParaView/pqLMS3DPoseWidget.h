@@ -9,7 +9,8 @@
  * the first turn looks, y green, z blue, the platform's axis. The group's functions Position (metres)
  * and Rotation (degrees, applied in the order z, x, y) are those of the box widget.
  *
- * With ParaView's Auto Apply the scan follows while dragging, else at Apply.
+ * With ParaView's Auto Apply the scan follows while dragging, else at Apply. While the scan has a
+ * trajectory there is no box: the sensor is not at Position then.
  * In XML: `<PropertyGroup panel_widget="LMS3DPose">`.
  */
 
@@ -21,6 +22,7 @@
 #include <vtkNew.h>
 #include <vtkWeakPointer.h>
 
+class QCheckBox;
 class vtkAxesActor;
 class vtkRenderer;
 
@@ -33,8 +35,11 @@ public:
   pqLMS3DPoseWidget(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
   ~pqLMS3DPoseWidget() override;
 
+  void hideEvent(QHideEvent* event) override;
+
 protected Q_SLOTS:
   void placeWidget() override;
+  void updateWidgetVisibility() override;
 
 private Q_SLOTS:
   void showFrame(bool visible);
@@ -43,8 +48,11 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqLMS3DPoseWidget)
 
+  QCheckBox* getShowBox() const;
+  bool hasTrajectory() const;
   void simplify();
   void followPose();
+  void followTrajectory();
   void removeFrame();
 
   vtkNew<vtkAxesActor> Frame;
