@@ -198,7 +198,9 @@ public:
    * cosine of the incidence has zeros. For previews and live use: a beam within about 1e-6 of the
    * scene's size from an edge may be given to the wrong side of it. Where poses and scenes lie on a
    * common grid, so that beams run along edges and through silhouettes, some are missed or see what
-   * is behind, as are beams near a needle that points at the sensor. A sensor on a surface gets no
+   * is behind, as are beams near a needle that points at the sensor, a few of those within 1e-4
+   * radians of a surface, and one in a thousand of those aimed at edges with a surface behind. A
+   * sensor on a surface gets no
    * return from the half space that it looks at through it, or ranges as small as rounding.
    * Triangles without area are never hit.
    *
@@ -217,7 +219,8 @@ public:
    * may pass between them: of those aimed at an icosphere's, one in ten or fifteen.
    *
    * STATIC_CELL_LOCATOR: vtkStaticCellLocator with a tolerance of 1e-9 m, by which a beam may pass
-   * a triangle and still hit it; a scene must be much larger than that. Of triangles within the
+   * a triangle and still hit it; a scene must be much larger than that, and where coordinates reach
+   * 1e7 m, whose rounding is as large, some beams are lost at edges. Of triangles within the
    * tolerance of one another any may be returned, and a sensor within it of a surface may miss
    * what is behind.
    *

@@ -20,6 +20,10 @@ struct BenchmarkOptions
   bool IsQuick = false;
 };
 
+/// What share of the beams each method misses, invents or measures wrongly, in each situation of the
+/// stability suite.
+void RunStabilityBenchmark(const BenchmarkOptions& options);
+
 /// A scan after a change of pose alone, by every method, beside the raw cost of its beams.
 void RunScanBenchmark(const BenchmarkOptions& options);
 

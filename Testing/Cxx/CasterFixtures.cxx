@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CasterFixtures.h"
 
-#include "lms3dPacketKernels.h"
 #include "vtkLMS3DScanFilter.h"
 
 #include <gtest/gtest.h>
@@ -23,35 +22,7 @@ std::size_t Reduce(std::size_t packets)
 {
   return std::max<std::size_t>(1, packets / std::min<std::size_t>(Fewer, 10));
 }
-
 } // namespace
-
-Beams MakeSame(const Vector& direction)
-{
-  Beams beams;
-  beams.fill(direction);
-  return beams;
-}
-
-lms3dBeamPacket Aim(const Beams& directions)
-{
-  lms3dElevations level;
-  lms3dFanAxes axes;
-  for (int i = 0; i < lms3dBeamPacket::Size; ++i)
-  {
-    level.Cosine[i] = 1.0;
-    level.Sine[i] = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      axes.Horizontal[axis][i] = directions[i][axis];
-      axes.Up[axis] = 0.0;
-    }
-  }
-  lms3dBeamPacket packet;
-  lms3dGetPacketKernels().Aim(level, axes, packet);
-  packet.Active = 0xffffu;
-  return packet;
-}
 
 Target::Target(const lms3dTriangleMesh& mesh)
   : Caster(lms3dRayCaster::New(vtkLMS3DScanFilter::EXACT, mesh))

@@ -7,12 +7,10 @@
 #ifndef CasterFixtures_h
 #define CasterFixtures_h
 
+#include "BeamFixtures.h"
 #include "ExactReference.h"
-#include "MeshFixtures.h"
-#include "lms3dBeamPacket.h"
 #include "lms3dRayCaster.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -26,14 +24,6 @@ constexpr std::size_t Fewer = 50;
 #else
 constexpr std::size_t Fewer = 1;
 #endif
-
-using Beams = std::array<Vector, lms3dBeamPacket::Size>;
-
-/// All beams of a packet the same.
-Beams MakeSame(const Vector& direction);
-
-/// A packet along some directions, no component of which is above 1.
-lms3dBeamPacket Aim(const Beams& directions);
 
 /// A mesh in the caster that is tested and in the one that is right.
 struct Target

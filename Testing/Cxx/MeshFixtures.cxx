@@ -3,9 +3,11 @@
 #include "MeshFixtures.h"
 
 #include <vtkCell.h>
+#include <vtkCellArray.h>
 #include <vtkIdList.h>
 #include <vtkMath.h>
-#include <vtkPolyData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
 
 #include <algorithm>
 #include <cmath>
@@ -159,6 +161,64 @@ lms3dTriangleMesh MakeCube(int cells)
     }
   }
   return MakeMesh(triangles);
+}
+
+lms3dTriangleMesh MakeBlocks()
+{
+  lms3dTriangleMesh blocks;
+  Random random(1);
+  const auto getPlace = [&random] { return static_cast<double>(random.GetBits() % 6) * 2.0 - 5.0; };
+  for (int i = 0; i < 30; ++i)
+  {
+    Append(Move(MakeCube(1), 1.0, { getPlace(), getPlace(), getPlace() }), blocks);
+  }
+  return blocks;
+}
+
+lms3dTriangleMesh MakeNeedleWall(double aspect)
+{
+  lms3dTriangleMesh mesh;
+  for (int i = 0; i <= 200; ++i)
+  {
+    const double x = (i - 100) / aspect;
+    mesh.Points.push_back({ x, 1.0, -0.5 });
+    mesh.Points.push_back({ x, 1.0, 0.5 });
+  }
+  for (std::uint32_t i = 0; i < 400; i += 2)
+  {
+    mesh.Triangles.push_back({ i, i + 2, i + 1 });
+    mesh.Triangles.push_back({ i + 1, i + 2, i + 3 });
+  }
+  return mesh;
+}
+
+lms3dTriangleMesh MakeTJunction()
+{
+  const Vector a = Turn({ -1.0, 2.0, -1.0 });
+  const Vector b = Turn({ 1.1, 2.0, 1.3 });
+  const Vector middle = a + 0.37 * (b - a);
+  const Vector left = Turn({ -1.0, 2.0, 1.0 });
+  const Vector right = Turn({ 1.0, 2.0, -1.0 });
+  return MakeMesh({ { { a, b, left } }, { { a, middle, right } }, { { middle, b, right } } });
+}
+
+vtkSmartPointer<vtkPolyData> MakeSurface(const lms3dTriangleMesh& mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vector& point : mesh.Points)
+  {
+    points->InsertNextPoint(point.data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& [a, b, c] : mesh.Triangles)
+  {
+    triangles->InsertNextCell({ vtkIdType(a), vtkIdType(b), vtkIdType(c) });
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  return surface;
 }
 
 lms3dTriangleMesh MakeMesh(vtkPolyData* surface)

@@ -9,12 +9,13 @@
 
 #include "lms3dTriangleMesh.h"
 
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
-
-class vtkPolyData;
 
 using Vector = std::array<double, 3>;
 
@@ -51,8 +52,17 @@ lms3dTriangleMesh MakeMesh(const std::vector<std::array<Vector, 3>>& triangles);
 lms3dTriangleMesh MakeIcosphere(int level);
 /// From -1 to 1, each side of cells x cells squares, two triangles each.
 lms3dTriangleMesh MakeCube(int cells);
+/// Boxes of 2 x 2 x 2 whose corners are whole numbers: some share faces, edges or corners.
+lms3dTriangleMesh MakeBlocks();
+/// An upright wall, a metre high, of 400 triangles that are so many times longer than wide.
+lms3dTriangleMesh MakeNeedleWall(double aspect);
+/// A triangle beside two that end in the middle of its first side, its middle off the side by
+/// rounding. Each triangle has points of its own.
+lms3dTriangleMesh MakeTJunction();
 /// The triangles of a surface that has nothing else.
 lms3dTriangleMesh MakeMesh(vtkPolyData* surface);
+/// The same the other way round.
+vtkSmartPointer<vtkPolyData> MakeSurface(const lms3dTriangleMesh& mesh);
 void Append(const lms3dTriangleMesh& other, lms3dTriangleMesh& mesh);
 lms3dTriangleMesh Map(lms3dTriangleMesh mesh, const std::function<Vector(const Vector&)>& map);
 lms3dTriangleMesh Move(lms3dTriangleMesh mesh, double scale, const Vector& offset);

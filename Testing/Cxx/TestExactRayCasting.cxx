@@ -200,19 +200,6 @@ Tally JudgeOnGrid(const Target& target, double scale, const Vector& center, int 
       return sum;
     });
 }
-
-/// Boxes whose corners are whole numbers: some share faces, edges or corners.
-lms3dTriangleMesh MakeBlocks()
-{
-  lms3dTriangleMesh blocks;
-  Random random(1);
-  const auto getPlace = [&random] { return static_cast<double>(random.GetBits() % 6) * 2.0 - 5.0; };
-  for (int i = 0; i < 30; ++i)
-  {
-    Append(Move(MakeCube(1), 1.0, { getPlace(), getPlace(), getPlace() }), blocks);
-  }
-  return blocks;
-}
 } // namespace
 
 TEST(ExactRayCasting, LosesNoBeamThroughCornersAndEdgesOfACube)

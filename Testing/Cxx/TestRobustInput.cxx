@@ -41,21 +41,9 @@ TEST(RobustInput, SeesASceneOfNothingButATriangleWithoutArea)
 
 TEST(RobustInput, ClosesASurfaceOfNeedles)
 {
-  // A fan of slivers, from a wall's foot to its top, in two rows that share their corners.
   for (double aspect : { 1e3, 1e5, 1e7, 1e9 })
   {
-    lms3dTriangleMesh mesh;
-    for (int i = 0; i <= 200; ++i)
-    {
-      const double x = (i - 100) / aspect;
-      mesh.Points.push_back({ x, 1.0, -0.5 });
-      mesh.Points.push_back({ x, 1.0, 0.5 });
-    }
-    for (std::uint32_t i = 0; i < 400; i += 2)
-    {
-      mesh.Triangles.push_back({ i, i + 2, i + 1 });
-      mesh.Triangles.push_back({ i + 1, i + 2, i + 3 });
-    }
+    const lms3dTriangleMesh mesh = MakeNeedleWall(aspect);
     for (bool isTurned : { false, true })
     {
       const Target target(isTurned ? Map(mesh, Turn) : mesh);
@@ -100,15 +88,13 @@ TEST(RobustInput, SeesDuplicatedFacesAsOne)
 
 TEST(RobustInput, LeavesNothingButTrueGapsAtTJunctions)
 {
-  // A triangle beside two that end in the middle of its side: rounded, the middle is off the side
-  // by 1e-16, and what the beams see there is what is there.
-  const Vector a = Turn({ -1.0, 2.0, -1.0 });
-  const Vector b = Turn({ 1.1, 2.0, 1.3 });
-  const Vector middle = a + 0.37 * (b - a);
-  const Vector left = Turn({ -1.0, 2.0, 1.0 });
-  const Vector right = Turn({ 1.0, 2.0, -1.0 });
-  const Target target(
-    MakeMesh({ { { a, b, left } }, { { a, middle, right } }, { { middle, b, right } } }));
+  // What the beams see in the gap is what is there.
+  const lms3dTriangleMesh mesh = MakeTJunction();
+  const Vector& a = mesh.Points[0];
+  const Vector& b = mesh.Points[1];
+  const Vector& left = mesh.Points[2];
+  const Vector& right = mesh.Points[5];
+  const Target target(mesh);
   const Vector sensor = { 0.1, 0.2, 0.3 };
   const Tally sum = JudgeTriangles(target, sensor, 2000);
   ExpectExact(sum);

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Runs what may crash or never end, and gets its result.
+ */
+#ifndef SeparateProcess_h
+#define SeparateProcess_h
+
+#include <functional>
+#include <string>
+#include <vector>
+
+struct SeparateResult
+{
+  std::vector<double> Numbers;
+  /// Why there are none, as in "Segmentation fault"; empty where all went well.
+  std::string Failure;
+};
+
+/**
+ * Runs some work in a process of its own, which is ended after so many seconds. What it prints is
+ * lost. To be called before this process has other threads, whose locks the other would inherit.
+ * Throws std::runtime_error where there can be no other process.
+ */
+SeparateResult RunSeparately(
+  const std::function<std::vector<double>()>& work, unsigned int mostSeconds);
+
+#endif
