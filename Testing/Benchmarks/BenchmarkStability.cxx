@@ -10,6 +10,7 @@
 #include "Table.h"
 
 #include <cstdio>
+#include <limits>
 
 namespace
 {
@@ -72,6 +73,7 @@ void RunStabilityBenchmark(const BenchmarkOptions& options)
 {
   const std::vector<StabilityMethod> methods = GetMethods();
   Table::Row columns = { "situation", "parameter" };
+  columns.reserve(columns.size() + methods.size());
   for (const StabilityMethod& method : methods)
   {
     columns.push_back(method.Name);
@@ -85,6 +87,7 @@ void RunStabilityBenchmark(const BenchmarkOptions& options)
     const StabilityCase scene = situation.MakeCase(options.IsQuick ? ShotsWhenQuick : Shots);
     const StabilityTruth truth(scene);
     Table::Row row = { situation.Name, situation.Parameter };
+    row.reserve(columns.size());
     for (const StabilityMethod& method : methods)
     {
       const Cell cell = Measure(method, scene, truth);

@@ -86,6 +86,7 @@ std::vector<double> CastRays(const StabilityCase& scene, Precision precision)
 {
   const RawScene raw(scene.Mesh, precision);
   std::vector<double> ranges;
+  ranges.reserve(scene.Shots.size() * lms3dBeamPacket::Size);
   for (const StabilityShot& shot : scene.Shots)
   {
     for (const Vector& direction : shot.Directions)
@@ -123,6 +124,7 @@ std::vector<double> CastPackets(const StabilityCase& scene)
   alignas(64) int valid[lms3dBeamPacket::Size];
   std::fill(std::begin(valid), std::end(valid), -1);
   std::vector<double> ranges;
+  ranges.reserve(scene.Shots.size() * lms3dBeamPacket::Size);
   for (const StabilityShot& shot : scene.Shots)
   {
     RTCRayHit16 packet = MakePacket(shot);
@@ -140,7 +142,7 @@ std::vector<StabilityMethod> GetEmbreeMethods()
 {
   return { { "Embree rays",
              [](const StabilityCase& scene) { return CastRays(scene, Precision::PLAIN); } },
-    { "Embree rays, robust",
+    { "Embree robust rays",
       [](const StabilityCase& scene) { return CastRays(scene, Precision::ROBUST); } },
-    { "Embree packets, robust", CastPackets } };
+    { "Embree robust packets", CastPackets } };
 }

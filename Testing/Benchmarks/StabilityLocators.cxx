@@ -38,6 +38,7 @@ std::vector<double> CastWith(const StabilityCase& scene, double tolerance)
   locator->SetDataSet(MakeSurface(scene.Mesh));
   locator->BuildLocator();
   std::vector<double> ranges;
+  ranges.reserve(scene.Shots.size() * lms3dBeamPacket::Size);
   for (const StabilityShot& shot : scene.Shots)
   {
     const double length = Reach * GetLargestDistance(scene.Mesh, shot.Sensor);
@@ -67,7 +68,7 @@ StabilityMethod MakeLocator(const std::string& name, double tolerance)
 std::vector<StabilityMethod> GetLocatorMethods()
 {
   return { MakeLocator<vtkStaticCellLocator>("vtkStaticCellLocator", CommonTolerance),
-    MakeLocator<vtkStaticCellLocator>("the same, tolerance 0", 0.0),
+    MakeLocator<vtkStaticCellLocator>("vtkStaticCellLocator at 0", 0.0),
     MakeLocator<vtkCellLocator>("vtkCellLocator", CommonTolerance),
     MakeLocator<vtkCellTreeLocator>("vtkCellTreeLocator", CommonTolerance),
     MakeLocator<vtkOBBTree>("vtkOBBTree", CommonTolerance) };

@@ -68,6 +68,7 @@ StabilityMethod MakeAngleSum(const std::string& name)
 std::vector<StabilityMethod> GetFilterMethods()
 {
   std::vector<StabilityMethod> methods;
+  methods.reserve(lms3dRayCaster::GetNumberOfMethods());
   for (int method = 0; method < lms3dRayCaster::GetNumberOfMethods(); ++method)
   {
     methods.push_back(MakeMethod(lms3dRayCaster::GetMethodName(method),

@@ -53,12 +53,14 @@ class Comparison:
         return Errors(*self.map.GetFieldData().GetArray(name).GetTuple4(0))
 
 
-def compare(local_map, scene, scan=None, tolerance=0.01, samples=None, ranges=None, threads=0):
+def compare(local_map, scene, scan=None, tolerance=0.01, samples=None, ranges=None, threads=0,
+            label="comparing", share=(0.0, 1.0)):
     """Compare a map with the scene that was scanned; returns a Comparison or raises Problem.
 
     `local_map` is vtkPolyData, `scene` what vtkLMS3DScanFilter scans. `scan` tells where the sensor
     was if the map does not; its returns are compared with the map, too. `ranges` are those between
-    which the sensor measures, metres (default: 0 to 80).
+    which the sensor measures, metres (default: 0 to 80). `label` stands before the progress bar, of
+    which this takes the part from the start to the end of `share`.
     """
     comparison = vtkLMS3DMapComparison()
     comparison.SetInputData(local_map)
@@ -72,7 +74,7 @@ def compare(local_map, scene, scan=None, tolerance=0.01, samples=None, ranges=No
         comparison.SetMinimumRange(ranges[0])
         comparison.SetMaximumRange(ranges[1])
     comparison.SetNumberOfThreads(threads)
-    update(comparison, "comparing", "cannot compare")
+    update(comparison, label, "cannot compare", share=share)
     return Comparison(comparison)
 
 

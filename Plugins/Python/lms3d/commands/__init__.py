@@ -6,6 +6,6 @@ A module has NAME, SUMMARY (a line), DESCRIPTION and EPILOG (help texts), add_ar
 and run(options), which returns nothing and raises Problem if the job cannot be done.
 """
 
-from . import compare, demo, info, scan, view
+from . import advise, compare, demo, info, scan, view
 
-COMMANDS = (scan, compare, view, info, demo)
+COMMANDS = (scan, compare, advise, view, info, demo)

@@ -82,12 +82,12 @@ def read(options):
     return read_scene(options.scene, options.up_axis, options.scene_root)
 
 
-def add_sensor(parser, position_needed, may_move=False):
+def add_sensor(parser, position_needed, may_move=False, with_resolution=True):
     """Add the sensor's pose, or its trajectory, angles, ranges and way of working."""
     where = "" if position_needed else " (default: the middle of the scene)"
     add_pose(parser.add_argument_group("pose of the sensor in the scene"), position_needed, where,
              may_move)
-    add_angles(parser.add_argument_group("beams"))
+    add_angles(parser.add_argument_group("beams"), with_resolution)
     measurement = parser.add_argument_group("measurement")
     add_ranges(measurement)
     _add_method(measurement)
@@ -110,8 +110,8 @@ def add_pose(group, position_needed, where, may_move=False):
                        "(default: 0 0 0)")
 
 
-def add_angles(group):
-    """Add the angles of the beams."""
+def add_angles(group, with_resolution=True):
+    """Add the angles of the beams, and how many there are."""
     defaults = vtkLMS3DScanFilter()
     for name, meaning in (("alpha", "elevation in the fan, within -90 90, both ends included"),
                           ("beta", "turn of the support, clockwise seen from above; the end of a "
@@ -121,8 +121,9 @@ def add_angles(group):
         group.add_argument(f"--{name}-range", nargs=2, type=number, metavar=("A", "B"),
                            default=angles,
                            help=f"degrees, {meaning} (default: {angles[0]:g} {angles[1]:g})")
-        group.add_argument(f"--{name}-resolution", type=count, metavar="N", default=resolution,
-                           help=f"number of {name} angles (default: {resolution})")
+        if with_resolution:
+            group.add_argument(f"--{name}-resolution", type=count, metavar="N", default=resolution,
+                               help=f"number of {name} angles (default: {resolution})")
 
 
 def add_ranges(group):
@@ -155,6 +156,11 @@ def add_map(parser):
                         help="metres, no return is farther from the map than this, which has as "
                         "few triangles as that allows; 0 keeps every return as a corner "
                         f"(default: {error:g})")
+    add_depth_step(parser)
+
+
+def add_depth_step(parser):
+    """Add where the local map is torn."""
     step = vtkLMS3DSurfaceReconstructionFilter().GetDepthStep()
     parser.add_argument("--depth-step", type=positive, metavar="M", default=step,
                         help="metres, the map is torn where neighbouring ranges differ by more "

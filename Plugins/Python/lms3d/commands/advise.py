@@ -1,0 +1,130 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""lms3d advise: the coarsest scan, and the coarsest map of it, that are good enough for a scene."""
+
+import argparse
+import shlex
+
+import numpy as np
+
+from .. import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
+from ..problems import Problem
+from ..sampling import advise
+from ..scene import check_readable
+from . import sensor_options
+
+NAME = "advise"
+SUMMARY = "find the coarsest scan and map of a scene that meet a tolerance"
+DESCRIPTION = """\
+Find the coarsest angles, and for them the largest --maximum-error of the map, with which the
+given share of the map is within the tolerance of the scene, and that share of the visible
+scene within the tolerance of the map ("correct" and "complete" of lms3d compare).
+
+By measuring: scans with equal steps of both angles from 8 degrees down to --finest, and of each
+the maps with bounds from 8 times the tolerance down to an eighth of it, until one is good enough.
+The ranges are those of an ideal sensor: leave room in the tolerance for the noise of a real one.
+"""
+EPILOG = """\
+examples:
+  lms3d advise room.wrl --position 0.3 -0.2 1 --tolerance 0.02
+  lms3d advise room.wrl --position 0.3 -0.2 1 --tolerance 0.05 --share 0.9 --finest 0.5
+"""
+
+# Where a sensor's grid of beams gets too large to be tried.
+_FINEST_STEP = 0.05
+
+
+def add_arguments(parser):
+    """Add the options of this command."""
+    sensor_options.add_scene(parser)
+    aim = parser.add_argument_group("aim")
+    aim.add_argument("--tolerance", type=sensor_options.positive, metavar="M", required=True,
+                     help="metres, how near the map and the scene are to be to one another")
+    aim.add_argument("--share", type=_share, metavar="S", default=0.95,
+                     help="of either surface, above 0 and below 1 (default: 0.95)")
+    aim.add_argument("--finest", type=_step, metavar="DEG", default=0.25,
+                     help=f"degrees, {_FINEST_STEP:g} to 8, the smallest step to try "
+                     "(default: 0.25)")
+    sensor_options.add_depth_step(parser)
+    sensor_options.add_sensor(parser, position_needed=True, with_resolution=False)
+    # Set by what is tried; two angles are what a range needs.
+    parser.set_defaults(alpha_resolution=2, beta_resolution=2, maximum_error=0.0)
+
+
+def run(options):
+    """Check the options, read, measure, tell."""
+    sensor_options.check(options)
+    check_readable(options.scene)
+    simulation = sensor_options.simulation(options)
+    x, y, z = simulation.sensor.GetPosition()
+    print(f"scene    {simulation.scene}\nsensor   {x:g} {y:g} {z:g} m")
+    simulation.run()
+    found, best = advise(simulation, options.tolerance, options.share, options.finest)
+    if not found:
+        raise Problem(_no_advice(options, best))
+    _print(found, options)
+
+
+def _share(text):
+    value = sensor_options.positive(text)
+    if value >= 1:
+        raise argparse.ArgumentTypeError(f"{text.strip()} is not below 1")
+    return value
+
+
+def _step(text):
+    value = sensor_options.positive(text)
+    if not _FINEST_STEP <= value <= 8:
+        raise argparse.ArgumentTypeError(f"{text.strip()} is not within {_FINEST_STEP:g} to 8")
+    return value
+
+
+def _quality(sample):
+    comparison = sample.comparison
+    return (f"{comparison.correctness:.2%} of the map and {comparison.completeness:.2%} of the "
+            f"visible scene are within {1000 * comparison.tolerance:g} mm")
+
+
+def _no_advice(options, best):
+    return (f"no map with steps of {options.finest:g} degrees or more is good enough for a share "
+            f"of {options.share:g}: at best (step {best.step:g}, --maximum-error "
+            f"{best.maximum_error:g}) {_quality(best)}; raise --tolerance, lower --share or "
+            "lower --finest")
+
+
+def _print(sample, options):
+    beams = sample.alpha_resolution * sample.beta_resolution
+    print(f"angles   {sample.alpha_resolution} elevations x {sample.beta_resolution} turns, steps of "
+          f"{sample.step:g} degrees: {beams:,} beams, {sample.returns:,} returns\n"
+          f"map      --maximum-error {sample.maximum_error:g} m: "
+          f"{sample.comparison.triangles:,} triangles\n"
+          f"result   {_quality(sample)}\n\n{_command(sample, options)}")
+
+
+def _command(sample, options):
+    """The call of lms3d scan that does it, with what was asked for and is not the default."""
+    words = ["lms3d", "scan", options.scene]
+    if options.up_axis != "file":
+        words += ["--up-axis", options.up_axis]
+    if options.scene_root is not None:
+        words += ["--scene-root", options.scene_root]
+    words += _numbers("position", options.position)
+    for name, default in _defaults().items():
+        if not np.array_equal(getattr(options, name), default):
+            words += _numbers(name, getattr(options, name))
+    if options.method != "exact":
+        words += ["--method", options.method]
+    for name in ("alpha_resolution", "beta_resolution", "maximum_error"):
+        words += _numbers(name, getattr(sample, name))
+    return shlex.join(words + ["-o", "scan.vtp", "--map", "map.vtp"])
+
+
+def _defaults():
+    sensor = vtkLMS3DScanFilter()
+    names = ("orientation", "alpha_range", "beta_range", "minimum_range", "maximum_range")
+    return {**{name: getattr(sensor, "Get" + name.title().replace("_", ""))() for name in names},
+            "depth_step": vtkLMS3DSurfaceReconstructionFilter().GetDepthStep()}
+
+
+def _numbers(name, values):
+    return ["--" + name.replace("_", "-"), *(f"{x:.15g}" for x in np.atleast_1d(values))]

@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measures and draws the charts of Documentation/accuracy.md.
+
+Call it as "./run chart". A chart is a module of this folder; it makes NAME.csv, NAME.png and NAME.svg.
+"""
+
+import argparse
+import pathlib
+import time
+
+import drawing
+import sampling
+import stability
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+# Each has LETTER, NAME, SUMMARY, measure(quick, csv_file), which writes the table, and
+# draw(table), which makes the picture of what the table holds.
+CHARTS = {chart.LETTER: chart for chart in (stability, sampling)}
+
+
+def make(chart, quick, folder):
+    """Measure, then draw what was measured."""
+    start = time.monotonic()
+    print(f"{chart.LETTER}: {chart.SUMMARY}", flush=True)
+    path = folder / f"{chart.LETTER}-{chart.NAME}"
+    chart.measure(quick, path.with_suffix(".csv"))
+    figure = chart.draw(drawing.read_table(path.with_suffix(".csv")))
+    drawing.save(figure, path)
+    print(f"saved {path}.csv, .png and .svg after {time.monotonic() - start:.0f} s", flush=True)
+
+
+def main():
+    """Read the command line, make the charts."""
+    parser = argparse.ArgumentParser(
+        prog="./run chart", formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Measure and draw charts of accuracy.\n\n" + "\n".join(
+            f"  {letter}  {chart.SUMMARY}" for letter, chart in CHARTS.items()))
+    parser.add_argument("charts", nargs="*", metavar="CHART", help="which (default: all)")
+    parser.add_argument("--quick", action="store_true",
+                        help="measure less, for a first look; saved in build/charts")
+    parser.add_argument("--output", metavar="FOLDER", type=pathlib.Path,
+                        help="where to save (default: Documentation/charts)")
+    options = parser.parse_args()
+    unknown = [name for name in options.charts if name.upper() not in CHARTS]
+    if unknown:
+        parser.error(f"no chart {' '.join(unknown)}; there are {' '.join(CHARTS)}")
+
+    folder = options.output or ROOT / ("build" if options.quick else "Documentation") / "charts"
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in options.charts or CHARTS:
+        make(CHARTS[name.upper()], options.quick, folder)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the charts have in common: their look, their caption, their files."""
+
+import csv
+import os
+import pathlib
+import platform
+import subprocess
+import textwrap
+
+import lms3d
+import matplotlib
+from vtkmodules.vtkCommonCore import vtkVersion
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402  (after the choice of what draws)
+
+# Those of Okabe and Ito (2008), which people who see few colours can tell apart.
+COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
+
+pyplot.rcParams.update({
+    "font.size": 9,
+    "axes.titlesize": 10,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": "#dddddd",
+    "grid.linewidth": 0.6,
+    "lines.linewidth": 1.6,
+    "legend.frameon": False,
+    # The same bytes for the same numbers, and letters as letters.
+    "svg.hashsalt": "lms3d",
+    "svg.fonttype": "none",
+})
+
+
+def read_table(path):
+    """The rows of a CSV file as dictionaries."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def write_table(path, rows):
+    """Write dictionaries, all with the keys of the first, as a CSV file."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def _processor():
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        names = [line.split(":", 1)[1].strip() for line in file if line.startswith("model name")]
+    return names[0] if names else platform.machine()
+
+
+def _system():
+    with open("/etc/os-release", encoding="utf-8") as file:
+        fields = dict(line.rstrip().split("=", 1) for line in file if "=" in line)
+    return fields.get("PRETTY_NAME", "Linux").strip('"')
+
+
+def _embree():
+    """The version of the package that holds Embree's library, without the distribution's part."""
+    command = ["dpkg-query", "-W", "-f", "${Version}\n", "libembree3*", "libembree4*"]
+    lines = subprocess.run(command, text=True, capture_output=True, check=False).stdout.split()
+    return lines[0].split("+")[0].split("-")[0] if lines else "of unknown version"
+
+
+def caption(words, threads):
+    """What was measured, by what and on what."""
+    cores = len(os.sched_getaffinity(0))
+    return (f"{words} LMS3D {lms3d.__version__}, VTK {vtkVersion.GetVTKVersion()}, "
+            f"Embree {_embree()}, {_system()}, {_processor()}, {cores} cores, "
+            f"{threads} thread{'s' if threads > 1 else ''}.")
+
+
+def add_caption(figure, text, width):
+    """Write a caption below the axes, in lines of so many letters."""
+    figure.text(0.01, 0.008, textwrap.fill(text, width), fontsize=7, color="#555555", va="bottom")
+
+
+def save(figure, path):
+    """Save a figure as PNG and SVG."""
+    figure.savefig(f"{path}.png", dpi=120)
+    figure.savefig(f"{path}.svg", metadata={"Date": None})
+    pyplot.close(figure)
+    svg = pathlib.Path(f"{path}.svg")
+    lines = svg.read_text(encoding="utf-8").splitlines()
+    svg.write_text("\n".join(line.rstrip() for line in lines) + "\n", encoding="utf-8")
