@@ -76,7 +76,9 @@
  * rounding puts beside the face sees it, at a range as small as that rounding. Sizes of 1e-6 to
  * 1e7 m and offsets up to 1e7 m cost no accuracy beyond the rounding of the coordinates themselves;
  * below 1e-50 m beams may be lost. A scan takes longer where triangles are smaller than a millionth
- * of the scene, unless no more than 16 of them make it so large: an endless floor costs nothing.
+ * of the scene, unless no more than 16 of them make it so large: an endless floor costs nothing. It
+ * takes longest, as long as a test of every triangle for every beam, where the sensor is farther
+ * from the scene than a million times its size.
  *
  * Memory, beside the input and the outputs: for EXACT and FAST 24 bytes a point and 12 a triangle
  * (20 where cells are not all triangles) and Embree's structure; 4 bytes a beam, of several

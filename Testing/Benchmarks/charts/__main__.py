@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures and draws the charts of Documentation/accuracy.md.
+"""Measures and draws the charts of Documentation/accuracy.md, and renews the numbers of its text.
 
 Call it as "./run chart". A chart is a module of this folder; it makes NAME.csv, NAME.png and NAME.svg.
 """
@@ -10,6 +10,7 @@ import pathlib
 import time
 
 import drawing
+import numbers_of_text
 import sampling
 import stability
 
@@ -28,6 +29,13 @@ def make(chart, quick, folder):
     figure = chart.draw(drawing.read_table(path.with_suffix(".csv")))
     drawing.save(figure, path)
     print(f"saved {path}.csv, .png and .svg after {time.monotonic() - start:.0f} s", flush=True)
+
+
+def refresh_text(folder):
+    """Give the text on the charts the numbers of the new tables."""
+    path = ROOT / "Documentation" / "accuracy.md"
+    path.write_text(numbers_of_text.refresh(path.read_text(encoding="utf-8"), folder),
+                    encoding="utf-8")
 
 
 def main():
@@ -50,6 +58,8 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     for name in options.charts or CHARTS:
         make(CHARTS[name.upper()], options.quick, folder)
+    if not options.quick and not options.output:
+        refresh_text(folder)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Keeps the numbers of a text those of the tables that they come from.
+
+A number in Markdown is followed by a comment that names its cell:
+
+    8.4 %<!-- C-stability: method=MollerTrumbore, situation=shared edges: missed / beams -->
+
+the file, what its row has in some columns, and a column, or a sum of columns with "+", or that divided
+by another. With a % after the number a share becomes a percentage. Decimals are as many as the text
+has.
+"""
+
+import csv
+import re
+
+# The number, its unit, and the three parts of the comment.
+_REFERENCE = re.compile(r"(?P<number>-?[\d,]*\.?\d+(?:e[-+]?\d+)?)(?P<unit> %| [a-z]+)?"
+                        r"(?P<comment><!-- (?P<file>[\w-]+): (?P<row>[^:]*): (?P<cell>[^:]*) -->)")
+
+
+class NumberProblem(Exception):
+    """A comment that names no cell."""
+
+
+def refresh(text, folder):
+    """The text with all numbers that name a cell as the tables in the folder have them."""
+    tables = {}
+
+    def replace(match):
+        name = match["file"]
+        if name not in tables:
+            with open(folder / f"{name}.csv", newline="", encoding="utf-8") as file:
+                tables[name] = list(csv.DictReader(file))
+        value = _value(_find(tables[name], match), match["cell"])
+        percent = 100 if match["unit"] == " %" else 1
+        return _like(match["number"], percent * value) + (match["unit"] or "") + match["comment"]
+    return _REFERENCE.sub(replace, text)
+
+
+def references(text):
+    """The names of the tables, once for each number that comes from one of them."""
+    return [match["file"] for match in _REFERENCE.finditer(text)]
+
+
+def _find(table, match):
+    wanted = dict(part.strip().split("=", 1) for part in match["row"].split(","))
+    try:
+        rows = [row for row in table if all(row[key] == value for key, value in wanted.items())]
+    except KeyError as problem:
+        raise NumberProblem(f"no column {problem} in {match['comment']}") from problem
+    if len(rows) != 1:
+        raise NumberProblem(f"{len(rows)} rows for {match['comment']}")
+    return rows[0]
+
+
+def _value(row, cell):
+    """The value of a column, of "a + b" or of "a + b / c"."""
+    terms, _, divisor = cell.partition(" / ")
+    try:
+        value = sum(float(row[term]) for term in terms.split(" + "))
+        return value / float(row[divisor]) if divisor else value
+    except (KeyError, ValueError) as problem:
+        raise NumberProblem(f"no number for {cell}: {problem}") from problem
+
+
+def _like(number, value):
+    """The value with as many decimals and as many separators as a number has."""
+    if "e" in number:
+        mantissa = number.split("e")[0]
+        return f"{value:.{len(mantissa.partition('.')[2])}e}"
+    return f"{value:,.{len(number.partition('.')[2])}f}"
