@@ -78,6 +78,10 @@ PANELS = (
 )
 
 
+# Lines that lie on one another can be told apart.
+MARKERS = "os^D"
+
+
 def _name_bound(bound):
     return "plain grid" if bound == "0" else f"map within {bound} mm"
 
@@ -90,8 +94,8 @@ def _draw_panel(axes, table, panel):
         for column, style in ((whole, "-"), (dashed, "--")):
             if column:
                 factor = 100 if scale == "linear" else 1
-                axes.plot(steps, [factor * float(row[column]) for row in rows], style, marker="o",
-                          markersize=3, color=drawing.COLORS[number],
+                axes.plot(steps, [factor * float(row[column]) for row in rows], style,
+                          marker=MARKERS[number], markersize=4, color=drawing.COLORS[number],
                           label=_name_bound(bound) if style == "-" else None)
     axes.set_xscale("log", base=2)
     axes.set_yscale(scale)
@@ -109,8 +113,8 @@ def draw(table):
         grid[0][column].set_title(f"{name}, tolerance {rows[0]['tolerance mm']} mm", loc="left")
         for axes, panel in zip(grid[:, column], PANELS):
             _draw_panel(axes, rows, panel)
-        # A grid with a return on every plane is right to the last digits.
-        grid[0][column].set_ylim(bottom=LEAST_ERROR)
+        # A grid with returns on all planes is right to the last digits.
+        grid[0][column].set_ylim(bottom=max(LEAST_ERROR, grid[0][column].get_ylim()[0]))
         grid[0][column].legend(fontsize=8)
         grid[-1][column].set_xlabel("step between beams and between turns, degrees")
     figure.suptitle("How fine a scan has to be", x=0.01, ha="left", fontsize=13, weight="bold")

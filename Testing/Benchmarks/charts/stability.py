@@ -93,7 +93,7 @@ def _label_columns(axes, methods):
     start = 0
     for name, count in GROUPS:
         axes.axvline(start, color="#444444", linewidth=1.2)
-        axes.text(start + count / 2 + 1.6, -7.6, name, ha="center", va="bottom", weight="bold", fontsize=8)
+        axes.text(start + count / 2 + 1.6, -6.2, name, ha="center", va="bottom", weight="bold", fontsize=8)
         start += count
 
 
@@ -102,7 +102,7 @@ def draw(table):
     situations = _unique(table, "situation", "parameter")
     methods = [method for method, in _unique(table, "method")]
     figure = pyplot.figure(figsize=(9.2, 13.2))
-    axes = figure.add_axes((0.25, 0.075, 0.665, 0.775))
+    axes = figure.add_axes((0.25, 0.075, 0.665, 0.765))
     axes.grid(False)
     image = _draw_cells(axes, _shares(table))
     axes.set_ylim(len(situations), 0)
