@@ -3,6 +3,7 @@
 """What coarse scans and coarse maps of a scene cost in error, by measuring."""
 
 from dataclasses import dataclass
+from typing import Optional
 
 from .comparison import Comparison, compare
 from .execution import update
@@ -18,7 +19,8 @@ class Sample:
     """A scan with equal steps, its local map within a bound, and the map's errors.
 
     `step` is in degrees; the steps of both angles are the nearest to it that divide their ranges.
-    `maximum_error` is the map's bound, metres.
+    `maximum_error` is the map's bound, metres. `comparison` is None where the returns were too few
+    for a map.
     """
 
     step: float
@@ -26,11 +28,20 @@ class Sample:
     beta_resolution: int
     maximum_error: float
     returns: int
-    comparison: Comparison
+    comparison: Optional[Comparison]
 
     def meets(self, share):
         """Whether such a share both of the map and of the visible scene is within the tolerance."""
-        return min(self.comparison.correctness, self.comparison.completeness) >= share
+        return self._quality() >= share
+
+    def is_better_than(self, other):
+        """Whether it comes nearer to meeting a tolerance than another."""
+        return self._quality() > other._quality()
+
+    def _quality(self):
+        if self.comparison is None:
+            return 0.0
+        return min(self.comparison.correctness, self.comparison.completeness)
 
 
 def set_steps(sensor, step):
@@ -59,15 +70,17 @@ def measure(simulation, step, maximum_error, tolerance, samples=None, share=(0.0
     scanned, mapped = (start + part * (end - start) for part in (_SCANNED, _MAPPED))
     update(sensor, _LABEL, "cannot scan", share=(start, scanned))
     update(reconstruction, _LABEL, "cannot build the local map", share=(scanned, mapped))
-    comparison = compare(simulation.map, simulation.scene.data, None, tolerance, samples,
-                         (sensor.GetMinimumRange(), sensor.GetMaximumRange()),
-                         sensor.GetNumberOfThreads(), _LABEL, (mapped, end))
+    comparison = None
+    if simulation.map.GetNumberOfPolys() > 0:
+        comparison = compare(simulation.map, simulation.scene.data, None, tolerance, samples,
+                             (sensor.GetMinimumRange(), sensor.GetMaximumRange()),
+                             sensor.GetNumberOfThreads(), _LABEL, (mapped, end))
     return Sample(step, sensor.GetAlphaResolution(), sensor.GetBetaResolution(), maximum_error,
                   simulation.returns, comparison)
 
 
 def steps_down_to(finest, coarsest=8.0):
-    """Steps from the coarsest to the finest, degrees, each about three quarters of the one before."""
+    """Steps from the coarsest to the finest, degrees, each about 3/4 of the one before."""
     steps = []
     half = coarsest
     while half > finest * (1 + 1e-9):
@@ -80,7 +93,8 @@ def advise(simulation, tolerance, share, finest, samples=None):
     """The first Sample that meets a tolerance: the coarsest step, and for it the largest bound.
 
     Tries steps from coarse to fine and for each of them bounds from eight times the tolerance down
-    to an eighth of it. Returns that Sample, or None, and of the Samples that did not meet it the best.
+    to an eighth of it. Returns that Sample, or None, and the best of those that did not meet it, or
+    None where none had a map.
     """
     bounds = [tolerance * factor for factor in (8, 4, 2, 1, 0.5, 0.25, 0.125)]
     trials = [(step, bound) for step in steps_down_to(finest) for bound in bounds]
@@ -92,7 +106,7 @@ def advise(simulation, tolerance, share, finest, samples=None):
         sample = measure(simulation, step, bound, tolerance, samples, part)
         if sample.meets(share):
             return sample, best
-        if best is None or sample.comparison.f_score > best.comparison.f_score:
+        if sample.comparison and (best is None or sample.is_better_than(best)):
             best = sample
         done += weight
     return None, best

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures and draws the charts of Documentation/accuracy.md, and renews the numbers of its text.
+"""Measures and draws the charts of Documentation/accuracy.md, and renews its numbers.
 
-Call it as "./run chart". A chart is a module of this folder; it makes NAME.csv, NAME.png and NAME.svg.
+Call it as "./run chart". A chart is a module of this folder; it makes a table, .csv, and of
+that a picture, .png and .svg.
 """
 
 import argparse

@@ -6,9 +6,9 @@ A number in Markdown is followed by a comment that names its cell:
 
     8.4 %<!-- C-stability: method=MollerTrumbore, situation=shared edges: missed / beams -->
 
-the file, what its row has in some columns, and a column, or a sum of columns with "+", or that divided
-by another. With a % after the number a share becomes a percentage. Decimals are as many as the text
-has.
+the file, what its row has in some columns, and a column, or a sum of columns with "+", or that
+divided by another. With a % after the number a share becomes a percentage. Decimals are as many as
+the text has.
 """
 
 import csv

@@ -58,7 +58,6 @@ def run(options):
     simulation = sensor_options.simulation(options)
     x, y, z = simulation.sensor.GetPosition()
     print(f"scene    {simulation.scene}\nsensor   {x:g} {y:g} {z:g} m")
-    simulation.run()
     found, best = advise(simulation, options.tolerance, options.share, options.finest)
     if not found:
         raise Problem(_no_advice(options, best))
@@ -86,6 +85,9 @@ def _quality(sample):
 
 
 def _no_advice(options, best):
+    if best is None:
+        return (f"no scan with steps of {options.finest:g} degrees or more has returns enough for a "
+                "map: move the sensor, widen its ranges or angles, or lower --finest")
     return (f"no map with steps of {options.finest:g} degrees or more is good enough for a share "
             f"of {options.share:g}: at best (step {best.step:g}, --maximum-error "
             f"{best.maximum_error:g}) {_quality(best)}; raise --tolerance, lower --share or "
@@ -94,8 +96,8 @@ def _no_advice(options, best):
 
 def _print(sample, options):
     beams = sample.alpha_resolution * sample.beta_resolution
-    print(f"angles   {sample.alpha_resolution} elevations x {sample.beta_resolution} turns, steps of "
-          f"{sample.step:g} degrees: {beams:,} beams, {sample.returns:,} returns\n"
+    print(f"angles   {sample.alpha_resolution} elevations x {sample.beta_resolution} turns, steps "
+          f"of {sample.step:g} degrees: {beams:,} beams, {sample.returns:,} returns\n"
           f"map      --maximum-error {sample.maximum_error:g} m: "
           f"{sample.comparison.triangles:,} triangles\n"
           f"result   {_quality(sample)}\n\n{_command(sample, options)}")
