@@ -155,7 +155,7 @@ class CommandTest(unittest.TestCase):
                 (2, "is not below 1", ("--tolerance", 1, "--share", 1)),
                 (2, "is not within 0.05 to 8", ("--tolerance", 1, "--finest", 0.01)),
                 (2, "must rise", ("--tolerance", 1, "--alpha-range", 10, 10)),
-                (1, "move the sensor, widen its ranges", ("--tolerance", 1, "--maximum-range", 0.001))):
+                (1, "move the sensor", ("--tolerance", 1, "--maximum-range", 0.001))):
             result = run("advise", ROOM, *POSE, *arguments)
             self.assertEqual(result.returncode, code, arguments)
             self.assertIn(words, result.stderr)

@@ -86,8 +86,8 @@ def _quality(sample):
 
 def _no_advice(options, best):
     if best is None:
-        return (f"no scan with steps of {options.finest:g} degrees or more has returns enough for a "
-                "map: move the sensor, widen its ranges or angles, or lower --finest")
+        return (f"no scan with steps of {options.finest:g} degrees or more has returns enough for "
+                "a map: move the sensor, widen its ranges or angles, or lower --finest")
     return (f"no map with steps of {options.finest:g} degrees or more is good enough for a share "
             f"of {options.share:g}: at best (step {best.step:g}, --maximum-error "
             f"{best.maximum_error:g}) {_quality(best)}; raise --tolerance, lower --share or "
