@@ -202,9 +202,8 @@ public:
    * common grid, so that beams run along edges and through silhouettes, some are missed or see what
    * is behind, as are beams near a needle that points at the sensor, a few of those within 1e-4
    * radians of a surface, and one in a thousand of those aimed at edges with a surface behind. A
-   * sensor on a surface gets no
-   * return from the half space that it looks at through it, or ranges as small as rounding.
-   * Triangles without area are never hit.
+   * sensor on a surface gets no return from the half space that it looks at through it, or ranges
+   * as small as rounding. Triangles without area are never hit.
    *
    * The others are for comparison, and tens to thousands of times slower.
    *
