@@ -3,10 +3,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`lms3d scan --trajectory` as a user meets it."""
 
+import io
+import re
 import unittest
+from contextlib import redirect_stderr
 from xml.etree import ElementTree
 
 import numpy as np
+from lms3d.journey import Journey, Series
+from lms3d.problems import Problem
+from lms3d.scene import read_scene
+from lms3d.simulation import Simulation
 from TestCommandLine import COARSE, ROOM, CommandLineTest, array, field, points, read, room, write
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -51,7 +58,7 @@ class TestTrajectory(CommandLineTest):
 
     def tearDown(self):
         for path in self.folder.iterdir():
-            path.unlink()
+            path.rmdir() if path.is_dir() else path.unlink()
 
     def test_each_step_is_the_scan_from_its_pose(self):
         words = self.done("scan", ROOM, "--trajectory", self.path(Time=TIMES), *COARSE,
@@ -105,6 +112,8 @@ class TestTrajectory(CommandLineTest):
             "Time 2 at its point 2, after 2": (1, "--trajectory", self.folder / "bad.vtp", *series),
             "no beam returned from any pose": (1, "--trajectory", path, *series,
                                                "--maximum-range", 0.01),
+            "would have the same names": (2, "--trajectory", path, *series,
+                                          "--map", self.folder / "scans.PVD"),
             "ending must be .vtp or .ply or .csv": (2, "--position", 0, 0, 1, *series),
         }
         for words, (code, *arguments) in cases.items():
@@ -120,6 +129,46 @@ class TestTrajectory(CommandLineTest):
                              "-o", self.folder / "scans.pvd")
         self.assertIn("would be replaced", words)
         self.assertEqual(scene.read_bytes(), before)
+
+    def test_a_folder_in_the_way_is_seen_before_the_first_scan(self):
+        path = self.path()
+        (self.folder / "maps_0002.vtp").mkdir()
+        # A sensor that scans would say first that no beam returns.
+        words = self.refused(1, "scan", ROOM, "--trajectory", path, *COARSE, "--maximum-range", 0.01,
+                             "-o", self.folder / "scans.pvd", "--map", self.folder / "maps.pvd")
+        self.assertIn("maps_0002.vtp': that is a folder", words)
+
+    def test_a_place_that_is_lost_meanwhile_is_told(self):
+        place = self.folder / "scans_0001.vtp"
+        with self.assertRaisesRegex(Problem, f"cannot write '{place}': Is a directory"), \
+                Series(self.folder / "scans.pvd", 2, ()) as series:
+            for time in (0.0, 1.0):
+                series.add(trajectory(), time)
+            place.mkdir()
+        self.assertFalse((self.folder / "scans.pvd").exists())
+
+
+class Terminal(io.StringIO):
+    """A stream that shows progress bars."""
+
+    def isatty(self):
+        return True
+
+
+class TestProgressOfAJourney(unittest.TestCase):
+    """One bar for all steps."""
+
+    def test_it_never_goes_back_and_ends_at_100(self):
+        simulation = Simulation(read_scene(ROOM))
+        journey = Journey(simulation, trajectory())
+        with redirect_stderr(Terminal()) as shown:
+            for _ in journey.scans(with_map=True):
+                pass
+        percents = [int(number) for number in re.findall(r"(\d+) %", shown.getvalue())]
+        self.assertEqual(percents, sorted(percents))
+        self.assertEqual(percents[-1], 100)
+        for number in range(1, 6):  # each of the six works ends where the next begins
+            self.assertIn(round(100 * number / 6), percents)
 
 
 if __name__ == "__main__":

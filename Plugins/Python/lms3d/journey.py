@@ -10,8 +10,8 @@ from xml.sax.saxutils import quoteattr
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from .execution import update
-from .problems import Problem, UsageProblem
-from .results import save, save_text
+from .problems import UsageProblem
+from .results import check_place, save, save_text, writing
 
 
 class Journey:
@@ -44,11 +44,22 @@ class Journey:
             yield time
 
 
+def check_names(paths):
+    """Make sure that no two series would have steps of the same names."""
+    known = {}
+    for path in paths:
+        other = known.setdefault(Path(path).resolve().with_suffix(""), path)
+        if other != path:
+            raise UsageProblem(f"the steps of '{other}' and of '{path}' would have the same names: "
+                               "choose names that differ before the ending")
+
+
 class Series:
     """Files of one result, NAME_0000.vtp and so on beside NAME.pvd, which lists them.
 
-    Used in a ``with`` block, at whose good end they all appear; after a failure there is nothing, and
-    what was there before is still there.
+    Used in a ``with`` block, at whose good end the files take their places, one after the other and
+    the list last; after a failure in the block nothing has changed. Raises Problem at once where a
+    step could not take its place.
     """
 
     def __init__(self, path, steps, inputs):
@@ -57,17 +68,19 @@ class Series:
                        for i in range(steps)]
         self._folder = self._path.with_name(f".{self._path.stem}.{os.getpid()}")
         self._times = []
-        taken = {self._path.with_name(name) for name in self._names}
-        for given in inputs:
-            if Path(given).resolve() in taken:
-                raise UsageProblem(f"'{given}' would be replaced by a step of '{path}': "
-                                   "choose another name")
+        self._check_places(inputs)
+
+    def _check_places(self, inputs):
+        taken = {Path(given).resolve(): given for given in inputs}
+        for place in map(self._path.with_name, self._names):
+            if place in taken:
+                raise UsageProblem(f"'{taken[place]}' would be replaced by a step of "
+                                   f"'{self._path}': choose another name")
+            check_place(f"step of '{self._path.name}'", place)
 
     def __enter__(self):
-        try:
+        with writing(self._path):
             self._folder.mkdir()
-        except OSError as error:
-            raise Problem(f"cannot write '{self._path}': {error.strerror}") from error
         return self
 
     def add(self, data, time):
@@ -84,7 +97,9 @@ class Series:
 
     def _publish(self):
         for name in self._names:
-            os.replace(self._folder / name, self._path.with_name(name))
+            place = self._path.with_name(name)
+            with writing(place):
+                os.replace(self._folder / name, place)
         entries = "".join(f'    <DataSet timestep="{time!r}" file={quoteattr(name)}/>\n'
                           for time, name in zip(self._times, self._names))
         save_text('<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n'

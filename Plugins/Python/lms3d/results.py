@@ -42,7 +42,7 @@ def check_targets(targets, scene=None, **inputs):
     taken = {Path(path).resolve(): name for name, path in inputs.items()}
     for result, path in targets:
         _check_ending(result, path)
-        _check_place(result, path)
+        check_place(result, path)
         other = taken.setdefault(Path(path).resolve(), result)
         if other != result:
             raise UsageProblem(f"'{path}' is both {other} and {result}: choose two names")
@@ -54,7 +54,8 @@ def _check_ending(result, path):
                            + " or ".join(ENDINGS[result]))
 
 
-def _check_place(result, path):
+def check_place(result, path):
+    """Make sure that a result, however it is called, can take its place."""
     folder = Path(path).resolve().parent
     if not folder.is_dir():
         raise Problem(f"cannot write the {result} to '{path}': there is no folder '{folder}'")
@@ -73,10 +74,17 @@ def save(data, path):
 def save_text(text, path):
     """Write a text; the file appears under its name only when it is complete."""
     with _temporary(Path(path).resolve()) as temporary:
-        try:
+        with writing(path):
             temporary.write_text(text, encoding="utf-8")
-        except OSError as error:
-            raise Problem(f"cannot write '{path}': {error.strerror}") from error
+
+
+@contextmanager
+def writing(path):
+    """A block that writes `path`: what the system has against it becomes a Problem."""
+    try:
+        yield
+    except OSError as error:
+        raise Problem(f"cannot write '{path}': {error.strerror}") from error
 
 
 @contextmanager
@@ -85,7 +93,8 @@ def _temporary(path):
     temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
     try:
         yield temporary
-        os.replace(temporary, path)
+        with writing(path):
+            os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
 

@@ -5,7 +5,7 @@
 from contextlib import ExitStack
 
 from ..figure import Figure, check_display
-from ..journey import Journey, Series
+from ..journey import Journey, Series, check_names
 from ..messages import say
 from ..problems import Problem, UsageProblem
 from ..results import check_targets, save
@@ -75,7 +75,7 @@ def _stand(options, simulation):
 
 
 def _travel(options, simulation):
-    """Scan from each pose of the trajectory, and write all of them or nothing."""
+    """Scan from each pose of the trajectory; no file is touched before the last scan is done."""
     journey = Journey(simulation, read_data(options.trajectory, "trajectory"))
     results = {"series of scans": lambda: simulation.scan, "series of maps": lambda: simulation.map}
     targets = _targets(options)
@@ -118,6 +118,8 @@ def _check(options):
         raise UsageProblem("nothing to write: give -o, --range-image, --map or --picture a name")
     sensor_options.check(options)
     check_targets(targets, options.scene, **inputs)
+    if options.trajectory:
+        check_names(path for _, path in targets)
     check_readable(options.scene)
     if options.picture:
         check_display()
