@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Make images/paraview.png, ParaView's window with the room's map and the sensor in hand, and
+"""Make images/paraview.png, ParaView's window with Data/example.pvsm and the sensor in hand, and
 images/paraview_journey.png, the same with a sensor on its way.
 
     xvfb-run -a -s "-noreset -screen 0 1152x762x24" ./run python Documentation/make_paraview_screenshot.py
@@ -17,48 +17,45 @@ import tempfile
 import time
 from pathlib import Path
 
-READY, PICTURE, DATA = "LMS3D_SCREENSHOT_READY", "LMS3D_SCREENSHOT", "LMS3D_DATA_DIR"
+READY, PICTURE = "LMS3D_SCREENSHOT_READY", "LMS3D_SCREENSHOT"
 PATIENCE, SETTLING = 60.0, 3.0
 
 
-def show_sensor(simple, room):
-    """A sensor that stands still."""
-    return simple.LMS3DScan(registrationName="LMS3DScan1", Input=room, Position=[0.3, -0.2, 1.0],
-                            Orientation=[0, 0, 30])
+def load_example(simple):
+    """A sensor that stands still, as File > Load State shows it."""
+    simple.LoadState("example.pvsm")
+    return simple.FindSource("LMS3DScan1")
 
 
-def show_journey(simple, room):
-    """The sensor in the doorway, and all its way."""
-    journey = simple.XMLPolyDataReader(
-        registrationName="journey.vtp", FileName=[f"{os.environ[DATA]}/journey.vtp"])
-    simple.Show(journey).LineWidth = 3
+def show_journey(simple):
+    """The sensor in the doorway, all its way, and the map, seen from above and without its ceiling."""
+    room = simple.VRMLReader(registrationName="room.wrl", FileName="room.wrl")
+    journey = simple.XMLPolyDataReader(registrationName="journey.vtp", FileName=["journey.vtp"])
+    view = simple.GetActiveViewOrCreate("RenderView")
+    simple.Show(journey, view).LineWidth = 3
     scan = simple.LMS3DScan(registrationName="LMS3DScan1", Input=room, Trajectory=journey)
     simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     simple.GetAnimationScene().AnimationTime = 12
-    return scan
-
-
-PICTURES = {"paraview": show_sensor, "paraview_journey": show_journey}
-
-
-def fill_window():
-    """Inside ParaView: the map of the room, seen from above and without its ceiling."""
-    from paraview import simple
-
-    room = simple.VRMLReader(registrationName="room.wrl", FileName=f"{os.environ[DATA]}/room.wrl")
-    scan = PICTURES[os.environ[PICTURE]](simple, room)
     local_map = simple.LMS3DSurfaceReconstruction(
         registrationName="LMS3DSurfaceReconstruction1", Input=scan)
-
-    view = simple.GetActiveViewOrCreate("RenderView")
-    display = simple.Show(local_map, view)
-    display.BackfaceRepresentation = "Cull Backface"
+    simple.Show(local_map, view).BackfaceRepresentation = "Cull Backface"
     view.CameraPosition = [-1.6, -5.6, 8.9]
     view.CameraFocalPoint = [1.0, 0.0, 0.6]
     view.CameraViewUp = [0, 0, 1]
+    return scan
+
+
+PICTURES = {"paraview": load_example, "paraview_journey": show_journey}
+
+
+def fill_window():
+    """Inside ParaView: the pipeline, with the scan chosen."""
+    from paraview import simple
+
+    scan = PICTURES[os.environ[PICTURE]](simple)
     simple.SetActiveSource(scan)
     simple.ShowInteractiveWidgets(proxy=scan)
-    simple.Render(view)
+    simple.Render()
     Path(os.environ[READY]).touch()
 
 
@@ -69,11 +66,11 @@ def start_paraview(script, name, folder):
     environment = dict(
         os.environ, HOME=folder, XDG_CONFIG_HOME=folder, QT_FONT_DPI="72",
         LIBGL_ALWAYS_SOFTWARE="1")
-    environment.update({READY: f"{folder}/ready", PICTURE: name, DATA: str(root / "Data")})
+    environment.update({READY: f"{folder}/ready", PICTURE: name})
     return subprocess.Popen(
         ["paraview", "--dr", f"--plugin-search-paths={plugin.parent}", "--plugins=LMS3D",
          f"--script={script}"],
-        env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        cwd=root / "Data", env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
 def wait_for(file, process):
