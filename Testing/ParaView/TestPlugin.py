@@ -8,6 +8,7 @@ the folder of room.wrl.
 
 import gzip
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -54,6 +55,41 @@ def scan_room(**properties):
 
 # Properties that connect proxies.
 INPUTS = {"Input", "Trajectory", "Map", "Scene", "Scan"}
+
+# Properties without a default.
+NEEDED = INPUTS | {"FileName", "TimestepValues"}
+
+# What tells the unit of a property, by its kind; other kinds have none.
+UNITS = {
+    "vtkSMDoubleVectorProperty": r"\b(metres|degrees)\b",
+    "vtkSMIntVectorProperty": r"\b([Nn]umber of|How many)\b",
+    "vtkSMIdTypeVectorProperty": r"\b([Nn]umber of|How many)\b",
+}
+
+
+def explanation(shown):
+    """What the window tells of a property, in one line."""
+    return " ".join(shown.GetDocumentation().GetDescription().split())
+
+
+def values_of(shown):
+    """All elements of a property."""
+    return [shown.GetElement(i) for i in range(shown.GetNumberOfElements())]
+
+
+def entry_of(shown):
+    """The text that the window shows for the value of an enumeration, None for another property."""
+    listed = shown.FindDomain("vtkSMEnumerationDomain")
+    texts = {listed.GetEntryValue(i): listed.GetEntryText(i)
+             for i in range(listed.GetNumberOfEntries())} if listed else {}
+    return texts.get(shown.GetElement(0))
+
+
+def in_words(value):
+    """A value as an explanation has it."""
+    if isinstance(value, str):
+        return value or "none"
+    return f"{value:,}" if isinstance(value, int) else f"{value:g}"
 
 
 def compare():
@@ -109,8 +145,28 @@ class TestProxies(unittest.TestCase):
             proxy = make()
             for name in proxy.ListProperties():
                 with self.subTest(make.__name__, property=name):
-                    words = proxy.SMProxy.GetProperty(name).GetDocumentation()
-                    self.assertTrue(words and words.GetDescription().strip())
+                    self.assertTrue(explanation(proxy.SMProxy.GetProperty(name)))
+
+    def explained(self):
+        """The properties that have a default, each with its name and the words on it."""
+        for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction, compare):
+            proxy = make()
+            for name in set(proxy.ListProperties()) - NEEDED:
+                shown = proxy.SMProxy.GetProperty(name)
+                yield f"{make.__name__}.{name}", shown, explanation(shown)
+
+    def test_every_number_has_a_unit_or_is_a_count(self):
+        for name, shown, words in self.explained():
+            unit = UNITS.get(shown.GetClassName())
+            if unit and entry_of(shown) is None:
+                with self.subTest(name):
+                    self.assertRegex(words, unit)
+
+    def test_every_default_is_told(self):
+        for name, shown, words in self.explained():
+            default = entry_of(shown) or " ".join(map(in_words, values_of(shown)))
+            with self.subTest(name):
+                self.assertRegex(words, rf"Default: {re.escape(default)}[.,]")
 
     def test_methods_are_those_of_the_filter(self):
         listed = LMS3DScan().SMProxy.GetProperty("IntersectionMethod").FindDomain(
@@ -125,13 +181,12 @@ class TestProxies(unittest.TestCase):
         for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction, compare):
             proxy = make()
             fresh = getattr(lms3d, algorithm(proxy).GetClassName())()
-            for name in set(proxy.ListProperties()) - INPUTS - {"FileName", "TimestepValues"}:
+            for name in set(proxy.ListProperties()) - NEEDED:
                 with self.subTest(make.__name__, property=name):
                     default = getattr(fresh, f"Get{name}")()
                     default = "" if default is None else default  # ParaView's empty name is VTK's none
                     shown = proxy.SMProxy.GetProperty(name)
-                    values = [shown.GetElement(i) for i in range(shown.GetNumberOfElements())]
-                    self.assertEqual(values, list(np.atleast_1d(default)))
+                    self.assertEqual(values_of(shown), list(np.atleast_1d(default)))
 
 
 class TestOpening(unittest.TestCase):
