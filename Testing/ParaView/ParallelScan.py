@@ -56,6 +56,15 @@ def contents(scan):
     return arrays
 
 
+def contents_of_map(local_map):
+    """The map's points and triangles."""
+    surface = algorithm(local_map).GetOutputDataObject(0)
+    if surface.GetNumberOfCells() == 0:
+        return {}
+    return {"Map": vtk_to_numpy(surface.GetPoints().GetData()),
+            "MapTriangles": vtk_to_numpy(surface.GetPolys().GetConnectivityArray())}
+
+
 def save_image(scan, name):
     """This process's part of the range image, and where it lies."""
     image = algorithm(scan).GetOutputDataObject(1)
@@ -84,14 +93,13 @@ def run(case):
     local_map = LMS3DSurfaceReconstruction(Input=scan)
     if not said:
         local_map.UpdatePipeline()
-    arrays = contents(scan)
+    arrays = {**contents(scan), **contents_of_map(local_map)}
     save_image(scan, case["name"])
-    surface = algorithm(local_map).GetOutputDataObject(0)
     if PROCESS == 0:
-        np.savez(JOB.parent / case["name"], Map=surface.GetNumberOfCells(), **arrays)
+        np.savez(JOB.parent / case["name"], **arrays)
         (JOB.parent / f"{case['name']}.txt").write_text("".join(said))
     else:
-        assert not arrays and surface.GetNumberOfCells() == 0, "only the first has the scan"
+        assert not arrays, "only the first has the scan"
 
 
 for case_ in json.loads(JOB.read_text()):
