@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Client and server: a pvserver reads, scans and maps as pvpython does alone, to the bit.
 
-Starts pvserver, also under mpirun, and pvpython with ClientScan.py. LMS3D_PVSERVER, LMS3D_PVPYTHON
-and, where there is MPI, LMS3D_MPIEXEC are the programs, LMS3D_PLUGIN is the plugin's file,
-LMS3D_DATA_DIR the folder of room.wrl.
+Starts pvserver and pvpython with ClientScan.py. LMS3D_PVSERVER, LMS3D_PVPYTHON and, for
+TestServerOfTwo, LMS3D_MPIEXEC are the programs, LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the
+folder of room.wrl.
 """
 
+import functools
 import os
 import subprocess
 import tempfile
@@ -41,45 +42,53 @@ class Server:
         self.process.stdout.close()
 
 
-class TestServer(unittest.TestCase):
-    """The same client with and without a server."""
-
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.file = Path(folder.name) / "results.npz"
-        cls.alone = cls.results()
-
-    @classmethod
-    def results(cls, *port):
-        """What a client gets."""
-        subprocess.run([os.environ["LMS3D_PVPYTHON"], str(SCRIPT), str(cls.file), *map(str, port)],
+def results(*port):
+    """What a client gets."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "results.npz"
+        subprocess.run([os.environ["LMS3D_PVPYTHON"], str(SCRIPT), str(file), *map(str, port)],
                        check=True, timeout=120)
-        with np.load(cls.file) as found:
+        with np.load(file) as found:
             return dict(found)
+
+
+@functools.cache
+def alone():
+    """What a client gets without a server."""
+    return results()
+
+
+class ServerTest(unittest.TestCase):
+    """The same client with and without a server."""
 
     def check(self, *launcher, processes):
         with Server(*launcher) as server:
-            served = self.results(server.port)
+            served = results(server.port)
         self.assertTrue(served.pop("remote"))
         self.assertEqual(served.pop("processes"), processes)
-        self.assertEqual(set(served), set(self.alone) - {"remote", "processes"})
+        self.assertEqual(set(served), set(alone()) - {"remote", "processes"})
         for name, values in served.items():
             with self.subTest(name):
-                np.testing.assert_array_equal(values, self.alone[name])
+                np.testing.assert_array_equal(values, alone()[name])
+
+
+class TestServer(ServerTest):
+    """A server of one process."""
 
     def test_client_alone_has_everything(self):
-        self.assertFalse(self.alone["remote"])
-        self.assertEqual(self.alone["room.Triangles"].size, 3 * 804)
+        self.assertFalse(alone()["remote"])
+        self.assertEqual(alone()["room.Triangles"].size, 3 * 804)
         for name in ("scan", "doorway"):
-            self.assertEqual(self.alone[f"{name}.Range"].shape, (361 * 360,))
-        self.assertGreater(self.alone["map.Triangles"].size, 3 * 500)
+            self.assertEqual(alone()[f"{name}.Range"].shape, (361 * 360,))
+        self.assertGreater(alone()["map.Triangles"].size, 3 * 500)
 
     def test_one_process(self):
         self.check(processes=1)
 
-    @unittest.skipUnless("LMS3D_MPIEXEC" in os.environ, "no MPI")
+
+class TestServerOfTwo(ServerTest):
+    """A server of two processes, which takes MPI."""
+
     def test_two_processes(self):
         self.check(os.environ["LMS3D_MPIEXEC"], "-n", "2", processes=2)
 

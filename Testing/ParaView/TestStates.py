@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """States and traces in pvpython: what was saved comes back, with the same numbers.
 
-Run by pvpython. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the folder of room.wrl and
-LMS3D_STATES, where set, the folder of the states that the tests in ParaView's window have saved.
+Run by pvpython. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the folder of room.wrl and, for
+TestWindow, LMS3D_STATES the folder of the states that the tests in ParaView's window have saved.
 """
 
 import os
@@ -88,7 +88,6 @@ class TestRoundTrips(unittest.TestCase):
         self.check_restored(expected)
 
 
-@unittest.skipUnless("LMS3D_STATES" in os.environ, "no states from ParaView's window")
 class TestWindow(unittest.TestCase):
     """What the tests in ParaView's window have saved."""
 
@@ -97,14 +96,26 @@ class TestWindow(unittest.TestCase):
         simple.LoadState(str(Path(os.environ["LMS3D_STATES"]) / name))
 
     def test_sensor_was_dragged(self):
-        self.load("MovePose.pvsm")
-        scan = source("LMS3DScan")
+        for name in ("MovePose.pvsm", "Server/MovePose.pvsm"):
+            with self.subTest(name):
+                self.load(name)
+                scan = source("LMS3DScan")
+                self.check_dragged(scan)
+                self.check_map_of_pose(scan)
+
+    def test_scan_followed_while_the_mouse_was_down(self):
+        for name in ("MovePoseMouseDown.pvsm", "Server/MovePoseMouseDown.pvsm"):
+            with self.subTest(name):
+                self.load(name)
+                self.check_dragged(source("LMS3DScan"))
+
+    def check_dragged(self, scan):
+        """The sensor is elsewhere, at the same height and not turned."""
         x, y, z = scan.Position
         self.assertGreater(x, 1.475 + 0.5)
         self.assertGreater(y, 0.07 + 0.2)
         self.assertAlmostEqual(z, 1.0, places=9)
         np.testing.assert_allclose(list(scan.Orientation), 0, atol=1e-9)
-        self.check_map_of_pose(scan)
 
     def check_map_of_pose(self, scan):
         """The map is that of a scan from the same pose, made afresh."""
