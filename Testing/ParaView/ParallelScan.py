@@ -93,6 +93,10 @@ def run(case):
     local_map = LMS3DSurfaceReconstruction(Input=scan)
     if not said:
         local_map.UpdatePipeline()
+    if "compare" in case:
+        comparison = LMS3DMapComparison(Map=local_map, Scene=scan.Input)
+        listen(algorithm(comparison), said)
+        comparison.UpdatePipeline()
     arrays = {**contents(scan), **contents_of_map(local_map)}
     save_image(scan, case["name"])
     if PROCESS == 0:

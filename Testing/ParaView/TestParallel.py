@@ -166,6 +166,8 @@ class TestParallel(unittest.TestCase):
         yield {**room, "name": "lost", "trajectory": str(cls.folder / "bad.vtp")}
         yield {**room, "name": "volume", "scene": str(cls.folder / "volume.vtu")}
         yield {**room, "name": "empty", "scene": str(cls.folder / "journey.vtp")}
+        yield {**room, "name": "missing", "scene": str(cls.folder / "no.wrl"), "spread": "one"}
+        yield {**room, "name": "compared", "compare": True}
 
     def assert_same(self, name, scene, properties):
         """Whatever the number of processes, the case's results are those of one process."""
@@ -200,16 +202,23 @@ class TestParallel(unittest.TestCase):
 
     def test_errors_are_told_by_all_and_stop_nobody(self):
         words_of = {"lost": "The trajectory has its point 0", "empty": "The scene has no polygons",
-                    "volume": "The scene has volume cells on several processes"}
+                    "volume": "The scene has volume cells on several processes",
+                    "missing": "The scene has no polygons"}
         for name, words in words_of.items():
             for run, (count, _) in RUNS.items():
-                if name == "volume" and count == 1:
+                if name in ("volume", "missing") and count == 1:
                     continue
                 with self.subTest(name, run=run):
                     folder = self.folder / run
                     self.assertIn(words, (folder / f"{name}.txt").read_text())
                     with np.load(folder / f"{name}.npz") as found:
                         self.assertEqual(set(found), set())
+
+    def test_a_spread_scene_is_not_compared_piece_by_piece(self):
+        for run, (count, _) in RUNS.items():
+            with self.subTest(run=run):
+                words = (self.folder / run / "compared.txt").read_text()
+                self.assertEqual("The scene is spread over" in words, count > 1, words)
 
 
 if __name__ == "__main__":

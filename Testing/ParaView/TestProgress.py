@@ -87,9 +87,7 @@ class TestProgress(unittest.TestCase):
                 self.run_aborted(step)
                 self.assertEqual((count(step), filter_.GetErrorCode()), (0, 0))
                 filter_.SetAbortExecute(0)
-                filter_.Modified()
-                step.SMProxy.MarkModified(step.SMProxy)
-                step.UpdatePipeline()
+                filter_.Update()
                 self.assertGreater(count(step), 100)
 
     def run_aborted(self, step):
