@@ -27,7 +27,7 @@ protected:
 
   std::string Write(const std::string& name, const std::string& text) const
   {
-    const std::string file = (this->Folder / name).string();
+    std::string file = (this->Folder / name).string();
     std::ofstream(file) << text;
     return file;
   }
