@@ -166,8 +166,9 @@ TEST(ServerSettings, KnowsNoScenesBesideTheCatalogue)
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   const LMS3D::Status_var before = scanner->getStatus();
+  const std::string path = std::string(LMS3D_DATA_DIR) + "/room.wrl";
   for (const char* name : { "", ".", "..", "../Data/room.wrl", "./room.wrl", "room", "ROOM.WRL",
-         "room.wrl/", "/etc/passwd", LMS3D_DATA_DIR "/room.wrl", "file:room.wrl" })
+         "room.wrl/", "/etc/passwd", path.c_str(), "file:room.wrl" })
   {
     try
     {
