@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <string>
 #include <ostream>
+#include <string>
 
 namespace
 {
