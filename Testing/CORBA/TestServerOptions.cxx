@@ -128,16 +128,15 @@ TEST_F(ServerOptions, SayWhatIsWrongAndWhere)
 
 TEST_F(ServerOptions, OtherMachinesNeedAWord)
 {
-  for (const char* endpoint :
-    { "giop:tcp::2810", "giop:tcp:0.0.0.0:2810", "giop:tcp:robot:2810", "giop:ssl:10.0.0.1:2810",
-      "giop:tcp:[::]:2810", "giop:tcp:128.0.0.1:", "giop:tcp:127.robots.example:2810" })
+  for (const char* endpoint : { "giop:tcp::2810", "giop:tcp:0.0.0.0:2810", "giop:tcp:robot:2810",
+         "giop:tcp:[::]:2810", "giop:tcp:128.0.0.1:", "giop:tcp:127.robots.example:2810" })
   {
     EXPECT_TRUE(
       Speaks(GetProblem({ "--scenes", "Data", "--endpoint", endpoint }), "--allow-remote"))
       << endpoint;
     EXPECT_EQ(GetProblem({ "--scenes", "Data", "--endpoint", endpoint, "--allow-remote" }), "none");
   }
-  for (const char* endpoint : { "giop:tcp:127.0.0.1:2810", "giop:ssl:localhost:2810",
+  for (const char* endpoint : { "giop:tcp:127.0.0.1:2810", "giop:tcp:localhost:2810",
          "giop:tcp:[::1]:", "giop:unix:/run/lms3d" })
   {
     EXPECT_EQ(GetProblem({ "--scenes", "Data", "--endpoint", endpoint }), "none");
@@ -156,6 +155,49 @@ TEST_F(ServerOptions, TheAdministratorsORBSettingsAreKept)
   EXPECT_EQ(Find(settings, "maxServerThreadPerConnection"), "not set");
   EXPECT_EQ(Find(settings, "serverCallTimeOutPeriod"), "not set");
   EXPECT_EQ(Find(settings, "inConScanPeriod"), "30");
+}
+
+TEST_F(ServerOptions, OwnOptionsWinOverTheAdministratorsORBSettings)
+{
+  lms3dServerOptions options;
+  options.TLSKey = "key.pem";
+  options.ConnectTo = { "10.0.0.1/255.255.255.255" };
+  setenv("ORBsslKeyFile", "other.pem", 1);
+  setenv("ORBclientTransportRule", "* tcp", 1);
+  const lms3dORBSettings settings = lms3dGetORBSettings(options);
+  unsetenv("ORBsslKeyFile");
+  unsetenv("ORBclientTransportRule");
+  EXPECT_EQ(Find(settings, "sslKeyFile"), "key.pem");
+  EXPECT_NE(Find(settings, "clientTransportRule"), "not set");
+}
+
+TEST_F(ServerOptions, NobodyElseNamesEndpoints)
+{
+  lms3dServerOptions options;
+  EXPECT_NO_THROW(lms3dCheckEndpointSources(options));
+  setenv("ORBendPoint", "giop:tcp:0.0.0.0:", 1);
+  EXPECT_THROW(lms3dCheckEndpointSources(options), std::invalid_argument);
+  options.AllowRemote = true;
+  EXPECT_NO_THROW(lms3dCheckEndpointSources(options));
+  unsetenv("ORBendPoint");
+  options.AllowRemote = false;
+  options.ORBArguments = { "-ORBendPointPublish", "127.0.0.1" };
+  EXPECT_THROW(lms3dCheckEndpointSources(options), std::invalid_argument);
+}
+
+TEST_F(ServerOptions, TLSAndItsEndpointGoTogether)
+{
+  EXPECT_TRUE(
+    Speaks(GetProblem({ "--scenes", "Data", "--tls-key", "k.pem", "--tls-authorities", "a.pem" }),
+      "would be served without TLS"));
+  EXPECT_TRUE(Speaks(
+    GetProblem({ "--scenes", "Data", "--endpoint", "giop:ssl:127.0.0.1:" }), "needs --tls-key"));
+}
+
+TEST_F(ServerOptions, ALongEndpointIsRefused)
+{
+  const std::string endpoint = "giop:unix:/" + std::string(200000, 'x');
+  EXPECT_TRUE(Speaks(GetProblem({ "--scenes", "Data", "--endpoint", endpoint }), "other machines"));
 }
 
 TEST_F(ServerOptions, TheCatalogueHasTheFoldersScenesAlone)

@@ -37,6 +37,16 @@ const BadConfiguration BadConfigurations[] = {
   { "AlphaNaN", [](Settings& c) { c.alpha.start = NaN; }, "alpha.start" },
   { "AlphaBelow", [](Settings& c) { c.alpha.start = -90.5; }, "alpha.start" },
   { "AlphaBeyond", [](Settings& c) { c.alpha.stop = 1e308; }, "alpha.stop" },
+  { "AlphaTooNarrow",
+    [](Settings& c) {
+      c.alpha = { 0.0, 5e-324, 361 };
+    },
+    "alpha.stop" },
+  { "BetaFarAway",
+    [](Settings& c) {
+      c.beta = { 1e17, 1e17 + 256.0, 360 };
+    },
+    "beta.start" },
   { "AlphaReversed", [](Settings& c) { c.alpha.stop = -70.0; }, "alpha.stop" },
   { "AlphaEmpty", [](Settings& c) { c.alpha.count = 0; }, "alpha.count" },
   { "BetaInfinite", [](Settings& c) { c.beta.stop = Infinity; }, "beta.stop" },

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <set>
+#include <stdexcept>
 
 namespace
 {
@@ -47,6 +48,33 @@ Names GetNamesOfFile(const std::string& file)
     {
       names.insert(line.substr(first, end - first));
     }
+  }
+  return names;
+}
+
+Names GetChosenNames(const lms3dServerOptions& options)
+{
+  Names chosen = GetNamesOfFile(GetConfigurationFile(options.ORBArguments));
+  chosen.merge(GetNamesOfArguments(options.ORBArguments));
+  return chosen;
+}
+
+bool IsChosen(const std::string& name, const Names& chosen)
+{
+  return chosen.count(name) != 0 || std::getenv(("ORB" + name).c_str());
+}
+
+// What our own options say wins over the ORB's environment and configuration file.
+Names GetNamesOfOptions(const lms3dServerOptions& options)
+{
+  Names names;
+  if (!options.TLSKey.empty())
+  {
+    names.merge(Names{ "sslCAFile", "sslKeyFile", "sslKeyPassword" });
+  }
+  if (!options.ConnectTo.empty())
+  {
+    names.insert("clientTransportRule");
   }
   return names;
 }
@@ -95,10 +123,25 @@ lms3dORBSettings lms3dGetORBSettings(const lms3dServerOptions& options)
     AddTLS(settings, options);
   }
 
-  Names chosen = GetNamesOfFile(GetConfigurationFile(options.ORBArguments));
-  chosen.merge(GetNamesOfArguments(options.ORBArguments));
-  const auto isChosen = [&chosen](const lms3dORBSettings::value_type& setting)
-  { return chosen.count(setting.first) != 0 || std::getenv(("ORB" + setting.first).c_str()); };
+  const Names chosen = GetChosenNames(options);
+  const Names own = GetNamesOfOptions(options);
+  const auto isChosen = [&chosen, &own](const lms3dORBSettings::value_type& setting)
+  { return own.count(setting.first) == 0 && IsChosen(setting.first, chosen); };
   settings.erase(std::remove_if(settings.begin(), settings.end(), isChosen), settings.end());
   return settings;
+}
+
+void lms3dCheckEndpointSources(const lms3dServerOptions& options)
+{
+  const Names chosen = GetChosenNames(options);
+  for (const char* name :
+    { "endPoint", "endPointNoListen", "endPointNoPublish", "endPointPublish" })
+  {
+    if (!options.AllowRemote && IsChosen(name, chosen))
+    {
+      throw std::invalid_argument(std::string(name) +
+        ": the ORB's arguments, environment or configuration file would have the server listen " +
+        "where --endpoint does not say. Use --endpoint, or add --allow-remote");
+    }
+  }
 }

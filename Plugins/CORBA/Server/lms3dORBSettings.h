@@ -24,4 +24,8 @@ using lms3dORBSettings = std::vector<std::pair<std::string, std::string>>;
  */
 lms3dORBSettings lms3dGetORBSettings(const lms3dServerOptions& options);
 
+/// Throws std::invalid_argument where others than --endpoint say where to listen, unless other machines
+/// may reach the server anyway.
+void lms3dCheckEndpointSources(const lms3dServerOptions& options);
+
 #endif

@@ -100,6 +100,11 @@ CORBA::ULongLong lms3dScannerServant::selectScene(const char* name)
     throw LMS3D::NoSuchScene(name);
   }
   const std::lock_guard<std::mutex> lock(this->SceneMutex);
+  // Others may have waited here for as long as their turn takes.
+  if (this->Store.IsStopped())
+  {
+    throw CORBA::TRANSIENT(0, CORBA::COMPLETED_NO);
+  }
   try
   {
     const CORBA::ULongLong generation =

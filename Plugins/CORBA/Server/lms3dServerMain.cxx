@@ -60,16 +60,39 @@ CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
   return CORBA::ORB_init(count, pointers.data(), "omniORB4", reinterpret_cast<Table>(table.data()));
 }
 
+// Clients may call the server's object until the ORB is gone, also where the start fails on the way.
+class RunningServer
+{
+public:
+  explicit RunningServer(const lms3dServerOptions& options)
+    : Server(options)
+    , ORB(MakeORB(options))
+  {
+  }
+  ~RunningServer()
+  {
+    this->Server.Stop();
+    this->ORB->destroy();
+  }
+  RunningServer(const RunningServer&) = delete;
+  void operator=(const RunningServer&) = delete;
+
+  void Start() { this->Server.Start(this->ORB); }
+
+private:
+  lms3dServer Server;
+  const CORBA::ORB_var ORB;
+};
+
 void Serve(const lms3dServerOptions& options)
 {
   const lms3dStopSignal signal;
   AllowManyConnections();
-  lms3dServer server(options);
-  const CORBA::ORB_var orb = MakeORB(options);
-  server.Start(orb);
-  lms3dLog(signal.Wait() + ": ending");
-  server.Stop();
-  orb->destroy();
+  {
+    RunningServer server(options);
+    server.Start();
+    lms3dLog(signal.Wait() + ": ending");
+  }
   lms3dLog("ended");
 }
 
@@ -80,6 +103,7 @@ int Run(const lms3dServerOptions& options)
     std::cout << (options.Help ? lms3dGetServerHelp() : std::string(lms3dVersion) + '\n');
     return 0;
   }
+  lms3dCheckEndpointSources(options);
   try
   {
     Serve(options);

@@ -37,8 +37,10 @@ const Option Options[] = {
     [](lms3dServerOptions& o, const Words& w) { o.Position = lms3dGetVector(w); } },
   { "orientation", 3, "X Y Z", "its angles about the axes, degrees (default 0 0 0)",
     [](lms3dServerOptions& o, const Words& w) { o.Orientation = lms3dGetVector(w); } },
-  { "rate", 1, "HZ", "scans a second (default 10); 0: as fast as it goes, on all cores",
-    [](lms3dServerOptions& o, const Words& w) { o.Rate = lms3dGetNumber(w[0], 0.0, 10000.0); } },
+  { "rate", 1, "HZ",
+    "scans a second, 0.001 to 10000 (default 10); 0: as fast as it goes, on all cores",
+    [](lms3dServerOptions& o, const Words& w)
+    { o.Rate = w[0] == "0" ? 0.0 : lms3dGetNumber(w[0], 0.001, 10000.0); } },
   { "map-error", 1, "M", "the bound of the local map's error, metres (default 0.01)",
     [](lms3dServerOptions& o, const Words& w) { o.MapError = lms3dGetNumber(w[0], 0.0, 1e6); } },
   { "no-map", 0, "", "make no local maps until a client asks for them",
@@ -94,7 +96,8 @@ When it is ready it prints a corbaloc and an IOR, a line each. SIGTERM and SIGIN
 
 constexpr const char* UsageOfRest = R"(
 Options of omniORB (-ORBtraceLevel 10) go to the ORB; what they, its environment and its own
-configuration file set is kept.
+configuration file set is kept, but for what the options above say. Endpoints are named by --endpoint
+alone, unless --allow-remote is given.
 
 Exit code: 0 ended by a signal, 1 failed while starting, 2 wrong options
 )";
@@ -142,6 +145,14 @@ void Check(const lms3dServerOptions& options)
   {
     throw std::invalid_argument("--tls-key and --tls-authorities: one needs the other");
   }
+  constexpr const char* TLSPrefix = "giop:ssl:";
+  if ((options.Endpoint.rfind(TLSPrefix, 0) == 0) == options.TLSKey.empty())
+  {
+    throw std::invalid_argument(options.TLSKey.empty()
+        ? "--endpoint: giop:ssl:HOST:PORT needs --tls-key and --tls-authorities"
+        : "--tls-key: \"" + options.Endpoint + "\" would be served without TLS; give --endpoint " +
+          "giop:ssl:HOST:PORT");
+  }
 }
 } // namespace
 
@@ -183,7 +194,9 @@ std::string lms3dGetServerHelp()
 
 bool lms3dIsLocalEndpoint(const std::string& endpoint)
 {
+  // The library's regular expressions call themselves for each letter.
+  constexpr std::size_t Longest = 1000;
   static const std::regex local(
     R"(giop:unix:.*|giop:(tcp|ssl):(127(\.\d{1,3}){3}|localhost|\[::1\]):\d*)");
-  return std::regex_match(endpoint, local);
+  return endpoint.size() <= Longest && std::regex_match(endpoint, local);
 }

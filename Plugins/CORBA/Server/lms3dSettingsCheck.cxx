@@ -29,10 +29,15 @@ bool IsWithin(double value, double lowest, double highest)
   return value >= lowest && value <= highest;
 }
 
+// Degrees; what rounds to angles that differ.
+constexpr double LargestAngle = 36000.0;
+constexpr double SmallestSpan = 1e-6;
+
 void CheckAxis(const LMS3D::Axis& axis, const char* start, const char* stop, const char* count)
 {
-  Require(std::isfinite(axis.start), start, axis.start, "a finite number of degrees");
-  Require(axis.stop > axis.start && std::isfinite(axis.stop), stop, axis.stop, "above the start");
+  Require(std::abs(axis.start) <= LargestAngle, start, axis.start, "within 36,000 degrees of 0");
+  Require(axis.stop >= axis.start + SmallestSpan && axis.stop <= LargestAngle, stop, axis.stop,
+    "above the start, by 1e-6 degrees or more, and up to 36,000");
   Require(axis.count >= 1, count, axis.count, "at least 1");
 }
 

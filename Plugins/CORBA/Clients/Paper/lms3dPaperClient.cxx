@@ -32,7 +32,9 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const CORBA::ORB_var orb = CORBA::ORB_init(argc, argv);
+    // Milliseconds; without it a server that hangs holds the client for ever.
+    const char* options[][2] = { { "clientCallTimeOutPeriod", "20000" }, { nullptr, nullptr } };
+    const CORBA::ORB_var orb = CORBA::ORB_init(argc, argv, "omniORB4", options);
     const CORBA::Object_var object = orb->string_to_object(argc > 1 ? argv[1] : "");
     const LMS3D::DataExchange_var scanner = LMS3D::DataExchange::_narrow(object);
     if (CORBA::is_nil(scanner))
