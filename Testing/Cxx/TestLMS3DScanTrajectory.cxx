@@ -61,9 +61,9 @@ void AddArray(
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  for (std::size_t i = 0; i < values.size(); ++i)
+  for (double value : values)
   {
-    array->InsertNextValue(values[i]);
+    array->InsertNextValue(value);
   }
   poses->GetPointData()->AddArray(array);
 }
