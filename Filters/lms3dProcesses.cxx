@@ -140,10 +140,6 @@ void lms3dProcesses::Share(lms3dPose& pose, double& time) const
 
 std::int64_t lms3dProcesses::NumberCells(std::int64_t cells, bool hasIds, bool hasVolume) const
 {
-  if (!this->AreMany())
-  {
-    return 0;
-  }
   const vtkIdType mine[3] = { static_cast<vtkIdType>(cells), hasIds ? 1 : 0, hasVolume ? 1 : 0 };
   std::vector<vtkIdType> all(3 * static_cast<std::size_t>(this->Count));
   this->Controller->AllGather(mine, all.data(), 3);

@@ -41,6 +41,15 @@ LMS3D::Configuration GetUnusualGrid()
   configuration.maximumRange = 4.25;
   return configuration;
 }
+
+// From a turned sensor, with beams that do not return.
+LMS3D::ScanHeader ScanUnusually(LMS3D::LaserScanner_ptr scanner)
+{
+  LMS3D::Pose pose = At(0.4, -0.3, 0.9);
+  pose.orientation = { 10.0, -20.0, 30.0 };
+  scanner->setPose(pose);
+  return WaitFor(scanner, scanner->setConfiguration(GetUnusualGrid()));
+}
 } // namespace
 
 TEST(ServerValues, FetchGivesTheDirectPipelinesTriples)
@@ -58,10 +67,7 @@ TEST(ServerValues, FetchKeepsMissesInPlace)
 {
   ServerProcess server(Patience);
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
-  LMS3D::Pose pose = At(0.4, -0.3, 0.9);
-  pose.orientation = { 10.0, -20.0, 30.0 };
-  scanner->setPose(pose);
-  const LMS3D::ScanHeader header = WaitFor(scanner, scanner->setConfiguration(GetUnusualGrid()));
+  const LMS3D::ScanHeader header = ScanUnusually(scanner);
   const LMS3D::Data_var triples = scanner->fetch();
   const DirectPipeline direct = MakeDirect(header);
   EXPECT_EQ(ToVector(triples.in()), direct.Triples);
@@ -106,10 +112,7 @@ TEST(ServerValues, VTKDataOfTheClientAreTheDirectPipelines)
 {
   ServerProcess server(Patience);
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
-  LMS3D::Pose pose = At(0.4, -0.3, 0.9);
-  pose.orientation = { 10.0, -20.0, 30.0 };
-  scanner->setPose(pose);
-  const LMS3D::ScanHeader header = WaitFor(scanner, scanner->setConfiguration(GetUnusualGrid()));
+  const LMS3D::ScanHeader header = ScanUnusually(scanner);
   const DirectPipeline direct = MakeDirect(header);
 
   vtkNew<vtkPolyData> scan;
