@@ -3,6 +3,7 @@
 """Clients that send garbage, half a message or nothing, stall or vanish: nobody else notices."""
 
 import contextlib
+import os
 import random
 import signal
 import socket
@@ -15,6 +16,8 @@ import giop
 from server_process import BEAMS, CLIENT, Server, allow_many_files, wait_until
 
 CONNECTIONS = 1000
+# Sanitizers keep memory of their own for each thread, and what was freed.
+MOST_GROWTH = int(os.environ.get("LMS3D_MOST_GROWTH_MIB", "64")) << 20
 
 _header = giop.message(giop.REQUEST, b"")[:8]
 _fetch = giop.request(b"LMS3D", "fetch")
@@ -55,7 +58,7 @@ class HostileTest(unittest.TestCase):
         """Connections are closed, memory is not kept, and the end is in order."""
         self.assertTrue(wait_until(lambda: self.server.count_files() <= self.files + 2))
         self.check_service()
-        self.assertLess(self.server.measure_memory() - self.memory, 64 << 20)
+        self.assertLess(self.server.measure_memory() - self.memory, MOST_GROWTH)
         self.assertEqual(self.server.stop()[0], 0)
 
     def connect_all(self, data_of):
@@ -74,6 +77,7 @@ class HostileTest(unittest.TestCase):
         with self.connect_all(garbage):
             self.check_service()
         self.check_recovery()
+        self.assertIn("lines are left out", self.server.read_log())
 
     def test_thousand_that_send_half_a_message(self):
         """Headers cut anywhere, and headers that promise up to 2 GB."""
@@ -85,7 +89,7 @@ class HostileTest(unittest.TestCase):
         """Idle connections cost a thread each, and little memory."""
         with self.connect_all(lambda _: b""):
             self.check_service()
-            self.assertLess(self.server.measure_memory() - self.memory, 64 << 20)
+            self.assertLess(self.server.measure_memory() - self.memory, MOST_GROWTH)
         self.check_recovery()
 
     def test_four_hundred_flipped_bits(self):

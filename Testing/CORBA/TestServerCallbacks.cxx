@@ -110,7 +110,7 @@ TEST(ServerCallbacks, TellOfEachScanUntilUnsubscribed)
   EXPECT_THROW(scanner->unsubscribe(subscription), LMS3D::InvalidArgument);
   // One may be on its way.
   const int count = listener->GetCount();
-  scanner->waitForScan(WaitFor(scanner).number + 3, 0, 5000);
+  const LMS3D::ScanHeader_var later = scanner->waitForScan(WaitFor(scanner).number + 3, 0, 5000);
   EXPECT_LE(listener->GetCount(), count + 1);
   EXPECT_EQ(server.Terminate(SIGTERM), 0);
 }

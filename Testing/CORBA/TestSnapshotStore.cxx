@@ -60,6 +60,34 @@ TEST(SnapshotStore, KeepsTheNewest)
   }
 }
 
+// 100 beams are 400 bytes.
+TEST(SnapshotStore, KeepsFewerWhereTheyAreLarge)
+{
+  lms3dSnapshotStore store(10, 1000);
+  for (std::uint64_t number = 1; number <= 5; ++number)
+  {
+    store.Publish(MakeSnapshot(number, 1, 100));
+  }
+  EXPECT_EQ(store.GetOldestNumber(), 4u);
+  store.Publish(MakeSnapshot(6, 1, 10));
+  EXPECT_EQ(store.GetOldestNumber(), 4u);
+  store.Publish(MakeSnapshot(7, 1, 1000));
+  EXPECT_EQ(store.GetOldestNumber(), 7u);
+  EXPECT_EQ(store.GetNewestNumber(), 7u);
+  store.Publish(MakeSnapshot(8, 1, 100));
+  store.Publish(MakeSnapshot(9, 1, 100));
+  EXPECT_EQ(store.GetOldestNumber(), 8u);
+}
+
+TEST(SnapshotStore, CountsRangesAndMap)
+{
+  lms3dSnapshot snapshot;
+  snapshot.Ranges.resize(5);
+  snapshot.MapPoints.resize(6);
+  snapshot.MapTriangles.resize(9);
+  EXPECT_EQ(snapshot.GetBytes(), 5u * 4u + 6u * 8u + 9u * 4u);
+}
+
 TEST(SnapshotStore, ASnapshotLivesAsLongAsSomebodyReadsIt)
 {
   lms3dSnapshotStore store(1);

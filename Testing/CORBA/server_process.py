@@ -33,6 +33,7 @@ class Server:
         self.log = tempfile.TemporaryFile("w+")
         self.process = subprocess.Popen(
             [SERVER, "--scenes", DATA, "--scene", "room.wrl", "--position", "0.3", "-0.2", "1",
+             "--threads", "1",
              *arguments],
             stdout=subprocess.PIPE, stderr=self.log, text=True)
         self.corbaloc = self.process.stdout.readline().strip()
@@ -44,6 +45,8 @@ class Server:
         return self
 
     def __exit__(self, *_):
+        if self.process.poll() not in (None, 0):
+            print(f"the server ended with {self.process.returncode}:\n{self.read_log()}")
         self.process.kill()
         self.process.wait()
         self.process.stdout.close()

@@ -6,6 +6,8 @@
 #include <omniORB4/linkHacks.h>
 
 #include <algorithm>
+#include <chrono>
+#include <mutex>
 
 // Nothing else refers to the transport, which the linker would drop.
 OMNI_FORCE_LINK(omnisslTP);
@@ -16,13 +18,57 @@ namespace
 void (*Log)(const std::string&) = nullptr;
 bool IsTLSWanted = false;
 
+// The ORB has a line for each broken message: who sends many must not fill the disk.
+constexpr int MostLinesASecond = 20;
+
+// Which line of its second one is that is written now, counted from 1.
+int CountLine()
+{
+  using Clock = std::chrono::steady_clock;
+  static std::mutex mutex;
+  static Clock::time_point begin;
+  static int lines = 0;
+
+  const std::lock_guard<std::mutex> lock(mutex);
+  const Clock::time_point now = Clock::now();
+  if (now - begin > std::chrono::seconds(1))
+  {
+    begin = now;
+    lines = 0;
+  }
+  return ++lines;
+}
+
+bool IsWanted(const std::string& line)
+{
+  return IsTLSWanted || line.find("SSL transport disabled") == std::string::npos;
+}
+
+void LogLimited(const std::string& line)
+{
+  const int number = CountLine();
+  if (number <= MostLinesASecond)
+  {
+    Log(line);
+  }
+  else if (number == MostLinesASecond + 1)
+  {
+    Log("omniORB: the rest of this second's lines are left out");
+  }
+}
+
 void LogLine(const char* text)
 {
   std::string line(text);
   line.erase(line.find_last_not_of('\n') + 1);
-  if (IsTLSWanted || line.find("SSL transport disabled") == std::string::npos)
+  // Who raises the level looks for something, and wants all of it.
+  if (omniORB::traceLevel > 1)
   {
     Log(line);
+  }
+  else if (IsWanted(line))
+  {
+    LogLimited(line);
   }
 }
 } // namespace

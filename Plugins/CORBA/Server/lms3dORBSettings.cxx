@@ -116,6 +116,8 @@ lms3dORBSettings lms3dGetORBSettings(const lms3dServerOptions& options)
     // Seconds after which a connection that is idle, or stuck in half a message, is closed.
     { "inConScanPeriod", "30" },
     { "unixTransportPermission", "600" },
+    // Our log has the time already.
+    { "traceTime", "0" },
   };
   AddConnectRules(settings, options);
   if (!options.TLSKey.empty())

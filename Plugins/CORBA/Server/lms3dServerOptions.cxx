@@ -47,7 +47,7 @@ const Option Options[] = {
     [](lms3dServerOptions& o, const Words&) { o.MakeMap = false; } },
   { "threads", 1, "N", "threads that scan (default 0: all cores)",
     [](lms3dServerOptions& o, const Words& w) { o.Threads = lms3dGetCount(w[0], 0, 1024); } },
-  { "keep", 1, "N", "how many scans clients find (default 4); more for slow networks",
+  { "keep", 1, "N", "how many scans clients find (default 4, within 1 GiB); more for slow networks",
     [](lms3dServerOptions& o, const Words& w) { o.Keep = lms3dGetCount(w[0], 1, 1000); } },
   { "endpoint", 1, "URI",
     "where to listen, e.g. giop:tcp:127.0.0.1:2810 (default: a free port of 127.0.0.1)",

@@ -9,6 +9,7 @@
 
 #include "LMS3DScanner.hh"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -25,6 +26,13 @@ struct lms3dSnapshot
   std::vector<double> MapPoints;
   /// Three point numbers of each triangle.
   std::vector<std::uint32_t> MapTriangles;
+
+  /// Of what grows with beams and map.
+  std::size_t GetBytes() const
+  {
+    return sizeof(float) * this->Ranges.size() + sizeof(double) * this->MapPoints.size() +
+      sizeof(std::uint32_t) * this->MapTriangles.size();
+  }
 };
 
 using lms3dSnapshotPointer = std::shared_ptr<const lms3dSnapshot>;

@@ -3,26 +3,36 @@
 #include "lms3dSnapshotStore.h"
 
 #include <utility>
+#include <vector>
 
-lms3dSnapshotStore::lms3dSnapshotStore(std::size_t keep)
+lms3dSnapshotStore::lms3dSnapshotStore(std::size_t keep, std::size_t mostBytes)
   : Keep(keep)
+  , MostBytes(mostBytes)
 {
 }
 
 void lms3dSnapshotStore::Publish(lms3dSnapshotPointer snapshot)
 {
   // Declared before the lock, so that the memory is given back after it.
-  lms3dSnapshotPointer displaced;
+  std::vector<lms3dSnapshotPointer> displaced;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Bytes += snapshot->GetBytes();
     this->Snapshots.push_back(std::move(snapshot));
-    if (this->Snapshots.size() > this->Keep)
+    while (this->HasTooMuch())
     {
-      displaced = std::move(this->Snapshots.front());
+      this->Bytes -= this->Snapshots.front()->GetBytes();
+      displaced.push_back(std::move(this->Snapshots.front()));
       this->Snapshots.pop_front();
     }
   }
   this->Changed.notify_all();
+}
+
+bool lms3dSnapshotStore::HasTooMuch() const
+{
+  const std::size_t number = this->Snapshots.size();
+  return number > this->Keep || (number > 1 && this->Bytes > this->MostBytes);
 }
 
 lms3dSnapshotPointer lms3dSnapshotStore::GetNewest() const

@@ -25,8 +25,12 @@ class lms3dSnapshotStore
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// Keeps the newest `keep` scans, at least 1.
-  explicit lms3dSnapshotStore(std::size_t keep);
+  /// 1 GiB: five scans of the most beams with every return in the map.
+  static constexpr std::size_t DefaultMostBytes = std::size_t(1) << 30;
+
+  /// Keeps the newest `keep` scans, at least 1; fewer where they are more than `mostBytes` together,
+  /// but always the newest.
+  explicit lms3dSnapshotStore(std::size_t keep, std::size_t mostBytes = DefaultMostBytes);
 
   /// Numbers must grow by one from scan to scan.
   void Publish(lms3dSnapshotPointer snapshot);
@@ -52,11 +56,14 @@ public:
 
 private:
   bool HasNewest(std::uint64_t after, std::uint64_t generation) const;
+  bool HasTooMuch() const;
 
   const std::size_t Keep;
+  const std::size_t MostBytes;
   mutable std::mutex Mutex;
   mutable std::condition_variable Changed;
   std::deque<lms3dSnapshotPointer> Snapshots;
+  std::size_t Bytes = 0;
   bool Stopped = false;
 };
 
