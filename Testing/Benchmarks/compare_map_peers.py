@@ -16,7 +16,7 @@ import numpy
 from lms3d import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
 from lms3d.comparison import compare
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkBoxMuellerRandomSequence, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 import peers_mappers
@@ -24,9 +24,10 @@ import peers_scene
 from compare_peers import install, print_table, versions
 
 HERE = pathlib.Path(__file__).resolve().parent
-COLUMNS = ("scene", "map", "noise mm", "ms", "triangles", "to scene mean mm", "95 %", "max",
-           "to map mean mm", "95 %", "correct %", "complete %", "normals deg", "free space m2",
-           "farthest return mm")
+# Those with the names of "./run bench map" are the same.
+COLUMNS = ("scene", "map", "noise mm", "ms", "triangles", "to scene mean mm", "to scene 95% mm",
+           "to scene max mm", "to map mean mm", "to map 95% mm", "both mean mm", "correct %",
+           "complete %", "normals deg", "free space m2", "farthest return mm")
 NOISE = 0.005  # metres
 TIME_LIMIT = 120  # seconds
 RUNS = 20
@@ -57,15 +58,25 @@ def make_surface(points, triangles):
 
 
 def add_noise(scan, sensor):
-    """Return the scan with normally distributed errors along the beams."""
+    """Return the scan with the errors along the beams that "./run bench map" gives it."""
     noisy = vtkPolyData()
     noisy.DeepCopy(scan)
     points = vtk_to_numpy(noisy.GetPoints().GetData())
     ranges = vtk_to_numpy(noisy.GetPointData().GetArray("Range"))
-    errors = numpy.random.default_rng(1).normal(0, NOISE, len(ranges))
+    errors = make_errors(len(ranges))
     points += (points - sensor) * (errors / ranges)[:, None]
     ranges += errors
     return noisy
+
+
+def make_errors(count):
+    """Return normally distributed errors, metres."""
+    random = vtkBoxMuellerRandomSequence()
+    errors = numpy.empty(count)
+    for number in range(count):
+        errors[number] = random.GetScaledValue(0.0, NOISE)
+        random.Next()
+    return errors
 
 
 def map_with_lms3d(scan, maximum_error):
@@ -108,9 +119,22 @@ def describe(result, surface, scan):
     return [f"{1000 * seconds:.2f}", local_map.GetNumberOfCells(), f"{1000 * to_scene.mean:.2f}",
             f"{1000 * to_scene.percentile_95:.1f}", f"{1000 * to_scene.maximum:.0f}",
             f"{1000 * to_map.mean:.2f}", f"{1000 * to_map.percentile_95:.1f}",
+            f"{500 * (to_scene.mean + to_map.mean):.2f}",
             f"{100 * errors.correctness:.2f}", f"{100 * errors.completeness:.2f}",
             f"{errors.normal_error.mean:.1f}", f"{errors.area_in_free_space:.3f}",
             f"{1000 * errors.largest_return_distance:.2f}"]
+
+
+def map_with_peers(scan, sensor, python, folder):
+    """Return what each peer makes of a scan, by its name."""
+    return {peer: map_with_peer(peer, python, scan, sensor, folder)
+            for peer in peers_mappers.PEERS}
+
+
+def describe_maps(name, noise, maps, surface, scan):
+    """Return a row for each map of a scan."""
+    return [[name, label, f"{1000 * noise:g}", *describe(result, surface, scan)]
+            for label, result in maps.items()]
 
 
 def compare_maps(name, python, folder):
@@ -119,11 +143,9 @@ def compare_maps(name, python, folder):
     rows = []
     for scan, noise, bound in ((exact_scan, 0, 0.01), (add_noise(exact_scan, sensor), NOISE, 0.02)):
         maps = {"LMS3D grid": map_with_lms3d(scan, 0),
-                f"LMS3D map, {1000 * bound:g} mm": map_with_lms3d(scan, bound)}
-        for peer in peers_mappers.PEERS:
-            maps[peer] = map_with_peer(peer, python, scan, sensor, folder)
-        for label, result in maps.items():
-            rows.append([name, label, f"{1000 * noise:g}", *describe(result, surface, scan)])
+                f"LMS3D map, {1000 * bound:g} mm": map_with_lms3d(scan, bound),
+                **map_with_peers(scan, sensor, python, folder)}
+        rows += describe_maps(name, noise, maps, surface, scan)
     print_table(COLUMNS, rows)
     return rows
 

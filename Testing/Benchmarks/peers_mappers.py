@@ -39,8 +39,8 @@ def poisson(depth):
 
 
 PEERS = {
-    "Open3D Poisson, depth 8": poisson(8),
-    "Open3D Poisson, depth 9": poisson(9),
+    "Open3D Poisson depth 8": poisson(8),
+    "Open3D Poisson depth 9": poisson(9),
 }
 
 
