@@ -8,6 +8,8 @@ that a picture, .png and .svg.
 
 import argparse
 import pathlib
+import sys
+import tempfile
 import time
 
 import drawing
@@ -22,21 +24,28 @@ CHARTS = {chart.LETTER: chart for chart in (stability, sampling)}
 
 
 def make(chart, quick, folder):
-    """Measure, then draw what was measured."""
+    """Measure, then draw what was measured; the files are there when all of them are done."""
     start = time.monotonic()
     print(f"{chart.LETTER}: {chart.SUMMARY}", flush=True)
-    path = folder / f"{chart.LETTER}-{chart.NAME}"
-    chart.measure(quick, path.with_suffix(".csv"))
-    figure = chart.draw(drawing.read_table(path.with_suffix(".csv")))
-    drawing.save(figure, path)
-    print(f"saved {path}.csv, .png and .svg after {time.monotonic() - start:.0f} s", flush=True)
+    name = f"{chart.LETTER}-{chart.NAME}"
+    with tempfile.TemporaryDirectory(dir=folder, prefix=".unfinished-") as unfinished:
+        path = pathlib.Path(unfinished) / name
+        chart.measure(quick, path.with_suffix(".csv"))
+        figure = chart.draw(drawing.read_table(path.with_suffix(".csv")))
+        drawing.save(figure, path)
+        for file in sorted(pathlib.Path(unfinished).iterdir()):
+            file.replace(folder / file.name)
+    print(f"saved {folder / name}.csv, .png and .svg after {time.monotonic() - start:.0f} s",
+          flush=True)
 
 
 def refresh_text(folder):
     """Give the text on the charts the numbers of the new tables."""
     path = ROOT / "Documentation" / "accuracy.md"
-    path.write_text(numbers_of_text.refresh(path.read_text(encoding="utf-8"), folder),
-                    encoding="utf-8")
+    text = numbers_of_text.refresh(path.read_text(encoding="utf-8"), folder)
+    unfinished = path.with_name(".unfinished-accuracy.md")
+    unfinished.write_text(text, encoding="utf-8")
+    unfinished.replace(path)
 
 
 def main():
@@ -59,9 +68,12 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     for name in options.charts or CHARTS:
         make(CHARTS[name.upper()], options.quick, folder)
-    if not options.quick and not options.output:
-        refresh_text(folder)
+        if not options.quick and not options.output:
+            refresh_text(folder)
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except KeyboardInterrupt:
+        sys.exit("./run chart: interrupted; the charts that were saved are whole")
