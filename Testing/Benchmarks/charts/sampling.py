@@ -11,7 +11,7 @@ from lms3d.sampling import measure as measure_sample
 from lms3d.sampling import steps_down_to
 from lms3d.scene import read_scene
 from lms3d.simulation import Simulation
-from matplotlib import pyplot
+from matplotlib import lines, pyplot
 
 LETTER = "E"
 NAME = "sampling"
@@ -43,6 +43,7 @@ def measure(quick, csv_file):
     """Scan, map and compare with every step and bound."""
     rows = []
     for subject in SUBJECTS:
+        print(f"   {subject.name}", flush=True)
         simulation = Simulation(read_scene(DATA / f"{subject.name}.wrl"))
         simulation.sensor.SetPosition(subject.position)
         simulation.reconstruction.SetDepthStep(subject.depth_step)
@@ -70,12 +71,16 @@ def _row(subject, sample):
     }
 
 
-# Each a row of panels: its label, what is drawn whole and what is dashed, and the scale.
+# Each a row of panels: its label, what is drawn whole and what is dashed, what these are called, and
+# the scale.
 PANELS = (
-    ("error, 95 % of the area, mm", "scene to map 95% mm", "map to scene 95% mm", "log"),
-    ("within the tolerance, %", "complete", "correct", "linear"),
-    ("triangles of the map", "triangles", None, "log"),
+    ("error, 95 % of the area, mm", ("scene to map 95% mm", "map to scene 95% mm"),
+     ("visible scene to map", "map to scene"), "log"),
+    ("within the tolerance, %", ("complete", "correct"),
+     ("of the visible scene", "of the map"), "linear"),
+    ("triangles of the map", ("triangles",), (), "log"),
 )
+STYLES = ("-", "--")
 
 
 # Lines that lie on one another can be told apart.
@@ -87,20 +92,25 @@ def _name_bound(bound):
 
 
 def _draw_panel(axes, table, panel):
-    label, whole, dashed, scale = panel
+    label, columns, _, scale = panel
     for number, bound in enumerate(dict.fromkeys(row["bound mm"] for row in table)):
         rows = [row for row in table if row["bound mm"] == bound]
         steps = [float(row["step deg"]) for row in rows]
-        for column, style in ((whole, "-"), (dashed, "--")):
-            if column:
-                factor = 100 if scale == "linear" else 1
-                axes.plot(steps, [factor * float(row[column]) for row in rows], style,
-                          marker=MARKERS[number], markersize=4, color=drawing.COLORS[number],
-                          label=_name_bound(bound) if style == "-" else None)
+        for column, style in zip(columns, STYLES):
+            factor = 100 if scale == "linear" else 1
+            axes.plot(steps, [factor * float(row[column]) for row in rows], style,
+                      marker=MARKERS[number], markersize=4, color=drawing.COLORS[number],
+                      label=_name_bound(bound) if style == "-" else None)
     axes.set_xscale("log", base=2)
     axes.set_yscale(scale)
     axes.set_ylabel(label)
     axes.xaxis.set_major_formatter(lambda x, _: f"{x:g}")
+
+
+def _add_legend_of_styles(axes, names, place):
+    handles = [lines.Line2D([], [], color="#444444", linestyle=style, label=name)
+               for style, name in zip(STYLES, names)]
+    axes.legend(handles=handles, fontsize=8, loc=place)
 
 
 def draw(table):
@@ -115,14 +125,16 @@ def draw(table):
             _draw_panel(axes, rows, panel)
         # A grid with returns on all planes is right to the last digits.
         grid[0][column].set_ylim(bottom=max(LEAST_ERROR, grid[0][column].get_ylim()[0]))
-        grid[0][column].legend(fontsize=8)
+        # An axes keeps one legend of its own.
+        grid[0][column].add_artist(grid[0][column].legend(fontsize=8, loc="upper left"))
+        for axes, panel, place in zip(grid[:, column], PANELS, ("lower right", "lower left")):
+            _add_legend_of_styles(axes, panel[2], place)
         grid[-1][column].set_xlabel("step between beams and between turns, degrees")
     figure.suptitle("How fine a scan has to be", x=0.01, ha="left", fontsize=13, weight="bold")
     figure.tight_layout(rect=(0, 0.045, 1, 1))
     drawing.add_caption(figure, drawing.caption(
-        "Top: how far the visible scene is from the map, and dashed the map from the scene. "
-        "Middle: the share of the visible scene within the tolerance of the map, and dashed that "
-        "of the map within the tolerance of the scene. Ranges without noise. Errors below "
+        "Top: how far the visible scene is from the map, and the map from the scene. Middle: what "
+        "share of either is within the tolerance of the other. Ranges without noise. Errors below "
         f"{LEAST_ERROR} mm are not drawn.",
         len(os.sched_getaffinity(0))), 165)
     return figure

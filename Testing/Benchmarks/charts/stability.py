@@ -93,7 +93,7 @@ def _label_columns(axes, methods):
     start = 0
     for name, count in GROUPS:
         axes.axvline(start, color="#444444", linewidth=1.2)
-        axes.text(start + count / 2 + 1.6, -6.2, name, ha="center", va="bottom", weight="bold",
+        axes.text(start + count / 2 + 1.6, -6.6, name, ha="center", va="bottom", weight="bold",
                   fontsize=8)
         start += count
 
