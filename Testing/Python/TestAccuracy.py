@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Documentation/accuracy.md says what the tables beside its charts say."""
 
+import collections
 import csv
 import re
 import sys
@@ -16,7 +17,7 @@ import numbers_of_text  # noqa: E402  (of a folder that is no package)
 
 CHARTS = ROOT / "Documentation" / "charts"
 TEXT = (ROOT / "Documentation" / "accuracy.md").read_text(encoding="utf-8")
-NAMES = ("C-stability", "E-sampling")
+NAMES = ("B-mapping", "C-stability", "E-sampling")
 
 
 def table(name):
@@ -59,6 +60,23 @@ class TableTest(unittest.TestCase):
                    if any(int(row[kind]) for kind in ("missed", "false", "wrong"))}
         self.assertEqual(failing, {"1e-310"})
         self.assertGreater(len(rows), 50)
+
+    def test_every_map_was_made_without_and_with_noise(self):
+        scans = collections.defaultdict(set)
+        for row in table("B-mapping"):
+            scans[row["scene"], row["noise mm"]].add(row["map"])
+            self.assertGreater(float(row["ms"]), 0, row["map"])
+        self.assertEqual(len(scans), 6)
+        for maps in scans.values():
+            self.assertEqual(maps, scans["room", "0"])
+        self.assertGreater(len(maps), 6)
+
+    def test_returns_without_noise_are_within_the_bound(self):
+        rows = [row for row in table("B-mapping")
+                if row["map"] == "LMS3D map" and row["noise mm"] == "0"]
+        for row in rows:
+            self.assertLessEqual(float(row["farthest return mm"]), float(row["bound mm"]))
+        self.assertEqual(len(rows), 15)
 
     def test_no_method_crashed(self):
         self.assertEqual({row["end"] for row in table("C-stability")}, {"done"})

@@ -13,6 +13,7 @@ import tempfile
 import time
 
 import drawing
+import mapping
 import numbers_of_text
 import sampling
 import stability
@@ -20,7 +21,7 @@ import stability
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 # Each has LETTER, NAME, SUMMARY, measure(quick, csv_file), which writes the table, and
 # draw(table), which makes the picture of what the table holds.
-CHARTS = {chart.LETTER: chart for chart in (stability, sampling)}
+CHARTS = {chart.LETTER: chart for chart in (mapping, stability, sampling)}
 
 
 def make(chart, quick, folder):
