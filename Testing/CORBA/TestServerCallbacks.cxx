@@ -1,90 +1,45 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ClientListener.h"
 #include "ClientORB.h"
 #include "ServerProcess.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
-#include <condition_variable>
 #include <csignal>
-#include <mutex>
+#include <list>
 
 namespace
 {
-class Counter : public POA_LMS3D::ScanListener
+using Clock = std::chrono::steady_clock;
+
+// Seconds; ThreadSanitizer makes everything ten times as slow.
+#ifdef __SANITIZE_THREAD__
+constexpr double LongestEnd = 10.0;
+#else
+constexpr double LongestEnd = 1.5;
+#endif
+
+/// Listeners that nobody reaches, each at a port of its own.
+class SilentListeners
 {
 public:
-  void scanReady(const LMS3D::ScanHeader& header) override
+  static constexpr CORBA::ULong Number = 8;
+
+  explicit SilentListeners(LMS3D::LaserScanner_ptr scanner)
   {
+    for (CORBA::ULong i = 0; i < Number; ++i)
     {
-      const std::lock_guard<std::mutex> lock(this->Mutex);
-      this->IsGrowing = this->IsGrowing && header.number > this->Newest;
-      this->Newest = header.number;
-      ++this->Count;
+      this->Ports.emplace_back(i % 2 != 0);
+      scanner->subscribe(this->Ports.back().GetReference());
     }
-    this->Changed.notify_all();
-  }
-
-  bool WaitFor(int count)
-  {
-    std::unique_lock<std::mutex> lock(this->Mutex);
-    return this->Changed.wait_for(
-      lock, std::chrono::seconds(10), [this, count] { return this->Count >= count; });
-  }
-
-  int GetCount() const
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    return this->Count;
-  }
-
-  bool IsInOrder() const
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    return this->IsGrowing;
   }
 
 private:
-  mutable std::mutex Mutex;
-  std::condition_variable Changed;
-  CORBA::ULongLong Newest = 0;
-  int Count = 0;
-  bool IsGrowing = true;
+  std::list<SilentPort> Ports;
 };
-
-PortableServer::POA_var GetAdapter()
-{
-  const CORBA::Object_var object = GetClientORB()->resolve_initial_references("RootPOA");
-  PortableServer::POA_var adapter = PortableServer::POA::_narrow(object);
-  const PortableServer::POAManager_var manager = adapter->the_POAManager();
-  manager->activate();
-  return adapter;
-}
-
-/// A listener that is there while this lives.
-class ActiveListener
-{
-public:
-  ActiveListener()
-    : Adapter(GetAdapter())
-    , Servant(new Counter)
-    , Id(this->Adapter->activate_object(this->Servant))
-  {
-  }
-  ~ActiveListener() { this->Adapter->deactivate_object(this->Id); }
-  ActiveListener(const ActiveListener&) = delete;
-  void operator=(const ActiveListener&) = delete;
-
-  Counter* operator->() { return this->Servant.in(); }
-  LMS3D::ScanListener_var GetReference() { return this->Servant->_this(); }
-
-private:
-  PortableServer::POA_var Adapter;
-  PortableServer::Servant_var<Counter> Servant;
-  PortableServer::ObjectId_var Id;
-};
-
 } // namespace
 
 TEST(ServerCallbacks, AreOffUnlessAskedFor)
@@ -105,7 +60,7 @@ TEST(ServerCallbacks, TellOfEachScanUntilUnsubscribed)
   ActiveListener listener;
   const CORBA::ULong subscription = scanner->subscribe(listener.GetReference());
   EXPECT_TRUE(listener->WaitFor(5));
-  EXPECT_TRUE(listener->IsInOrder());
+  EXPECT_GT(listener->GetLeastStep(), 0);
   scanner->unsubscribe(subscription);
   EXPECT_THROW(scanner->unsubscribe(subscription), LMS3D::InvalidArgument);
   // One may be on its way.
@@ -115,16 +70,77 @@ TEST(ServerCallbacks, TellOfEachScanUntilUnsubscribed)
   EXPECT_EQ(server.Terminate(SIGTERM), 0);
 }
 
-TEST(ServerCallbacks, TakeNoMoreThanSixteenAndNoNil)
+TEST(ServerCallbacks, SilentListenersDelayNobodyAndAreLeftOut)
 {
   ServerProcess server({ "--callbacks" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
-  EXPECT_THROW(scanner->subscribe(LMS3D::ScanListener::_nil()), LMS3D::InvalidArgument);
+  WaitFor(scanner, scanner->setConfiguration(GetCoarseGrid()));
+  ActiveListener good;
+  scanner->subscribe(good.GetReference());
+  const SilentListeners silent(scanner);
+  EXPECT_TRUE(HasListeners(scanner, 1 + SilentListeners::Number));
+  EXPECT_TRUE(HasListeners(scanner, 1));
+  // One after the other, the silent ones would take five seconds for each scan.
+  EXPECT_GT(good->GetCount(), 5);
+  EXPECT_LT(good->GetGreatestStep(), 20);
+  EXPECT_EQ(server.Terminate(SIGTERM), 0);
+}
+
+TEST(ServerCallbacks, SilentListenersDoNotDelayTheEnd)
+{
+  ServerProcess server({ "--callbacks" });
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const SilentListeners silent(scanner);
+  // One scan later they are being told.
+  scanner->waitForScan(WaitFor(scanner).number, 0, 5000);
+  const Clock::time_point start = Clock::now();
+  EXPECT_EQ(server.Terminate(SIGTERM), 0);
+  const std::chrono::duration<double> seconds = Clock::now() - start;
+  EXPECT_LT(seconds.count(), LongestEnd);
+}
+
+TEST(ServerCallbacks, NobodyGuessesAnothersSubscription)
+{
+  ServerProcess server({ "--callbacks" });
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   ActiveListener listener;
-  for (int i = 0; i < 16; ++i)
+  const CORBA::ULong first = scanner->subscribe(listener.GetReference());
+  const CORBA::ULong second = scanner->subscribe(listener.GetReference());
+  EXPECT_NE(first, second);
+  for (const CORBA::ULong guess : { 0u, 1u, 2u, first - 1, first + 1 })
   {
-    scanner->subscribe(listener.GetReference());
+    EXPECT_THROW(scanner->unsubscribe(guess), LMS3D::InvalidArgument);
   }
-  EXPECT_THROW(scanner->subscribe(listener.GetReference()), LMS3D::LimitExceeded);
+  EXPECT_TRUE(HasListeners(scanner, 2));
+}
+
+// A rate at which none is told often enough to be left out.
+TEST(ServerCallbacks, TakeFourOfAClientSixteenInAllAndNoNil)
+{
+  ServerProcess server({ "--callbacks", "--rate", "0.001" });
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  EXPECT_THROW(scanner->subscribe(LMS3D::ScanListener::_nil()), LMS3D::InvalidArgument);
+  const std::array<SilentPort, 5> clients;
+  const auto getLimit = [&scanner](const SilentPort& client) -> CORBA::ULongLong
+  {
+    try
+    {
+      scanner->subscribe(client.GetReference());
+      return 0;
+    }
+    catch (const LMS3D::LimitExceeded& problem)
+    {
+      return problem.limit;
+    }
+  };
+  for (std::size_t client = 0; client < 4; ++client)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      EXPECT_EQ(getLimit(clients[client]), 0u);
+    }
+    EXPECT_EQ(getLimit(clients[client]), 4u);
+  }
+  EXPECT_EQ(getLimit(clients[4]), 16u);
   EXPECT_EQ(server.Terminate(SIGTERM), 0);
 }

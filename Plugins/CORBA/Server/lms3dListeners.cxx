@@ -2,15 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dListeners.h"
 
-#include "lms3dLog.h"
+#include "lms3dObjectAddresses.h"
 
+#include <algorithm>
 #include <chrono>
-#include <string>
+#include <random>
+#include <utility>
+#include <vector>
 
 namespace
 {
-constexpr int MostFailures = 3;
-constexpr CORBA::ULong CallMilliseconds = 500;
+// The first: clients that name many have them all in the same order.
+std::string GetAddress(LMS3D::ScanListener_ptr reference)
+{
+  const std::vector<std::string> addresses = lms3dGetAddresses(reference);
+  return addresses.empty() ? "no address" : addresses.front();
+}
 } // namespace
 
 lms3dListeners::lms3dListeners(const lms3dSnapshotStore& store)
@@ -20,10 +27,7 @@ lms3dListeners::lms3dListeners(const lms3dSnapshotStore& store)
 
 lms3dListeners::~lms3dListeners()
 {
-  if (this->Thread.joinable())
-  {
-    this->Thread.join();
-  }
+  this->Stop();
 }
 
 void lms3dListeners::Start()
@@ -31,28 +35,54 @@ void lms3dListeners::Start()
   this->Thread = std::thread([this] { this->Run(); });
 }
 
-CORBA::ULong lms3dListeners::Add(LMS3D::ScanListener_ptr listener)
+void lms3dListeners::Stop()
 {
-  omniORB::setClientCallTimeout(listener, CallMilliseconds);
-  const std::lock_guard<std::mutex> lock(this->Mutex);
-  if (this->Listeners.size() == Most)
+  if (this->Thread.joinable())
   {
-    return 0;
+    this->Thread.join();
   }
-  this->Listeners[++this->Last].Reference = LMS3D::ScanListener::_duplicate(listener);
-  return this->Last;
+  Table all;
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Stopped = true;
+    all.swap(this->Listeners);
+  }
+  // All of them before the first is waited for.
+  for (const auto& listener : all)
+  {
+    listener.second->Stop();
+  }
+}
+
+CORBA::ULong lms3dListeners::Add(LMS3D::ScanListener_ptr reference)
+{
+  const std::string address = GetAddress(reference);
+  const Table leftOut = this->TakeThoseLeftOut();
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (this->Stopped)
+  {
+    throw CORBA::TRANSIENT(0, CORBA::COMPLETED_NO);
+  }
+  this->RequireRoom(address);
+  const CORBA::ULong subscription = this->MakeNumber();
+  this->Listeners[subscription] = std::make_unique<lms3dListener>(reference, address);
+  return subscription;
 }
 
 bool lms3dListeners::Remove(CORBA::ULong subscription)
 {
+  // Outlives the lock, since its end may wait for a call.
+  Table::node_type removed;
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  return this->Listeners.erase(subscription) != 0;
+  removed = this->Listeners.extract(subscription);
+  return !removed.empty() && !removed.mapped()->IsLeftOut();
 }
 
 std::size_t lms3dListeners::GetNumber() const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  return this->Listeners.size();
+  return std::count_if(this->Listeners.begin(), this->Listeners.end(),
+    [](const auto& listener) { return !listener.second->IsLeftOut(); });
 }
 
 void lms3dListeners::Run()
@@ -61,55 +91,61 @@ void lms3dListeners::Run()
   while (!this->Store.IsStopped())
   {
     const auto later = lms3dSnapshotStore::Clock::now() + std::chrono::hours(1);
-    const lms3dSnapshotPointer snapshot = this->Store.Wait(told, 0, later);
-    if (!snapshot)
+    if (const lms3dSnapshotPointer snapshot = this->Store.Wait(told, 0, later))
     {
-      continue;
-    }
-    told = snapshot->Header.number;
-    // A copy, since a call may take its time and subscriptions come and go meanwhile.
-    std::map<CORBA::ULong, Listener> listeners;
-    {
-      const std::lock_guard<std::mutex> lock(this->Mutex);
-      listeners = this->Listeners;
-    }
-    for (const auto& listener : listeners)
-    {
-      this->Tell(listener.first, listener.second.Reference, snapshot->Header);
+      told = snapshot->Header.number;
+      this->TellAll(snapshot->Header);
     }
   }
 }
 
-void lms3dListeners::Tell(
-  CORBA::ULong subscription, LMS3D::ScanListener_ptr listener, const LMS3D::ScanHeader& header)
+void lms3dListeners::TellAll(const LMS3D::ScanHeader& header)
 {
-  if (this->Store.IsStopped())
-  {
-    return;
-  }
-  try
-  {
-    listener->scanReady(header);
-    this->Count(subscription, true);
-  }
-  catch (const CORBA::Exception&)
-  {
-    this->Count(subscription, false);
-  }
-}
-
-void lms3dListeners::Count(CORBA::ULong subscription, bool isReached)
-{
+  const Table leftOut = this->TakeThoseLeftOut();
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  const auto listener = this->Listeners.find(subscription);
-  if (listener == this->Listeners.end())
+  for (const auto& listener : this->Listeners)
   {
-    return;
+    listener.second->Tell(header);
   }
-  listener->second.Failures = isReached ? 0 : listener->second.Failures + 1;
-  if (listener->second.Failures == MostFailures)
+}
+
+lms3dListeners::Table lms3dListeners::TakeThoseLeftOut()
+{
+  Table leftOut;
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  for (auto listener = this->Listeners.begin(); listener != this->Listeners.end();)
   {
-    this->Listeners.erase(listener);
-    lms3dLog("listener " + std::to_string(subscription) + " cannot be reached and is left out");
+    const auto next = std::next(listener);
+    if (listener->second->IsLeftOut())
+    {
+      leftOut.insert(this->Listeners.extract(listener));
+    }
+    listener = next;
   }
+  return leftOut;
+}
+
+void lms3dListeners::RequireRoom(const std::string& address) const
+{
+  const auto ofAddress = std::count_if(this->Listeners.begin(), this->Listeners.end(),
+    [&address](const auto& listener) { return listener.second->GetAddress() == address; });
+  if (ofAddress == MostOfAddress)
+  {
+    throw LMS3D::LimitExceeded("too many listeners of one client", MostOfAddress);
+  }
+  if (this->Listeners.size() == Most)
+  {
+    throw LMS3D::LimitExceeded("too many listeners", Most);
+  }
+}
+
+CORBA::ULong lms3dListeners::MakeNumber() const
+{
+  std::random_device random;
+  CORBA::ULong number = random();
+  while (this->Listeners.count(number) != 0)
+  {
+    number = random();
+  }
+  return number;
 }

@@ -7,51 +7,57 @@
 #ifndef lms3dListeners_h
 #define lms3dListeners_h
 
-#include "LMS3DScanner.hh"
+#include "lms3dListener.h"
 #include "lms3dSnapshotStore.h"
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
 
-/// A thread of its own tells them, one after the other, so that a slow one delays neither the scanner
-/// nor clients that ask.
+/// Neither the scanner nor clients that ask wait for any of them.
 class lms3dListeners
 {
 public:
   static constexpr std::size_t Most = 16;
+  /// Of one client, which is one address, so that it leaves room for others.
+  static constexpr std::size_t MostOfAddress = 4;
 
-  /// The store must outlive this, and be stopped before this ends.
+  /// The store must outlive this, and be stopped before Stop().
   explicit lms3dListeners(const lms3dSnapshotStore& store);
   ~lms3dListeners();
   lms3dListeners(const lms3dListeners&) = delete;
   void operator=(const lms3dListeners&) = delete;
 
   void Start();
+  /// Nobody is told after it, so that the ORB may be destroyed.
+  void Stop();
 
-  /// Returns the number of the subscription, or 0 where there are too many.
-  CORBA::ULong Add(LMS3D::ScanListener_ptr listener);
-  /// False where there is no such subscription.
+  /// Returns the number of the subscription, which nobody can guess. Throws LMS3D::LimitExceeded, and
+  /// CORBA::TRANSIENT after Stop().
+  CORBA::ULong Add(LMS3D::ScanListener_ptr reference);
+  /// False where there is no such subscription. It is told no more when this returns.
   bool Remove(CORBA::ULong subscription);
   std::size_t GetNumber() const;
 
 private:
-  struct Listener
-  {
-    LMS3D::ScanListener_var Reference;
-    int Failures = 0;
-  };
+  using Table = std::map<CORBA::ULong, std::unique_ptr<lms3dListener>>;
 
   void Run();
-  void Tell(
-    CORBA::ULong subscription, LMS3D::ScanListener_ptr listener, const LMS3D::ScanHeader& header);
-  void Count(CORBA::ULong subscription, bool isReached);
+  void TellAll(const LMS3D::ScanHeader& header);
+  Table TakeThoseLeftOut();
+  ///@{
+  /// The mutex must be locked.
+  void RequireRoom(const std::string& address) const;
+  CORBA::ULong MakeNumber() const;
+  ///@}
 
   const lms3dSnapshotStore& Store;
   mutable std::mutex Mutex;
-  std::map<CORBA::ULong, Listener> Listeners;
-  CORBA::ULong Last = 0;
+  Table Listeners;
+  bool Stopped = false;
   std::thread Thread;
 };
 

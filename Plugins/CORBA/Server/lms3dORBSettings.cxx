@@ -106,7 +106,8 @@ lms3dORBSettings lms3dGetORBSettings(const lms3dServerOptions& options)
     // A client that takes no answer, a listener or a naming service that gives none.
     { "serverCallTimeOutPeriod", "5000" },
     { "clientCallTimeOutPeriod", "5000" },
-    { "clientConnectTimeOutPeriod", "2000" },
+    // The server's end waits for a listener's call; a lost packet is repeated after a second.
+    { "clientConnectTimeOutPeriod", options.Callbacks ? "500" : "2000" },
     // One that asks without reading.
     { "maxServerThreadPerConnection", "4" },
     // Beyond this many connections all share a pool of threads, which clients that send half a

@@ -204,12 +204,7 @@ CORBA::ULong lms3dScannerServant::subscribe(LMS3D::ScanListener_ptr listener)
   {
     throw LMS3D::InvalidArgument("the listener is nil");
   }
-  const CORBA::ULong subscription = this->Listeners.Add(listener);
-  if (subscription == 0)
-  {
-    throw LMS3D::LimitExceeded("too many listeners", lms3dListeners::Most);
-  }
-  return subscription;
+  return this->Listeners.Add(listener);
 }
 
 void lms3dScannerServant::unsubscribe(CORBA::ULong subscription)

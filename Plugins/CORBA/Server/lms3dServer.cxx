@@ -122,11 +122,12 @@ void lms3dServer::Announce(CORBA::ORB_ptr orb, CORBA::Object_ptr scanner)
   std::cout << reference.in() << std::endl;
 }
 
-// The name goes while calls still work, the store's waiting clients before the ORB waits for them.
+// The name goes while calls still work, waiting clients and listeners before the ORB waits for them.
 void lms3dServer::Stop()
 {
   this->ReferenceFile.reset();
   this->NameRegistration.reset();
   this->Store.Stop();
   this->Loop.Stop();
+  this->Listeners.Stop();
 }
