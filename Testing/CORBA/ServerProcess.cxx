@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
 
@@ -15,6 +16,13 @@
 
 namespace
 {
+// Seconds; ThreadSanitizer makes everything ten times as slow.
+#ifdef __SANITIZE_THREAD__
+constexpr double LongestEnd = 10.0;
+#else
+constexpr double LongestEnd = 1.5;
+#endif
+
 std::vector<std::string> Complete(const std::vector<std::string>& arguments)
 {
   std::vector<std::string> all = { LMS3D_SERVER, "--scenes", LMS3D_DATA_DIR, "--scene", "room.wrl",
@@ -86,6 +94,14 @@ int ServerProcess::Terminate(int signal)
   waitpid(this->Process, &status, 0);
   this->Process = -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+void ServerProcess::ExpectPromptEnd()
+{
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(this->Terminate(SIGTERM), 0);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(seconds.count(), LongestEnd);
 }
 
 long ServerProcess::GetResidentMemory() const

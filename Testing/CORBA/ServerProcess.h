@@ -39,6 +39,9 @@ public:
   /// The exit code after a signal, -1 where the signal itself ended it.
   int Terminate(int signal);
 
+  /// SIGTERM ends it soon, with code 0; else a test failure.
+  void ExpectPromptEnd();
+
   /// Bytes.
   long GetResidentMemory() const;
 

@@ -7,21 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <chrono>
 #include <csignal>
 #include <list>
 
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
-// Seconds; ThreadSanitizer makes everything ten times as slow.
-#ifdef __SANITIZE_THREAD__
-constexpr double LongestEnd = 10.0;
-#else
-constexpr double LongestEnd = 1.5;
-#endif
-
 /// Listeners that nobody reaches, each at a port of its own.
 class SilentListeners
 {
@@ -93,10 +83,7 @@ TEST(ServerCallbacks, SilentListenersDoNotDelayTheEnd)
   const SilentListeners silent(scanner);
   // One scan later they are being told.
   scanner->waitForScan(WaitFor(scanner).number, 0, 5000);
-  const Clock::time_point start = Clock::now();
-  EXPECT_EQ(server.Terminate(SIGTERM), 0);
-  const std::chrono::duration<double> seconds = Clock::now() - start;
-  EXPECT_LT(seconds.count(), LongestEnd);
+  server.ExpectPromptEnd();
 }
 
 TEST(ServerCallbacks, NobodyGuessesAnothersSubscription)

@@ -20,15 +20,6 @@
 
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
-// Seconds; ThreadSanitizer makes everything ten times as slow.
-#ifdef __SANITIZE_THREAD__
-constexpr double LongestEnd = 10.0;
-#else
-constexpr double LongestEnd = 1.0;
-#endif
-
 CORBA::ULong CountWaiting(LMS3D::LaserScanner_ptr scanner)
 {
   const LMS3D::Status_var status = scanner->getStatus();
@@ -99,7 +90,7 @@ int GetNumberOfFetches()
 }
 } // namespace
 
-TEST(ServerLoad, EndsWithinASecondUnderBusyAndWaitingClients)
+TEST(ServerLoad, EndsSoonUnderBusyAndWaitingClients)
 {
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
@@ -119,10 +110,7 @@ TEST(ServerLoad, EndsWithinASecondUnderBusyAndWaitingClients)
   EXPECT_GE(fetched, 50);
   EXPECT_EQ(CountWaiting(scanner), 20u);
 
-  const Clock::time_point start = Clock::now();
-  EXPECT_EQ(server.Terminate(SIGTERM), 0);
-  const std::chrono::duration<double> seconds = Clock::now() - start;
-  EXPECT_LT(seconds.count(), LongestEnd);
+  server.ExpectPromptEnd();
   clients.Join();
   EXPECT_EQ(waited, 0);
 }

@@ -17,6 +17,14 @@ def run_server(*arguments):
                           check=False)
 
 
+def write_scene_of_many_nodes(path):
+    """A small file that takes seconds to read: each transform has the one before it twice."""
+    lines = ["#VRML V2.0 utf8", "Shape { geometry Box { } }", "DEF N0 Group { }"]
+    lines += [f"DEF N{i} Transform {{ rotation 0 0 1 {i} children [ USE N{i - 1} USE N{i - 1} ] }}"
+              for i in range(1, 24)]
+    path.write_text("\n".join(lines))
+
+
 class StartTest(unittest.TestCase):
     """Options, files, and what goes wrong with them."""
 
@@ -67,6 +75,20 @@ class StartTest(unittest.TestCase):
             self.assertEqual(server.stop(signal.SIGINT)[0], 0)
             self.assertFalse(reference.exists())
             self.assertIn("SIGINT: ending", server.read_log())
+
+    def test_end_while_the_scene_is_read(self):
+        """Code 0 at once, and nobody is told of a server that never was."""
+        scene, reference = self.folder / "large.wrl", self.folder / "scanner.ior"
+        write_scene_of_many_nodes(scene)
+        with subprocess.Popen([SERVER, "--scenes", self.folder, "--ior", reference],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as server:
+            self.assertIn("reading the scene large.wrl", server.stderr.readline())
+            server.send_signal(signal.SIGTERM)
+            output, log = server.communicate(timeout=60)
+        self.assertEqual(server.returncode, 0)
+        self.assertEqual(output, "")
+        self.assertIn("SIGTERM: ending before the scene was read", log)
+        self.assertEqual(list(self.folder.iterdir()), [scene])
 
     def test_remote_is_logged(self):
         """Who lets other machines in is told."""

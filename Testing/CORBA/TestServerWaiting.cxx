@@ -91,6 +91,12 @@ TEST(ServerWaiting, NoMoreThanThirtyTwoWait)
         }
       });
   }
+  // Nor do those who are refused count for a moment.
+  for (int i = 0; i < 200; ++i)
+  {
+    const LMS3D::Status_var status = scanner->getStatus();
+    EXPECT_LE(status->waiting, 32u);
+  }
   for (std::thread& client : clients)
   {
     client.join();

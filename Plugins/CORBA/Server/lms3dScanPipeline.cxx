@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dScanPipeline.h"
 
+#include "lms3dAbort.h"
 #include "lms3dChecksum.h"
 #include "lms3dVTKProblems.h"
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
-#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
@@ -22,14 +21,6 @@
 
 namespace
 {
-void AbortIfStopped(vtkObject* algorithm, unsigned long, void* stopped, void*)
-{
-  if (*static_cast<const std::atomic<bool>*>(stopped))
-  {
-    static_cast<vtkAlgorithm*>(algorithm)->SetAbortExecute(1);
-  }
-}
-
 std::vector<float> GetRanges(vtkImageData* image)
 {
   auto* ranges = vtkDoubleArray::SafeDownCast(image->GetPointData()->GetArray("Range"));
@@ -79,11 +70,9 @@ lms3dScanPipeline::lms3dScanPipeline(int threads)
   this->Mapper->SetNumberOfThreads(threads);
   this->Mapper->SetInputConnection(this->Scanner->GetOutputPort());
 
-  vtkNew<vtkCallbackCommand> watch;
-  watch->SetCallback(AbortIfStopped);
-  watch->SetClientData(&this->Stopped);
-  this->Scanner->AddObserver(vtkCommand::ProgressEvent, watch);
-  this->Mapper->AddObserver(vtkCommand::ProgressEvent, watch);
+  const lms3dStopTest isStopped = [this] { return this->Stopped.load(); };
+  lms3dAbortIf(this->Scanner, isStopped);
+  lms3dAbortIf(this->Mapper, isStopped);
 }
 
 lms3dScanPipeline::~lms3dScanPipeline() = default;

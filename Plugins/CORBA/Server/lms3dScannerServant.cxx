@@ -99,6 +99,7 @@ CORBA::ULongLong lms3dScannerServant::selectScene(const char* name)
   {
     throw LMS3D::NoSuchScene(name);
   }
+  const lms3dWaiter waiter(this->Selecting, MostSelecting, "too many clients select a scene");
   const std::lock_guard<std::mutex> lock(this->SceneMutex);
   // Others may have waited here for as long as their turn takes.
   if (this->Store.IsStopped())
@@ -107,10 +108,14 @@ CORBA::ULongLong lms3dScannerServant::selectScene(const char* name)
   }
   try
   {
-    const CORBA::ULongLong generation =
-      this->Board.SetScene(lms3dReadScene(name, *file, this->Permissions.IsYUp));
+    const CORBA::ULongLong generation = this->Board.SetScene(lms3dReadScene(
+      name, *file, this->Permissions.IsYUp, [this] { return this->Store.IsStopped(); }));
     lms3dLog("a client chose the scene " + std::string(name));
     return generation;
+  }
+  catch (const lms3dReadingStopped&)
+  {
+    throw CORBA::TRANSIENT(0, CORBA::COMPLETED_NO);
   }
   catch (const std::exception& problem)
   {
@@ -146,11 +151,7 @@ LMS3D::ScanHeader* lms3dScannerServant::getHeader()
 LMS3D::ScanHeader* lms3dScannerServant::waitForScan(
   CORBA::ULongLong after, CORBA::ULongLong generation, CORBA::ULong timeout)
 {
-  const lms3dWaiter waiter(this->Waiting);
-  if (waiter.GetNumber() > MostWaiting)
-  {
-    throw LMS3D::LimitExceeded("too many clients wait for a scan", MostWaiting);
-  }
+  const lms3dWaiter waiter(this->Waiting, MostWaiting, "too many clients wait for a scan");
   const std::chrono::milliseconds wait(std::min(timeout, LongestWait));
   const lms3dSnapshotPointer snapshot = this->Store.Wait(after, generation, Clock::now() + wait);
   if (!snapshot && this->Store.IsStopped())

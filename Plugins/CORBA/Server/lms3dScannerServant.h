@@ -32,6 +32,8 @@ class lms3dScannerServant : public POA_LMS3D::LaserScanner
 {
 public:
   static constexpr unsigned int MostWaiting = 32;
+  /// One whose scene is being read, and those who wait for their turn.
+  static constexpr unsigned int MostSelecting = 5;
 
   /// All that is given must outlive the servant.
   lms3dScannerServant(const lms3dPermissions& permissions, const lms3dSceneCatalogue& catalogue,
@@ -75,6 +77,7 @@ private:
   const lms3dScanLoop& Loop;
   lms3dListeners& Listeners;
   std::mutex SceneMutex;
+  std::atomic<unsigned int> Selecting{ 0 };
   std::atomic<unsigned int> Waiting{ 0 };
 };
 

@@ -43,14 +43,20 @@ LMS3D::Scene Describe(const std::string& name, vtkPolyData* surface)
 }
 } // namespace
 
-lms3dServedScenePointer lms3dReadScene(
-  const std::string& name, const std::filesystem::path& file, bool isYUp)
+lms3dServedScenePointer lms3dReadScene(const std::string& name, const std::filesystem::path& file,
+  bool isYUp, const lms3dStopTest& isStopped)
 {
   vtkNew<vtkVRMLImporterSource> reader;
   lms3dVTKProblems problems(reader);
   reader->SetFileName(file.c_str());
   reader->SetUpAxis(isYUp ? vtkVRMLImporterSource::Y : vtkVRMLImporterSource::AS_IN_FILE);
+  lms3dAbortIf(reader, isStopped);
   reader->Update();
+  // An aborted reader has no surface, which is no fault of the file.
+  if (isStopped())
+  {
+    throw lms3dReadingStopped();
+  }
 
   const std::string error = WithoutFolder(problems.TakeError(), file);
   const std::string warning = WithoutFolder(problems.TakeWarning(), file);

@@ -8,10 +8,12 @@
 #define lms3dServedScene_h
 
 #include "LMS3DScanner.hh"
+#include "lms3dAbort.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -24,9 +26,14 @@ struct lms3dServedScene
 
 using lms3dServedScenePointer = std::shared_ptr<const lms3dServedScene>;
 
+/// The server ended before the scene was read.
+class lms3dReadingStopped : public std::exception
+{
+};
+
 /// Reads a VRML file; `isYUp` turns it so that z is up. Throws std::runtime_error where the file has
-/// no surface, in words that tell a client nothing of the server's folders.
-lms3dServedScenePointer lms3dReadScene(
-  const std::string& name, const std::filesystem::path& file, bool isYUp);
+/// no surface, in words that tell a client nothing of the server's folders, and lms3dReadingStopped.
+lms3dServedScenePointer lms3dReadScene(const std::string& name, const std::filesystem::path& file,
+  bool isYUp, const lms3dStopTest& isStopped);
 
 #endif

@@ -13,8 +13,8 @@ namespace
 {
 constexpr const char* ObjectKey = "LMS3D";
 
-lms3dScanSettings GetFirstSettings(
-  const lms3dServerOptions& options, const lms3dSceneCatalogue& catalogue)
+lms3dScanSettings GetFirstSettings(const lms3dServerOptions& options,
+  const lms3dSceneCatalogue& catalogue, const lms3dStopTest& isStopped)
 {
   lms3dScanSettings settings;
   settings.Configuration = lms3dDefaultConfiguration();
@@ -30,7 +30,8 @@ lms3dScanSettings GetFirstSettings(
   {
     throw std::runtime_error("the folder of scenes has no \"" + name + "\"");
   }
-  settings.Scene = lms3dReadScene(name, *file, options.IsYUp);
+  lms3dLog("reading the scene " + name);
+  settings.Scene = lms3dReadScene(name, *file, options.IsYUp, isStopped);
   return settings;
 }
 
@@ -63,10 +64,10 @@ void LogAddresses(const std::vector<std::string>& addresses)
 }
 } // namespace
 
-lms3dServer::lms3dServer(const lms3dServerOptions& options)
+lms3dServer::lms3dServer(const lms3dServerOptions& options, const lms3dStopTest& isStopped)
   : Options(options)
   , Catalogue(options.Scenes)
-  , Board(GetFirstSettings(options, this->Catalogue))
+  , Board(GetFirstSettings(options, this->Catalogue, isStopped))
   , Store(static_cast<std::size_t>(options.Keep))
   , Loop(this->Board, this->Store, options.Rate, options.Threads)
   , Listeners(this->Store)

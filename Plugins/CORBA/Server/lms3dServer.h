@@ -23,8 +23,8 @@
 class lms3dServer
 {
 public:
-  /// Reads the scene. Throws std::runtime_error where that fails.
-  explicit lms3dServer(const lms3dServerOptions& options);
+  /// Reads the scene. Throws std::runtime_error where that fails, and lms3dReadingStopped.
+  lms3dServer(const lms3dServerOptions& options, const lms3dStopTest& isStopped);
   ~lms3dServer();
   lms3dServer(const lms3dServer&) = delete;
   void operator=(const lms3dServer&) = delete;

@@ -64,8 +64,8 @@ CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
 class RunningServer
 {
 public:
-  explicit RunningServer(const lms3dServerOptions& options)
-    : Server(options)
+  RunningServer(const lms3dServerOptions& options, const lms3dStopTest& isStopped)
+    : Server(options, isStopped)
     , ORB(MakeORB(options))
   {
   }
@@ -88,10 +88,15 @@ void Serve(const lms3dServerOptions& options)
 {
   const lms3dStopSignal signal;
   AllowManyConnections();
+  try
   {
-    RunningServer server(options);
+    RunningServer server(options, [&signal] { return signal.HasCome(); });
     server.Start();
     lms3dLog(signal.Wait() + ": ending");
+  }
+  catch (const lms3dReadingStopped&)
+  {
+    lms3dLog(signal.Wait() + ": ending before the scene was read");
   }
   lms3dLog("ended");
 }
@@ -117,6 +122,10 @@ int Run(const lms3dServerOptions& options)
   catch (const CORBA::Exception& problem)
   {
     lms3dLog(std::string("the ORB failed: ") + problem._name());
+  }
+  catch (const omniORB::fatalException& problem)
+  {
+    lms3dLog(std::string("the ORB failed: ") + problem.errmsg());
   }
   catch (const std::exception& problem)
   {

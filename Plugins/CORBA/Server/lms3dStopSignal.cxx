@@ -10,6 +10,14 @@ lms3dStopSignal::lms3dStopSignal()
   pthread_sigmask(SIG_BLOCK, &this->Signals, nullptr);
 }
 
+// Nobody but Wait() takes the signals, so until then they are pending.
+bool lms3dStopSignal::HasCome() const
+{
+  sigset_t pending;
+  sigpending(&pending);
+  return sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1;
+}
+
 std::string lms3dStopSignal::Wait() const
 {
   int signal = 0;

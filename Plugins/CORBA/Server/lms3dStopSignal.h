@@ -20,6 +20,9 @@ public:
   lms3dStopSignal(const lms3dStopSignal&) = delete;
   void operator=(const lms3dStopSignal&) = delete;
 
+  /// True from the moment on that a signal has come.
+  bool HasCome() const;
+
   /// Returns the signal's name when it has come, or if it has already.
   std::string Wait() const;
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Counts those who wait.
+ * @brief Counts those who wait, and lets in as many as may.
  */
 #ifndef lms3dWaiter_h
 #define lms3dWaiter_h
+
+#include "LMS3DScanner.hh"
 
 #include <atomic>
 
@@ -13,21 +15,25 @@
 class lms3dWaiter
 {
 public:
-  explicit lms3dWaiter(std::atomic<unsigned int>& count)
+  /// Throws LMS3D::LimitExceeded, with that reason, where there are `most` already.
+  lms3dWaiter(std::atomic<unsigned int>& count, unsigned int most, const char* reason)
     : Count(count)
-    , Number(++count)
   {
+    unsigned int others = count;
+    do
+    {
+      if (others >= most)
+      {
+        throw LMS3D::LimitExceeded(reason, most);
+      }
+    } while (!count.compare_exchange_weak(others, others + 1));
   }
   ~lms3dWaiter() { --this->Count; }
   lms3dWaiter(const lms3dWaiter&) = delete;
   void operator=(const lms3dWaiter&) = delete;
 
-  /// How many there were with this one.
-  unsigned int GetNumber() const { return this->Number; }
-
 private:
   std::atomic<unsigned int>& Count;
-  const unsigned int Number;
 };
 
 #endif

@@ -107,7 +107,7 @@ namespace eval lms3d {
     SceneNames listScenes {} raises {}
     Scene getScene {} raises {}
     {unsigned long long} selectScene { SceneName name }
-      raises {NoSuchScene SceneFailed NotPermitted}
+      raises {NoSuchScene SceneFailed LimitExceeded NotPermitted}
     Status getStatus {} raises {}
     ScanHeader getHeader {} raises {NoScanYet}
     ScanHeader waitForScan { {unsigned long long} {after generation} {unsigned long} timeout }

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClientORB.h"
+#include "ServerProcess.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <unistd.h>
+
+namespace
+{
+// Each transform has the one before it twice, so that a small file takes seconds to read.
+void WriteSceneOfManyNodes(const std::filesystem::path& path)
+{
+  std::ofstream file(path);
+  file << "#VRML V2.0 utf8\nShape { geometry Box { } }\nDEF N0 Group { }\n";
+  for (int i = 1; i < 24; ++i)
+  {
+    file << "DEF N" << i << " Transform { rotation 0 0 1 " << i << " children [ USE N" << i - 1
+         << " USE N" << i - 1 << " ] }\n";
+  }
+}
+
+/// A folder of its own, with a scene that is read at once and one that takes its time.
+class ServerScenes : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    std::filesystem::create_directories(this->Folder);
+    std::filesystem::copy_file(
+      std::filesystem::path(LMS3D_DATA_DIR) / "room.wrl", this->Folder / "room.wrl");
+    WriteSceneOfManyNodes(this->Folder / "large.wrl");
+  }
+  void TearDown() override { std::filesystem::remove_all(this->Folder); }
+
+  const std::filesystem::path Folder =
+    std::filesystem::path(testing::TempDir()) / ("lms3d-large-" + std::to_string(getpid()));
+};
+} // namespace
+
+// The one whose scene is read, and those who wait for their turn.
+TEST_F(ServerScenes, FiveClientsSelectAtMostAndDoNotDelayTheEnd)
+{
+  constexpr int Clients = 8;
+  constexpr int Most = 5;
+  ServerProcess server({ "--scenes", this->Folder.string() });
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  std::atomic<int> refused(0);
+  std::atomic<int> cut(0);
+  std::vector<std::thread> clients;
+  clients.reserve(Clients);
+  for (int i = 0; i < Clients; ++i)
+  {
+    clients.emplace_back(
+      [&]
+      {
+        try
+        {
+          scanner->selectScene("large.wrl");
+        }
+        catch (const LMS3D::LimitExceeded& problem)
+        {
+          refused += problem.limit == Most ? 1 : 1000;
+        }
+        catch (const CORBA::TRANSIENT&)
+        {
+          ++cut;
+        }
+      });
+  }
+  for (int i = 0; i < 100 && refused < Clients - Most; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  // Others are served meanwhile.
+  EXPECT_STREQ(WaitFor(scanner).scene.in(), "room.wrl");
+  server.ExpectPromptEnd();
+  for (std::thread& client : clients)
+  {
+    client.join();
+  }
+  EXPECT_EQ(refused, Clients - Most);
+  EXPECT_EQ(cut, Most);
+}
