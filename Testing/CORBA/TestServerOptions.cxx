@@ -12,7 +12,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include <unistd.h>
 
@@ -237,7 +240,10 @@ TEST_F(ServerOptions, TheReferenceFileIsThereAsLongAsTheServer)
     std::string line;
     std::getline(std::ifstream(file), line);
     EXPECT_EQ(line, "IOR:00");
-    EXPECT_FALSE(std::filesystem::exists(file + ".tmp"));
+    // Others may read it as they may read what the user writes otherwise.
+    const std::string usual = this->Write("usual", "");
+    EXPECT_EQ(
+      std::filesystem::status(file).permissions(), std::filesystem::status(usual).permissions());
   }
   EXPECT_FALSE(std::filesystem::exists(file));
   {
@@ -246,6 +252,35 @@ TEST_F(ServerOptions, TheReferenceFileIsThereAsLongAsTheServer)
   }
   EXPECT_TRUE(std::filesystem::exists(file)) << "another server's file was removed";
   EXPECT_THROW(lms3dReferenceFile("/no/such/folder/x.ior", "IOR:00"), std::runtime_error);
+}
+
+TEST_F(ServerOptions, ServersMayWriteTheSameReferenceFileAtOnce)
+{
+  const std::string file = (this->Folder / "scanner.ior").string();
+  constexpr int Servers = 8;
+  std::vector<std::thread> servers;
+  servers.reserve(Servers);
+  for (int i = 0; i < Servers; ++i)
+  {
+    servers.emplace_back(
+      [&file, i]
+      {
+        for (int j = 0; j < 200; ++j)
+        {
+          EXPECT_NO_THROW(lms3dReferenceFile(file, "IOR:" + std::to_string(i)));
+        }
+      });
+  }
+  for (std::thread& server : servers)
+  {
+    server.join();
+  }
+  const lms3dReferenceFile last(file, "IOR:last");
+  std::string line;
+  std::getline(std::ifstream(file), line);
+  EXPECT_EQ(line, "IOR:last");
+  const std::filesystem::directory_iterator files(this->Folder);
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "a temporary file was left";
 }
 
 TEST(ObjectAddresses, CorbalocsNameTheirVersion)

@@ -91,3 +91,28 @@ TEST_F(ServerScenes, FiveClientsSelectAtMostAndDoNotDelayTheEnd)
   EXPECT_EQ(refused, Clients - Most);
   EXPECT_EQ(cut, Most);
 }
+
+// Fifty-five names fill the smallest message that omniORB allows, but for the rest of it.
+TEST_F(ServerScenes, AListThatDoesNotFitIsRefusedInWords)
+{
+  const auto add = [this](int first, int last)
+  {
+    for (int i = first; i <= last; ++i)
+    {
+      std::ofstream(this->Folder / (std::string(90, 'x') + std::to_string(100000 + i) + ".wrl"));
+    }
+  };
+  const std::vector<std::string> arguments = { "--scenes", this->Folder.string(),
+    "-ORBgiopMaxMsgSize", "8192" };
+  add(1, 55);
+  {
+    ServerProcess server(arguments);
+    const LMS3D::SceneNames_var names = Connect(server.GetCorbaloc())->listScenes();
+    EXPECT_EQ(names->length(), 57u);
+  }
+  add(56, 200);
+  ServerProcess server(arguments);
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  EXPECT_THROW(scanner->listScenes(), CORBA::IMP_LIMIT);
+  EXPECT_GT(WaitFor(scanner).number, 0u);
+}

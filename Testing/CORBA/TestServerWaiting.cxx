@@ -122,7 +122,8 @@ TEST(ServerWaiting, ScansThatWereDroppedAreGone)
   {
     EXPECT_GT(problem.oldest, first.number);
     EXPECT_GE(problem.newest, later->number);
-    EXPECT_EQ(problem.newest - problem.oldest, 3u);
+    // More where a scan came between the two.
+    EXPECT_GE(problem.newest, problem.oldest + 3);
   }
   EXPECT_THROW(scanner->getMapPoints(later->number + 1000000, 0, 1), LMS3D::ScanGone);
   EXPECT_THROW(scanner->getMapTriangles(0, 0, 1), LMS3D::ScanGone);

@@ -4,17 +4,26 @@
 
 #include <cstdio>
 #include <fstream>
+#include <random>
 #include <stdexcept>
 
+namespace
+{
+bool WriteNew(const std::string& name, const std::string& text)
+{
+  std::FILE* const file = std::fopen(name.c_str(), "wx");
+  const bool isWritten = file && std::fputs(text.c_str(), file) >= 0;
+  return file && std::fclose(file) == 0 && isWritten;
+}
+} // namespace
+
+// First under a name that nobody else has, be it another server that is to write the same file.
 lms3dReferenceFile::lms3dReferenceFile(const std::string& name, const std::string& reference)
   : Name(name)
   , Reference(reference)
 {
-  const std::string temporary = name + ".tmp";
-  std::ofstream stream(temporary, std::ios::trunc);
-  stream << reference << '\n';
-  stream.close();
-  if (!stream || std::rename(temporary.c_str(), name.c_str()) != 0)
+  const std::string temporary = name + "." + std::to_string(std::random_device()());
+  if (!WriteNew(temporary, reference + '\n') || std::rename(temporary.c_str(), name.c_str()) != 0)
   {
     std::remove(temporary.c_str());
     throw std::runtime_error("the file \"" + name + "\" cannot be written");

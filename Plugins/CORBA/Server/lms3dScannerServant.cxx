@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <numeric>
 #include <string>
 
 namespace
@@ -21,6 +22,13 @@ using Clock = lms3dSnapshotStore::Clock;
 
 constexpr std::chrono::seconds FirstScanWait(5);
 constexpr CORBA::ULong LongestWait = 10000;
+
+// On the wire each has its length before it, a zero after it, and begins at a multiple of four.
+std::size_t GetMarshalledSize(const std::vector<std::string>& names)
+{
+  return std::accumulate(names.begin(), names.end(), std::size_t(0),
+    [](std::size_t size, const std::string& name) { return size + name.size() + 8; });
+}
 } // namespace
 
 lms3dScannerServant::lms3dScannerServant(const lms3dPermissions& permissions,
@@ -76,6 +84,10 @@ CORBA::ULongLong lms3dScannerServant::setConfiguration(const LMS3D::Configuratio
 LMS3D::SceneNames* lms3dScannerServant::listScenes()
 {
   const std::vector<std::string> names = this->Catalogue.GetNames();
+  if (GetMarshalledSize(names) > lms3dGetMostElements(1))
+  {
+    throw CORBA::IMP_LIMIT(0, CORBA::COMPLETED_NO);
+  }
   LMS3D::SceneNames_var list = new LMS3D::SceneNames;
   list->length(static_cast<CORBA::ULong>(names.size()));
   for (CORBA::ULong i = 0; i < list->length(); ++i)
@@ -239,7 +251,9 @@ lms3dSnapshotPointer lms3dScannerServant::Find(CORBA::ULongLong number) const
   lms3dSnapshotPointer snapshot = this->Store.Find(number);
   if (!snapshot)
   {
-    throw LMS3D::ScanGone(this->Store.GetOldestNumber(), this->Store.GetNewestNumber());
+    // In this order, so that a scan in between leaves no newest that is older than the oldest.
+    const CORBA::ULongLong oldest = this->Store.GetOldestNumber();
+    throw LMS3D::ScanGone(oldest, this->Store.GetNewestNumber());
   }
   return snapshot;
 }
