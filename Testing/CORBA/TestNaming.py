@@ -9,17 +9,10 @@ import subprocess
 import tempfile
 import unittest
 
-from server_process import Server, run_client, wait_until
+from server_process import Server, find_free_port, run_client, wait_until
 
 # The system's, or the one that "./run test" unpacks.
 OMNINAMES = shutil.which("omniNames") or os.environ["LMS3D_OMNINAMES"]
-
-
-def find_free_port():
-    """A port of 127.0.0.1 that nobody has at the moment."""
-    with socket.socket() as listener:
-        listener.bind(("127.0.0.1", 0))
-        return listener.getsockname()[1]
 
 
 def is_open(port):

@@ -9,6 +9,8 @@
 #include <array>
 #include <csignal>
 #include <list>
+#include <string>
+#include <thread>
 
 namespace
 {
@@ -84,6 +86,34 @@ TEST(ServerCallbacks, SilentListenersDoNotDelayTheEnd)
   // One scan later they are being told.
   scanner->waitForScan(WaitFor(scanner).number, 0, 5000);
   server.ExpectPromptEnd();
+}
+
+// What a client is told while the end waits for a listener that does not answer.
+TEST(ServerCallbacks, CallsAtTheEndMayBeTriedAgain)
+{
+  ServerProcess server({ "--callbacks" });
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const SilentListeners silent(scanner);
+  scanner->waitForScan(WaitFor(scanner).number, 0, 5000);
+  std::string answer;
+  std::thread client(
+    [&]
+    {
+      while (answer.empty())
+      {
+        try
+        {
+          scanner->getPose();
+        }
+        catch (const CORBA::SystemException& problem)
+        {
+          answer = problem._name();
+        }
+      }
+    });
+  EXPECT_EQ(server.Terminate(SIGTERM), 0);
+  client.join();
+  EXPECT_EQ(answer, "TRANSIENT");
 }
 
 TEST(ServerCallbacks, NobodyGuessesAnothersSubscription)

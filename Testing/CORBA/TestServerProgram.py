@@ -2,13 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """lms3d-server and its clients as a user starts them."""
 
+import contextlib
 import signal
 import subprocess
 import tempfile
+import threading
+import time
 import unittest
 from pathlib import Path
 
-from server_process import BEAMS, DATA, PAPER_CLIENT, SERVER, Server, run_client
+import giop
+from server_process import (
+    BEAMS, DATA, PAPER_CLIENT, SERVER, Server, find_free_port, run_client)
 
 
 def run_server(*arguments):
@@ -23,6 +28,23 @@ def write_scene_of_many_nodes(path):
     lines += [f"DEF N{i} Transform {{ rotation 0 0 1 {i} children [ USE N{i - 1} USE N{i - 1} ] }}"
               for i in range(1, 24)]
     path.write_text("\n".join(lines))
+
+
+def ask(client):
+    """What one call is told."""
+    try:
+        client.call("getPose")
+        return "answer"
+    except giop.SystemException as problem:
+        return str(problem)
+
+
+def call_on(corbaloc, is_over, told):
+    """A client that connects again whenever its connection ends."""
+    while not is_over.is_set():
+        with contextlib.suppress(OSError), giop.Client(corbaloc) as client:
+            while True:
+                told.add(ask(client))
 
 
 class StartTest(unittest.TestCase):
@@ -89,6 +111,26 @@ class StartTest(unittest.TestCase):
         self.assertEqual(output, "")
         self.assertIn("SIGTERM: ending before the scene was read", log)
         self.assertEqual(list(self.folder.iterdir()), [scene])
+
+    def test_clients_that_call_while_it_starts_and_ends(self):
+        """They are told nothing but to try again."""
+        address = f"127.0.0.1:{find_free_port()}"
+        told = set()
+        is_over = threading.Event()
+        clients = [threading.Thread(
+            target=call_on, args=(f"corbaloc:iiop:1.2@{address}/LMS3D", is_over, told))
+            for _ in range(4)]
+        for client in clients:
+            client.start()
+        for _ in range(10):
+            with Server("--no-map", "--endpoint", "giop:tcp:" + address) as server:
+                time.sleep(0.1)
+                self.assertEqual(server.stop()[0], 0)
+        is_over.set()
+        for client in clients:
+            client.join()
+        self.assertLessEqual(told, {"answer", "IDL:omg.org/CORBA/TRANSIENT:1.0"})
+        self.assertIn("answer", told)
 
     def test_remote_is_logged(self):
         """Who lets other machines in is told."""

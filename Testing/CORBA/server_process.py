@@ -4,8 +4,10 @@
 
 import contextlib
 import os
+import random
 import resource
 import signal
+import socket
 import subprocess
 import tempfile
 import time
@@ -24,6 +26,16 @@ def allow_many_files():
     """Room for a thousand connections of this process."""
     hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
     resource.setrlimit(resource.RLIMIT_NOFILE, (hard, hard))
+
+
+def find_free_port():
+    """A port of 127.0.0.1 that nobody has, below those that connections get by chance."""
+    with socket.socket() as listener:
+        while True:
+            port = random.randrange(20000, 32000)
+            with contextlib.suppress(OSError):
+                listener.bind(("127.0.0.1", port))
+                return port
 
 
 class Server:

@@ -4,6 +4,7 @@
 
 #include "lms3dLog.h"
 #include "lms3dObjectAddresses.h"
+#include "lms3dRequestGate.h"
 #include "lms3dSettingsCheck.h"
 
 #include <iostream>
@@ -86,6 +87,7 @@ void lms3dServer::Start(CORBA::ORB_ptr orb)
   {
     this->Listeners.Start();
   }
+  lms3dRequestGate::Install();
   // omniORB's own object adapter, whose objects have keys that clients can write in a corbaloc.
   const CORBA::Object_var object = orb->resolve_initial_references("omniINSPOA");
   const PortableServer::POA_var adapter = PortableServer::POA::_narrow(object);
@@ -97,6 +99,7 @@ void lms3dServer::Start(CORBA::ORB_ptr orb)
   const LMS3D::LaserScanner_var scanner = servant->_this();
   const PortableServer::POAManager_var manager = adapter->the_POAManager();
   manager->activate();
+  lms3dRequestGate::Open();
   this->Announce(orb, scanner);
 }
 
@@ -128,6 +131,7 @@ void lms3dServer::Stop()
 {
   this->ReferenceFile.reset();
   this->NameRegistration.reset();
+  lms3dRequestGate::Close();
   this->Store.Stop();
   this->Loop.Stop();
   this->Listeners.Stop();
