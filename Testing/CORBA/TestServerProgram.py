@@ -3,6 +3,7 @@
 """lms3d-server and its clients as a user starts them."""
 
 import contextlib
+import resource
 import signal
 import subprocess
 import tempfile
@@ -13,7 +14,7 @@ from pathlib import Path
 
 import giop
 from server_process import (
-    BEAMS, DATA, PAPER_CLIENT, SERVER, Server, find_free_port, run_client)
+    BEAMS, CLIENT, DATA, PAPER_CLIENT, SERVER, Server, find_free_port, run_client)
 
 
 def run_server(*arguments):
@@ -179,20 +180,93 @@ class ClientTest(unittest.TestCase):
         self.run_client("save", scan, surface)
         self.assertIn(b'NumberOfPoints="%d"' % BEAMS, scan.read_bytes())
         self.assertIn(b'NumberOfPolys="1976"', surface.read_bytes())
+        self.assertEqual(sorted(self.folder.iterdir()), [surface, scan])
+
+    def test_what_cannot_be_saved(self):
+        """Nothing is left behind, and what was there before stays."""
+        scan = self.folder / "scan.vtp"
+        scan.write_text("before")
+        for names, words in ((("/no/such/folder/x.vtp",), "no folder"), ((self.folder,), ".vtp"),
+                             ((scan, self.folder / "map.stl"), ".vtp"),
+                             ((scan, f"{self.folder}/../{self.folder.name}/scan.vtp"), "two names")):
+            finished = run_client(self.server.corbaloc, "save", *names)
+            self.assertEqual(finished.returncode, 1)
+            self.assertRegex(finished.stderr, f"cannot write.*{words}")
+            self.assertEqual(list(self.folder.iterdir()), [scan])
+            self.assertEqual(scan.read_text(), "before")
+
+    def test_a_file_is_replaced_as_a_whole(self):
+        """Where the system stops the program in the middle, the one from before stays."""
+        scan = self.folder / "scan.vtp"
+        scan.write_text("before")
+        finished = run_client(self.server.corbaloc, "save", scan,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (9999, 9999)))
+        self.assertNotEqual(finished.returncode, 0)
+        self.assertEqual(scan.read_text(), "before")
+        self.run_client("save", scan)
+        self.assertIn(b'NumberOfPoints="%d"' % BEAMS, scan.read_bytes())
 
     def test_failures(self):
         """Words for a human being, and a code for scripts."""
         for arguments, code, word in (
                 ((self.server.corbaloc, "scene", "../room.wrl"), 1, "NoSuchScene"),
                 ((self.server.corbaloc, "pose", "nan", "0", "0"), 1, "position is nan"),
-                ((self.server.corbaloc, "pose", "a", "0", "0"), 1, "stod"),
-                ((self.server.corbaloc, "save", "/no/such/folder/x.vtp"), 1, "cannot be written"),
+                ((self.server.corbaloc, "pose", "0", "a", "0"), 2, 'Y: "a" is not a number'),
+                ((self.server.corbaloc, "pose", *"00000", "1e999"), 2, 'RZ: "1e999" is not'),
+                ((self.server.corbaloc, "watch", "2x"), 2, 'COUNT: "2x" is not a whole number'),
+                ((self.server.corbaloc, "listen", "-1"), 2, 'COUNT: "-1" is not a whole number'),
                 ((self.server.corbaloc, "jump"), 2, "Usage"), ((), 2, "Usage"),
                 (("corbaloc:iiop:1.2@127.0.0.1:1/LMS3D", "status"), 1, "TRANSIENT"),
                 (("nonsense", "status"), 1, "is no corbaloc")):
             finished = run_client(*arguments)
             self.assertEqual(finished.returncode, code, arguments)
             self.assertIn(word, finished.stderr)
+
+
+class PatienceTest(unittest.TestCase):
+    """Clients wait as long as the server lives."""
+
+    def start(self, server, *arguments):
+        """A client that waits."""
+        client = subprocess.Popen([CLIENT, server.corbaloc, *arguments], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True)
+        self.addCleanup(client.stderr.close)
+        self.addCleanup(client.stdout.close)
+        self.addCleanup(client.wait)
+        self.addCleanup(client.kill)
+        return client
+
+    def assert_ends(self, client, words):
+        """Soon, with a message and the code of a failure."""
+        message = client.communicate(timeout=60)[1]
+        self.assertEqual(client.returncode, 1)
+        self.assertRegex(message, f"^lms3d-client: .*{words}.*\n$")
+
+    def test_scans_that_are_far_apart(self):
+        """Farther than any call waits."""
+        with Server("--rate", "0.15") as server:
+            finished = run_client(server.corbaloc, "watch", "2")
+            self.assertEqual(finished.returncode, 0, finished.stderr)
+            self.assertEqual(len(finished.stdout.splitlines()), 2)
+
+    def test_the_end_of_the_server(self):
+        """By order or not, with nothing to tell for a long time or much."""
+        for rate in ("10", "0.01"):
+            for number in (signal.SIGTERM, signal.SIGKILL):
+                with self.subTest(rate=rate, number=number):
+                    with Server("--callbacks", "--rate", rate) as server:
+                        clients = [self.start(server, command) for command in ("listen", "watch")]
+                        for client in clients:
+                            self.assertIn("of room.wrl", client.stdout.readline())
+                        server.stop(number)
+                        for client in clients:
+                            self.assert_ends(client, "no server answers there")
+
+    def test_a_listener_that_cannot_be_reached(self):
+        """It publishes a port at which nobody listens."""
+        with Server("--callbacks") as server:
+            self.assert_ends(self.start(server, "listen", "-ORBendPointPublish", "giop:tcp:127.0.0.1:1"),
+                             "does not tell this listener")
 
 
 if __name__ == "__main__":

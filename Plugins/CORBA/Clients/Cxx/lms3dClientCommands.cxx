@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dClientCommands.h"
 
+#include "lms3dClientFiles.h"
 #include "lms3dClientListener.h"
 #include "lms3dRemoteData.h"
 
-#include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstddef>
 #include <iostream>
 #include <stdexcept>
+#include <system_error>
 
 namespace
 {
@@ -70,6 +72,31 @@ void Fetch(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words&)
   }
 }
 
+// As long as the server lives and has not given up: the next scan may be a long time off.
+LMS3D::ScanHeader_var WaitForScan(
+  LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong after, CORBA::ULongLong generation)
+{
+  for (;;)
+  {
+    try
+    {
+      return scanner->waitForScan(after, generation, WaitMilliseconds);
+    }
+    catch (const LMS3D::NoScanYet&)
+    {
+      const LMS3D::Status_var status = scanner->getStatus();
+      if (*status->problem)
+      {
+        throw std::runtime_error(std::string("the server has no scan: ") + status->problem.in());
+      }
+      if (status->newest < after || status->generation < generation)
+      {
+        throw std::runtime_error("the server was started anew");
+      }
+    }
+  }
+}
+
 // The server drops old scans, so that a slow client may come too late for a part.
 lms3dRemoteScan FetchNewest(LMS3D::LaserScanner_ptr scanner)
 {
@@ -78,7 +105,7 @@ lms3dRemoteScan FetchNewest(LMS3D::LaserScanner_ptr scanner)
   {
     try
     {
-      const LMS3D::ScanHeader_var header = scanner->waitForScan(0, 0, WaitMilliseconds);
+      const LMS3D::ScanHeader_var header = WaitForScan(scanner, 0, 0);
       return lms3dFetchScan(scanner, header);
     }
     catch (const LMS3D::ScanGone&)
@@ -91,48 +118,49 @@ lms3dRemoteScan FetchNewest(LMS3D::LaserScanner_ptr scanner)
   }
 }
 
-void Write(vtkPolyData* data, const std::string& file)
-{
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(data);
-  writer->SetFileName(file.c_str());
-  if (!writer->Write() || writer->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    throw std::runtime_error("the file \"" + file + "\" cannot be written");
-  }
-}
-
 void Save(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& files)
 {
+  lms3dCheckFiles(files);
   const lms3dRemoteScan remote = FetchNewest(scanner);
   vtkNew<vtkPolyData> scan;
   lms3dFillScan(remote, scan);
-  Write(scan, files[0]);
+  lms3dWriteFile(scan, files[0]);
   if (files.size() > 1)
   {
     vtkNew<vtkPolyData> map;
     lms3dFillMap(remote, map);
-    Write(map, files[1]);
+    lms3dWriteFile(map, files[1]);
   }
   Print(remote.Header);
 }
 
-// "1e999" and "12x" are no numbers, and what is one is for the server to judge.
-double GetNumber(const std::string& word)
+// "1e999" and "12x" are no numbers, "-1" is no count; the rest is for the server to judge.
+template <typename Number>
+Number GetNumber(const char* name, const std::string& word, const char* kind)
 {
-  std::size_t length = 0;
-  const double number = std::stod(word, &length);
-  if (length != word.size())
+  Number number{};
+  const char* const end = word.data() + word.size();
+  const std::from_chars_result result = std::from_chars(word.data(), end, number);
+  if (result.ec != std::errc() || result.ptr != end)
   {
-    throw std::invalid_argument("\"" + word + "\" is not a number");
+    throw std::invalid_argument(std::string(name) + ": \"" + word + "\" is not " + kind);
   }
   return number;
 }
 
 CORBA::ULongLong GetCount(const Words& words)
 {
-  return words.empty() ? ~CORBA::ULongLong(0)
-                       : static_cast<CORBA::ULongLong>(std::stoull(words[0]));
+  return words.empty()
+    ? ~CORBA::ULongLong(0)
+    : GetNumber<CORBA::ULongLong>("COUNT", words[0], "a whole number, 0 or more");
+}
+
+LMS3D::Vector3 GetVector(
+  const std::array<const char*, 3>& names, const Words& words, std::size_t first)
+{
+  const auto get = [&](std::size_t axis)
+  { return GetNumber<double>(names[axis], words[first + axis], "a number"); };
+  return { get(0), get(1), get(2) };
 }
 
 void Watch(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& words)
@@ -140,7 +168,7 @@ void Watch(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& words)
   CORBA::ULongLong last = 0;
   for (CORBA::ULongLong count = GetCount(words); count > 0; --count)
   {
-    const LMS3D::ScanHeader_var header = scanner->waitForScan(last, 0, WaitMilliseconds);
+    const LMS3D::ScanHeader_var header = WaitForScan(scanner, last, 0);
     Print(header);
     last = header->number;
   }
@@ -151,26 +179,26 @@ void Listen(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner, const Words& wo
   lms3dListenToScanner(orb, scanner, GetCount(words), Print);
 }
 
-void WaitFor(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation)
+void PrintFirst(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation)
 {
-  const LMS3D::ScanHeader_var header = scanner->waitForScan(0, generation, WaitMilliseconds);
+  const LMS3D::ScanHeader_var header = WaitForScan(scanner, 0, generation);
   Print(header);
 }
 
 void SetPose(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& words)
 {
   LMS3D::Pose pose = scanner->getPose();
-  pose.position = { GetNumber(words[0]), GetNumber(words[1]), GetNumber(words[2]) };
+  pose.position = GetVector({ "X", "Y", "Z" }, words, 0);
   if (words.size() == 6)
   {
-    pose.orientation = { GetNumber(words[3]), GetNumber(words[4]), GetNumber(words[5]) };
+    pose.orientation = GetVector({ "RX", "RY", "RZ" }, words, 3);
   }
-  WaitFor(scanner, scanner->setPose(pose));
+  PrintFirst(scanner, scanner->setPose(pose));
 }
 
 void SelectScene(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& words)
 {
-  WaitFor(scanner, scanner->selectScene(words[0].c_str()));
+  PrintFirst(scanner, scanner->selectScene(words[0].c_str()));
 }
 
 struct Command

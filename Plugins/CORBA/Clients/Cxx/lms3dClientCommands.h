@@ -14,7 +14,8 @@
 
 std::string lms3dGetClientHelp();
 
-/// False where there is no such command, or not with so many words. Throws what goes wrong.
+/// False where there is no such command, or not with so many words. Throws std::invalid_argument for a
+/// word that cannot be taken, and what else goes wrong.
 bool lms3dRunClientCommand(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner,
   const std::string& name, const std::vector<std::string>& words);
 

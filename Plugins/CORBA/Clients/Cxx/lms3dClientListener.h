@@ -11,7 +11,8 @@
 
 #include <functional>
 
-/// Subscribes, hands `count` headers to `use`, and unsubscribes.
+/// Subscribes, hands `count` headers to `use`, and unsubscribes. Throws CORBA::SystemException where the
+/// server is gone meanwhile, std::runtime_error where it does not know, or does not reach, the listener.
 void lms3dListenToScanner(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner,
   CORBA::ULongLong count, const std::function<void(const LMS3D::ScanHeader&)>& use);
 

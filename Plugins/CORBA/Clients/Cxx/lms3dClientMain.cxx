@@ -8,6 +8,7 @@
 
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,11 @@ int main(int argc, char* argv[])
   catch (const CORBA::Exception& problem)
   {
     std::cerr << "lms3d-client: " << lms3dDescribe(problem) << '\n';
+  }
+  catch (const std::invalid_argument& problem)
+  {
+    std::cerr << "lms3d-client: " << problem.what() << '\n';
+    code = ExitUsage;
   }
   catch (const std::exception& problem)
   {

@@ -2,12 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dExceptionText.h"
 
+namespace
+{
+// Of those that users meet.
+const char* GetMeaning(const CORBA::SystemException& problem)
+{
+  if (CORBA::TIMEOUT::_downcast(&problem))
+  {
+    return ": the server does not answer in time";
+  }
+  if (CORBA::TRANSIENT::_downcast(&problem) || CORBA::COMM_FAILURE::_downcast(&problem))
+  {
+    return ": no server answers there";
+  }
+  return "";
+}
+} // namespace
+
 std::string lms3dDescribe(const CORBA::Exception& problem)
 {
   std::string text = problem._name();
   if (const auto* system = CORBA::SystemException::_downcast(&problem))
   {
-    text.append(", ").append(system->NP_minorString());
+    // Of codes that are not the ORB's own it knows none.
+    const char* const detail = system->NP_minorString();
+    text.append(detail ? std::string(", ") + detail : "").append(GetMeaning(*system));
   }
   else if (const auto* argument = LMS3D::InvalidArgument::_downcast(&problem))
   {
