@@ -154,6 +154,17 @@ TEST(OmniORBpyClient, SavesTheDirectPipelinesMap)
   EXPECT_EQ(map.Triangles, direct.MapTriangles);
 }
 
+TEST(OmniORBpyClient, LeavesNoHalfOfAMap)
+{
+  const std::filesystem::path folder(LMS3D_SERVER);
+  ServerProcess server;
+  const Outcome outcome = RunClient(
+    GetOmniORBpyClient({ "scan", "--map" }), server.GetCorbaloc(), { folder / "map.obj" });
+  EXPECT_EQ(outcome.Code, 1);
+  EXPECT_EQ(
+    outcome.Text, "cannot write '" + (folder / "map.obj").string() + "': Not a directory\n");
+}
+
 TEST(OmniORBpyClient, WatchesScanAfterScan)
 {
   ServerProcess server;

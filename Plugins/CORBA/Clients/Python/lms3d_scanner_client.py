@@ -7,6 +7,8 @@ Needs the package jeteve-omniorb, and beside it the stubs that omniidl makes; se
 """
 
 import argparse
+import contextlib
+import os
 import pathlib
 import sys
 
@@ -46,13 +48,24 @@ def get_parts(operation, number, count):
     return elements
 
 
+def wait_for_scan(scanner, after=0, generation=0):
+    """The header of the next scan, as long as the server lives: it may be a long time off."""
+    while True:
+        try:
+            return scanner.waitForScan(after, generation, WAIT_MILLISECONDS)
+        except LMS3D.NoScanYet:
+            problem = scanner.getStatus().problem
+            if problem:
+                raise ValueError(f"the server has no scan: {problem}") from None
+
+
 def take_scan(scanner, generation=0):
     """The newest scan of a generation: header, ranges, the map's coordinates and point numbers.
 
     The server keeps the newest few scans only: who is slow may find a part gone, and tries again.
     """
     for attempt in range(1, TRIES + 1):
-        header = scanner.waitForScan(0, generation, WAIT_MILLISECONDS)
+        header = wait_for_scan(scanner, generation=generation)
         try:
             return (header,
                     get_parts(scanner.getRanges, header.number, header.beams),
@@ -80,12 +93,23 @@ def print_beams(header, ranges):
 
 
 def write_map(path, coordinates, numbers):
-    """Write a local map as a Wavefront OBJ file, which counts points from 1."""
-    with open(path, "w", encoding="ascii") as file:
-        for i in range(0, len(coordinates), 3):
-            print("v", *coordinates[i:i + 3], file=file)
-        for i in range(0, len(numbers), 3):
-            print("f", *(number + 1 for number in numbers[i:i + 3]), file=file)
+    """Write a local map as a Wavefront OBJ file, which counts points from 1.
+
+    It is written beside the path and renamed then, so that it is there as a whole or not at all.
+    """
+    temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
+    try:
+        with open(temporary, "w", encoding="ascii") as file:
+            for i in range(0, len(coordinates), 3):
+                print("v", *coordinates[i:i + 3], file=file)
+            for i in range(0, len(numbers), 3):
+                print("f", *(number + 1 for number in numbers[i:i + 3]), file=file)
+        os.replace(temporary, path)
+    except OSError as problem:
+        raise ValueError(f"cannot write '{path}': {problem.strerror}") from problem
+    finally:
+        with contextlib.suppress(OSError):
+            temporary.unlink()
 
 
 def fetch(scanner, _):
@@ -99,16 +123,16 @@ def scan(scanner, options):
     """Print the same of a scan from a position, and save its local map."""
     generation = move(scanner, options.position) if options.position else 0
     header, ranges, coordinates, numbers = take_scan(scanner, generation)
-    print_beams(header, ranges)
     if options.map:
-        write_map(options.map, coordinates, numbers)
+        write_map(options.map.resolve(), coordinates, numbers)
+    print_beams(header, ranges)
 
 
 def watch(scanner, options):
     """Print a line for each scan as soon as it is there."""
     last = 0
     for _ in range(options.count):
-        header = scanner.waitForScan(last, 0, WAIT_MILLISECONDS)
+        header = wait_for_scan(scanner, after=last)
         print(f"scan {header.number}, generation {header.generation}, of {header.scene}: "
               f"{header.returns} of {header.beams} beams returned", flush=True)
         last = header.number
@@ -138,7 +162,9 @@ def main():
         options.run(connect(options.scanner), options)
     except LMS3D.InvalidArgument as problem:
         sys.exit(f"InvalidArgument: {problem.reason}")
-    except (CORBA.Exception, OSError, ValueError) as problem:
+    except ValueError as problem:
+        sys.exit(str(problem))
+    except (CORBA.Exception, OSError) as problem:
         sys.exit(repr(problem))
 
 
