@@ -152,6 +152,44 @@ TEST(RemoteSource, WarnsOfAPoseThatIsRefused)
   EXPECT_EQ(source.GetSensorX(), 0.3);
 }
 
+TEST(RemoteSource, ForgetsARefusalWithTheNextPose)
+{
+  ServerProcess server;
+  WatchingSource source(server.GetCorbaloc());
+  source->SetPosition(2e6, 0.0, 0.0);
+  source->Update();
+  source->SendPose();
+  EXPECT_TRUE(source.UpdateUntil([&] { return !source->IsPosePending(); }));
+  EXPECT_NE(source->GetProblem(), "");
+  source->SetPosition(1.25, 0.5, 1.5);
+  source->SendPose();
+  EXPECT_EQ(source->GetProblem(), "");
+  EXPECT_TRUE(source.UpdateUntil([&] { return !source->IsPosePending(); }));
+  EXPECT_EQ(source.GetSensorX(), 1.25);
+  EXPECT_EQ(source->GetProblem(), "");
+}
+
+TEST(RemoteSource, APoseIsPendingUntilAScanIsFromThere)
+{
+  ServerProcess server({ "--rate", "0.5" });
+  WatchingSource source(server.GetCorbaloc());
+  source->Update();
+  EXPECT_FALSE(source->IsPosePending());
+  source->SetPosition(1.25, 0.5, 1.5);
+  source->SendPose();
+  EXPECT_TRUE(source.UpdateUntil([&] { return !source->IsPosePending(); }));
+  EXPECT_EQ(source.GetSensorX(), 1.25);
+}
+
+TEST(RemoteSource, WaitsForTheFirstScanAfterAPoseToo)
+{
+  ServerProcess server;
+  WatchingSource source(server.GetCorbaloc());
+  source->SendPose();
+  source->Update();
+  EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 129960);
+}
+
 TEST(RemoteSource, WarnsWhereTheServerIsReadOnly)
 {
   ServerProcess server({ "--read-only" });

@@ -49,7 +49,8 @@ void FetchAll(
 }
 } // namespace
 
-lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::ScanHeader& header)
+lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::ScanHeader& header,
+  const std::function<void()>& beforePart)
 {
   lms3dCheckHeader(header);
   lms3dRemoteScan scan;
@@ -58,17 +59,26 @@ lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::Sca
   FetchAll<LMS3D::Ranges>(
     header.beams, 1,
     [&](CORBA::ULong first, CORBA::ULong count)
-    { return scanner->getRanges(number, first, count); },
+    {
+      beforePart();
+      return scanner->getRanges(number, first, count);
+    },
     scan.Ranges);
   FetchAll<LMS3D::Coordinates>(
     header.mapPoints, 3,
     [&](CORBA::ULong first, CORBA::ULong count)
-    { return scanner->getMapPoints(number, first, count); },
+    {
+      beforePart();
+      return scanner->getMapPoints(number, first, count);
+    },
     scan.MapPoints);
   FetchAll<LMS3D::Indices>(
     header.mapTriangles, 3,
     [&](CORBA::ULong first, CORBA::ULong count)
-    { return scanner->getMapTriangles(number, first, count); },
+    {
+      beforePart();
+      return scanner->getMapTriangles(number, first, count);
+    },
     scan.MapTriangles);
   lms3dCheckArrays(scan);
   return scan;

@@ -10,6 +10,7 @@
 #include "LMS3DScanner.hh"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 struct lms3dRemoteScan
@@ -26,8 +27,10 @@ struct lms3dRemoteScan
 /**
  * Fetches the scan of a header, and its map, in as many messages as it takes. Throws LMS3D::ScanGone
  * where the server has dropped it meanwhile, std::runtime_error where what it sends is not as it has to
- * be (lms3dRemoteCheck.h).
+ * be (lms3dRemoteCheck.h). `beforePart` is called before each message, and ends the fetch by throwing.
  */
-lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::ScanHeader& header);
+lms3dRemoteScan lms3dFetchScan(
+  LMS3D::LaserScanner_ptr scanner, const LMS3D::ScanHeader& header,
+  const std::function<void()>& beforePart = [] {});
 
 #endif

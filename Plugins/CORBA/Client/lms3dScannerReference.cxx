@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dScannerReference.h"
 
+#include "lms3dCorbaname.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -52,11 +54,12 @@ std::string ReadFile(const std::string& name)
   return text;
 }
 
-CORBA::Object_ptr FindObject(CORBA::ORB_ptr orb, const std::string& url)
+CORBA::Object_ptr FindObject(CORBA::ORB_ptr orb, const std::string& url, CORBA::ULong timeout)
 {
   try
   {
-    return orb->string_to_object(url.c_str());
+    return lms3dIsCorbaname(url) ? lms3dFindByName(orb, url, timeout)
+                                 : orb->string_to_object(url.c_str());
   }
   catch (const CORBA::BAD_PARAM&)
   {
@@ -77,7 +80,7 @@ LMS3D::LaserScanner_ptr lms3dFindScanner(
   CORBA::ORB_ptr orb, const std::string& reference, CORBA::ULong timeout)
 {
   const std::string url = IsURL(reference) ? reference : ReadFile(GetFileName(reference));
-  const CORBA::Object_var object = FindObject(orb, url);
+  const CORBA::Object_var object = FindObject(orb, url, timeout);
   LimitCalls(object, timeout);
   LMS3D::LaserScanner_ptr scanner = LMS3D::LaserScanner::_narrow(object);
   if (CORBA::is_nil(scanner))

@@ -13,8 +13,8 @@
 
 /// `reference` is an IOR, a corbaloc, a corbaname, or the name of a file that has one of these, with
 /// "file:" before it or without. Throws std::runtime_error where it leads to no scanner,
-/// CORBA::SystemException where nobody answers. Calls to the scanner, this one's included, take no longer
-/// than so many milliseconds; with 0 as long as the ORB lets them.
+/// CORBA::SystemException where nobody answers. Calls to the scanner, this one's included, and to the
+/// naming service take no longer than so many milliseconds each; with 0 as long as the ORB lets them.
 LMS3D::LaserScanner_ptr lms3dFindScanner(
   CORBA::ORB_ptr orb, const std::string& reference, CORBA::ULong timeout = 0);
 

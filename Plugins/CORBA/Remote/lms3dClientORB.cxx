@@ -2,15 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dClientORB.h"
 
+#include "lms3dORBLog.h"
+
+#include <iostream>
+
 namespace
 {
-// For a naming service, which has no limit of its own.
-const char* Options[][2] = { { "clientCallTimeOutPeriod", "5000" }, { nullptr, nullptr } };
+void PrintLine(const std::string& line)
+{
+  std::cerr << line << '\n';
+}
 
 CORBA::ORB_ptr MakeORB()
 {
+  lms3dSetORBLog(PrintLine, {});
   int noArguments = 0;
-  return CORBA::ORB_init(noArguments, nullptr, "omniORB4", Options);
+  return CORBA::ORB_init(noArguments, nullptr);
 }
 } // namespace
 

@@ -5,19 +5,22 @@
 #include "lms3dClientORB.h"
 #include "lms3dScannerReference.h"
 
-#include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace
 {
+using Clock = std::chrono::steady_clock;
+
 // One may be unlucky.
 constexpr int MostGoneInARow = 10;
 
 constexpr const char* NoServer = "no server answers there";
 } // namespace
 
-lms3dRemoteServer::lms3dRemoteServer(const std::string& url, std::chrono::milliseconds timeout)
+lms3dRemoteServer::lms3dRemoteServer(
+  const std::string& url, std::chrono::milliseconds timeout, std::function<bool()> isStopped)
+  : Timeout(timeout)
+  , IsStopped(std::move(isStopped))
 {
   this->Scanner = this->Ask<LMS3D::LaserScanner_ptr>(
     [&url, timeout] {
@@ -35,15 +38,15 @@ Result lms3dRemoteServer::Ask(const Call& call) const
   }
   catch (const LMS3D::InvalidArgument& refusal)
   {
-    throw std::runtime_error("the server cannot take that: " + std::string(refusal.reason));
+    throw lms3dRemoteRefusal("the server cannot take that: " + std::string(refusal.reason));
   }
   catch (const LMS3D::NotPermitted& refusal)
   {
-    throw std::runtime_error("the server does not permit that: " + std::string(refusal.reason));
+    throw lms3dRemoteRefusal("the server does not permit that: " + std::string(refusal.reason));
   }
   catch (const LMS3D::LimitExceeded& refusal)
   {
-    throw std::runtime_error("the server limits that: " + std::string(refusal.reason));
+    throw lms3dRemoteRefusal("the server limits that: " + std::string(refusal.reason));
   }
   catch (const CORBA::TIMEOUT&)
   {
@@ -63,7 +66,7 @@ Result lms3dRemoteServer::Ask(const Call& call) const
   }
   catch (const CORBA::SystemException& exception)
   {
-    throw std::runtime_error(std::string("the call failed, ") + exception._name());
+    throw lms3dRemoteRefusal(std::string("the call failed, ") + exception._name());
   }
 }
 
@@ -76,10 +79,8 @@ LMS3D::ScanHeader_var lms3dRemoteServer::WaitForHeader(std::uint32_t millisecond
       {
         return this->Scanner->waitForScan(this->Seen, 0, milliseconds);
       }
-      catch (const LMS3D::NoScanYet& none)
+      catch (const LMS3D::NoScanYet&)
       {
-        // Less than that where the server was started anew.
-        this->Seen = std::min<std::uint64_t>(this->Seen, none.newest);
         return nullptr;
       }
     });
@@ -92,6 +93,7 @@ lms3dRemoteScanPointer lms3dRemoteServer::WaitForScan(std::uint32_t milliseconds
   {
     return nullptr;
   }
+  this->CheckRun(header->incarnation);
   this->Seen = header->number;
   auto scan = this->Ask<lms3dRemoteScanPointer>([this, &header] { return this->Fetch(header); });
   this->GoneInARow = scan ? 0 : this->GoneInARow + 1;
@@ -106,14 +108,47 @@ lms3dRemoteScanPointer lms3dRemoteServer::WaitForScan(std::uint32_t milliseconds
 
 lms3dRemoteScanPointer lms3dRemoteServer::Fetch(const LMS3D::ScanHeader& header) const
 {
+  const Clock::time_point end = Clock::now() + this->Timeout;
+  const auto beforePart = [this, end]
+  {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+    if (left.count() <= 0 || this->IsStopped())
+    {
+      throw CORBA::TIMEOUT();
+    }
+    this->LimitCalls(left);
+  };
+  lms3dRemoteScanPointer scan;
   try
   {
-    return std::make_shared<const lms3dRemoteScan>(lms3dFetchScan(this->Scanner, header));
+    scan =
+      std::make_shared<const lms3dRemoteScan>(lms3dFetchScan(this->Scanner, header, beforePart));
   }
   catch (const LMS3D::ScanGone&)
   {
-    return nullptr;
+    scan = nullptr;
   }
+  catch (const CORBA::TIMEOUT&)
+  {
+    throw std::runtime_error("a scan cannot be fetched within the Timeout; set a longer one");
+  }
+  this->LimitCalls(this->Timeout);
+  return scan;
+}
+
+void lms3dRemoteServer::LimitCalls(std::chrono::milliseconds timeout) const
+{
+  omniORB::setClientCallTimeout(this->Scanner, static_cast<CORBA::ULong>(timeout.count()));
+}
+
+// The ORB connects again by itself, but the next run counts from 1 again, scans and generations.
+void lms3dRemoteServer::CheckRun(std::uint64_t incarnation)
+{
+  if (this->Incarnation != 0 && this->Incarnation != incarnation)
+  {
+    throw std::runtime_error("the server was started anew");
+  }
+  this->Incarnation = incarnation;
 }
 
 std::string lms3dRemoteServer::GetProblem()
@@ -122,11 +157,12 @@ std::string lms3dRemoteServer::GetProblem()
     [this]
     {
       const LMS3D::Status_var status = this->Scanner->getStatus();
+      this->CheckRun(status->incarnation);
       return std::string(status->problem);
     });
 }
 
-void lms3dRemoteServer::SetPose(const LMS3D::Pose& pose)
+std::uint64_t lms3dRemoteServer::SetPose(const LMS3D::Pose& pose)
 {
-  this->Ask<CORBA::ULongLong>([this, &pose] { return this->Scanner->setPose(pose); });
+  return this->Ask<CORBA::ULongLong>([this, &pose] { return this->Scanner->setPose(pose); });
 }

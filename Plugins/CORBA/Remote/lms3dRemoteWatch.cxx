@@ -49,7 +49,8 @@ void lms3dRemoteWatch::Run()
 // Until something fails.
 void lms3dRemoteWatch::Follow()
 {
-  lms3dRemoteServer server(this->Url, this->Timeout);
+  lms3dRemoteServer server(this->Url, this->Timeout, [this] { return this->IsStopped(); });
+  this->AnsweredPose = 0;
   while (!this->IsStopped())
   {
     this->SendWaitingPose(server);
@@ -66,24 +67,41 @@ void lms3dRemoteWatch::Follow()
 
 void lms3dRemoteWatch::SendWaitingPose(lms3dRemoteServer& server)
 {
-  std::optional<LMS3D::Pose> pose;
+  LMS3D::Pose pose{};
+  std::uint64_t number = 0;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    pose.swap(this->WaitingPose);
-  }
-  if (!pose)
-  {
-    return;
+    if (!this->News.IsPosePending || this->PoseNumber == this->AnsweredPose)
+    {
+      return;
+    }
+    pose = this->Pose;
+    number = this->PoseNumber;
   }
   try
   {
-    server.SetPose(*pose);
-    this->Report(this->News.Refusal, "");
+    this->PoseGeneration = server.SetPose(pose);
   }
-  catch (const std::exception& refusal)
+  catch (const lms3dRemoteRefusal& refusal)
   {
-    this->Report(this->News.Refusal, refusal.what());
+    this->TakeRefusal(number, refusal.what());
   }
+  this->AnsweredPose = number;
+}
+
+void lms3dRemoteWatch::TakeRefusal(std::uint64_t number, const std::string& refusal)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (number != this->PoseNumber)
+    {
+      return;
+    }
+    this->News.Refusal = refusal;
+    this->News.IsPosePending = false;
+    ++this->News.Count;
+  }
+  this->Changed.notify_all();
 }
 
 void lms3dRemoteWatch::Publish(lms3dRemoteScanPointer scan)
@@ -98,6 +116,9 @@ void lms3dRemoteWatch::Publish(lms3dRemoteScanPointer scan)
     {
       return;
     }
+    const bool isFromPose =
+      this->AnsweredPose == this->PoseNumber && scan->Header.generation >= this->PoseGeneration;
+    this->News.IsPosePending = this->News.IsPosePending && !isFromPose;
     displaced = std::exchange(this->News.Scan, std::move(scan));
     ++this->News.Count;
   }
@@ -154,12 +175,18 @@ lms3dRemoteNews lms3dRemoteWatch::GetNews() const
 lms3dRemoteNews lms3dRemoteWatch::WaitForNews() const
 {
   std::unique_lock<std::mutex> lock(this->Mutex);
-  this->Changed.wait_for(lock, this->Timeout, [this] { return this->News.Count > 0; });
+  this->Changed.wait_for(lock, this->Timeout,
+    [this]
+    { return this->News.Scan || !this->News.Problem.empty() || !this->News.Refusal.empty(); });
   return this->News;
 }
 
 void lms3dRemoteWatch::SendPose(const LMS3D::Pose& pose)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->WaitingPose = pose;
+  this->Pose = pose;
+  ++this->PoseNumber;
+  this->News.Refusal.clear();
+  this->News.IsPosePending = true;
+  ++this->News.Count;
 }

@@ -13,7 +13,6 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
-#include <optional>
 #include <string>
 
 /// What is known of a server.
@@ -25,8 +24,10 @@ struct lms3dRemoteNews
   lms3dRemoteScanPointer Scan;
   /// Why there are no newer ones; empty while they come.
   std::string Problem;
-  /// Why the last pose was not taken; empty where it was.
+  /// Why the last pose was not taken; empty where it was, or may yet be.
   std::string Refusal;
+  /// The last pose was neither refused, nor is the scan from there.
+  bool IsPosePending = false;
 };
 
 /**
@@ -48,16 +49,18 @@ public:
   std::uint64_t GetCount() const;
   lms3dRemoteNews GetNews() const;
 
-  /// The first news, for which it waits up to the timeout; later ones at once.
+  /// The first scan or problem, for which it waits up to the timeout; later ones at once.
   lms3dRemoteNews WaitForNews() const;
 
-  /// To be sent soon, in place of one that was not sent yet.
+  /// To be sent soon, and again to a server that is gone before a scan comes from there. Only the newest
+  /// counts.
   void SendPose(const LMS3D::Pose& pose);
 
 private:
   bool IsStopped() const;
   void Follow();
   void SendWaitingPose(lms3dRemoteServer& server);
+  void TakeRefusal(std::uint64_t number, const std::string& refusal);
   void Publish(lms3dRemoteScanPointer scan);
   void Report(std::string& place, const std::string& text);
   void Pause() const;
@@ -69,7 +72,14 @@ private:
   mutable std::condition_variable Changed;
   bool Stopped = false;
   lms3dRemoteNews News;
-  std::optional<LMS3D::Pose> WaitingPose;
+  LMS3D::Pose Pose{};
+  /// Of the newest pose, from 1.
+  std::uint64_t PoseNumber = 0;
+
+  /// Of the thread alone: the last pose that this run of the server has answered, and its scans'
+  /// generation.
+  std::uint64_t AnsweredPose = 0;
+  std::uint64_t PoseGeneration = 0;
 };
 
 #endif

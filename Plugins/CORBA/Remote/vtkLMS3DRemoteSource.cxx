@@ -69,6 +69,8 @@ struct vtkLMS3DRemoteSource::Internals
   /// The count of the news that the last update showed.
   std::uint64_t Shown = 0;
   std::string WarnedOf;
+  /// As of the last update, or SendPose() after it.
+  bool IsPosePending = false;
 
 private:
   std::string Url;
@@ -98,6 +100,12 @@ void vtkLMS3DRemoteSource::SendPose()
   }
   this->Internal->GetWatch(this->URL, this->Timeout)
     .SendPose({ MakeVector(this->Position), MakeVector(this->Orientation) });
+  this->Internal->IsPosePending = true;
+}
+
+bool vtkLMS3DRemoteSource::IsPosePending() const
+{
+  return this->Internal->IsPosePending;
 }
 
 bool vtkLMS3DRemoteSource::GetNeedsUpdate()
@@ -137,6 +145,7 @@ int vtkLMS3DRemoteSource::RequestData(
   }
   const lms3dRemoteNews news = this->Internal->GetWatch(this->URL, this->Timeout).WaitForNews();
   this->Internal->Shown = news.Count;
+  this->Internal->IsPosePending = news.IsPosePending;
   this->Warn(news);
   if (news.Scan)
   {

@@ -32,7 +32,8 @@
  * address. What a server sends is checked before it is used, its checksums included: a scan that is
  * not as the interface demands is not shown.
  *
- * There is no TLS: servers on other machines are to be reached through a tunnel.
+ * omniORB's configuration file and environment variables hold for it too, so that it speaks TLS where
+ * these name certificates (Documentation/corba.md).
  *
  * There is one sensor for all clients. SendPose() moves it, unless the server was started so that
  * clients may not.
@@ -41,7 +42,7 @@
  * the error code vtkErrorCode::UserError. Of several processes only the first talks to the server.
  *
  * Destruction never waits: a thread that waits for an answer just then ends by itself, at the latest
- * after Timeout, for which only the end of the process waits.
+ * after Timeout, or two where it waits for a naming service, for which only the end of the process waits.
  *
  * @sa
  * vtkLMS3DScanFilter vtkLMS3DSurfaceReconstructionFilter
@@ -79,8 +80,9 @@ public:
 
   ///@{
   /**
-   * How long the server may take for an answer, and the first update waits for a scan at most,
-   * seconds. 0.5 to 60; the default is 2.
+   * How long the server may take for an answer, be it a whole scan in many parts, and a naming service
+   * for its own, and how long the first update waits for a scan at most, seconds. 0.5 to 60; the
+   * default is 2.
    */
   vtkSetClampMacro(Timeout, double, 0.5, 60.0);
   vtkGetMacro(Timeout, double);
@@ -100,10 +102,17 @@ public:
 
   /**
    * Sends Position and Orientation to the server, which takes them up with its next scan. Returns at
-   * once; the pose is sent within 0.2 seconds, or as soon as the server answers. An update warns of
-   * one that the server refuses.
+   * once; the pose is sent within 0.2 seconds, or as soon as the server answers, and again where the
+   * server is gone before a scan came from there. Only the newest pose counts. An update warns of one
+   * that the server refuses.
    */
   void SendPose();
+
+  /**
+   * True from SendPose() on, until an update has the first scan from there or warns that the server
+   * refuses.
+   */
+  bool IsPosePending() const;
 
   /**
    * True, and the source is modified, where there is something newer than the last update showed.
