@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -14,7 +15,7 @@ import numpy as np
 from lms3d.problems import Problem
 from lms3d.remote import RemoteScanner
 from lms3d.remote_viewer import RemoteViewer
-from server_process import BEAMS, Server, wait_until
+from server_process import BEAMS, Server, find_free_port, wait_until
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -39,6 +40,21 @@ start = time.monotonic()
 viewer.interactor.AddObserver("TimerEvent", press_q)
 viewer.run()
 print("quit", flush=True)
+"""
+
+# Another process, which can be stopped while it waits for nothing.
+_FOLLOW = """
+import sys, time
+from lms3d.remote import RemoteScanner
+
+scanner = RemoteScanner(sys.argv[1])
+first = scanner.pose()[0][0]
+print(first, flush=True)
+while scanner.pose()[0][0] == first:
+    time.sleep(0.05)
+    if scanner.has_news():
+        scanner.update()
+print(scanner.pose()[0][0], flush=True)
 """
 
 
@@ -110,6 +126,25 @@ class TestWindow(unittest.TestCase):
             self.press(viewer, "r")
             self.assert_place(scanner, viewer, (0.3, -0.2, 1.0))
 
+    def test_keys_add_up_while_a_scan_is_far_off(self):
+        with Server(*self.arguments, "--rate", "0.3"):
+            scanner, viewer = self.open()
+            self.press(viewer, "Right")
+            self.assertIn("on the way to 0.80  -0.20  1.00 m", viewer.text)
+            time.sleep(1.5)
+            viewer.interactor.ProcessEvents()
+            self.press(viewer, "Right")
+            self.assert_place(scanner, viewer, (1.3, -0.2, 1.0))
+            self.assertNotIn("on the way", viewer.text)
+
+    def test_a_refused_pose_is_not_where_keys_go_on(self):
+        with Server(*self.arguments, "--read-only"):
+            scanner, viewer = self.open()
+            self.press(viewer, "Right")
+            self.assert_soon(viewer, lambda: "not permit" in viewer.text)
+            self.assertFalse(scanner.is_pose_pending)
+            self.assertNotIn("on the way", viewer.text)
+
     def test_it_follows_a_restart_elsewhere(self):
         with Server(*self.arguments) as server:
             scanner, viewer = self.open()
@@ -119,6 +154,23 @@ class TestWindow(unittest.TestCase):
         with Server(*self.arguments, "--position", "1", "0", "1.5"):
             self.assert_place(scanner, viewer, (1, 0, 1.5))
             self.assertEqual(scanner.problem, "")
+
+    def test_a_restart_between_two_calls(self):
+        """The scan that the new server has already is taken, not its next."""
+        place = ("--endpoint", f"giop:tcp:127.0.0.1:{find_free_port()}")
+        with Server(*place, "--rate", "50") as server:
+            follower = subprocess.Popen([sys.executable, "-c", _FOLLOW, server.corbaloc],
+                                        stdout=subprocess.PIPE, text=True)
+            self.addCleanup(follower.stdout.close)
+            self.addCleanup(follower.wait)
+            self.addCleanup(follower.kill)
+            self.assertEqual(follower.stdout.readline(), "0.3\n")
+            follower.send_signal(signal.SIGSTOP)
+            time.sleep(1)
+            server.stop()
+        with Server(*place, "--rate", "0.01", "--position", *"111"):
+            follower.send_signal(signal.SIGCONT)
+            self.assertEqual(follower.communicate(timeout=30)[0], "1.0\n")
 
     def test_it_quits_while_the_server_hangs(self):
         with Server(*self.arguments) as server:

@@ -80,3 +80,8 @@ class RemoteScanner:
         self.source.SetPosition(position)
         self.source.SetOrientation(orientation)
         self.source.SendPose()
+
+    @property
+    def is_pose_pending(self):
+        """Whether a pose was sent, not refused, and no scan has come from there."""
+        return self.source.IsPosePending()

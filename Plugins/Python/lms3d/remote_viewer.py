@@ -2,17 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of a running server, its scan left and its local map right, and the live window."""
 
-import time
-
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from .figure import Figure
-from .viewer import Window
+from .viewer import Window, format_place
 
 _LOOK_INTERVAL = 50  # milliseconds between two looks for a new scan
 _NEAR_TO_FAR = (0.0, 0.667)  # hues: red, blue
 _DARKNESS = (0.75, 0.75)  # values: yellow would not be seen on white
-_UNSEEN = 1.0  # seconds that a scan from a pose that was sent may take to come
 
 
 class RemoteFigure(Figure):
@@ -49,7 +46,6 @@ class RemoteViewer(Window):
     def __init__(self, scanner, size, title, step=None, edges=False):
         self._scanner = scanner
         self._start = self._sent = scanner.pose()
-        self._sent_time = 0.0
         super().__init__(RemoteFigure(scanner, size, off_screen=False, edges=edges), title, step,
                          scanner.scan.GetLength())
         self.interactor.AddObserver("TimerEvent", self._look)
@@ -60,9 +56,7 @@ class RemoteViewer(Window):
         self._scanner.update()
         if self._scanner.returns > 0:
             self._figure.place_marker()
-        problem = self._scanner.problem
-        self.draw(self._scanner.pose()[0], self._scanner.returns,
-                  f"\nscan {self._scanner.number:,}" + (f"    {problem}" if problem else ""))
+        self.draw(self._scanner.pose()[0], self._scanner.returns, "\n" + self._tell_state())
 
     def move(self, shift):
         """Send the sensor beside where it is, or where it was just sent to."""
@@ -74,13 +68,20 @@ class RemoteViewer(Window):
         self._send(*self._start)
 
     def _pose(self):
-        is_on_its_way = time.monotonic() - self._sent_time < _UNSEEN
-        return self._sent if is_on_its_way else self._scanner.pose()
+        return self._sent if self._scanner.is_pose_pending else self._scanner.pose()
+
+    def _tell_state(self):
+        words = [f"scan {self._scanner.number:,}"]
+        if self._scanner.is_pose_pending:
+            words.append(f"on the way to {format_place(self._sent[0])} m")
+        if self._scanner.problem:
+            words.append(self._scanner.problem)
+        return "    ".join(words)
 
     def _send(self, position, orientation):
         self._sent = (position, orientation)
-        self._sent_time = time.monotonic()
         self._scanner.send_pose(position, orientation)
+        self.refresh()
 
     def _look(self, *_):
         if self._scanner.has_news():

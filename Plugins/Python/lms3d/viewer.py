@@ -52,9 +52,13 @@ class Window:
 
     def draw(self, position, returns, further=""):
         """Draw, with what there is to know in a line of text."""
-        place = "  ".join(f"{x:.2f}" for x in position)
-        self._text.SetInput(f"sensor {place} m    {returns:,} returns    {_HELP}{further}")
+        self._text.SetInput(f"sensor {format_place(position)} m    {returns:,} returns    {_HELP}{further}")
         self._figure.render()
+
+    @property
+    def text(self):
+        """What the lines at the bottom say."""
+        return self._text.GetInput()
 
     def _make_interactor(self):
         style = vtkInteractorStyleTrackballCamera()
@@ -110,6 +114,11 @@ class Viewer(Window):
     def reset(self):
         """Put the sensor where it was at first."""
         self._simulation.sensor.SetPosition(self._start)
+
+
+def format_place(position):
+    """Coordinates to the centimetre."""
+    return "  ".join(f"{x:.2f}" for x in position)
 
 
 def _round_step(length):
