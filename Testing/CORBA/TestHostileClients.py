@@ -128,25 +128,28 @@ class HostileTest(unittest.TestCase):
         self.check_service()
         self.check_recovery()
 
+
+class StallTest(unittest.TestCase):
+    """Connections that are stuck are closed by the server itself, after the period that the
+    administrator sets, here two seconds."""
+
     def test_clients_that_do_not_read(self):
         """Each asks forty times and takes nothing: few threads, and the end comes all the same."""
         with contextlib.ExitStack() as stack:
+            server = stack.enter_context(Server("-ORBserverCallTimeOutPeriod", "2000"))
             for _ in range(8):
-                client = stack.enter_context(self.server.connect())
+                client = stack.enter_context(server.connect())
                 client.connection.sendall(_fetch * 40)
             time.sleep(1)
-            self.check_service()
-            self.assertLess(self.server.count_threads(), 60)
-            code, seconds = self.server.stop()
+            with server.connect() as client:
+                self.assertEqual(len(client.fetch()), 3 * BEAMS)
+            self.assertLess(server.count_threads(), 60)
+            code, seconds = server.stop()
         self.assertEqual(code, 0)
         self.assertLess(seconds, 12)
 
-
-class StallTest(unittest.TestCase):
-    """Connections that are stuck are closed by the server itself."""
-
     def test_half_a_message_times_out(self):
-        """After the period that the administrator sets, here two seconds."""
+        """It is no call yet, so another period holds for it."""
         with Server("-ORBinConScanPeriod", "2", "-ORBscanGranularity", "1") as server:
             with server.connect() as client:
                 client.connection.sendall(_fetch[:-1])

@@ -134,9 +134,12 @@ class StartTest(unittest.TestCase):
         self.assertIn("answer", told)
 
     def test_remote_is_logged(self):
-        """Who lets other machines in is told."""
-        with Server("--endpoint", "giop:tcp:0.0.0.0:", "--allow-remote") as server:
+        """Who lets other machines in is told, also on a machine without a network."""
+        with Server("--allow-remote", "-ORBendPointPublish", "giop:tcp:192.0.2.1:2810") as server:
             self.assertIn("other machines can reach", server.read_log())
+        with Server("--endpoint", "giop:tcp:0.0.0.0:", "--allow-remote") as server:
+            self.assertEqual("other machines can reach" in server.read_log(),
+                             "@127.0.0.1:" not in server.corbaloc)
         with Server() as server:
             self.assertNotIn("other machines", server.read_log())
 
