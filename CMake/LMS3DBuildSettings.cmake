@@ -20,5 +20,5 @@ set(LMS3D_WARNINGS "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wsh
 # For ThreadSanitizer. The filters do without: they hand work over by TBB, whose library is not made for
 # it, and would take a second for each scan.
 set(LMS3D_CORBA_OPTIONS "" CACHE STRING
-  "Further options for compiling and linking the CORBA server and its tests")
+  "Further options for compiling and linking all that speaks CORBA, and its tests")
 mark_as_advanced(LMS3D_CORBA_OPTIONS)

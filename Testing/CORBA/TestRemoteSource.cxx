@@ -102,6 +102,7 @@ TEST(RemoteSource, ScanIsTakenByTheReconstruction)
   ServerProcess server;
   WatchingSource source(server.GetIOR());
   vtkNew<vtkLMS3DSurfaceReconstructionFilter> reconstruction;
+  reconstruction->SetNumberOfThreads(FilterThreads);
   reconstruction->SetInputConnection(source->GetOutputPort());
   reconstruction->Update();
   const vtkIdType made = reconstruction->GetOutput()->GetNumberOfPolys();
