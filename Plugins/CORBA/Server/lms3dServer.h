@@ -32,7 +32,7 @@ public:
   /// Scans and answers from now on. Prints a corbaloc, where there is one, and an IOR.
   void Start(CORBA::ORB_ptr orb);
 
-  /// Ends waiting clients, names and the loop; the ORB may be destroyed after it.
+  /// Ends waiting clients, listeners, names and the loop; the ORB may be destroyed after it.
   void Stop();
 
 private:
