@@ -84,7 +84,7 @@ TEST(ServerCallbacks, SilentListenersDoNotDelayTheEnd)
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   const SilentListeners silent(scanner);
   // One scan later they are being told.
-  scanner->waitForScan(WaitFor(scanner).number, 0, 5000);
+  const LMS3D::ScanHeader_var next = scanner->waitForScan(WaitFor(scanner).number, 0, 5000);
   server.ExpectPromptEnd();
 }
 
@@ -94,7 +94,7 @@ TEST(ServerCallbacks, CallsAtTheEndMayBeTriedAgain)
   ServerProcess server({ "--callbacks" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   const SilentListeners silent(scanner);
-  scanner->waitForScan(WaitFor(scanner).number, 0, 5000);
+  const LMS3D::ScanHeader_var next = scanner->waitForScan(WaitFor(scanner).number, 0, 5000);
   std::string answer;
   std::thread client(
     [&]

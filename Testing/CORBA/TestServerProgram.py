@@ -105,9 +105,12 @@ class StartTest(unittest.TestCase):
         write_scene_of_many_nodes(scene)
         with subprocess.Popen([SERVER, "--scenes", self.folder, "--ior", reference],
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as server:
-            self.assertIn("reading the scene large.wrl", server.stderr.readline())
-            server.send_signal(signal.SIGTERM)
-            output, log = server.communicate(timeout=60)
+            try:
+                self.assertIn("reading the scene large.wrl", server.stderr.readline())
+                server.send_signal(signal.SIGTERM)
+                output, log = server.communicate(timeout=60)
+            finally:
+                server.kill()
         self.assertEqual(server.returncode, 0)
         self.assertEqual(output, "")
         self.assertIn("SIGTERM: ending before the scene was read", log)
