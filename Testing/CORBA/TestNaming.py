@@ -53,6 +53,18 @@ class NamingTest(unittest.TestCase):
                     f"NameService={self.service}"):
             self.assertIn("scene room.wrl", self.look_up("Robot.Laser").stdout)
 
+    def test_ways_to_write_a_name(self):
+        """With characters that a URL cannot have, with the service's key, and wrongly."""
+        with Server("--naming-service", self.service, "--name", "My robot.Laser#2"):
+            self.assertIn("scene room.wrl", self.look_up("My%20robot.Laser%232").stdout)
+            self.assertIn("scene room.wrl", run_client(
+                f"corbaname:iiop:1.2@127.0.0.1:{self.port}/NameService#My%20robot.Laser%232",
+                "status").stdout)
+            for name in ("", "My%20robot", "My%2", "%zz", "a.b.c", "/"):
+                finished = self.look_up(name)
+                self.assertEqual(finished.returncode, 1)
+                self.assertIn("names no object", finished.stderr)
+
     def test_a_server_that_was_killed_is_replaced(self):
         """Its stale name is taken over, and kept by the one who took it."""
         with Server("--naming-service", self.service) as first:
