@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""lms3d.vtkLMS3DRemoteSource behind TLS, which omniORB's environment or configuration file asks for."""
+"""A source behind TLS, which omniORB's environment or its configuration file asks for."""
 
 import os
 import subprocess

@@ -202,12 +202,16 @@ class ClientTest(unittest.TestCase):
             self.assertEqual(scan.read_text(), "before")
 
     def test_a_file_is_replaced_as_a_whole(self):
-        """Where the system stops the program in the middle, the one from before stays."""
+        """Where the system takes no more in the middle, the one from before stays."""
         scan = self.folder / "scan.vtp"
         scan.write_text("before")
-        finished = run_client(self.server.corbaloc, "save", scan,
-                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (9999, 9999)))
-        self.assertNotEqual(finished.returncode, 0)
+        # Python ignores the signal of this limit, and so does the client then.
+        finished = run_client(self.server.corbaloc, "save", scan, restore_signals=False,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (9999,) * 2))
+        self.assertEqual(finished.returncode, 1)
+        self.assertEqual(finished.stderr,
+                         f'lms3d-client: cannot write "{scan}": File too large\n')
+        self.assertEqual(list(self.folder.iterdir()), [scan])
         self.assertEqual(scan.read_text(), "before")
         self.run_client("save", scan)
         self.assertIn(b'NumberOfPoints="%d"' % BEAMS, scan.read_bytes())
@@ -271,8 +275,8 @@ class PatienceTest(unittest.TestCase):
     def test_a_listener_that_cannot_be_reached(self):
         """It publishes a port at which nobody listens."""
         with Server("--callbacks") as server:
-            self.assert_ends(self.start(server, "listen", "-ORBendPointPublish", "giop:tcp:127.0.0.1:1"),
-                             "does not tell this listener")
+            client = self.start(server, "listen", "-ORBendPointPublish", "giop:tcp:127.0.0.1:1")
+            self.assert_ends(client, "does not tell this listener")
 
 
 if __name__ == "__main__":

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dClientFiles.h"
 
-#include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <cerrno>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <stdexcept>
 #include <system_error>
@@ -79,22 +80,16 @@ private:
   const fs::path Final;
 };
 
-// VTK 9.2 appends binary data by default, which is no XML.
-void WriteTo(const fs::path& path, vtkPolyData* data, const std::string& file)
+// In memory: VTK 9.2 crashes where a file system takes no more. By default it appends binary data, which
+// is no XML.
+std::string GetText(vtkPolyData* data)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
-  writer->SetFileName(path.c_str());
   writer->SetDataModeToBinary();
-  if (!writer->Write() || writer->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    Fail(file, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
-  }
-  // Which the writer does not notice always.
-  if (fs::space(path).available == 0)
-  {
-    Fail(file, "no space left on the device");
-  }
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  return writer->GetOutputString();
 }
 } // namespace
 
@@ -114,6 +109,12 @@ void lms3dCheckFiles(const std::vector<std::string>& files)
 void lms3dWriteFile(vtkPolyData* data, const std::string& file)
 {
   const TemporaryFile temporary(GetPlace(file));
-  WriteTo(temporary.Path, data, file);
+  std::ofstream stream(temporary.Path, std::ios::binary);
+  stream << GetText(data);
+  stream.close();
+  if (!stream)
+  {
+    Fail(file, std::generic_category().message(errno));
+  }
   temporary.Become();
 }
