@@ -14,8 +14,8 @@ namespace
 // How soon the end of a server is noticed.
 constexpr std::chrono::seconds Quiet(1);
 
-// In a row; other listeners, which the server tells before, may keep it busy for some.
-constexpr int MostMissed = 10;
+// In a row: the server leaves a listener out after three scans that it cannot tell.
+constexpr int MostMissed = 5;
 
 /// The ORB calls scanReady() on a thread of its own.
 class Listener : public POA_LMS3D::ScanListener
