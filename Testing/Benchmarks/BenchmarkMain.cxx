@@ -30,13 +30,19 @@ struct Benchmark
   std::vector<std::string> Scenes = GetSceneNames();
 };
 
-const std::array<Benchmark, 5>& GetBenchmarks()
+const std::vector<std::string> CastingScenes = { "room", "teapot", "terrain1e5" };
+
+const std::array<Benchmark, 7>& GetBenchmarks()
 {
-  // Stability first, since its other processes must not inherit the threads of the others.
-  static const std::array<Benchmark, 5> benchmarks = {
+  // The first three start processes, which must not inherit the threads of the others.
+  static const std::array<Benchmark, 7> benchmarks = {
     { { "stability",
         "beams that methods miss, invent or measure wrongly where casting is difficult",
         &RunStabilityBenchmark, {}, {} },
+      { "casting", "time and error of a beam, by every method and by what else casts beams",
+        &RunCastingBenchmark, CastingScenes, CastingScenes },
+      { "growth", "time and memory of building, scanning and mapping, against what makes them grow",
+        &RunGrowthBenchmark, {}, {} },
       { "scan", "a scan after a change of pose, every method, beside the raw cost of its beams",
         &RunScanBenchmark, { "room", "castle", "teapot", "terrain1e5" } },
       { "first", "the first scan, building included, beside Embree's own build", &RunFirstBenchmark,
@@ -62,7 +68,7 @@ std::string Join(const std::vector<std::string>& words)
 void PrintHelp()
 {
   std::printf("Usage: ./run bench BENCHMARK [--quick] [--scenes NAME...] [--methods NAME...] "
-              "[--csv FILE]\n\n"
+              "[--csv FILE] [--beams FOLDER]\n\n"
               "Benchmarks; without one, all of them run with --quick:\n");
   for (const Benchmark& benchmark : GetBenchmarks())
   {
@@ -75,7 +81,8 @@ void PrintHelp()
   std::printf("  %-9s  %s\n", "corba",
     "what fetch() costs beside a bare socket, and the scanner; by ./run bench corba alone");
   std::printf("\nScenes: %s", Join(GetSceneNames()).c_str());
-  std::printf("\n\nMethods, of the benchmark scan: %s\n\n", Join(ScanSubject::GetNames()).c_str());
+  std::printf("\n\nMethods, of the benchmark scan: %s\n", Join(ScanSubject::GetNames()).c_str());
+  std::printf("\n--beams: where the benchmark casting saves scenes, beams and true ranges\n\n");
 }
 
 void CheckNames(
@@ -108,6 +115,11 @@ BenchmarkOptions ReadOptions(int count, char** words)
       options.CSVFile = words[++i];
       list = nullptr;
     }
+    else if (word == "--beams" && i + 1 < count)
+    {
+      options.BeamFolder = words[++i];
+      list = nullptr;
+    }
     else if (word == "--scenes" || word == "--methods")
     {
       list = word == "--scenes" ? &options.Scenes : &options.Methods;
@@ -131,6 +143,10 @@ void Run(const Benchmark& benchmark, BenchmarkOptions options)
   if (!options.Methods.empty() && benchmark.Run != &RunScanBenchmark)
   {
     throw std::invalid_argument("--methods is for the benchmark scan");
+  }
+  if (!options.BeamFolder.empty() && benchmark.Run != &RunCastingBenchmark)
+  {
+    throw std::invalid_argument("--beams is for the benchmark casting");
   }
   if (!options.Scenes.empty() && benchmark.Scenes.empty())
   {

@@ -17,12 +17,20 @@ struct BenchmarkOptions
   std::vector<std::string> Methods;
   /// Where to save the table, or empty.
   std::string CSVFile;
+  /// Where to save scenes, beams and what they truly hit, or empty.
+  std::string BeamFolder;
   bool IsQuick = false;
 };
 
 /// What share of the beams each method misses, invents or measures wrongly, in each situation of the
 /// stability suite.
 void RunStabilityBenchmark(const BenchmarkOptions& options);
+
+/// The time of a beam and the error of its range, by every method and by what else casts beams.
+void RunCastingBenchmark(const BenchmarkOptions& options);
+
+/// Time and memory of building, scanning and mapping against triangles, beams and threads.
+void RunGrowthBenchmark(const BenchmarkOptions& options);
 
 /// A scan after a change of pose alone, by every method, beside the raw cost of its beams.
 void RunScanBenchmark(const BenchmarkOptions& options);

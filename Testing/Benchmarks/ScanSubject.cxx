@@ -8,7 +8,9 @@
 
 #include "vtkLMS3DScanFilter.h"
 
+#include <vtkDoubleArray.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 
 #include <algorithm>
 
@@ -84,7 +86,8 @@ double ScanSubject::GetFirstMilliseconds(const BenchmarkScene& scene, int method
 ScanErrors ScanSubject::GetErrors(const ScanTruth& truth)
 {
   this->Filter->Update();
-  return truth.GetErrors(this->Filter->GetRangeImage());
+  vtkDataArray* ranges = this->Filter->GetRangeImage()->GetPointData()->GetScalars();
+  return truth.GetErrors(vtkDoubleArray::SafeDownCast(ranges)->GetPointer(0));
 }
 
 bool ScanSubject::IsBruteForce(int method)

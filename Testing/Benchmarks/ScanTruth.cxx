@@ -3,14 +3,11 @@
 #include "ScanTruth.h"
 
 #include "ExactReference.h"
+#include "ScanGrid.h"
 #include "Scenes.h"
-#include "lms3dScanGeometry.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
-#include <vtkDoubleArray.h>
-#include <vtkImageData.h>
-#include <vtkPointData.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +15,6 @@
 
 namespace
 {
-constexpr int Beams = 361;
-constexpr int Turns = 360;
-
 ExactReference MakeReference(vtkPolyData* surface)
 {
   std::vector<ExactReference::Vector> points(surface->GetNumberOfPoints());
@@ -41,39 +35,61 @@ ExactReference MakeReference(vtkPolyData* surface)
   }
   return { std::move(points), std::move(triangles) };
 }
+std::vector<std::size_t> Spread(std::size_t count)
+{
+  const std::size_t step = std::max<std::size_t>(1, ScanGrid::MostBeams / count);
+  std::vector<std::size_t> beams;
+  beams.reserve(ScanGrid::MostBeams / step + 1);
+  for (std::size_t beam = 0; beam < ScanGrid::MostBeams; beam += step)
+  {
+    beams.push_back(beam);
+  }
+  return beams;
+}
+
+// The smallest number that no more than so many in a thousand are above.
+double GetPercentile(const std::vector<double>& sorted, std::size_t above)
+{
+  return sorted.empty() ? std::numeric_limits<double>::quiet_NaN()
+                        : sorted[sorted.size() - 1 - sorted.size() * above / 1000];
+}
 } // namespace
 
-ScanTruth::ScanTruth(const BenchmarkScene& scene, int beams, double maximumRange)
-  : Step(std::max(1, Beams * Turns / beams))
+ScanTruth::ScanTruth(
+  const BenchmarkScene& scene, std::vector<std::size_t> beams, double maximumRange)
+  : Beams(std::move(beams))
+  , MaximumRange(maximumRange)
 {
   const ExactReference reference = MakeReference(scene.Surface);
-  const double alphaRange[2] = { -90.0, 90.0 };
-  const double betaRange[2] = { 0.0, 360.0 };
-  const double upright[3] = { 0.0, 0.0, 0.0 };
-  const lms3dScanGeometry geometry(alphaRange, Beams, betaRange, Turns);
-  const lms3dPose pose = lms3dPose::FromOrientation(scene.Sensor.data(), upright);
-  const lms3dBeamDirections directions(geometry, pose);
-  for (std::size_t beam = 0; beam < Beams * Turns; beam += this->Step)
+  const std::vector<ExactReference::Vector> directions = ScanGrid::MakeDirections(scene);
+  this->Ranges.reserve(this->Beams.size());
+  for (std::size_t beam : this->Beams)
   {
-    const double range =
-      reference
-        .Cast(scene.Sensor,
-          directions.GetDirection(static_cast<int>(beam / Beams), static_cast<int>(beam % Beams)))
-        .Range;
+    const double range = reference.Cast(scene.Sensor, directions[beam]).Range;
     this->Ranges.push_back(range <= maximumRange ? range : std::numeric_limits<double>::infinity());
   }
 }
 
-ScanErrors ScanTruth::GetErrors(vtkImageData* rangeImage) const
+ScanTruth::ScanTruth(const BenchmarkScene& scene, int count, double maximumRange)
+  : ScanTruth(scene, Spread(count), maximumRange)
 {
-  const double* measured =
-    vtkDoubleArray::SafeDownCast(rangeImage->GetPointData()->GetScalars())->GetPointer(0);
+}
+
+int ScanTruth::GetNumberOfHits() const
+{
+  return static_cast<int>(std::count_if(
+    this->Ranges.begin(), this->Ranges.end(), [](double range) { return std::isfinite(range); }));
+}
+
+ScanErrors ScanTruth::GetErrors(const double* ranges) const
+{
   ScanErrors errors;
   std::vector<double> relative;
-  for (std::size_t i = 0; i < this->Ranges.size(); ++i)
+  relative.reserve(this->Beams.size());
+  for (std::size_t i = 0; i < this->Beams.size(); ++i)
   {
-    const double range = measured[i * this->Step];
-    const bool isHit = !std::isnan(range);
+    const double range = ranges[this->Beams[i]];
+    const bool isHit = range <= this->MaximumRange;
     const bool isTrueHit = std::isfinite(this->Ranges[i]);
     errors.Misses += isTrueHit && !isHit;
     errors.FalseHits += isHit && !isTrueHit;
@@ -83,9 +99,18 @@ ScanErrors ScanTruth::GetErrors(vtkImageData* rangeImage) const
     }
   }
   std::sort(relative.begin(), relative.end());
-  const bool isEmpty = relative.empty();
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  errors.Median = isEmpty ? none : relative[relative.size() / 2];
-  errors.Worst = isEmpty ? none : relative.back();
+  errors.Median = GetPercentile(relative, 500);
+  errors.Percentile999 = GetPercentile(relative, 1);
+  errors.Worst = GetPercentile(relative, 0);
   return errors;
+}
+
+std::vector<double> ScanTruth::GetRanges() const
+{
+  std::vector<double> ranges(ScanGrid::MostBeams, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < this->Beams.size(); ++i)
+  {
+    ranges[this->Beams[i]] = this->Ranges[i];
+  }
+  return ranges;
 }

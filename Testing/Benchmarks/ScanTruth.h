@@ -10,32 +10,43 @@
 #include <cstddef>
 #include <vector>
 
-class vtkImageData;
 struct BenchmarkScene;
 
 struct ScanErrors
 {
   int Misses = 0;
   int FalseHits = 0;
-  /// Relative errors of the ranges where both hit; not a number where none did.
+  /// Relative errors of the ranges where both hit; not a number where none did. Of a thousand one is
+  /// above the second.
   double Median;
+  double Percentile999;
   double Worst;
 };
 
 class ScanTruth
 {
 public:
-  /// Asks the exact reference for about so many beams, spread evenly over the default grid.
-  ScanTruth(const BenchmarkScene& scene, int beams, double maximumRange);
+  /// Asks the exact reference for some beams, numbered as in a default scan.
+  ScanTruth(const BenchmarkScene& scene, std::vector<std::size_t> beams, double maximumRange);
+
+  /// The same for about so many, spread evenly.
+  ScanTruth(const BenchmarkScene& scene, int count, double maximumRange);
 
   int GetNumberOfBeams() const { return static_cast<int>(this->Ranges.size()); }
+  int GetNumberOfHits() const;
 
-  ScanErrors GetErrors(vtkImageData* rangeImage) const;
+  /// Compares with the ranges of all beams of a default scan, infinite or not a number where there is
+  /// no return.
+  ScanErrors GetErrors(const double* ranges) const;
+
+  /// The range of each beam of a default scan, infinite where there is no return, and not a number
+  /// where nobody asked.
+  std::vector<double> GetRanges() const;
 
 private:
-  std::size_t Step;
-  /// Infinite where there is no return.
+  std::vector<std::size_t> Beams;
   std::vector<double> Ranges;
+  double MaximumRange;
 };
 
 #endif

@@ -155,6 +155,11 @@ BenchmarkScene MakeTerrain(const std::string& name, int columns, int rows)
   const double y = 0.021;
   return { name, builder.GetSurface(), { x, y, GetHeight(x, y) + 2.0 } };
 }
+
+std::string GetTerrainName(int power)
+{
+  return "terrain1e" + std::to_string(power);
+}
 } // namespace
 
 const std::vector<std::string>& GetSceneNames()
@@ -180,14 +185,20 @@ BenchmarkScene MakeScene(const std::string& name)
   {
     return MakeCastle();
   }
-  const std::array<std::array<int, 2>, 5> grids = { { { 20, 25 }, { 50, 100 }, { 200, 250 },
-    { 500, 1000 }, { 2000, 2500 } } };
   for (int power = 3; power <= 7; ++power)
   {
-    if (name == "terrain1e" + std::to_string(power))
+    if (name == GetTerrainName(power))
     {
-      return MakeTerrain(name, grids[power - 3][0], grids[power - 3][1]);
+      return MakeTerrain(power);
     }
   }
   throw std::runtime_error("no scene \"" + name + "\"");
+}
+
+BenchmarkScene MakeTerrain(int power)
+{
+  constexpr std::array<std::array<int, 2>, 6> grids = { { { 5, 10 }, { 20, 25 }, { 50, 100 },
+    { 200, 250 }, { 500, 1000 }, { 2000, 2500 } } };
+  const auto [columns, rows] = grids.at(power - 2);
+  return MakeTerrain(GetTerrainName(power), columns, rows);
 }

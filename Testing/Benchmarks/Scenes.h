@@ -38,4 +38,7 @@ const std::vector<std::string>& GetSceneNames();
  */
 BenchmarkScene MakeScene(const std::string& name);
 
+/// Those hills with 100 (2) to 10,000,000 (7) triangles, by the power of ten.
+BenchmarkScene MakeTerrain(int power);
+
 #endif

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 
 namespace
 {
@@ -82,16 +83,15 @@ double CastRay(RTCScene scene, const Vector& sensor, const Vector& direction)
   return GetRange(hit.hit.geomID, hit.ray.tfar);
 }
 
-std::vector<double> CastRays(const StabilityCase& scene, Precision precision)
+std::vector<double> CastRays(RTCScene scene, const std::vector<StabilityShot>& shots)
 {
-  const RawScene raw(scene.Mesh, precision);
   std::vector<double> ranges;
-  ranges.reserve(scene.Shots.size() * lms3dBeamPacket::Size);
-  for (const StabilityShot& shot : scene.Shots)
+  ranges.reserve(shots.size() * lms3dBeamPacket::Size);
+  for (const StabilityShot& shot : shots)
   {
     for (const Vector& direction : shot.Directions)
     {
-      ranges.push_back(CastRay(raw.Get(), shot.Sensor, direction));
+      ranges.push_back(CastRay(scene, shot.Sensor, direction));
     }
   }
   return ranges;
@@ -117,15 +117,14 @@ RTCRayHit16 MakePacket(const StabilityShot& shot)
   return packet;
 }
 
-std::vector<double> CastPackets(const StabilityCase& scene)
+std::vector<double> CastPackets(RTCScene scene, const std::vector<StabilityShot>& shots)
 {
-  const RawScene raw(scene.Mesh, Precision::ROBUST);
-  CoherentCaster caster(raw.Get());
+  CoherentCaster caster(scene);
   alignas(64) int valid[lms3dBeamPacket::Size];
   std::fill(std::begin(valid), std::end(valid), -1);
   std::vector<double> ranges;
-  ranges.reserve(scene.Shots.size() * lms3dBeamPacket::Size);
-  for (const StabilityShot& shot : scene.Shots)
+  ranges.reserve(shots.size() * lms3dBeamPacket::Size);
+  for (const StabilityShot& shot : shots)
   {
     RTCRayHit16 packet = MakePacket(shot);
     caster.Intersect(valid, packet);
@@ -136,13 +135,24 @@ std::vector<double> CastPackets(const StabilityCase& scene)
   }
   return ranges;
 }
+
+using Cast = std::vector<double> (*)(RTCScene scene, const std::vector<StabilityShot>& shots);
+
+StabilityMethod MakeMethod(const std::string& name, Precision precision, Cast cast)
+{
+  return { name,
+    [precision, cast](const lms3dTriangleMesh& mesh) -> StabilityCaster
+    {
+      const auto scene = std::make_shared<const RawScene>(mesh, precision);
+      return [scene, cast](const std::vector<StabilityShot>& shots)
+      { return cast(scene->Get(), shots); };
+    } };
+}
 } // namespace
 
 std::vector<StabilityMethod> GetEmbreeMethods()
 {
-  return { { "Embree rays",
-             [](const StabilityCase& scene) { return CastRays(scene, Precision::PLAIN); } },
-    { "Embree robust rays",
-      [](const StabilityCase& scene) { return CastRays(scene, Precision::ROBUST); } },
-    { "Embree robust packets", CastPackets } };
+  return { MakeMethod("Embree rays", Precision::PLAIN, CastRays),
+    MakeMethod("Embree robust rays", Precision::ROBUST, CastRays),
+    MakeMethod("Embree robust packets", Precision::ROBUST, CastPackets) };
 }

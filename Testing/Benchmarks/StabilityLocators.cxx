@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace
 {
@@ -20,10 +21,10 @@ constexpr double CommonTolerance = 1e-9;
 // A line is cast so many times as far as the farthest corner is from the sensor.
 constexpr double Reach = 2.0;
 
-double GetLargestDistance(const lms3dTriangleMesh& mesh, const Vector& sensor)
+double GetLargestDistance(const std::vector<Vector>& points, const Vector& sensor)
 {
   double largest = 0.0;
-  for (const Vector& point : mesh.Points)
+  for (const Vector& point : points)
   {
     const double distance = GetLength(point - sensor);
     largest = std::isfinite(distance) ? std::max(largest, distance) : largest;
@@ -32,36 +33,65 @@ double GetLargestDistance(const lms3dTriangleMesh& mesh, const Vector& sensor)
 }
 
 template <typename LocatorT>
-std::vector<double> CastWith(const StabilityCase& scene, double tolerance)
+class LineCaster
 {
-  vtkNew<LocatorT> locator;
-  locator->SetDataSet(MakeSurface(scene.Mesh));
-  locator->BuildLocator();
-  std::vector<double> ranges;
-  ranges.reserve(scene.Shots.size() * lms3dBeamPacket::Size);
-  for (const StabilityShot& shot : scene.Shots)
+public:
+  LineCaster(const lms3dTriangleMesh& mesh, double tolerance)
+    : Points(mesh.Points)
+    , Tolerance(tolerance)
   {
-    const double length = Reach * GetLargestDistance(scene.Mesh, shot.Sensor);
-    for (const Vector& direction : shot.Directions)
-    {
-      const Vector end = shot.Sensor + length * direction;
-      double t = 0.0;
-      double point[3];
-      double place[3];
-      int part = 0;
-      const int isHit = locator->IntersectWithLine(
-        shot.Sensor.data(), end.data(), tolerance, t, point, place, part);
-      ranges.push_back(isHit ? t * length : std::numeric_limits<double>::infinity());
-    }
+    this->Locator->SetDataSet(MakeSurface(mesh));
+    this->Locator->BuildLocator();
   }
-  return ranges;
-}
+
+  std::vector<double> Cast(const std::vector<StabilityShot>& shots) const
+  {
+    std::vector<double> ranges;
+    ranges.reserve(shots.size() * lms3dBeamPacket::Size);
+    Vector sensor = {};
+    double length = 0.0;
+    for (const StabilityShot& shot : shots)
+    {
+      if (ranges.empty() || shot.Sensor != sensor)
+      {
+        sensor = shot.Sensor;
+        length = Reach * GetLargestDistance(this->Points, sensor);
+      }
+      for (const Vector& direction : shot.Directions)
+      {
+        ranges.push_back(this->GetRange(sensor, direction, length));
+      }
+    }
+    return ranges;
+  }
+
+private:
+  double GetRange(const Vector& sensor, const Vector& direction, double length) const
+  {
+    const Vector end = sensor + length * direction;
+    double t = 0.0;
+    double point[3];
+    double place[3];
+    int part = 0;
+    const int isHit = this->Locator->IntersectWithLine(
+      sensor.data(), end.data(), this->Tolerance, t, point, place, part);
+    return isHit ? t * length : std::numeric_limits<double>::infinity();
+  }
+
+  const std::vector<Vector> Points;
+  const double Tolerance;
+  const vtkNew<LocatorT> Locator;
+};
 
 template <typename LocatorT>
 StabilityMethod MakeLocator(const std::string& name, double tolerance)
 {
   return { name,
-    [tolerance](const StabilityCase& scene) { return CastWith<LocatorT>(scene, tolerance); } };
+    [tolerance](const lms3dTriangleMesh& mesh) -> StabilityCaster
+    {
+      const auto caster = std::make_shared<const LineCaster<LocatorT>>(mesh, tolerance);
+      return [caster](const std::vector<StabilityShot>& shots) { return caster->Cast(shots); };
+    } };
 }
 } // namespace
 

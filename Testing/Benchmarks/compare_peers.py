@@ -105,7 +105,7 @@ def compare(name, python, folder):
     for number, peer in enumerate(peers_casters.PEERS):
         row = [name, peer.name, peer.threads]
         try:
-            result = _scan(number, sys.executable if peer.is_debian else python, scene_file, folder)
+            result = scan(number, sys.executable if peer.is_debian else python, scene_file, folder)
             rows.append(row + _describe(result, raw.get(peer.threads), beams, truth))
         except PeerProblem as problem:
             reasons.append(f"{peer.name} is left out: {problem}")
@@ -119,10 +119,12 @@ class PeerProblem(Exception):
     """Why a peer has no numbers."""
 
 
-def _scan(number, python, scene_file, folder):
+def scan(number, python, scene_file, folder, seconds=peers_casters.SECONDS):
+    """Let a peer, by its number, repeat a scan for some seconds; return what it found."""
     result_file = folder / "result.npz"
     result_file.unlink(missing_ok=True)
-    command = [python, HERE / "peers_casters.py", str(number), scene_file, result_file]
+    command = [python, HERE / "peers_casters.py", str(number), scene_file, result_file,
+               str(seconds)]
     try:
         run = subprocess.run(command, timeout=TIME_LIMIT, check=False, text=True,
                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)

@@ -17,7 +17,7 @@ import numbers_of_text  # noqa: E402  (of a folder that is no package)
 
 CHARTS = ROOT / "Documentation" / "charts"
 TEXT = (ROOT / "Documentation" / "accuracy.md").read_text(encoding="utf-8")
-NAMES = ("B-mapping", "C-stability", "E-sampling")
+NAMES = ("A-casting", "B-mapping", "C-stability", "D-growth", "E-sampling")
 
 
 def table(name):
@@ -61,6 +61,35 @@ class TableTest(unittest.TestCase):
         self.assertEqual(failing, {"1e-310"})
         self.assertGreater(len(rows), 50)
 
+    def test_exact_errs_nowhere_and_nobody_quicker_than_fast_errs_less(self):
+        rows = [row for row in table("A-casting") if row["end"] == "done"]
+        fast = {row["scene"]: row for row in rows if row["caster"] == "Fast"}
+        self.assertEqual(set(fast), {"room", "teapot", "terrain1e5"})
+        for row in rows:
+            if row["caster"] == "Exact":
+                self.assertEqual(float(row["worst error"]), 0.0, row)
+            other = fast[row["scene"]]
+            if float(row["ns/beam"]) < float(other["ns/beam"]):
+                self.assertGreater(float(row["worst error"]), float(other["worst error"]), row)
+
+    def test_only_a_locator_without_tolerance_fails_in_ordinary_scenes(self):
+        failing = {row["caster"] for row in table("A-casting") if row["end"] == "done"
+                   and int(row["misses"]) + int(row["false hits"])}
+        self.assertEqual(failing, {"vtkStaticCellLocator at 0"})
+
+    def test_all_casters_are_there(self):
+        casters = {row["caster"] for row in table("A-casting")}
+        self.assertEqual(len(casters), 15)
+        self.assertLessEqual({"Open3D", "trimesh", "vtkOBBTree", "Embree rays"}, casters)
+
+    def test_growth_has_all_methods_and_ten_million_triangles(self):
+        rows = [row for row in table("D-growth") if row["end"] == "done"]
+        self.assertEqual(len({row["contender"] for row in rows if row["work"] == "scan"}), 5)
+        for contender in ("Exact", "Fast"):
+            self.assertEqual(max(int(row["triangles"]) for row in rows
+                                 if row["contender"] == contender), 10_000_000)
+        self.assertEqual({row["threads"] for row in rows} & {"1", "2"}, {"1", "2"})
+
     def test_every_map_was_made_without_and_with_noise(self):
         scans = collections.defaultdict(set)
         for row in table("B-mapping"):
@@ -99,7 +128,8 @@ class NumbersTest(unittest.TestCase):
     def test_replaces_a_wrong_number(self):
         comment = "<!-- T-some: name=a: part / whole -->"
         self.assertEqual(self.refreshed(f"so 99.9 %{comment} x"), f"so 12.5 %{comment} x")
-        self.assertEqual(self.refreshed(f"so 99 mm{comment} x"), f"so 0 mm{comment} x")
+        for unit in ("mm", "MB"):
+            self.assertEqual(self.refreshed(f"so 99 {unit}{comment} x"), f"so 0 {unit}{comment} x")
 
     def test_keeps_the_kind_of_number(self):
         comment = "<!-- T-some: name=b: {} -->"

@@ -8,23 +8,21 @@
 #include "lms3dSceneTriangles.h"
 
 #include <iterator>
-#include <limits>
+#include <memory>
 
 namespace
 {
 using NewCaster = std::function<std::unique_ptr<lms3dRayCaster>(lms3dTriangleMesh)>;
 
-std::vector<double> CastWith(const NewCaster& newCaster, const StabilityCase& scene)
+std::vector<double> CastWith(const lms3dRayCaster& caster, const std::vector<StabilityShot>& shots)
 {
   std::vector<double> ranges;
-  ranges.reserve(scene.Shots.size() * lms3dBeamPacket::Size);
-  const std::unique_ptr<lms3dRayCaster> caster =
-    newCaster(lms3dCollectTriangles(MakeSurface(scene.Mesh)).Mesh);
-  for (const StabilityShot& shot : scene.Shots)
+  ranges.reserve(shots.size() * lms3dBeamPacket::Size);
+  for (const StabilityShot& shot : shots)
   {
     lms3dBeamPacket packet = Aim(shot.Directions);
     const Vector& sensor = shot.Sensor;
-    caster->Cast({ { sensor[0], sensor[1], sensor[2] }, lms3dBeamPacket::NoRange }, &packet, 1);
+    caster.Cast({ { sensor[0], sensor[1], sensor[2] }, lms3dBeamPacket::NoRange }, &packet, 1);
     ranges.insert(ranges.end(), std::begin(packet.Range), std::end(packet.Range));
   }
   return ranges;
@@ -32,7 +30,13 @@ std::vector<double> CastWith(const NewCaster& newCaster, const StabilityCase& sc
 
 StabilityMethod MakeMethod(const std::string& name, const NewCaster& newCaster)
 {
-  return { name, [newCaster](const StabilityCase& scene) { return CastWith(newCaster, scene); } };
+  return { name,
+    [newCaster](const lms3dTriangleMesh& mesh) -> StabilityCaster
+    {
+      const std::shared_ptr<const lms3dRayCaster> caster =
+        newCaster(lms3dCollectTriangles(MakeSurface(mesh)).Mesh);
+      return [caster](const std::vector<StabilityShot>& shots) { return CastWith(*caster, shots); };
+    } };
 }
 
 /// A tolerance of so many powers of ten.

@@ -13,12 +13,20 @@
 #include <string>
 #include <vector>
 
+/// Gives the ranges of all beams, shot after shot, in units of their directions' lengths; infinite
+/// where nothing is hit.
+using StabilityCaster = std::function<std::vector<double>(const std::vector<StabilityShot>&)>;
+
 struct StabilityMethod
 {
   std::string Name;
-  /// The ranges of all beams, shot after shot, in units of their directions' lengths; infinite where
-  /// nothing is hit.
-  std::function<std::vector<double>(const StabilityCase&)> Cast;
+  /// Prepares a scene; what it returns keeps all that it needs.
+  std::function<StabilityCaster(const lms3dTriangleMesh&)> Build;
+
+  std::vector<double> Cast(const StabilityCase& scene) const
+  {
+    return this->Build(scene.Mesh)(scene.Shots);
+  }
 };
 
 /// Those of vtkLMS3DScanFilter, by number, from the scene as the filter takes it.

@@ -12,7 +12,9 @@ import sys
 import tempfile
 import time
 
+import casting
 import drawing
+import growth
 import mapping
 import numbers_of_text
 import sampling
@@ -21,7 +23,7 @@ import stability
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 # Each has LETTER, NAME, SUMMARY, measure(quick, csv_file), which writes the table, and
 # draw(table), which makes the picture of what the table holds.
-CHARTS = {chart.LETTER: chart for chart in (mapping, stability, sampling)}
+CHARTS = {chart.LETTER: chart for chart in (casting, mapping, stability, growth, sampling)}
 
 
 def make(chart, quick, folder):

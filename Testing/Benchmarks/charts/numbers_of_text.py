@@ -15,7 +15,7 @@ import csv
 import re
 
 # The number, its unit, and the three parts of the comment.
-_REFERENCE = re.compile(r"(?P<number>-?[\d,]*\.?\d+(?:e[-+]?\d+)?)(?P<unit> %| [a-z]+)?"
+_REFERENCE = re.compile(r"(?P<number>-?[\d,]*\.?\d+(?:e[-+]?\d+)?)(?P<unit> %| [A-Za-z]+)?"
                         r"(?P<comment><!-- (?P<file>[\w-]+): (?P<row>[^:]*): (?P<cell>[^:]*) -->)")
 
 

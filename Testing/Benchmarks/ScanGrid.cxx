@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ScanGrid.h"
+
+#include "Scenes.h"
+#include "lms3dScanGeometry.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+constexpr int TileSide = 4;
+static_assert(TileSide * TileSide == lms3dBeamPacket::Size);
+
+std::vector<double> Spread(const double* ranges, const std::vector<std::size_t>& beams)
+{
+  std::vector<double> spread(ScanGrid::MostBeams, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < beams.size(); ++i)
+  {
+    spread[beams[i]] = ranges[i];
+  }
+  return spread;
+}
+} // namespace
+
+std::size_t ScanGrid::GetNumberOfBeams() const
+{
+  return static_cast<std::size_t>(this->GetAlphaResolution()) * this->GetBetaResolution();
+}
+
+std::vector<std::size_t> ScanGrid::GetBeams() const
+{
+  std::vector<std::size_t> beams;
+  beams.reserve(this->GetNumberOfBeams());
+  for (std::size_t turn = 0; turn < Betas; turn += this->Stride)
+  {
+    for (std::size_t beam = 0; beam < Alphas; beam += this->Stride)
+    {
+      beams.push_back(turn * Alphas + beam);
+    }
+  }
+  return beams;
+}
+
+std::vector<std::size_t> ScanGrid::GetBeamsOfShots() const
+{
+  const int alphas = this->GetAlphaResolution();
+  const int betas = this->GetBetaResolution();
+  std::vector<std::size_t> beams;
+  for (int row = 0; row < betas; row += TileSide)
+  {
+    for (int tile = 0; tile < alphas; tile += TileSide)
+    {
+      for (int i = 0; i < lms3dBeamPacket::Size; ++i)
+      {
+        const int turn = std::min(row + i / TileSide, betas - 1) * this->Stride;
+        const int beam = std::min(tile + i % TileSide, alphas - 1) * this->Stride;
+        beams.push_back(static_cast<std::size_t>(turn) * Alphas + beam);
+      }
+    }
+  }
+  return beams;
+}
+
+std::vector<StabilityShot> ScanGrid::MakeShots(const BenchmarkScene& scene) const
+{
+  const std::vector<Vector> directions = MakeDirections(scene);
+  const std::vector<std::size_t> beams = this->GetBeamsOfShots();
+  std::vector<StabilityShot> shots(beams.size() / lms3dBeamPacket::Size);
+  for (std::size_t i = 0; i < beams.size(); ++i)
+  {
+    StabilityShot& shot = shots[i / lms3dBeamPacket::Size];
+    shot.Sensor = scene.Sensor;
+    shot.Directions[i % lms3dBeamPacket::Size] = directions[beams[i]];
+  }
+  return shots;
+}
+
+std::vector<double> ScanGrid::SpreadGrid(const double* ranges) const
+{
+  return Spread(ranges, this->GetBeams());
+}
+
+std::vector<double> ScanGrid::SpreadShots(const std::vector<double>& ranges) const
+{
+  return Spread(ranges.data(), this->GetBeamsOfShots());
+}
+
+std::vector<Vector> ScanGrid::MakeDirections(const BenchmarkScene& scene)
+{
+  const double alphaRange[2] = { -90.0, 90.0 };
+  const double betaRange[2] = { 0.0, 360.0 };
+  const double upright[3] = { 0.0, 0.0, 0.0 };
+  const lms3dScanGeometry geometry(alphaRange, Alphas, betaRange, Betas);
+  const lms3dPose pose = lms3dPose::FromOrientation(scene.Sensor.data(), upright);
+  const lms3dBeamDirections directions(geometry, pose);
+  std::vector<Vector> all(MostBeams);
+  for (std::size_t beam = 0; beam < MostBeams; ++beam)
+  {
+    all[beam] =
+      directions.GetDirection(static_cast<int>(beam / Alphas), static_cast<int>(beam % Alphas));
+  }
+  return all;
+}
