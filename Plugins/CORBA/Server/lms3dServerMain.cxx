@@ -116,8 +116,10 @@ int Run(const lms3dServerOptions& options)
   }
   catch (const CORBA::SystemException& problem)
   {
-    lms3dLog(std::string("the ORB failed: ") + problem._name() + ", " + problem.NP_minorString() +
-      "; is the endpoint in use?");
+    // Null for codes that are not the ORB's own.
+    const char* const detail = problem.NP_minorString();
+    lms3dLog(std::string("the ORB failed: ") + problem._name() +
+      (detail ? std::string(", ") + detail : "") + "; is the endpoint in use?");
   }
   catch (const CORBA::Exception& problem)
   {
