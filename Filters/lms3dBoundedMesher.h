@@ -19,8 +19,9 @@
  * Finds planar patches, straightens their borders and triangulates them, and returns only what has
  * been checked: every return is met by its beam on a triangle that is no farther from it than the
  * bound, measured along the beam. What fails is split into patches of one return, or loses the few
- * returns that its outline leaves out, and those that fail again become facets; where patches would have fewer than twenty returns on average, or the noise
- * is as large as the bound, the triangles of the plain grid take their place.
+ * returns that its outline leaves out, and those that fail again become facets; where patches would
+ * have fewer than twenty returns on average, or the noise is as large as the bound, the triangles of
+ * the plain grid take their place.
  */
 class lms3dBoundedMesher
 {
