@@ -98,15 +98,13 @@ def advise(simulation, tolerance, share, finest, samples=None):
     """
     bounds = [tolerance * factor for factor in (8, 4, 2, 1, 0.5, 0.25, 0.125)]
     trials = [(step, bound) for step in steps_down_to(finest) for bound in bounds]
-    # Half a step takes four times as long.
-    weights = [step**-2 for step, _ in trials]
-    best, done = None, 0.0
-    for (step, bound), weight in zip(trials, weights):
-        part = (done / sum(weights), (done + weight) / sum(weights))
+    best = None
+    # Each takes about as long, since most of that is the comparison.
+    for number, (step, bound) in enumerate(trials):
+        part = (number / len(trials), (number + 1) / len(trials))
         sample = measure(simulation, step, bound, tolerance, samples, part)
         if sample.meets(share):
             return sample, best
         if sample.comparison and (best is None or sample.is_better_than(best)):
             best = sample
-        done += weight
     return None, best
