@@ -41,6 +41,12 @@ std::array<double, 3> GetBoundsOfQuadrics(double noise)
   return { noise > 0.0 ? 0.01 : 0.001, GetBoundOfRivals(noise), 0.05 };
 }
 
+/// Milliseconds that each work is repeated for.
+double GetBudget(const BenchmarkOptions& options)
+{
+  return options.IsQuick ? 200.0 : 2000.0;
+}
+
 /// Those of one scan, by their bounds.
 using Maps = std::map<double, MapContender>;
 
@@ -135,20 +141,20 @@ void CompareDecimations(
   {
     if (bound == fairBound || !options.IsQuick)
     {
-      AddRow(
-        subject, DecimateByQuadrics(grid, maps.at(bound).Map->GetNumberOfCells()), bound, table);
+      const vtkIdType triangles = maps.at(bound).Map->GetNumberOfCells();
+      AddRow(subject, DecimateByQuadrics(grid, triangles, GetBudget(options)), bound, table);
     }
   }
-  AddRow(subject, DecimatePro(grid, maps.at(fairBound).Map->GetNumberOfCells()), fairBound, table);
+  const vtkIdType triangles = maps.at(fairBound).Map->GetNumberOfCells();
+  AddRow(subject, DecimatePro(grid, triangles, GetBudget(options)), fairBound, table);
 }
 
 void CompareMaps(const Subject& subject, const BenchmarkOptions& options, Table& table)
 {
-  const double budget = options.IsQuick ? 200.0 : 1000.0;
   Maps maps;
   for (double bound : Bounds)
   {
-    maps[bound] = MakeLocalMap(subject.Scan, bound, subject.Scene.DepthStep, budget);
+    maps[bound] = MakeLocalMap(subject.Scan, bound, subject.Scene.DepthStep, GetBudget(options));
     AddRow(subject, maps[bound], bound, table);
   }
   if (!options.IsQuick || subject.Noise == 0.0)
@@ -157,7 +163,7 @@ void CompareMaps(const Subject& subject, const BenchmarkOptions& options, Table&
   }
   if (!options.IsQuick)
   {
-    AddRow(subject, ReconstructFromPoints(subject.Scan), NoBound, table);
+    AddRow(subject, ReconstructFromPoints(subject.Scan, GetBudget(options)), NoBound, table);
   }
   table.Print();
 }
@@ -170,7 +176,7 @@ void CompareOnScene(const std::string& name, const BenchmarkOptions& options, Ta
   scan->SetPosition(scene.Sensor[0], scene.Sensor[1], scene.Sensor[2]);
   scan->SetNumberOfThreads(1);
   scan->Update();
-  const double ms = GetBestMilliseconds(options.IsQuick ? 200.0 : 1000.0,
+  const double ms = GetBestMilliseconds(GetBudget(options),
     [&]
     {
       scan->Modified();

@@ -26,14 +26,19 @@ constexpr double CellsPerDiagonal = 100.0;
 constexpr double Shaking = 1e-6;
 
 template <typename Decimation>
-MapContender Decimate(
-  const MapContender& grid, vtkPolyData* input, vtkIdType triangles, const std::string& name)
+MapContender Decimate(const MapContender& grid, vtkPolyData* input, vtkIdType triangles,
+  double budget, const std::string& name)
 {
   vtkNew<Decimation> decimation;
   decimation->SetInputData(input);
   decimation->SetTargetReduction(
     1.0 - static_cast<double>(triangles) / static_cast<double>(grid.Map->GetNumberOfCells()));
-  const double ms = GetMilliseconds([&] { decimation->Update(); });
+  const double ms = GetBestMilliseconds(budget,
+    [&]
+    {
+      decimation->Modified();
+      decimation->Update();
+    });
   return { grid.Name + " + " + name, decimation->GetOutput(), grid.Milliseconds + ms };
 }
 
@@ -103,17 +108,18 @@ MapContender MakeLocalMap(vtkPolyData* scan, double maximumError, double depthSt
   return { maximumError > 0.0 ? "LMS3D map" : "LMS3D grid", filter->GetOutput(), ms };
 }
 
-MapContender DecimateByQuadrics(const MapContender& grid, vtkIdType triangles)
+MapContender DecimateByQuadrics(const MapContender& grid, vtkIdType triangles, double budget)
 {
-  return Decimate<vtkQuadricDecimation>(grid, Shake(grid.Map), triangles, "vtkQuadricDecimation");
+  return Decimate<vtkQuadricDecimation>(
+    grid, Shake(grid.Map), triangles, budget, "vtkQuadricDecimation");
 }
 
-MapContender DecimatePro(const MapContender& grid, vtkIdType triangles)
+MapContender DecimatePro(const MapContender& grid, vtkIdType triangles, double budget)
 {
-  return Decimate<vtkDecimatePro>(grid, grid.Map, triangles, "vtkDecimatePro");
+  return Decimate<vtkDecimatePro>(grid, grid.Map, triangles, budget, "vtkDecimatePro");
 }
 
-MapContender ReconstructFromPoints(vtkPolyData* scan)
+MapContender ReconstructFromPoints(vtkPolyData* scan, double budget)
 {
   vtkNew<vtkSurfaceReconstructionFilter> distance;
   distance->SetInputData(scan);
@@ -121,6 +127,11 @@ MapContender ReconstructFromPoints(vtkPolyData* scan)
   vtkNew<vtkContourFilter> contour;
   contour->SetInputConnection(distance->GetOutputPort());
   contour->SetValue(0, 0.0);
-  const double ms = GetMilliseconds([&] { contour->Update(); });
+  const double ms = GetBestMilliseconds(budget,
+    [&]
+    {
+      distance->Modified();
+      contour->Update();
+    });
   return { "vtkSurfaceReconstructionFilter", contour->GetOutput(), ms };
 }

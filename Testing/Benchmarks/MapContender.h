@@ -23,16 +23,17 @@ struct MapContender
 /// The scan as a sensor with Gaussian noise along its beams would have it, the same each time.
 vtkSmartPointer<vtkPolyData> AddRangeNoise(vtkPolyData* scan, double sigma);
 
-/// vtkLMS3DSurfaceReconstructionFilter with a bound and a DepthStep in metres, on one thread; the best
-/// of the runs within a budget (ms).
+/// The time of each is the best of the runs within a budget (ms), or that of the first and only one.
+
+/// vtkLMS3DSurfaceReconstructionFilter with a bound and a DepthStep in metres, on one thread.
 MapContender MakeLocalMap(vtkPolyData* scan, double maximumError, double depthStep, double budget);
 
-/// The grid, decimated to a number of triangles; run once.
-MapContender DecimateByQuadrics(const MapContender& grid, vtkIdType triangles);
-MapContender DecimatePro(const MapContender& grid, vtkIdType triangles);
+/// The grid, decimated to a number of triangles.
+MapContender DecimateByQuadrics(const MapContender& grid, vtkIdType triangles, double budget);
+MapContender DecimatePro(const MapContender& grid, vtkIdType triangles, double budget);
 
 /// vtkSurfaceReconstructionFilter, which knows the points alone, at a hundredth of the diagonal of
-/// their box; run once.
-MapContender ReconstructFromPoints(vtkPolyData* scan);
+/// their box.
+MapContender ReconstructFromPoints(vtkPolyData* scan, double budget);
 
 #endif

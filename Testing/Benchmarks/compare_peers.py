@@ -23,10 +23,10 @@ import numpy
 import peers_casters
 import peers_reference
 import peers_scene
+from places import BENCHMARK, ROOT
 
 HERE = pathlib.Path(__file__).resolve().parent
-ENVIRONMENT = HERE.parents[1] / "build" / "peers"
-BENCHMARK = HERE.parents[1] / "build" / "bin" / "lms3dBenchmark"
+ENVIRONMENT = ROOT / "build" / "peers"
 # The published table is of these versions. open3d-cpu is the same without CUDA, and smaller; it is
 # not made for every platform. Both need libusb.
 PACKAGES = (("numpy==2.4.6",), ("open3d-cpu==0.20.0", "open3d==0.20.0"),
@@ -75,7 +75,7 @@ def versions(python):
 def time_raw_packets(name, folder):
     """Return milliseconds of Embree's raw packets by number of threads, as "./run bench scan" does."""
     if not BENCHMARK.exists():
-        print("x raw is left out: there is no lms3dBenchmark in build/bin")
+        print(f"x raw is left out: there is no {BENCHMARK}")
         return {}
     table = folder / "raw.csv"
     subprocess.run([BENCHMARK, "scan", "--quick", "--scenes", name, "--methods", "Fast", "--csv",

@@ -14,6 +14,8 @@ import numpy
 from peers_casters import import_open3d
 
 NEIGHBOURS = 30
+# Each is repeated for so long, as those of "./run bench map" are.
+SECONDS = 2.0
 # Of the vertices, those that the fewest points support; Poisson closes every surface.
 TRIMMED_SHARE = 0.05
 
@@ -45,14 +47,16 @@ PEERS = {
 
 
 def main():
-    """Make the map and save it with its time in seconds."""
+    """Make the map and save it with its best time in seconds."""
     name, points_file, map_file = sys.argv[1:]
     scan = numpy.load(points_file)
     open3d = import_open3d()
-    start = time.perf_counter()
-    mesh = PEERS[name](open3d, scan["points"], scan["sensor"])
-    seconds = time.perf_counter() - start
-    numpy.savez(map_file, seconds=seconds, points=numpy.asarray(mesh.vertices),
+    times = []
+    while sum(times) < SECONDS:
+        start = time.perf_counter()
+        mesh = PEERS[name](open3d, scan["points"], scan["sensor"])
+        times.append(time.perf_counter() - start)
+    numpy.savez(map_file, seconds=min(times), points=numpy.asarray(mesh.vertices),
                 triangles=numpy.asarray(mesh.triangles))
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Documentation/accuracy.md says what the tables beside its charts say."""
+"""The texts say what the tables beside the charts of Documentation/accuracy.md say."""
 
 import collections
 import csv
@@ -16,8 +16,12 @@ sys.path.insert(0, str(ROOT / "Testing" / "Benchmarks" / "charts"))
 import numbers_of_text  # noqa: E402  (of a folder that is no package)
 
 CHARTS = ROOT / "Documentation" / "charts"
-TEXT = (ROOT / "Documentation" / "accuracy.md").read_text(encoding="utf-8")
+TEXTS = {name: (ROOT / name).read_text(encoding="utf-8") for name in numbers_of_text.TEXTS}
+TEXT = TEXTS["Documentation/accuracy.md"]
 NAMES = ("A-casting", "B-mapping", "C-stability", "D-growth", "E-sampling")
+# What the text asks for, and does not find.
+PARAMETERS = {"1 mm", "5 mm", "10 mm", "20 mm", "804 triangles", "1,280 triangles",
+              "100,000 triangles", "10,000,000 triangles"}
 
 
 def table(name):
@@ -26,17 +30,38 @@ def table(name):
         return list(csv.DictReader(file))
 
 
+QUADRICS = "grid + vtkQuadricDecimation"
+PRO = "grid + vtkDecimatePro"
+
+
+def mapped(scene, name, noise, bound):
+    """The numbers of a map of chart B that is made by LMS3D, or of the grid that LMS3D made."""
+    row, = (row for row in table("B-mapping") if row["scene"] == scene
+            and row["map"] == f"LMS3D {name}" and row["noise mm"] == noise
+            and row["bound mm"] == bound)
+    return {key: float(row[key]) for key in ("ms", "triangles", "hit triangles", "both mean mm",
+                                             "to scene mean mm", "to map mean mm",
+                                             "farthest return mm")}
+
+
 class TextTest(unittest.TestCase):
-    """The text against the tables."""
+    """The texts against the tables."""
 
     maxDiff = None
 
     def test_numbers_are_those_of_the_tables(self):
-        self.assertEqual(TEXT, numbers_of_text.refresh(TEXT, CHARTS))
+        for name, text in TEXTS.items():
+            self.assertEqual((text, []), numbers_of_text.refresh(text, CHARTS), name)
+            self.assertGreater(len(numbers_of_text.references(text)), 3, name)
 
-    def test_every_percentage_names_its_cell(self):
-        bare = re.findall(r"[^\n]*\d %(?!<!--)[^\n]*", TEXT)
-        self.assertEqual(bare, [])
+    def test_every_measured_number_names_its_cell(self):
+        rest = numbers_of_text.without_references(TEXT)
+        bare = set(re.findall(r"\d[\d.,]*\s(?:%|ns|ms|MB|mm|triangles)(?!\w)", rest))
+        self.assertEqual({re.sub(r"\s", " ", number) for number in bare} - PARAMETERS, set())
+
+    def test_the_readme_shows_all_charts(self):
+        for name in NAMES:
+            self.assertIn(f'src="Documentation/charts/{name}.png"', TEXTS["README.md"])
 
     def test_each_chart_is_shown_and_told_of(self):
         told = numbers_of_text.references(TEXT)
@@ -45,6 +70,8 @@ class TextTest(unittest.TestCase):
             self.assertGreaterEqual(told.count(name), 5, name)
             for ending in ("png", "svg", "csv"):
                 self.assertGreater((CHARTS / f"{name}.{ending}").stat().st_size, 1000)
+            machine = (CHARTS / f"{name}.txt").read_text(encoding="utf-8").strip()
+            self.assertIn(machine.split(",")[0], (CHARTS / f"{name}.svg").read_text(encoding="utf-8"))
 
     def test_every_situation_is_explained(self):
         for name in {row["situation"] for row in table("C-stability")}:
@@ -107,6 +134,45 @@ class TableTest(unittest.TestCase):
             self.assertLessEqual(float(row["farthest return mm"]), float(row["bound mm"]))
         self.assertEqual(len(rows), 15)
 
+    def test_with_noise_the_bound_leaves_out_returns_of_poles(self):
+        """The teapot's scan has none."""
+        exceeded = {(row["scene"], row["bound mm"]) for row in table("B-mapping")
+                    if row["map"] == "LMS3D map" and row["noise mm"] == "5"
+                    and float(row["farthest return mm"]) > float(row["bound mm"])}
+        self.assertEqual(exceeded, {(scene, bound) for scene in ("room", "terrain1e5")
+                                    for bound in ("1", "5", "10")})
+
+    def test_maps_of_the_room_compare_as_told(self):
+        grid, bounded = mapped("room", "grid", "0", "0"), mapped("room", "map", "0", "10")
+        for other in (grid, mapped("room", QUADRICS, "0", "10"), mapped("room", PRO, "0", "10")):
+            self.assertLess(bounded["both mean mm"], other["both mean mm"])
+        self.assertLess(grid["ms"], bounded["ms"])
+        self.assertLess(100 * bounded["ms"], mapped("room", QUADRICS, "0", "10")["ms"])
+        self.assertLess(mapped("room", "map", "5", "20")["both mean mm"],
+                        mapped("room", "grid", "5", "0")["both mean mm"])
+        for row in table("B-mapping"):
+            if row["scene"] == "room":
+                self.assertLess(int(row["scene triangles"]), int(row["triangles"]), row)
+
+    def test_what_is_told_against_our_maps_holds(self):
+        bounded = mapped("teapot", "map", "0", "10")
+        decimated = mapped("teapot", QUADRICS, "0", "10")
+        self.assertEqual(bounded["triangles"], decimated["triangles"])
+        self.assertLess(decimated["both mean mm"], bounded["both mean mm"])
+        self.assertLess(bounded["farthest return mm"], decimated["farthest return mm"])
+        self.assertLess(bounded["triangles"], bounded["hit triangles"])
+        self.assertLess(mapped("teapot", "grid", "5", "0")["both mean mm"],
+                        mapped("teapot", "map", "5", "20")["both mean mm"])
+        self.assertGreaterEqual(mapped("room", "map", "5", "5")["triangles"],
+                                mapped("room", "grid", "5", "0")["triangles"])
+        self.assertLess(mapped("room", "map", "5", "20")["ms"],
+                        mapped("room", "map", "5", "10")["ms"])
+        bounded, grid = mapped("terrain1e5", "map", "0", "10"), mapped("terrain1e5", "grid", "0", "0")
+        self.assertLess(10 * grid["ms"], bounded["ms"])
+        self.assertLess(grid["to scene mean mm"], bounded["to scene mean mm"])
+        self.assertLess(bounded["to map mean mm"], grid["to map mean mm"])
+        self.assertLess(bounded["hit triangles"], bounded["triangles"])
+
     def test_no_method_crashed(self):
         self.assertEqual({row["end"] for row in table("C-stability")}, {"done"})
 
@@ -122,8 +188,10 @@ class NumbersTest(unittest.TestCase):
                                                 encoding="utf-8")
 
     def refreshed(self, text):
-        """The text with the numbers of the table."""
-        return numbers_of_text.refresh(text, self.folder)
+        """The text with the numbers of the table, all of which are there."""
+        text, problems = numbers_of_text.refresh(text, self.folder)
+        self.assertEqual(problems, [])
+        return text
 
     def test_replaces_a_wrong_number(self):
         comment = "<!-- T-some: name=a: part / whole -->"
@@ -137,10 +205,15 @@ class NumbersTest(unittest.TestCase):
         self.assertEqual(self.refreshed(f"1{part} 1.5e-3{whole} 0.00{both}"),
                          f"1,234{part} 1.0e-09{whole} 1,234.50{both}")
 
-    def test_refuses_what_names_no_cell(self):
-        for words in ("name=c: part", "nam=a: part", "name=a: parts", "name=a: name"):
-            with self.assertRaises(numbers_of_text.NumberProblem):
-                self.refreshed(f"1<!-- T-some: {words} -->")
+    def test_keeps_what_names_no_cell_and_tells_why(self):
+        for words in ("T-some: name=c: part", "T-some: nam=a: part", "T-some: name=a: parts",
+                      "T-some: name=a: name", "T-none: name=a: part"):
+            comment = f"<!-- {words} -->"
+            other = "<!-- T-some: name=a: part -->"
+            text, problems = numbers_of_text.refresh(f"1{comment} 99{other}", self.folder)
+            self.assertEqual(text, f"1{comment} 25{other}")
+            self.assertEqual(len(problems), 1)
+            self.assertRegex(problems[0], f"{comment}|T-none.csv")
 
 
 if __name__ == "__main__":

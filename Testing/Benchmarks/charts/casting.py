@@ -22,7 +22,6 @@ LETTER = "A"
 NAME = "casting"
 SUMMARY = "time of a beam against the error of its range, for every method and other casters"
 
-BENCHMARK = HERE.parents[2] / "build" / "bin" / "lms3dBenchmark"
 # Their names in peers_casters.py, and on the chart.
 PEERS = {"Open3D RaycastingScene": "Open3D", "trimesh + embreex": "trimesh"}
 SECONDS, SECONDS_WHEN_QUICK = 2.0, 0.2
@@ -33,7 +32,7 @@ def measure(quick, csv_file):
     """Run the C++ casters, then those for Python with the same beams and the same truth."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        command = [BENCHMARK, "casting", "--csv", folder / "table.csv", "--beams", folder]
+        command = [drawing.BENCHMARK, "casting", "--csv", folder / "table.csv", "--beams", folder]
         subprocess.run(command + ["--quick"] * quick, stdout=subprocess.DEVNULL, check=True)
         rows = drawing.read_table(folder / "table.csv")
         scenes = {row["scene"]: row["triangles"] for row in rows}
@@ -251,7 +250,7 @@ def _words(table):
     return words + (f" Versions: {', '.join(versions)}," if versions else "")
 
 
-def draw(table):
+def draw(table, machine):
     """A row of panels for each scene: time and errors, the names, and the beams that fail."""
     scenes = list(dict.fromkeys(row["scene"] for row in table))
     head, foot, step, tall = 0.95, 1.35, 3.45, 2.9  # inches
@@ -276,5 +275,5 @@ def draw(table):
     figure.suptitle("Casting: what a beam costs, and how far off its range is", x=0.01, ha="left",
                     y=1 - 0.12 / height, fontsize=13, weight="bold")
     _draw_key(figure, 1 - 0.52 / height)
-    drawing.add_caption(figure, drawing.caption(_words(table), 1), 165)
+    drawing.add_caption(figure, drawing.caption(_words(table), machine), 165)
     return figure

@@ -7,6 +7,7 @@ import os
 import pathlib
 import platform
 import subprocess
+import sys
 import textwrap
 
 import lms3d
@@ -15,6 +16,9 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  (after the choice of what draws)
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from places import BENCHMARK, ROOT  # noqa: E402, F401  (of a folder that is no package; for charts)
 
 # Those of Okabe and Ito (2008), which people who see few colours can tell apart.
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
@@ -69,12 +73,15 @@ def _embree():
     return lines[0].split("+")[0].split("-")[0] if lines else "of unknown version"
 
 
-def caption(words, threads):
+def name_machine():
+    """What measures and on what, to be kept beside the table that comes of it."""
+    return (f"LMS3D {lms3d.__version__}, VTK {vtkVersion.GetVTKVersion()}, Embree {_embree()}, "
+            f"{_system()}, {_processor()}, {len(os.sched_getaffinity(0))} cores")
+
+
+def caption(words, machine, threads="1 thread"):
     """What was measured, by what and on what."""
-    cores = len(os.sched_getaffinity(0))
-    return (f"{words} LMS3D {lms3d.__version__}, VTK {vtkVersion.GetVTKVersion()}, "
-            f"Embree {_embree()}, {_system()}, {_processor()}, {cores} cores, "
-            f"{threads} thread{'s' if threads > 1 else ''}.")
+    return f"{words} {machine}, {threads}."
 
 
 def add_caption(figure, text, width):

@@ -14,7 +14,6 @@ LETTER = "D"
 NAME = "growth"
 SUMMARY = "time and memory of building, scanning and mapping against triangles, beams and threads"
 
-BENCHMARK = pathlib.Path(__file__).resolve().parents[3] / "build" / "bin" / "lms3dBenchmark"
 BEAMS = 361 * 360
 
 
@@ -22,7 +21,7 @@ def measure(quick, csv_file):
     """Run the benchmark, and fit what it measured."""
     with tempfile.TemporaryDirectory() as folder:
         table = pathlib.Path(folder) / "table.csv"
-        command = [BENCHMARK, "growth", "--csv", table] + ["--quick"] * quick
+        command = [drawing.BENCHMARK, "growth", "--csv", table] + ["--quick"] * quick
         subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
         rows = drawing.read_table(table)
     for row in rows:
@@ -227,7 +226,7 @@ def _list(left):
                      for (contender, against), count in least.items())
 
 
-def draw(table):
+def draw(table, machine):
     """Rows for what is done, columns for what grows, and the paper's Figure 7."""
     lines = _lines(table)
     figure = pyplot.figure(figsize=(9.2, 12.6))
@@ -252,5 +251,6 @@ def draw(table):
     _draw_figure_7(figure.add_axes((0.145, 0.105, 0.80, 0.135)), lines)
     figure.suptitle("Growth: time and memory against triangles, beams and threads", x=0.01,
                     ha="left", y=0.99, fontsize=13, weight="bold")
-    drawing.add_caption(figure, drawing.caption(_words(table), 1), 165)
+    drawing.add_caption(figure, drawing.caption(
+        _words(table), machine, "1 thread where no other number stands"), 165)
     return figure

@@ -5,22 +5,18 @@
 import pathlib
 import statistics
 import subprocess
-import sys
 import tempfile
 
+# This first: it adds the folder of the two below.
 import drawing
+import compare_map_peers
+import compare_peers
 from matplotlib import lines, patheffects, pyplot
-
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(ROOT / "Testing" / "Benchmarks"))
-import compare_map_peers  # noqa: E402  (of a folder that is no package)
-from compare_peers import PACKAGES, install  # noqa: E402  (the same)
 
 LETTER = "B"
 NAME = "mapping"
 SUMMARY = "time and triangles of maps against their error, without and with noise"
 
-BENCHMARK = ROOT / "build" / "bin" / "lms3dBenchmark"
 # A map's name without its depth, what the picture calls it, and its colour and marker.
 METHODS = (
     ("LMS3D map", "bounded map", drawing.COLORS[0], "o"),
@@ -45,35 +41,49 @@ SCENES_WHEN_QUICK = ("room", "teapot")
 
 def measure(quick, csv_file):
     """Run the benchmark of VTK's maps and ours, and give Open3D the same scans."""
-    python = None if quick else install()
+    python, version = (None, None) if quick else _install()
     rows = []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for scene in SCENES_WHEN_QUICK if quick else SCENES:
             print(f"   {scene}", flush=True)
-            some = _run_benchmark(scene, quick, folder)
-            rows += some + ([] if quick else _map_with_peers(scene, some[0], python, folder))
+            some = [{**row, "version": "-"} for row in _run_benchmark(scene, quick, folder)]
+            rows += some
+            if version:
+                same = {key: some[0][key] for key in ("scene triangles", "hit triangles")}
+                same["version"] = version
+                rows += _map_with_peers(scene, {**dict.fromkeys(some[0], "-"), **same}, python,
+                                        folder)
     drawing.write_table(csv_file, rows)
+
+
+def _install():
+    """The Python that has Open3D, and what that is; None where it cannot be installed."""
+    try:
+        python = compare_peers.install()
+        names = [x for x in compare_peers.versions(python) if x.startswith("open3d")]
+    except (OSError, subprocess.CalledProcessError) as problem:
+        print(f"Open3D is left out: {problem}")
+        return None, None
+    return python, next(iter(names), None)
 
 
 def _run_benchmark(scene, quick, folder):
     table = folder / "map.csv"
-    command = [BENCHMARK, "map", "--scenes", scene, "--csv", table] + ["--quick"] * quick
+    command = [drawing.BENCHMARK, "map", "--scenes", scene, "--csv", table] + ["--quick"] * quick
     subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
     return drawing.read_table(table)
 
 
-def _map_with_peers(scene, example, python, folder):
-    """Rows with the columns of an example, which is of the same scene."""
-    same = {key: example[key] for key in ("scene triangles", "hit triangles")}
+def _map_with_peers(scene, same, python, folder):
+    """Rows with all columns; of those that no peer fills, what is the same in all of them."""
     surface, exact, sensor = compare_map_peers.make_scan(scene)
     noise = compare_map_peers.NOISE
     rows = []
     for scan, sigma in ((exact, 0), (compare_map_peers.add_noise(exact, sensor), noise)):
         maps = compare_map_peers.map_with_peers(scan, sensor, python, folder)
         for cells in compare_map_peers.describe_maps(scene, sigma, maps, surface, scan):
-            row = dict(zip(compare_map_peers.COLUMNS, cells))
-            rows.append({**dict.fromkeys(example, "-"), **row, **same})
+            rows.append({**same, **dict(zip(compare_map_peers.COLUMNS, cells))})
     return rows
 
 
@@ -88,15 +98,16 @@ def _select(table, **wanted):
 
 
 def _draw_series(axes, rows, key, style):
-    """A method's maps of one scan, from the largest to the smallest."""
+    """A method's maps of one scan; joined against triangles, since times go to and fro."""
     _, _, color, marker = style
     noise = rows[0]["noise mm"]
-    rows = sorted(rows, key=lambda row: -int(row["triangles"]))
+    rows = sorted(rows, key=lambda row: int(row["triangles"]))
+    line = "none" if key == "ms" else "-" if noise == "0" else DASHED
     values = [float(row[key]) for row in rows]
     errors = [(float(row["to scene mean mm"]), float(row["to map mean mm"])) for row in rows]
     axes.vlines(values, *zip(*errors), color=color, linewidth=1, alpha=0.5)
     axes.plot(values, [float(row["both mean mm"]) for row in rows], color=color, linewidth=1.2,
-              linestyle="-" if noise == "0" else DASHED, marker=marker, markersize=6,
+              linestyle=line, marker=marker, markersize=6,
               markerfacecolor=_fill(color, noise), markeredgewidth=1.2)
 
 
@@ -178,12 +189,19 @@ def _add_legend(figure, table, top):
     figure.legend(handles=handles, ncol=4, loc="upper left", bbox_to_anchor=(0.0, top), fontsize=8)
 
 
-def _name_open3d():
-    return next(choice for choices in PACKAGES for choice in choices
-                if choice.startswith("open3d==")).replace("open3d==", "Open3D ")
+def _words(table):
+    """What the caption says of this table."""
+    words = (
+        "The same scans of 361 x 360 beams for all. Mean error: the mean of map to scene and "
+        "visible scene to map, the ends of the upright lines. Bounded maps: within 1, 5, "
+        "10, 20 and 50 mm, as named at the top right. Decimation gets as many triangles as those "
+        "within 1 (with noise 10), 10 (20) and 50 mm have, vtkDecimatePro as the second. Times: "
+        "the best of several runs, of what takes seconds the only one.")
+    others = {row["version"] for row in _select(table)} - {"-"}
+    return " ".join([words, *(f"{version} has all cores." for version in sorted(others))])
 
 
-def draw(table):
+def draw(table, machine):
     """Time and triangles against error for each scene, and the scenes' own triangles."""
     names = list(dict.fromkeys(row["scene"] for row in table))
     height = 3.9 + 2.5 * len(names)
@@ -203,10 +221,5 @@ def draw(table):
     figure.suptitle("What a map costs, and how far it is from the scene", x=0.01, ha="left",
                     y=1 - 0.1 / height, fontsize=13, weight="bold")
     _add_legend(figure, table, 1 - 0.3 / height)
-    drawing.add_caption(figure, drawing.caption(
-        "The same scans of 361 x 360 beams for all. Mean error: the mean of map to scene and "
-        "visible scene to map, which are the ends of the thin lines. Bounded maps: within 1, 5, "
-        "10, 20 and 50 mm, as named at the top right. Decimation gets as many triangles as those "
-        "within 1 (with noise 10), 10 (20) and 50 mm have, vtkDecimatePro as the second. "
-        f"{_name_open3d()} has all cores.", 1), 165)
+    drawing.add_caption(figure, drawing.caption(_words(table), machine), 165)
     return figure

@@ -14,6 +14,9 @@ the text has.
 import csv
 import re
 
+# Those with such numbers, in the repository.
+TEXTS = ("Documentation/accuracy.md", "Documentation/performance.md", "README.md")
+
 # The number, its unit, and the three parts of the comment.
 _REFERENCE = re.compile(r"(?P<number>-?[\d,]*\.?\d+(?:e[-+]?\d+)?)(?P<unit> %| [A-Za-z]+)?"
                         r"(?P<comment><!-- (?P<file>[\w-]+): (?P<row>[^:]*): (?P<cell>[^:]*) -->)")
@@ -24,23 +27,41 @@ class NumberProblem(Exception):
 
 
 def refresh(text, folder):
-    """The text with all numbers that name a cell as the tables in the folder have them."""
-    tables = {}
+    """The text with all numbers that name a cell as the tables in the folder have them.
+
+    A number whose cell is missing or holds none stays; why is in the list that is returned as well.
+    """
+    tables, problems = {}, []
 
     def replace(match):
-        name = match["file"]
-        if name not in tables:
-            with open(folder / f"{name}.csv", newline="", encoding="utf-8") as file:
-                tables[name] = list(csv.DictReader(file))
-        value = _value(_find(tables[name], match), match["cell"])
+        try:
+            if match["file"] not in tables:
+                tables[match["file"]] = _read(folder / f"{match['file']}.csv")
+            value = _value(_find(tables[match["file"]], match), match)
+        except NumberProblem as problem:
+            problems.append(str(problem))
+            return match[0]
         percent = 100 if match["unit"] == " %" else 1
         return _like(match["number"], percent * value) + (match["unit"] or "") + match["comment"]
-    return _REFERENCE.sub(replace, text)
+    return _REFERENCE.sub(replace, text), problems
 
 
 def references(text):
     """The names of the tables, once for each number that comes from one of them."""
     return [match["file"] for match in _REFERENCE.finditer(text)]
+
+
+def without_references(text):
+    """The text without the numbers that name a cell."""
+    return _REFERENCE.sub("", text)
+
+
+def _read(path):
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+    except FileNotFoundError as problem:
+        raise NumberProblem(f"there is no table {path.name}") from problem
 
 
 def _find(table, match):
@@ -54,14 +75,14 @@ def _find(table, match):
     return rows[0]
 
 
-def _value(row, cell):
+def _value(row, match):
     """The value of a column, of "a + b" or of "a + b / c"."""
-    terms, _, divisor = cell.partition(" / ")
+    terms, _, divisor = match["cell"].partition(" / ")
     try:
         value = sum(float(row[term]) for term in terms.split(" + "))
         return value / float(row[divisor]) if divisor else value
-    except (KeyError, ValueError) as problem:
-        raise NumberProblem(f"no number for {cell}: {problem}") from problem
+    except (KeyError, ValueError, ZeroDivisionError) as problem:
+        raise NumberProblem(f"no number for {match['comment']}: {problem}") from problem
 
 
 def _like(number, value):

@@ -3,7 +3,6 @@
 """Chart E: what the steps between the beams and the bound of the map cost in error."""
 
 import dataclasses
-import os
 import pathlib
 
 import drawing
@@ -113,7 +112,7 @@ def _add_legend_of_styles(axes, names, place):
     axes.legend(handles=handles, fontsize=8, loc=place)
 
 
-def draw(table):
+def draw(table, machine):
     """A column of panels for each scene."""
     names = list(dict.fromkeys(row["scene"] for row in table))
     figure, grid = pyplot.subplots(len(PANELS), len(names), figsize=(9.2, 10.2), sharex="col",
@@ -135,6 +134,5 @@ def draw(table):
     drawing.add_caption(figure, drawing.caption(
         "Top: how far the visible scene is from the map, and the map from the scene. Middle: what "
         "share of either is within the tolerance of the other. Ranges without noise. Errors below "
-        f"{LEAST_ERROR} mm are not drawn.",
-        len(os.sched_getaffinity(0))), 165)
+        f"{LEAST_ERROR} mm are not drawn.", machine, "a thread on each"), 165)
     return figure

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Chart C: where methods of ray casting fail, as a heat map."""
 
-import pathlib
 import subprocess
 
 import drawing
@@ -13,7 +12,6 @@ LETTER = "C"
 NAME = "stability"
 SUMMARY = "the share of beams that each method misses, invents or measures wrongly"
 
-BENCHMARK = pathlib.Path(__file__).resolve().parents[3] / "build" / "bin" / "lms3dBenchmark"
 GROUPS = (
     ("LMS3D", 5),
     ("paper's sum\nof angles", 4),
@@ -28,7 +26,7 @@ UNITS = {"grazing angle": "rad", "offset": "m", "scale": "m", "denormals": "m",
 
 def measure(quick, csv_file):
     """Run the suite."""
-    command = [BENCHMARK, "stability", "--csv", csv_file] + ["--quick"] * quick
+    command = [drawing.BENCHMARK, "stability", "--csv", csv_file] + ["--quick"] * quick
     subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
 
 
@@ -98,7 +96,7 @@ def _label_columns(axes, methods):
         start += count
 
 
-def draw(table):
+def draw(table, machine):
     """The heat map: a row for each situation, a column for each method."""
     situations = _unique(table, "situation", "parameter")
     methods = [method for method, in _unique(table, "method")]
@@ -121,5 +119,5 @@ def draw(table):
     drawing.add_caption(figure, drawing.caption(
         f"{int(table[0]['beams']):,} beams in each cell, the same in each run, held against exact "
         "arithmetic; wrong is a range that is off by more than a millionth of it; × is a method "
-        "that crashes or does not end.", 1), 165)
+        "that crashes or does not end.", machine), 165)
     return figure
