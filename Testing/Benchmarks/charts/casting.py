@@ -24,7 +24,7 @@ SUMMARY = "time of a beam against the error of its range, for every method and o
 
 # Their names in peers_casters.py, and on the chart.
 PEERS = {"Open3D RaycastingScene": "Open3D", "trimesh + embreex": "trimesh"}
-SECONDS, SECONDS_WHEN_QUICK = 2.0, 0.2
+SECONDS = 2.0
 ERRORS = {"median error": 0.5, "99.9% error": 0.001, "worst error": 0.0}
 
 
@@ -36,12 +36,12 @@ def measure(quick, csv_file):
         subprocess.run(command + ["--quick"] * quick, stdout=subprocess.DEVNULL, check=True)
         rows = drawing.read_table(folder / "table.csv")
         scenes = {row["scene"]: row["triangles"] for row in rows}
-        peers, versions = _measure_peers(scenes, folder, SECONDS_WHEN_QUICK if quick else SECONDS)
+        peers, versions = ([], {}) if quick else _measure_peers(scenes, folder)
     rows = [{**row, "version": versions.get(row["caster"], "-")} for row in rows + peers]
     drawing.write_table(csv_file, sorted(rows, key=lambda row: list(scenes).index(row["scene"])))
 
 
-def _measure_peers(scenes, folder, seconds):
+def _measure_peers(scenes, folder):
     """Their rows, each from a process of its own, on one core; and their versions."""
     try:
         python = compare_peers.install()
@@ -52,7 +52,7 @@ def _measure_peers(scenes, folder, seconds):
     cores = os.sched_getaffinity(0)
     os.sched_setaffinity(0, {max(cores)})
     try:
-        rows = [_measure_peer(number, peer.name, scene, triangles, python, folder, seconds)
+        rows = [_measure_peer(number, peer.name, scene, triangles, python, folder)
                 for scene, triangles in scenes.items()
                 for number, peer in enumerate(peers_casters.PEERS) if peer.name in PEERS]
     finally:
@@ -62,12 +62,12 @@ def _measure_peers(scenes, folder, seconds):
                   if version.startswith(name.lower())}
 
 
-def _measure_peer(number, name, scene, triangles, python, folder, seconds):
+def _measure_peer(number, name, scene, triangles, python, folder):
     print(f"{scene}, {PEERS[name]}", file=sys.stderr)
     scene_file = folder / "scene.npz"
     numpy.savez(scene_file, reach=peers_scene.MAXIMUM_RANGE, **_load(folder, scene))
     try:
-        result = compare_peers.scan(number, python, scene_file, folder, seconds)
+        result = compare_peers.scan(number, python, scene_file, folder, SECONDS)
     except compare_peers.PeerProblem as problem:
         return _row(scene, triangles, PEERS[name], str(problem).replace(",", ";"))
     truth = numpy.fromfile(folder / f"{scene}.ranges")
