@@ -71,7 +71,9 @@ class TextTest(unittest.TestCase):
             for ending in ("png", "svg", "csv"):
                 self.assertGreater((CHARTS / f"{name}.{ending}").stat().st_size, 1000)
             machine = (CHARTS / f"{name}.txt").read_text(encoding="utf-8").strip()
-            self.assertIn(machine.split(",")[0], (CHARTS / f"{name}.svg").read_text(encoding="utf-8"))
+            picture = (CHARTS / f"{name}.svg").read_text(encoding="utf-8")
+            for word in machine.split():
+                self.assertIn(word, picture, name)
 
     def test_every_situation_is_explained(self):
         for name in {row["situation"] for row in table("C-stability")}:
@@ -167,7 +169,8 @@ class TableTest(unittest.TestCase):
                                 mapped("room", "grid", "5", "0")["triangles"])
         self.assertLess(mapped("room", "map", "5", "20")["ms"],
                         mapped("room", "map", "5", "10")["ms"])
-        bounded, grid = mapped("terrain1e5", "map", "0", "10"), mapped("terrain1e5", "grid", "0", "0")
+        bounded = mapped("terrain1e5", "map", "0", "10")
+        grid = mapped("terrain1e5", "grid", "0", "0")
         self.assertLess(10 * grid["ms"], bounded["ms"])
         self.assertLess(grid["to scene mean mm"], bounded["to scene mean mm"])
         self.assertLess(bounded["to map mean mm"], grid["to map mean mm"])

@@ -18,7 +18,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  (after the choice of what draws)
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from places import BENCHMARK, ROOT  # noqa: E402, F401  (of a folder that is no package; for charts)
+from places import BENCHMARK, ROOT  # noqa: E402, F401  (for the charts as well)
 
 # Those of Okabe and Ito (2008), which people who see few colours can tell apart.
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")

@@ -29,7 +29,7 @@ class NumberProblem(Exception):
 def refresh(text, folder):
     """The text with all numbers that name a cell as the tables in the folder have them.
 
-    A number whose cell is missing or holds none stays; why is in the list that is returned as well.
+    A number whose cell is missing or holds none stays; the list that is returned tells why.
     """
     tables, problems = {}, []
 
