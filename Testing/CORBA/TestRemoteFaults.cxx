@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 
 #include <unistd.h>
 
@@ -160,6 +161,37 @@ TEST(RemoteFaults, WithoutAURL)
   EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 0);
   EXPECT_FALSE(source->GetNeedsUpdate());
   EXPECT_EQ(source->GetProblem(), "");
+}
+
+TEST(RemoteFaults, WithoutAURLAnyMore)
+{
+  ServerProcess server;
+  WatchingSource source(server.GetCorbaloc());
+  source->Update();
+  source->SendPose();
+  source->SetURL("");
+  source->Update();
+  EXPECT_EQ(source->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+  EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 0);
+  // Some scans later.
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_FALSE(source->GetNeedsUpdate()) << "errors without end";
+  EXPECT_FALSE(source->IsPosePending());
+
+  source->SetURL(server.GetCorbaloc().c_str());
+  source->Update();
+  EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 129960);
+}
+
+TEST(RemoteFaults, AnotherURLIsWarnedOfAgain)
+{
+  WatchingSource source(GetCorbaloc(FindFreePort()));
+  for (int i = 0; i < 2; ++i)
+  {
+    ExpectNothing(source);
+    EXPECT_NE(source.TakeWarnings().find("no server answers"), std::string::npos);
+    source->SetURL(GetCorbaloc(FindFreePort()).c_str());
+  }
 }
 
 TEST(RemoteFaults, ServerHangsFromTheStart)

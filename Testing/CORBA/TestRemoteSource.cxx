@@ -186,7 +186,9 @@ TEST(RemoteSource, WaitsForTheFirstScanAfterAPoseToo)
 {
   ServerProcess server;
   WatchingSource source(server.GetCorbaloc());
+  EXPECT_FALSE(source->GetNeedsUpdate());
   source->SendPose();
+  EXPECT_TRUE(source->GetNeedsUpdate());
   source->Update();
   EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 129960);
 }

@@ -40,29 +40,33 @@ LMS3D::Vector3 MakeVector(const double values[3])
 
 struct vtkLMS3DRemoteSource::Internals
 {
-  ~Internals() { this->Stop(); }
+  ~Internals() { this->Leave(); }
 
   /// The one for these properties, started where there is none.
   lms3dRemoteWatch& GetWatch(const std::string& url, double timeout)
   {
     if (!this->Watch || this->Url != url || this->Timeout != timeout)
     {
-      this->Stop();
+      this->Leave();
       this->Url = url;
       this->Timeout = timeout;
       this->Watch = std::make_shared<lms3dRemoteWatch>(url, Milliseconds(timeout));
-      this->Shown = 0;
       lms3dRemoteThreads::GetInstance().Start(this->Watch);
     }
     return *this->Watch;
   }
 
-  void Stop() const
+  /// Follows nobody from now on, and forgets what was shown and told.
+  void Leave()
   {
     if (this->Watch)
     {
       this->Watch->Stop();
     }
+    this->Watch = nullptr;
+    this->Shown = 0;
+    this->WarnedOf.clear();
+    this->IsPosePending = false;
   }
 
   std::shared_ptr<lms3dRemoteWatch> Watch;
@@ -139,6 +143,7 @@ int vtkLMS3DRemoteSource::RequestData(
   }
   if (this->URL.empty())
   {
+    this->Internal->Leave();
     vtkErrorMacro("There is no server to ask; set URL, for example to what the server prints.");
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;

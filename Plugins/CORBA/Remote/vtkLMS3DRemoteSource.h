@@ -116,7 +116,7 @@ public:
 
   /**
    * True, and the source is modified, where there is something newer than the last update showed.
-   * Waits for nothing. False before the first update.
+   * Waits for nothing. False before the first update or SendPose(), and after an update without a URL.
    */
   bool GetNeedsUpdate();
 
