@@ -6,14 +6,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace
 {
 constexpr CORBA::ULong Patience = 10000;
 
-// Enough connections for as many waiting threads as a server takes.
 const char* Options[][2] = { { "clientCallTimeOutPeriod", "60000" },
-  { "maxGIOPConnectionPerServer", "100" }, { "endPoint", "giop:tcp:127.0.0.1:" },
-  { nullptr, nullptr } };
+  { "endPoint", "giop:tcp:127.0.0.1:" }, { nullptr, nullptr } };
+
+// Connections for more waiting threads than a server takes, also where vtkLMS3DRemoteSource makes the ORB
+// first.
+const int IsConnectionLimitSet = setenv("ORBmaxGIOPConnectionPerServer", "100", 0);
 
 CORBA::ORB_ptr MakeORB()
 {

@@ -3,6 +3,7 @@
 // The clients in other languages, as programs of their own.
 #include "ClientORB.h"
 #include "ClientProgram.h"
+#include "CrowdOfWaiters.h"
 #include "DirectPipeline.h"
 #include "ServerProcess.h"
 
@@ -46,6 +47,11 @@ Client GetOmniORBpyClient(const Words& command)
   return { { "env", "PYTHONDONTWRITEBYTECODE=1", "PYTHONPATH=" + made + "/stubs",
              made + "/environment/bin/python", Clients + "/Python/lms3d_scanner_client.py" },
     command };
+}
+
+Client GetCxxClient(const Words& command)
+{
+  return { { LMS3D_CLIENT }, command };
 }
 
 DirectPipeline MakeDirect(const LMS3D::ScanHeader& header)
@@ -141,6 +147,24 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
   OmniORBpy, ScannerClient, testing::Values(GetOmniORBpyClient({ "scan", "--position" })));
 
+/// Those that print a line for each scan.
+class WatchingClient : public testing::TestWithParam<Client>
+{
+};
+
+TEST_P(WatchingClient, GoesOnWhereTheServerHasNoRoomForOneMoreWhoWaits)
+{
+  ServerProcess server;
+  const CrowdOfWaiters crowd(server.GetCorbaloc());
+  const Outcome outcome = RunClient(GetParam(), server.GetCorbaloc(), { "3" });
+  EXPECT_EQ(outcome.Code, 0);
+  EXPECT_EQ(std::count(outcome.Text.begin(), outcome.Text.end(), '\n'), 3) << outcome.Text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Cxx, WatchingClient, testing::Values(GetCxxClient({ "watch" })));
+INSTANTIATE_TEST_SUITE_P(
+  OmniORBpy, WatchingClient, testing::Values(GetOmniORBpyClient({ "watch" })));
+
 TEST(OmniORBpyClient, SavesTheDirectPipelinesMap)
 {
   const TemporaryFile file("lms3d-map");
@@ -163,6 +187,26 @@ TEST(OmniORBpyClient, LeavesNoHalfOfAMap)
   EXPECT_EQ(outcome.Code, 1);
   EXPECT_EQ(
     outcome.Text, "cannot write '" + (folder / "map.obj").string() + "': Not a directory\n");
+}
+
+const char* const WaitForAMillion = R"(
+import sys, lms3d_scanner_client as client
+client.wait_for_scan(client.connect(sys.argv[1]), after=1000000)
+)";
+
+// As where it connects again and the server's numbers begin at 1 again.
+TEST(OmniORBpyClient, DoesNotWaitForANumberThatAServerWillNotReach)
+{
+  ServerProcess server;
+  const std::string made = MadeClients + "/Python";
+  const Client client = { { "env", "PYTHONDONTWRITEBYTECODE=1",
+                            "PYTHONPATH=" + made + "/stubs:" + Clients + "/Python",
+                            made + "/environment/bin/python", "-c", WaitForAMillion },
+    {} };
+  const Outcome outcome = RunClient(client, server.GetCorbaloc());
+  EXPECT_EQ(outcome.Code, 1);
+  EXPECT_NE(outcome.Text.find("ValueError: the server was started anew"), std::string::npos)
+    << outcome.Text;
 }
 
 TEST(OmniORBpyClient, WatchesScanAfterScan)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClientORB.h"
+#include "CrowdOfWaiters.h"
 #include "ServerProcess.h"
 #include "WatchingSource.h"
 
@@ -192,6 +193,19 @@ TEST(RemoteFaults, AnotherURLIsWarnedOfAgain)
     EXPECT_NE(source.TakeWarnings().find("no server answers"), std::string::npos);
     source->SetURL(GetCorbaloc(FindFreePort()).c_str());
   }
+}
+
+TEST(RemoteFaults, TheServerHasNoRoomForOneMoreWhoWaits)
+{
+  ServerProcess server;
+  const CrowdOfWaiters crowd(server.GetCorbaloc());
+  WatchingSource source(server.GetCorbaloc());
+  source->Update();
+  const std::uint64_t first = source.GetNumber("ScanNumber");
+  EXPECT_GT(first, 0u);
+  EXPECT_TRUE(source.UpdateUntil([&] { return source.GetNumber("ScanNumber") >= first + 3; }));
+  EXPECT_EQ(source.TakeWarnings(), "");
+  EXPECT_EQ(source->GetProblem(), "");
 }
 
 TEST(RemoteFaults, ServerHangsFromTheStart)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """lms3d-server and its clients as a user starts them."""
 
+import array
 import contextlib
 import resource
 import signal
@@ -175,6 +176,20 @@ class ClientTest(unittest.TestCase):
         self.assertEqual(len(self.run_client("watch", "3").splitlines()), 3)
         self.assertEqual(len(self.run_client("listen", "3").splitlines()), 3)
 
+    def test_fetch_prints_all_digits(self):
+        """Read again, they are the floats that were sent."""
+        words = "\t".join(self.run_client("fetch").splitlines()[1:]).split("\t")
+        with self.server.connect() as client:
+            self.assertEqual(array.array("f", map(float, words)), array.array("f", client.fetch()))
+
+    def test_help(self):
+        """Asked for, it is what the client prints; also without a server."""
+        for arguments in (("--help",), (self.server.corbaloc, "--help")):
+            finished = run_client(*arguments)
+            self.assertEqual(finished.returncode, 0)
+            self.assertIn("save SCAN.vtp [MAP.vtp]", finished.stdout)
+            self.assertEqual(finished.stderr, "")
+
     def test_changes(self):
         """The scan that is printed is the first from there."""
         self.assertIn("from 1 0.5 1.2:", self.run_client("pose", "1", "0.5", "1.2"))
@@ -217,7 +232,8 @@ class ClientTest(unittest.TestCase):
         self.assertIn(b'NumberOfPoints="%d"' % BEAMS, scan.read_bytes())
 
     def test_failures(self):
-        """Words for a human being, and a code for scripts."""
+        """Words for a human being, and a code for scripts; wrong words need no server."""
+        nobody = "corbaloc:iiop:1.2@127.0.0.1:1/LMS3D"
         for arguments, code, word in (
                 ((self.server.corbaloc, "scene", "../room.wrl"), 1, "NoSuchScene"),
                 ((self.server.corbaloc, "pose", "nan", "0", "0"), 1, "position is nan"),
@@ -226,7 +242,10 @@ class ClientTest(unittest.TestCase):
                 ((self.server.corbaloc, "watch", "2x"), 2, 'COUNT: "2x" is not a whole number'),
                 ((self.server.corbaloc, "listen", "-1"), 2, 'COUNT: "-1" is not a whole number'),
                 ((self.server.corbaloc, "jump"), 2, "Usage"), ((), 2, "Usage"),
-                (("corbaloc:iiop:1.2@127.0.0.1:1/LMS3D", "status"), 1, "TRANSIENT"),
+                ((nobody, "status"), 1, "TRANSIENT"),
+                ((nobody, "jump"), 2, "Usage"), ((nobody, "status", "now"), 2, "Usage"),
+                ((nobody, "pose", "1", "x", "2"), 2, 'Y: "x" is not a number'),
+                ((nobody, "save", "scan.stl"), 1, "the ending must be .vtp"),
                 (("nonsense", "status"), 1, "is no corbaloc")):
             finished = run_client(*arguments)
             self.assertEqual(finished.returncode, code, arguments)

@@ -5,6 +5,7 @@
 #include "lms3dClientORB.h"
 #include "lms3dScannerReference.h"
 
+#include <thread>
 #include <utility>
 
 namespace
@@ -70,6 +71,21 @@ Result lms3dRemoteServer::Ask(const Call& call) const
   }
 }
 
+// Where too many others wait already, this does so by itself and then looks.
+LMS3D::ScanHeader* lms3dRemoteServer::WaitOrLook(std::uint32_t milliseconds) const
+{
+  try
+  {
+    return this->Scanner->waitForScan(this->Seen, 0, milliseconds);
+  }
+  catch (const LMS3D::LimitExceeded&)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+  }
+  LMS3D::ScanHeader_var header = this->Scanner->getHeader();
+  return header->number > this->Seen ? header._retn() : nullptr;
+}
+
 LMS3D::ScanHeader_var lms3dRemoteServer::WaitForHeader(std::uint32_t milliseconds)
 {
   return this->Ask<LMS3D::ScanHeader*>(
@@ -77,7 +93,7 @@ LMS3D::ScanHeader_var lms3dRemoteServer::WaitForHeader(std::uint32_t millisecond
     {
       try
       {
-        return this->Scanner->waitForScan(this->Seen, 0, milliseconds);
+        return this->WaitOrLook(milliseconds);
       }
       catch (const LMS3D::NoScanYet&)
       {

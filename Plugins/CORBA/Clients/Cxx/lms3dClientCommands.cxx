@@ -12,16 +12,21 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <chrono>
 #include <cstddef>
 #include <iostream>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 namespace
 {
 using Words = std::vector<std::string>;
 
 constexpr CORBA::ULong WaitMilliseconds = 5000;
+constexpr std::chrono::milliseconds PauseTime(500);
 
 void Print(const LMS3D::ScanHeader& header)
 {
@@ -33,7 +38,7 @@ void Print(const LMS3D::ScanHeader& header)
             << static_cast<double>(header.endTime - header.startTime) * 1e-6 << " ms" << std::endl;
 }
 
-void PrintStatus(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words&)
+void PrintStatus(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
 {
   const LMS3D::Status_var status = scanner->getStatus();
   const LMS3D::Scene_var scene = scanner->getScene();
@@ -52,7 +57,7 @@ void PrintStatus(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words&)
   }
 }
 
-void PrintScenes(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words&)
+void PrintScenes(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
 {
   LMS3D::SceneNames_var names = scanner->listScenes();
   for (CORBA::ULong i = 0; i < names->length(); ++i)
@@ -62,14 +67,35 @@ void PrintScenes(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words&)
 }
 
 // The way of 2008; Clients/Paper does it without knowing anything else.
-void Fetch(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words&)
+void Fetch(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
 {
   LMS3D::Data_var triples = scanner->fetch();
+  std::cout.precision(std::numeric_limits<CORBA::Float>::max_digits10);
   std::cout << "r, m\talpha, deg\tbeta, deg\n";
   for (CORBA::ULong i = 0; i + 2 < triples->length(); i += 3)
   {
     std::cout << triples[i] << '\t' << triples[i + 1] << '\t' << triples[i + 2] << '\n';
   }
+}
+
+// Where too many others wait already, the client does so by itself and then looks.
+LMS3D::ScanHeader* WaitOnce(
+  LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong after, CORBA::ULongLong generation)
+{
+  try
+  {
+    return scanner->waitForScan(after, generation, WaitMilliseconds);
+  }
+  catch (const LMS3D::LimitExceeded&)
+  {
+    std::this_thread::sleep_for(PauseTime);
+  }
+  LMS3D::ScanHeader_var header = scanner->getHeader();
+  if (header->number <= after || header->generation < generation)
+  {
+    throw LMS3D::NoScanYet(header->number);
+  }
+  return header._retn();
 }
 
 // As long as the server lives and has not given up: the next scan may be a long time off.
@@ -80,7 +106,7 @@ LMS3D::ScanHeader_var WaitForScan(
   {
     try
     {
-      return scanner->waitForScan(after, generation, WaitMilliseconds);
+      return WaitOnce(scanner, after, generation);
     }
     catch (const LMS3D::NoScanYet&)
     {
@@ -118,9 +144,8 @@ lms3dRemoteScan FetchNewest(LMS3D::LaserScanner_ptr scanner)
   }
 }
 
-void Save(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& files)
+void Save(LMS3D::LaserScanner_ptr scanner, const Words& files)
 {
-  lms3dCheckFiles(files);
   const lms3dRemoteScan remote = FetchNewest(scanner);
   vtkNew<vtkPolyData> scan;
   lms3dFillScan(remote, scan);
@@ -132,6 +157,12 @@ void Save(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& files)
     lms3dWriteFile(map, files[1]);
   }
   Print(remote.Header);
+}
+
+lms3dClientCommand ReadSave(const Words& files)
+{
+  lms3dCheckFiles(files);
+  return [files](CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner) { Save(scanner, files); };
 }
 
 // "1e999" and "12x" are no numbers, "-1" is no count; the rest is for the server to judge.
@@ -163,10 +194,10 @@ LMS3D::Vector3 GetVector(
   return { get(0), get(1), get(2) };
 }
 
-void Watch(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& words)
+void Watch(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong count)
 {
   CORBA::ULongLong last = 0;
-  for (CORBA::ULongLong count = GetCount(words); count > 0; --count)
+  for (; count > 0; --count)
   {
     const LMS3D::ScanHeader_var header = WaitForScan(scanner, last, 0);
     Print(header);
@@ -174,9 +205,16 @@ void Watch(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& words)
   }
 }
 
-void Listen(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner, const Words& words)
+lms3dClientCommand ReadWatch(const Words& words)
 {
-  lms3dListenToScanner(orb, scanner, GetCount(words), Print);
+  return [count = GetCount(words)](CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
+  { Watch(scanner, count); };
+}
+
+lms3dClientCommand ReadListen(const Words& words)
+{
+  return [count = GetCount(words)](CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner)
+  { lms3dListenToScanner(orb, scanner, count, Print); };
 }
 
 void PrintFirst(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation)
@@ -185,20 +223,39 @@ void PrintFirst(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation)
   Print(header);
 }
 
-void SetPose(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& words)
+// The orientation stays where none is given.
+void SetPose(LMS3D::LaserScanner_ptr scanner, const LMS3D::Vector3& position,
+  const std::optional<LMS3D::Vector3>& orientation)
 {
   LMS3D::Pose pose = scanner->getPose();
-  pose.position = GetVector({ "X", "Y", "Z" }, words, 0);
-  if (words.size() == 6)
-  {
-    pose.orientation = GetVector({ "RX", "RY", "RZ" }, words, 3);
-  }
+  pose.position = position;
+  pose.orientation = orientation.value_or(pose.orientation);
   PrintFirst(scanner, scanner->setPose(pose));
 }
 
-void SelectScene(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner, const Words& words)
+lms3dClientCommand ReadPose(const Words& words)
 {
-  PrintFirst(scanner, scanner->selectScene(words[0].c_str()));
+  const LMS3D::Vector3 position = GetVector({ "X", "Y", "Z" }, words, 0);
+  std::optional<LMS3D::Vector3> orientation;
+  if (words.size() == 6)
+  {
+    orientation = GetVector({ "RX", "RY", "RZ" }, words, 3);
+  }
+  return [position, orientation](CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
+  { SetPose(scanner, position, orientation); };
+}
+
+lms3dClientCommand ReadScene(const Words& words)
+{
+  return [name = words[0]](CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
+  { PrintFirst(scanner, scanner->selectScene(name.c_str())); };
+}
+
+// A command without words.
+template <void (*Run)(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr)>
+lms3dClientCommand ReadNothing(const Words&)
+{
+  return Run;
 }
 
 struct Command
@@ -207,24 +264,24 @@ struct Command
   const char* Values;
   const char* Help;
   std::vector<std::size_t> Counts;
-  void (*Run)(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr, const Words&);
+  lms3dClientCommand (*Read)(const Words&);
 };
 
 const std::vector<Command>& GetCommands()
 {
   static const std::vector<Command> commands = {
-    { "status", "", "what the server does, and its newest scan", { 0 }, PrintStatus },
-    { "scenes", "", "the scenes to choose from", { 0 }, PrintScenes },
-    { "scene", "NAME", "choose one, and wait for its first scan", { 1 }, SelectScene },
+    { "status", "", "what the server does, and its newest scan", { 0 }, ReadNothing<PrintStatus> },
+    { "scenes", "", "the scenes to choose from", { 0 }, ReadNothing<PrintScenes> },
+    { "scene", "NAME", "choose one, and wait for its first scan", { 1 }, ReadScene },
     { "pose", "X Y Z [RX RY RZ]",
-      "move the sensor (metres, degrees), and wait for a scan from there", { 3, 6 }, SetPose },
-    { "fetch", "", "range, alpha and beta of each beam, a line each", { 0 }, Fetch },
+      "move the sensor (metres, degrees), and wait for a scan from there", { 3, 6 }, ReadPose },
+    { "fetch", "", "range, alpha and beta of each beam, a line each", { 0 }, ReadNothing<Fetch> },
     { "save", "SCAN.vtp [MAP.vtp]", "the newest scan and its local map as VTK files", { 1, 2 },
-      Save },
+      ReadSave },
     { "watch", "[COUNT]", "a line for each scan, waiting for the next (long poll)", { 0, 1 },
-      Watch },
+      ReadWatch },
     { "listen", "[COUNT]", "the same as a listener; the server has to allow --callbacks", { 0, 1 },
-      Listen },
+      ReadListen },
   };
   return commands;
 }
@@ -242,8 +299,7 @@ std::string lms3dGetClientHelp()
   return help;
 }
 
-bool lms3dRunClientCommand(
-  CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner, const std::string& name, const Words& words)
+lms3dClientCommand lms3dReadClientCommand(const std::string& name, const Words& words)
 {
   const std::vector<Command>& commands = GetCommands();
   const auto command = std::find_if(commands.begin(), commands.end(),
@@ -252,8 +308,7 @@ bool lms3dRunClientCommand(
     std::find(command->Counts.begin(), command->Counts.end(), words.size()) ==
       command->Counts.end())
   {
-    return false;
+    return nullptr;
   }
-  command->Run(orb, scanner, words);
-  return true;
+  return command->Read(words);
 }

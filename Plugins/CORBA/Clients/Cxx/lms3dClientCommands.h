@@ -9,14 +9,19 @@
 
 #include "LMS3DScanner.hh"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 std::string lms3dGetClientHelp();
 
-/// False where there is no such command, or not with so many words. Throws std::invalid_argument for a
-/// word that cannot be taken, and what else goes wrong.
-bool lms3dRunClientCommand(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner,
+/// What is to be done with a scanner. Throws CORBA::Exception and std::runtime_error.
+using lms3dClientCommand = std::function<void(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr)>;
+
+/// Needs no scanner. Empty where there is no such command, or not with so many words. Throws
+/// std::invalid_argument for a word that cannot be taken, std::runtime_error for a file that cannot be
+/// written.
+lms3dClientCommand lms3dReadClientCommand(
   const std::string& name, const std::vector<std::string>& words);
 
 #endif

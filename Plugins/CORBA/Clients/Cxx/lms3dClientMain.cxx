@@ -6,6 +6,7 @@
 #include "lms3dORBLog.h"
 #include "lms3dScannerReference.h"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
@@ -27,20 +28,31 @@ void PrintLine(const std::string& line)
   std::cerr << line << '\n';
 }
 
-int Run(CORBA::ORB_ptr orb, const std::vector<std::string>& arguments)
+// Empty where they are none. A mistake in them is told before any scanner is asked.
+lms3dClientCommand ReadCommand(const std::vector<std::string>& arguments)
 {
   if (arguments.size() < 2)
+  {
+    return nullptr;
+  }
+  return lms3dReadClientCommand(arguments[1], { arguments.begin() + 2, arguments.end() });
+}
+
+int Run(CORBA::ORB_ptr orb, const std::vector<std::string>& arguments)
+{
+  if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end())
+  {
+    std::cout << lms3dGetClientHelp();
+    return 0;
+  }
+  const lms3dClientCommand command = ReadCommand(arguments);
+  if (!command)
   {
     std::cerr << lms3dGetClientHelp();
     return ExitUsage;
   }
   const LMS3D::LaserScanner_var scanner = lms3dFindScanner(orb, arguments[0]);
-  const std::vector<std::string> words(arguments.begin() + 2, arguments.end());
-  if (!lms3dRunClientCommand(orb, scanner, arguments[1], words))
-  {
-    std::cerr << lms3dGetClientHelp();
-    return ExitUsage;
-  }
+  command(orb, scanner);
   return 0;
 }
 } // namespace

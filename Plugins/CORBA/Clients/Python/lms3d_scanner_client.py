@@ -11,6 +11,7 @@ import contextlib
 import os
 import pathlib
 import sys
+import time
 
 from omniORB import CORBA
 
@@ -19,6 +20,8 @@ import LMS3D
 # Longer than the server lets anybody wait, so that a server that hangs is noticed.
 ORB_OPTIONS = ["-ORBclientCallTimeOutPeriod", "15000"]
 WAIT_MILLISECONDS = 10_000
+# Where too many others wait already.
+PAUSE_SECONDS = 0.5
 # Beams, points or triangles in a message, of 2 MiB at most: 1.2 MB of points.
 PART = 50_000
 TRIES = 5
@@ -48,15 +51,32 @@ def get_parts(operation, number, count):
     return elements
 
 
+def wait_once(scanner, after, generation):
+    """The header of the next scan, or NoScanYet.
+
+    Where too many others wait already, the client does so by itself and then looks.
+    """
+    try:
+        return scanner.waitForScan(after, generation, WAIT_MILLISECONDS)
+    except LMS3D.LimitExceeded:
+        time.sleep(PAUSE_SECONDS)
+    header = scanner.getHeader()
+    if header.number <= after or header.generation < generation:
+        raise LMS3D.NoScanYet(header.number)
+    return header
+
+
 def wait_for_scan(scanner, after=0, generation=0):
     """The header of the next scan, as long as the server lives: it may be a long time off."""
     while True:
         try:
-            return scanner.waitForScan(after, generation, WAIT_MILLISECONDS)
+            return wait_once(scanner, after, generation)
         except LMS3D.NoScanYet:
-            problem = scanner.getStatus().problem
-            if problem:
-                raise ValueError(f"the server has no scan: {problem}") from None
+            status = scanner.getStatus()
+            if status.problem:
+                raise ValueError(f"the server has no scan: {status.problem}") from None
+            if status.newest < after or status.generation < generation:
+                raise ValueError("the server was started anew") from None
 
 
 def take_scan(scanner, generation=0):

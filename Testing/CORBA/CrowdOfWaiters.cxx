@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CrowdOfWaiters.h"
+
+#include "ClientORB.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+CrowdOfWaiters::CrowdOfWaiters(const std::string& reference)
+  : Scanner(Connect(reference))
+{
+  constexpr int Many = 40;
+  this->Clients.reserve(Many);
+  for (int i = 0; i < Many; ++i)
+  {
+    this->Clients.emplace_back([this] { this->Wait(); });
+  }
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (this->Refused == 0 && std::chrono::steady_clock::now() < end)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_GT(this->Refused, 0);
+}
+
+CrowdOfWaiters::~CrowdOfWaiters()
+{
+  this->IsOver = true;
+  for (std::thread& client : this->Clients)
+  {
+    client.join();
+  }
+}
+
+// As soon as one's time is over, one that was refused takes its place.
+void CrowdOfWaiters::Wait()
+{
+  constexpr CORBA::ULongLong Never = ~CORBA::ULongLong(0);
+  while (!this->IsOver)
+  {
+    try
+    {
+      this->Scanner->waitForScan(Never, 0, 1000);
+    }
+    catch (const LMS3D::NoScanYet&)
+    {
+      continue;
+    }
+    catch (const LMS3D::LimitExceeded&)
+    {
+      ++this->Refused;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+}
