@@ -10,11 +10,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace
@@ -130,6 +132,28 @@ TEST_P(ScannerClient, TellsThatItMayNotMoveTheSensor)
   const Outcome outcome = RunClient(GetParam(), server.GetCorbaloc(), { "0", "0", "1" });
   EXPECT_EQ(outcome.Code, 1);
   EXPECT_NE(outcome.Text.find("NotPermitted"), std::string::npos) << outcome.Text;
+}
+
+TEST_P(ScannerClient, PrintsNoScanFromWhereAnotherClientMovedTheSensor)
+{
+  // A scan every two seconds, and a pose of another client's thousands of times between two.
+  ServerProcess server({ "--rate", "0.5" });
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  std::atomic<bool> isOver(false);
+  std::thread other(
+    [&]
+    {
+      while (!isOver)
+      {
+        scanner->setPose(At(0.0, 0.0, 1.0));
+      }
+    });
+  const Outcome outcome = RunClient(GetParam(), server.GetCorbaloc(), { "0.4", "-0.3", "0.9" });
+  isOver = true;
+  other.join();
+  EXPECT_EQ(outcome.Code, 1);
+  EXPECT_NE(outcome.Text.find("another client has changed the settings"), std::string::npos)
+    << outcome.Text.substr(0, 300);
 }
 
 TEST_P(ScannerClient, GivesUpOnAServerThatHangs)

@@ -143,6 +143,8 @@ def scan(scanner, options):
     """Print the same of a scan from a position, and save its local map."""
     generation = move(scanner, options.position) if options.position else 0
     header, ranges, coordinates, numbers = take_scan(scanner, generation)
+    if options.position and header.generation != generation:
+        raise ValueError("another client has changed the settings meanwhile")
     if options.map:
         write_map(options.map.resolve(), coordinates, numbers)
     print_beams(header, ranges)

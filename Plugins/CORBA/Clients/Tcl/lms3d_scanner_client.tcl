@@ -18,12 +18,14 @@ proc connect {reference} {
   return $scanner
 }
 
-# double() since Combat would send what is no number as some number.
+# Returns the generation of the scans from there, the first of which is made then. double() since Combat
+# would send what is no number as some number.
 proc move {scanner x y z} {
   set pose [$scanner getPose]
   dict set pose position [list x [expr {double($x)}] y [expr {double($y)}] z [expr {double($z)}]]
   set generation [$scanner setPose $pose]
   $scanner waitForScan 0 $generation 10000
+  return $generation
 }
 
 # An angle of an axis, as LMS3DScanner.idl describes it.
@@ -60,8 +62,12 @@ corba::init
 corba::try {
   lassign $argv reference x y z
   set scanner [connect $reference]
-  move $scanner $x $y $z
-  print_scan [$scanner getScan]
+  set generation [move $scanner $x $y $z]
+  set scan [$scanner getScan]
+  if {[dict get $scan header generation] != $generation} {
+    error "another client has changed the settings meanwhile"
+  }
+  print_scan $scan
 } catch {IDL:LMS3D/InvalidArgument:1.0 problem} {
   puts stderr "lms3d_scanner_client: InvalidArgument: [dict get [lindex $problem 1] reason]"
   exit 1

@@ -30,9 +30,13 @@ public final class ScannerClient {
     try {
       ORB orb = makeORB();
       LaserScanner scanner = LaserScannerHelper.narrow(orb.string_to_object(arguments[0]));
-      move(scanner, new Vector3(Double.parseDouble(arguments[1]),
+      long generation = move(scanner, new Vector3(Double.parseDouble(arguments[1]),
           Double.parseDouble(arguments[2]), Double.parseDouble(arguments[3])));
-      print(scanner.getScan());
+      Scan scan = scanner.getScan();
+      if (scan.header.generation != generation) {
+        fail("another client has changed the settings meanwhile");
+      }
+      print(scan);
       orb.destroy();
     } catch (InvalidArgument problem) {
       fail("InvalidArgument: " + problem.reason);
@@ -50,11 +54,13 @@ public final class ScannerClient {
     return ORB.init((String[]) null, properties);
   }
 
-  private static void move(LaserScanner scanner, Vector3 position) throws UserException {
+  /** Returns the generation of the scans from there, the first of which is made then. */
+  private static long move(LaserScanner scanner, Vector3 position) throws UserException {
     Pose pose = scanner.getPose();
     pose.position = position;
     long generation = scanner.setPose(pose);
     scanner.waitForScan(0, generation, WAIT_MILLISECONDS);
+    return generation;
   }
 
   private static void print(Scan scan) {
