@@ -41,7 +41,8 @@ if (LMS3D_BUILD_CORBA)
   list(APPEND LMS3D_VTK_COMPONENTS IOXML)
 endif ()
 if (BUILD_TESTING)
-  list(APPEND LMS3D_VTK_COMPONENTS FiltersGeneral FiltersSources ImagingHybrid TestingCore)
+  list(APPEND LMS3D_VTK_COMPONENTS
+    FiltersFlowPaths FiltersGeneral FiltersSources ImagingHybrid TestingCore)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${LMS3D_VTK_COMPONENTS})
 

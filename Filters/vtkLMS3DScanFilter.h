@@ -75,7 +75,7 @@
  * edge or a vertex does not see what it stands on, since only ranges above 0 count; one that
  * rounding puts beside the face sees it, at a range as small as that rounding. Sizes of 1e-6 to
  * 1e7 m and offsets up to 1e7 m cost no accuracy beyond the rounding of the coordinates themselves;
- * below 1e-50 m beams may be lost. A scan takes longer where triangles are smaller than a millionth
+ * below 1e-100 m beams may be lost. A scan takes longer where triangles are smaller than a millionth
  * of the scene, unless no more than 16 of them make it so large: an endless floor costs nothing. It
  * takes longest, as long as a test of every triangle for every beam, where the sensor is farther
  * from the scene than a million times its size.

@@ -4,6 +4,7 @@
 
 #include <vtkCellLocator.h>
 #include <vtkCellTreeLocator.h>
+#include <vtkModifiedBSPTree.h>
 #include <vtkNew.h>
 #include <vtkOBBTree.h>
 #include <vtkStaticCellLocator.h>
@@ -101,5 +102,6 @@ std::vector<StabilityMethod> GetLocatorMethods()
     MakeLocator<vtkStaticCellLocator>("vtkStaticCellLocator at 0", 0.0),
     MakeLocator<vtkCellLocator>("vtkCellLocator", CommonTolerance),
     MakeLocator<vtkCellTreeLocator>("vtkCellTreeLocator", CommonTolerance),
+    MakeLocator<vtkModifiedBSPTree>("vtkModifiedBSPTree", CommonTolerance),
     MakeLocator<vtkOBBTree>("vtkOBBTree", CommonTolerance) };
 }

@@ -78,10 +78,10 @@ const std::vector<Weakness>& GetWeaknesses()
   return weaknesses;
 }
 
-// Below 1e-50 m, beams may be lost by all methods.
+// Below 1e-100 m products of coordinates are too small for double, and beams may be lost.
 bool IsBeyondDouble(const StabilitySituation& situation)
 {
-  return situation.Parameter == "1e-310";
+  return situation.Parameter == "1e-120" || situation.Parameter == "1e-310";
 }
 
 void Check(int method, const StabilitySituation& situation, const StabilityTally& tally)

@@ -131,7 +131,7 @@ void AddPlaces(Collector& collector)
 {
   collector.AddEach("offset", { 1e3, 1e5, 1e6, 1e7 }, AimAtOffset);
   collector.AddEach("scale", { 1e-6, 1e-3, 1e3, 1e7 }, AimAtSize);
-  collector.AddEach("denormals", { 1e-30, 1e-40, 1e-50, 1e-100, 1e-310 }, AimAtSize);
+  collector.AddEach("denormals", { 1e-30, 1e-40, 1e-100, 1e-120, 1e-310 }, AimAtSize);
   collector.AddEach("far targets", { 1e3, 1e5, 1e7, 1e9 }, AimFromAfar);
   collector.AddEach("nested shells", { 1e-2, 1e-4, 3e-6 }, AimAtShells);
 }

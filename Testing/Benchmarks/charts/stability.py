@@ -16,7 +16,7 @@ GROUPS = (
     ("LMS3D", 5),
     ("paper's sum\nof angles", 4),
     ("Embree,\nsingle precision", 3),
-    ("VTK's locators,\ntolerance 1e-9 m or 0", 5),
+    ("VTK's locators,\ntolerance 1e-9 m or 0", 6),
 )
 NO_FAILURE = "#d6e6f4"
 LEAST, MOST = 0.03, 100.0  # percent
