@@ -2,30 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
 
-#include "ScanContender.h"
+#include "CastingContender.h"
 #include "ScanGrid.h"
+#include "ScanTruth.h"
 #include "Scenes.h"
 #include "SeparateProcess.h"
 #include "StabilityMethod.h"
-#include "StabilityRivals.h"
 #include "Table.h"
 #include "Timer.h"
 
-#include "vtkLMS3DScanFilter.h"
-
 #include <tbb/task_arena.h>
 
-#include <vtkDoubleArray.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-
-#include <array>
 #include <cstdio>
 #include <fstream>
-#include <functional>
 #include <map>
-#include <memory>
 #include <stdexcept>
 
 namespace
@@ -36,12 +26,9 @@ constexpr double NanosecondsPerMillisecond = 1e6;
 constexpr int StrideOfTruthOfLargeScene = 3;
 constexpr vtkIdType LargeScene = 50000;
 
-// Of casters that take long.
-constexpr int StrideOfSlow = 6;
-
 struct Limits
 {
-  /// Milliseconds for which a caster repeats its scan, and the most that one may take.
+  /// Milliseconds for which a caster repeats its scan in a turn, and the most that one may take.
   double Budget;
   double LongScan;
   /// For all that a caster does.
@@ -49,105 +36,20 @@ struct Limits
   /// Turns of each caster, so that what disturbs the machine for a while disturbs all of them.
   int Turns;
 };
-constexpr Limits Whole = { 500.0, 20000.0, 60, 3 };
+constexpr Limits Whole = { 500.0, 6000.0, 60, 3 };
 constexpr Limits Quick = { 100.0, 500.0, 4, 1 };
 
-/// A scene that is ready to be scanned.
-struct Scan
-{
-  std::function<void(const ScanGrid&)> Cast;
-  /// The ranges of the last cast by the beams' numbers in the whole grid.
-  std::function<std::vector<double>(const ScanGrid&)> GetRanges;
-};
-
-struct Contender
-{
-  std::string Name;
-  std::function<Scan()> Build;
-};
-
-// The whole update, with all arrays of both outputs.
-Contender MakeMethod(const BenchmarkScene& scene, int method)
-{
-  const auto build = [&scene, method]() -> Scan
-  {
-    const auto filter = vtkSmartPointer<vtkLMS3DScanFilter>::New();
-    filter->SetInputData(scene.Surface);
-    filter->SetPosition(scene.Sensor[0], scene.Sensor[1], scene.Sensor[2]);
-    filter->SetIntersectionMethod(method);
-    filter->SetNumberOfThreads(1);
-    filter->SetAlphaResolution(1);
-    filter->SetBetaResolution(1);
-    filter->Update();
-    const auto cast = [filter](const ScanGrid& grid)
-    {
-      filter->SetAlphaResolution(grid.GetAlphaResolution());
-      filter->SetBetaResolution(grid.GetBetaResolution());
-      filter->Modified();
-      filter->Update();
-    };
-    const auto getRanges = [filter](const ScanGrid& grid)
-    {
-      vtkDataArray* ranges = filter->GetRangeImage()->GetPointData()->GetScalars();
-      return grid.SpreadGrid(vtkDoubleArray::SafeDownCast(ranges)->GetPointer(0));
-    };
-    return { cast, getRanges };
-  };
-  return { vtkLMS3DScanFilter::GetIntersectionMethodName(method), build };
-}
-
-// Ready-made directions in, ranges out. Both grids have shots of their own, by stride.
-Contender MakeRival(const BenchmarkScene& scene, const StabilityMethod& method)
-{
-  const auto build = [&scene, method]() -> Scan
-  {
-    const StabilityCaster caster = method.Build(MakeMesh(scene.Surface));
-    const auto shots = std::make_shared<std::map<int, std::vector<StabilityShot>>>();
-    for (int stride : { 1, StrideOfSlow })
-    {
-      (*shots)[stride] = ScanGrid(stride).MakeShots(scene);
-    }
-    const auto ranges = std::make_shared<std::vector<double>>();
-    return { [caster, shots, ranges](const ScanGrid& grid)
-      { *ranges = caster(shots->at(grid.GetStride())); },
-      [ranges](const ScanGrid& grid) { return grid.SpreadShots(*ranges); } };
-  };
-  return { method.Name, build };
-}
-
-std::vector<Contender> MakeContenders(const BenchmarkScene& scene)
-{
-  const int methods = vtkLMS3DScanFilter::GetNumberOfIntersectionMethods();
-  std::vector<Contender> contenders;
-  contenders.reserve(methods);
-  for (int method = 0; method < methods; ++method)
-  {
-    contenders.push_back(MakeMethod(scene, method));
-  }
-  for (const auto& rivals : { GetEmbreeMethods(), GetLocatorMethods() })
-  {
-    for (const StabilityMethod& rival : rivals)
-    {
-      contenders.push_back(MakeRival(scene, rival));
-    }
-  }
-  return contenders;
-}
-
-/// What a process of its own found out: the stride, milliseconds, and all ranges.
-std::vector<double> Measure(const Contender& contender, const Limits& limits)
+/// What a process of its own found out: the stride, milliseconds, and all ranges. The stride is 0
+/// where it has yet to be chosen.
+std::vector<double> Measure(const CastingContender& contender, const Limits& limits, int stride)
 {
   std::vector<double> result;
   tbb::task_arena(1).execute(
     [&]
     {
-      const Scan scan = contender.Build();
-      const ScanGrid some(StrideOfSlow);
-      const ScanGrid all(1);
-      const double first = GetMilliseconds([&] { scan.Cast(some); });
-      const double factor =
-        static_cast<double>(all.GetNumberOfBeams()) / static_cast<double>(some.GetNumberOfBeams());
-      const ScanGrid& grid = factor * first > limits.LongScan ? some : all;
+      const CastingScan scan = contender.Build();
+      const ScanGrid grid =
+        stride > 0 ? ScanGrid(stride) : ScanGrid::Choose(limits.LongScan, scan.Cast);
       const double best = GetBestMilliseconds(limits.Budget, [&] { scan.Cast(grid); });
       result = { static_cast<double>(grid.GetStride()), best };
       const std::vector<double> ranges = scan.GetRanges(grid);
@@ -156,21 +58,20 @@ std::vector<double> Measure(const Contender& contender, const Limits& limits)
   return result;
 }
 
-/// What is true, for casters of the whole grid and of some beams.
-struct Truths
-{
-  explicit Truths(const BenchmarkScene& scene)
-    : All(scene,
-        ScanGrid(scene.Surface->GetNumberOfPolys() > LargeScene ? StrideOfTruthOfLargeScene : 1)
-          .GetBeams(),
-        ScanMaximumRange)
-    , Some(scene, ScanGrid(StrideOfSlow).GetBeams(), ScanMaximumRange)
-  {
-  }
+/// What is true, by the strides of the casters' beams.
+using Truths = std::map<int, ScanTruth>;
 
-  ScanTruth All;
-  ScanTruth Some;
-};
+Truths MakeTruths(const BenchmarkScene& scene)
+{
+  const bool isLarge = scene.Surface->GetNumberOfPolys() > LargeScene;
+  Truths truths;
+  for (int stride : ScanGrid::Strides)
+  {
+    const ScanGrid grid(isLarge && stride == 1 ? StrideOfTruthOfLargeScene : stride);
+    truths.emplace(stride, ScanTruth(scene, grid.GetBeams(), CastingMaximumRange));
+  }
+  return truths;
+}
 
 Table::Row MakeRow(const BenchmarkScene& scene, const std::string& name,
   const SeparateResult& result, const Truths& truths)
@@ -184,7 +85,7 @@ Table::Row MakeRow(const BenchmarkScene& scene, const std::string& name,
   }
   const ScanGrid grid(static_cast<int>(result.Numbers[0]));
   const double beams = static_cast<double>(grid.GetNumberOfBeams());
-  const ScanTruth& truth = grid.GetStride() == 1 ? truths.All : truths.Some;
+  const ScanTruth& truth = truths.at(grid.GetStride());
   const ScanErrors errors = truth.GetErrors(result.Numbers.data() + 2);
   const Table::Row cells = { Table::Format(beams, 0),
     Table::Format(NanosecondsPerMillisecond * result.Numbers[1] / beams, 1),
@@ -221,18 +122,18 @@ void SaveBeams(const std::string& folder, const BenchmarkScene& scene, const Sca
   Save(start + "ranges", truth.GetRanges());
 }
 
-// A turn of a caster that has not failed, and does not take long.
-void Take(const Contender& contender, const Limits& limits, SeparateResult& result)
+// A turn of a caster that has not failed. One that fails once has no numbers.
+void Take(const CastingContender& contender, const Limits& limits, SeparateResult& result)
 {
-  const bool isFirst = result.Numbers.empty();
-  if (!result.Failure.empty() || (!isFirst && result.Numbers[1] > limits.Budget))
+  if (!result.Failure.empty())
   {
     return;
   }
+  const bool isFirst = result.Numbers.empty();
+  const int stride = isFirst ? 0 : static_cast<int>(result.Numbers[0]);
   SeparateResult other =
-    RunSeparately([&] { return Measure(contender, limits); }, limits.MostSeconds);
-  const bool isSame = other.Failure.empty() && !isFirst && other.Numbers[0] == result.Numbers[0];
-  if (isFirst || (isSame && other.Numbers[1] < result.Numbers[1]))
+    RunSeparately([&] { return Measure(contender, limits, stride); }, limits.MostSeconds);
+  if (isFirst || !other.Failure.empty() || other.Numbers[1] < result.Numbers[1])
   {
     result = std::move(other);
   }
@@ -241,13 +142,13 @@ void Take(const Contender& contender, const Limits& limits, SeparateResult& resu
 void MeasureScene(const std::string& name, const BenchmarkOptions& options, Table& table)
 {
   const BenchmarkScene scene = MakeScene(name);
-  const Truths truths(scene);
+  const Truths truths = MakeTruths(scene);
   if (!options.BeamFolder.empty())
   {
-    SaveBeams(options.BeamFolder, scene, truths.All);
+    SaveBeams(options.BeamFolder, scene, truths.at(1));
   }
   const Limits& limits = options.IsQuick ? Quick : Whole;
-  const std::vector<Contender> contenders = MakeContenders(scene);
+  const std::vector<CastingContender> contenders = MakeCastingContenders(scene);
   std::vector<SeparateResult> results(contenders.size());
   for (int turn = 0; turn < limits.Turns; ++turn)
   {

@@ -12,20 +12,26 @@
 #include <fstream>
 #include <string>
 
-/// A line of /proc/self/status, VmRSS or VmHWM.
-inline double GetMemory(const std::string& name)
+/// A line of /proc/self/status, VmRSS or VmHWM, or of another such file.
+inline double GetMemory(const std::string& name, const std::string& fileName = "/proc/self/status")
 {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
+  std::ifstream file(fileName);
+  for (std::string word; file >> word;)
   {
     if (word == name + ":")
     {
       double kilobytes = 0.0;
-      status >> kilobytes;
+      file >> kilobytes;
       return 1024.0 * kilobytes;
     }
   }
   return 0.0;
+}
+
+/// What other work may take.
+inline double GetAvailableMemory()
+{
+  return GetMemory("MemAvailable", "/proc/meminfo");
 }
 
 /// What has been taken since it was made; freed memory is first given back to the system.

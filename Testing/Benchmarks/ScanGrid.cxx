@@ -3,7 +3,10 @@
 #include "ScanGrid.h"
 
 #include "Scenes.h"
+#include "Timer.h"
 #include "lms3dScanGeometry.h"
+
+#include "vtkLMS3DScanFilter.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,6 +14,12 @@
 namespace
 {
 constexpr int TileSide = 4;
+
+// Milliseconds: quick casts are repeated, since the first is slower.
+constexpr double BudgetOfTrial = 20.0;
+
+constexpr double LowestAlpha = -90.0;
+constexpr double HighestAlpha = 90.0;
 static_assert(TileSide * TileSide == lms3dBeamPacket::Size);
 
 std::vector<double> Spread(const double* ranges, const std::vector<std::size_t>& beams)
@@ -33,14 +42,33 @@ std::vector<std::size_t> ScanGrid::GetBeams() const
 {
   std::vector<std::size_t> beams;
   beams.reserve(this->GetNumberOfBeams());
-  for (std::size_t turn = 0; turn < Betas; turn += this->Stride)
+  for (int turn = 0; turn < this->GetBetaResolution(); ++turn)
   {
-    for (std::size_t beam = 0; beam < Alphas; beam += this->Stride)
+    for (int beam = 0; beam < this->GetAlphaResolution(); ++beam)
     {
-      beams.push_back(turn * Alphas + beam);
+      beams.push_back(static_cast<std::size_t>(turn * Alphas + beam) * this->Stride);
     }
   }
   return beams;
+}
+
+ScanGrid ScanGrid::Choose(double longest, const std::function<void(const ScanGrid&)>& cast)
+{
+  const ScanGrid coarsest(Strides.back());
+  const double ms = GetBestMilliseconds(BudgetOfTrial, [&] { cast(coarsest); }) /
+    static_cast<double>(coarsest.GetNumberOfBeams());
+  return ScanGrid(*std::find_if(Strides.begin(), Strides.end() - 1,
+    [&](int stride)
+    { return ms * static_cast<double>(ScanGrid(stride).GetNumberOfBeams()) <= longest; }));
+}
+
+void ScanGrid::Apply(vtkLMS3DScanFilter* filter) const
+{
+  const double step = (HighestAlpha - LowestAlpha) / (Alphas - 1) * this->Stride;
+  const int alphas = this->GetAlphaResolution();
+  filter->SetAlphaRange(LowestAlpha, LowestAlpha + step * (alphas - 1));
+  filter->SetAlphaResolution(alphas);
+  filter->SetBetaResolution(this->GetBetaResolution());
 }
 
 std::vector<std::size_t> ScanGrid::GetBeamsOfShots() const
@@ -89,7 +117,7 @@ std::vector<double> ScanGrid::SpreadShots(const std::vector<double>& ranges) con
 
 std::vector<Vector> ScanGrid::MakeDirections(const BenchmarkScene& scene)
 {
-  const double alphaRange[2] = { -90.0, 90.0 };
+  const double alphaRange[2] = { LowestAlpha, HighestAlpha };
   const double betaRange[2] = { 0.0, 360.0 };
   const double upright[3] = { 0.0, 0.0, 0.0 };
   const lms3dScanGeometry geometry(alphaRange, Alphas, betaRange, Betas);

@@ -9,14 +9,18 @@
 
 #include "StabilityCase.h"
 
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 struct BenchmarkScene;
+class vtkLMS3DScanFilter;
 
 /**
- * Every so many-th elevation of every so many-th turn of the default grid. Its steps are exact in
- * double, so that the directions are those of the whole grid to the bit.
+ * Every so many-th elevation of every so many-th turn of the default grid, where that is not all of
+ * them without the zenith: whole tiles of 4 x 4 beams, since methods cast no less at once. Its steps
+ * are exact in double, so that the directions are those of the whole grid to the bit.
  */
 class ScanGrid
 {
@@ -25,6 +29,9 @@ public:
   static constexpr int Betas = 360;
   static constexpr std::size_t MostBeams = static_cast<std::size_t>(Alphas) * Betas;
 
+  /// What Choose chooses from.
+  static constexpr std::array<int, 3> Strides = { 1, 6, 18 };
+
   /// 1, or another divisor of 360.
   explicit ScanGrid(int stride)
     : Stride(stride)
@@ -32,9 +39,15 @@ public:
   }
 
   int GetStride() const { return this->Stride; }
-  int GetAlphaResolution() const { return (Alphas - 1) / this->Stride + 1; }
+  int GetAlphaResolution() const { return this->Stride == 1 ? Alphas : Alphas / this->Stride; }
   int GetBetaResolution() const { return Betas / this->Stride; }
   std::size_t GetNumberOfBeams() const;
+
+  /// The finest whose cast takes no longer, in milliseconds, as far as that of the coarsest tells.
+  static ScanGrid Choose(double longest, const std::function<void(const ScanGrid&)>& cast);
+
+  /// Lets a filter scan these beams.
+  void Apply(vtkLMS3DScanFilter* filter) const;
 
   /// Their numbers in the whole grid, turn by turn.
   std::vector<std::size_t> GetBeams() const;

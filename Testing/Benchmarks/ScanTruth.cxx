@@ -35,6 +35,7 @@ ExactReference MakeReference(vtkPolyData* surface)
   }
   return { std::move(points), std::move(triangles) };
 }
+
 std::vector<std::size_t> Spread(std::size_t count)
 {
   const std::size_t step = std::max<std::size_t>(1, ScanGrid::MostBeams / count);

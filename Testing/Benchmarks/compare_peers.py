@@ -140,17 +140,23 @@ def scan(number, python, scene_file, folder, seconds=peers_casters.SECONDS):
     return result
 
 
+def judge(ranges, truth):
+    """Return how many beams fail, and the relative errors of those that truly hit and do."""
+    is_hit, is_true = numpy.isfinite(ranges), numpy.isfinite(truth)
+    both = is_hit & is_true
+    failures = {"misses": int((is_true & ~is_hit).sum()),
+                "false hits": int((is_hit & ~is_true).sum())}
+    return failures, numpy.abs(ranges[both] - truth[both]) / truth[both]
+
+
 def _describe(result, raw, beams, truth):
     ranges = result["ranges"]
-    sample = ranges[beams]
-    is_hit, is_true = numpy.isfinite(sample), numpy.isfinite(truth)
-    both = is_hit & is_true
-    errors = numpy.abs(sample[both] - truth[both]) / truth[both]
+    failures, errors = judge(ranges[beams], truth)
     milliseconds = 1000 * result["scan"]
     return [f"{1000 * result['build']:.1f}", f"{milliseconds:.3f}",
             f"{len(ranges) / milliseconds / 1000:.1f}", f"{milliseconds / raw:.2f}" if raw else "-",
             f"{result['peak'] / 2**20:.0f}", int(numpy.isfinite(ranges).sum()),
-            int((is_true & ~is_hit).sum()), int((is_hit & ~is_true).sum()),
+            *failures.values(),
             f"{numpy.median(errors):.1e}" if errors.size else "-",
             f"{errors.max():.1e}" if errors.size else "-",
             f"{result['point_error']:.1e}", int(result["scans"])]
