@@ -25,6 +25,28 @@ HALF_MESSAGES = (
     b"GIOP", _header, _header + struct.pack("<I", 0x7FFFFFFF), _header + struct.pack("<I", 33 << 20),
     _fetch[:20], _fetch[:-1], giop.message(giop.REQUEST, b"")[:7] + b"\x02" + struct.pack("<I", 64))
 
+FRAGMENT = 7
+_is_a = giop.request(b"LMS3D", "_is_a", start_arguments=lambda e: e.string(b"x" * 2000000))
+
+
+def _part(kind, is_last, body):
+    """A message of GIOP 1.2, or one of its fragments."""
+    flags = 1 if is_last else 3
+    return b"GIOP" + struct.pack("<4BI", 1, 2, flags, kind, len(body)) + body
+
+
+def _fragments():
+    """A request whose argument has two megabytes, nearly all of them in the second part."""
+    header = giop.Encoder().number("I", 1).number("I", 3).number("I", 0)
+    header.octets(b"LMS3D").string(b"_is_a").number("I", 0)
+    header.bytes += bytes(-(12 + len(header.bytes)) % 8)
+    argument = struct.pack("<I", 2000001) + b"x" * 2000000 + b"\0"
+    return (_part(giop.REQUEST, False, bytes(header.bytes) + argument[:8])
+            + _part(FRAGMENT, True, struct.pack("<I", 1) + argument[8:]))
+
+
+LONG_ARGUMENTS = (_is_a, _fragments())
+
 
 def garbage(number):
     """The same for each number."""
@@ -33,6 +55,20 @@ def garbage(number):
              b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03" + generator.randbytes(500),
              b"GIOP" + generator.randbytes(200), _fetch[:12] + generator.randbytes(len(_fetch) - 12))
     return kinds[number % len(kinds)]
+
+
+def wait(after, timeout):
+    """The arguments of waitForScan()."""
+    return lambda encoder: encoder.number("Q", after).number("Q", 0).number("I", timeout)
+
+
+def refuse(client, operation, arguments):
+    """The exception that a call gets; empty where it succeeds."""
+    try:
+        client.call(operation, arguments)
+        return ""
+    except (giop.UserException, giop.SystemException) as problem:
+        return str(problem)
 
 
 class HostileTest(unittest.TestCase):
@@ -90,6 +126,37 @@ class HostileTest(unittest.TestCase):
         with self.connect_all(lambda _: b""):
             self.check_service()
             self.assertLess(self.server.measure_memory() - self.memory, MOST_GROWTH)
+        self.check_recovery()
+
+    def test_half_an_argument_of_two_megabytes(self):
+        """The ORB would make room for it, and never give that back."""
+        for _ in range(5):
+            with contextlib.ExitStack() as stack:
+                for number in range(40):
+                    client = stack.enter_context(self.server.connect())
+                    client.connection.sendall(LONG_ARGUMENTS[number % len(LONG_ARGUMENTS)][:-1])
+                self.check_service()
+            self.assertTrue(wait_until(lambda: self.server.count_files() <= self.files + 2))
+        self.check_recovery()
+
+    def test_clients_that_vanish_while_they_wait(self):
+        """More than may wait: others get their places soon, not when the wait would have ended."""
+        never = 2 ** 64 - 1
+        with contextlib.ExitStack() as stack:
+            for _ in range(12):
+                client = stack.enter_context(self.server.connect())
+                for number in range(4):
+                    client.connection.sendall(giop.request(
+                        client.key, "waitForScan", start_arguments=wait(never, 10000),
+                        number=number))
+            with self.server.connect() as client:
+                self.assertTrue(wait_until(
+                    lambda: "LimitExceeded" in refuse(client, "waitForScan", wait(never, 1))))
+        start = time.monotonic()
+        with self.server.connect() as client:
+            self.assertTrue(wait_until(
+                lambda: "NoScanYet" in refuse(client, "waitForScan", wait(never, 1))))
+        self.assertLess(time.monotonic() - start, 7)
         self.check_recovery()
 
     def test_four_hundred_flipped_bits(self):
@@ -189,6 +256,26 @@ class ArgumentTest(unittest.TestCase):
         """Whatever the ORB makes of it, it is no path."""
         self.fail_with((giop.UserException, giop.SystemException), "NoSuchScene|MARSHAL|BAD_PARAM",
                        "selectScene", lambda e: e.string(b"room\0/../../etc/passwd"))
+
+    def test_arguments_of_two_megabytes(self):
+        """Are refused before they are read, in fragments too, and the connection goes on."""
+        with self.server.connect() as client:
+            for message in LONG_ARGUMENTS:
+                client.connection.sendall(message)
+                header = giop.receive(client.connection, 12)
+                size = struct.unpack("<I", header[8:])[0]
+                self.assertIn(b"IMP_LIMIT", giop.receive(client.connection, size))
+            self.assertEqual(len(client.fetch()), 3 * BEAMS)
+
+    def test_a_fourth_wait_on_one_connection(self):
+        """Is refused, so that the server still sees the end of the connection."""
+        with self.server.connect() as client:
+            for number in range(4):
+                client.connection.sendall(giop.request(
+                    client.key, "waitForScan", start_arguments=wait(2 ** 64 - 1, 10000),
+                    number=number))
+            with self.assertRaisesRegex(giop.UserException, "LimitExceeded"):
+                client.read_reply()
 
     def test_missing_arguments(self):
         """A pose without its end, an operation that is none."""

@@ -2,8 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dRequestGate.h"
 
+#include "lms3dCaller.h"
+
 #include <omniORB4/CORBA.h>
 #include <omniORB4/omniInterceptors.h>
+#include <omniORB4/omniTransport.h>
+
+// In this order, since they do not include each other.
+#include <omniORB4/internal/giopStrand.h>
+#include <omniORB4/internal/giopStream.h>
+
+#include <omniORB4/internal/GIOP_S.h>
 
 #include <condition_variable>
 #include <mutex>
@@ -40,13 +49,34 @@ void RunAfterStart(Interceptors::createThread_T::info_T& thread)
   thread.run();
 }
 
-CORBA::Boolean Pass(Interceptors::serverReceiveRequest_T::info_T&)
+// The longest are those with the reference of a listener.
+constexpr CORBA::ULong MostArgumentBytes = 65536;
+
+// Before the ORB makes room for arguments of any length, which it never gives back where the rest of
+// the message does not come. Of a message in fragments, whose size only its end tells, it takes
+// everything to be possible.
+void RequireSmall(omni::GIOP_S& request)
+{
+  if (request.checkInputOverrun(1, MostArgumentBytes))
+  {
+    throw CORBA::IMP_LIMIT(0, CORBA::COMPLETED_NO);
+  }
+}
+
+void RequireOpen()
 {
   const std::lock_guard<std::mutex> lock(Gate.Mutex);
   if (!Gate.IsOpen)
   {
     throw CORBA::TRANSIENT(0, CORBA::COMPLETED_NO);
   }
+}
+
+CORBA::Boolean Pass(Interceptors::serverReceiveRequest_T::info_T& request)
+{
+  RequireSmall(request.giop_s);
+  RequireOpen();
+  lms3dSetCaller(request.giop_s.strand());
   return true;
 }
 } // namespace

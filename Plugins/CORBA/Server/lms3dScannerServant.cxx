@@ -5,6 +5,7 @@
 #include "lms3dLog.h"
 #include "lms3dMessageParts.h"
 #include "lms3dPolarData.h"
+#include "lms3dSceneNames.h"
 #include "lms3dSettingsCheck.h"
 #include "lms3dText.h"
 #include "lms3dVersion.h"
@@ -13,22 +14,11 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <numeric>
 #include <string>
 
 namespace
 {
-using Clock = lms3dSnapshotStore::Clock;
-
-constexpr std::chrono::seconds FirstScanWait(5);
 constexpr CORBA::ULong LongestWait = 10000;
-
-// On the wire each has its length before it, a zero after it, and begins at a multiple of four.
-std::size_t GetMarshalledSize(const std::vector<std::string>& names)
-{
-  return std::accumulate(names.begin(), names.end(), std::size_t(0),
-    [](std::size_t size, const std::string& name) { return size + name.size() + 8; });
-}
 } // namespace
 
 lms3dScannerServant::lms3dScannerServant(const lms3dPermissions& permissions,
@@ -40,16 +30,13 @@ lms3dScannerServant::lms3dScannerServant(const lms3dPermissions& permissions,
   , Store(store)
   , Loop(loop)
   , Listeners(listeners)
+  , Waiting(store)
 {
 }
 
 LMS3D::Data* lms3dScannerServant::fetch()
 {
-  const lms3dSnapshotPointer snapshot = this->Store.Wait(0, 0, Clock::now() + FirstScanWait);
-  if (!snapshot)
-  {
-    throw CORBA::TRANSIENT(0, CORBA::COMPLETED_NO);
-  }
+  const lms3dSnapshotPointer snapshot = this->Waiting.WaitForFirst();
   if (3 * CORBA::ULongLong(snapshot->Header.beams) > lms3dGetMostElements(sizeof(CORBA::Float)))
   {
     throw CORBA::IMP_LIMIT(0, CORBA::COMPLETED_NO);
@@ -83,18 +70,7 @@ CORBA::ULongLong lms3dScannerServant::setConfiguration(const LMS3D::Configuratio
 
 LMS3D::SceneNames* lms3dScannerServant::listScenes()
 {
-  const std::vector<std::string> names = this->Catalogue.GetNames();
-  if (GetMarshalledSize(names) > lms3dGetMostElements(1))
-  {
-    throw CORBA::IMP_LIMIT(0, CORBA::COMPLETED_NO);
-  }
-  LMS3D::SceneNames_var list = new LMS3D::SceneNames;
-  list->length(static_cast<CORBA::ULong>(names.size()));
-  for (CORBA::ULong i = 0; i < list->length(); ++i)
-  {
-    list[i] = names[i].c_str();
-  }
-  return list._retn();
+  return lms3dMakeSceneNames(this->Catalogue);
 }
 
 LMS3D::Scene* lms3dScannerServant::getScene()
@@ -149,7 +125,7 @@ LMS3D::Status* lms3dScannerServant::getStatus()
   status->mapSeconds = newest ? newest->MapSeconds : 0.0;
   status->isReadOnly = this->Permissions.ReadOnly;
   status->hasCallbacks = this->Permissions.Callbacks;
-  status->waiting = this->Waiting;
+  status->waiting = static_cast<CORBA::ULong>(this->Waiting.GetNumber());
   status->listening = static_cast<CORBA::ULong>(this->Listeners.GetNumber());
   status->problem = lms3dText(this->Loop.GetProblem());
   return status._retn();
@@ -163,9 +139,8 @@ LMS3D::ScanHeader* lms3dScannerServant::getHeader()
 LMS3D::ScanHeader* lms3dScannerServant::waitForScan(
   CORBA::ULongLong after, CORBA::ULongLong generation, CORBA::ULong timeout)
 {
-  const lms3dWaiter waiter(this->Waiting, MostWaiting, "too many clients wait for a scan");
-  const std::chrono::milliseconds wait(std::min(timeout, LongestWait));
-  const lms3dSnapshotPointer snapshot = this->Store.Wait(after, generation, Clock::now() + wait);
+  const std::chrono::milliseconds longest(std::min(timeout, LongestWait));
+  const lms3dSnapshotPointer snapshot = this->Waiting.Wait(after, generation, longest);
   if (!snapshot && this->Store.IsStopped())
   {
     throw CORBA::TRANSIENT(0, CORBA::COMPLETED_NO);

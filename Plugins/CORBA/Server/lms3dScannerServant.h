@@ -13,6 +13,7 @@
 #include "lms3dSceneCatalogue.h"
 #include "lms3dSettingsBoard.h"
 #include "lms3dSnapshotStore.h"
+#include "lms3dWaitingRoom.h"
 
 #include <atomic>
 #include <mutex>
@@ -31,7 +32,6 @@ struct lms3dPermissions
 class lms3dScannerServant : public POA_LMS3D::LaserScanner
 {
 public:
-  static constexpr unsigned int MostWaiting = 32;
   /// One whose scene is being read, and those who wait for their turn.
   static constexpr unsigned int MostSelecting = 5;
 
@@ -78,7 +78,7 @@ private:
   lms3dListeners& Listeners;
   std::mutex SceneMutex;
   std::atomic<unsigned int> Selecting{ 0 };
-  std::atomic<unsigned int> Waiting{ 0 };
+  lms3dWaitingRoom Waiting;
 };
 
 #endif
