@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dScanChecks.h"
 
+#include "lms3dScanGeometry.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,6 +18,13 @@ constexpr double LargestPosition = 1e18;
 bool IsProperRange(const double range[2], int resolution)
 {
   return range[0] < range[1] || (resolution == 1 && range[0] == range[1]);
+}
+
+// At most once around.
+bool IsWithinACircle(const double range[2])
+{
+  const double extent = range[1] - range[0];
+  return extent <= 360.0 || lms3dIsFullCircle(extent);
 }
 
 bool IsFiniteRange(const double range[2])
@@ -64,7 +73,7 @@ std::string lms3dFindAngleError(
           << " degrees; it must increase, within -90 to 90.";
   }
   else if (!IsFiniteRange(betaRange) || !IsProperRange(betaRange, betaResolution) ||
-    betaRange[1] - betaRange[0] > 360.0)
+    !IsWithinACircle(betaRange))
   {
     error << "BetaRange is " << betaRange[0] << " to " << betaRange[1]
           << " degrees; it must increase, by at most 360.";

@@ -13,15 +13,10 @@ constexpr double FullCircle = 360.0;
 // The largest deviation from a full circle that is rounding of the angles rather than a gap.
 constexpr double AngleTolerance = 1e-6;
 
-bool IsFullCircle(double extent)
-{
-  return std::abs(extent - FullCircle) <= AngleTolerance;
-}
-
 // The end of a full circle is its start again.
 int CountIntervals(const double range[2], int resolution)
 {
-  return IsFullCircle(range[1] - range[0]) ? resolution : resolution - 1;
+  return lms3dIsFullCircle(range[1] - range[0]) ? resolution : resolution - 1;
 }
 
 // Weighting both ends keeps the ends exact and the angles symmetric about the middle.
@@ -52,6 +47,11 @@ double Step(const std::vector<double>& angles)
   return angles.size() < 2 ? 0.0 : (angles.back() - angles.front()) / (angles.size() - 1);
 }
 } // namespace
+
+bool lms3dIsFullCircle(double extent)
+{
+  return std::abs(extent - FullCircle) <= AngleTolerance;
+}
 
 void lms3dSinCosDegrees(double degrees, double& sine, double& cosine)
 {
@@ -147,7 +147,7 @@ bool lms3dScanGeometry::IsClosed() const
 {
   // Fewer than three turns cannot go round anything.
   return this->GetNumberOfTurns() >= 3 &&
-    IsFullCircle(std::abs(this->GetBetaStep()) * this->GetNumberOfTurns());
+    lms3dIsFullCircle(std::abs(this->GetBetaStep()) * this->GetNumberOfTurns());
 }
 
 bool lms3dScanGeometry::IsMirrored() const

@@ -23,6 +23,9 @@
 /// Sine and cosine of an angle in degrees, exact at each multiple of 90 and equal at 45.
 void lms3dSinCosDegrees(double degrees, double& sine, double& cosine);
 
+/// True for 360 degrees but for rounding, up to 1e-6.
+bool lms3dIsFullCircle(double extent);
+
 /// A rigid transform from the sensor frame to the world.
 struct lms3dPose
 {

@@ -5,6 +5,7 @@
 #include "vtkLMS3DScanFilter.h"
 
 #include <vtkCellArray.h>
+#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
@@ -247,6 +248,20 @@ TEST(LMS3DScanFilter, LeavesTheEndOfAFullCircleOut)
   ASSERT_EQ(beta->GetNumberOfTuples(), 4);
   EXPECT_EQ(beta->GetTuple1(0), -90.0);
   EXPECT_EQ(beta->GetTuple1(3), 180.0);
+}
+
+TEST(LMS3DScanFilter, TakesAFullCircleThatRoundingMakesLonger)
+{
+  const double start = 213.7;
+  const double stop = 573.7;
+  ASSERT_GT(stop - start, 360.0);
+  auto scan = MakeScan(MakeBall(1.0));
+  SetGrid(scan, 1, 4);
+  scan->SetAlphaRange(0.0, 0.0);
+  scan->SetBetaRange(start, stop);
+  scan->Update();
+  EXPECT_EQ(scan->GetErrorCode(), vtkErrorCode::NoError);
+  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 4);
 }
 
 TEST(LMS3DScanFilter, MovesPointsRigidlyWithThePose)
