@@ -105,6 +105,27 @@ TEST(ServerSettings, ConfigurationIsTakenUpAndToldBack)
   EXPECT_FALSE(now.makeMap);
 }
 
+TEST(ServerSettings, TakesAFullCircleThatRoundingMakesLonger)
+{
+  ServerProcess server;
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  LMS3D::Configuration configuration = GetCoarseGrid();
+  configuration.beta = { 213.7, 573.7, 36 };
+  ASSERT_GT(configuration.beta.stop - configuration.beta.start, 360.0);
+  const LMS3D::ScanHeader header = WaitFor(scanner, scanner->setConfiguration(configuration));
+  EXPECT_EQ(header.beams, 13u * 36u);
+  configuration.beta.stop += 1e-5;
+  try
+  {
+    scanner->setConfiguration(configuration);
+    ADD_FAILURE() << "taken";
+  }
+  catch (const LMS3D::InvalidArgument& problem)
+  {
+    EXPECT_NE(std::strstr(problem.reason, "is 360.0000100"), nullptr) << problem.reason;
+  }
+}
+
 class ServerRefuses : public testing::TestWithParam<BadConfiguration>
 {
 };

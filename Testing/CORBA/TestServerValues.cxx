@@ -12,7 +12,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
 
 namespace
 {
@@ -143,6 +148,31 @@ TEST(ServerValues, AScanWithoutReturnsIsAScan)
   const LMS3D::Status_var status = scanner->getStatus();
   EXPECT_STREQ(status->problem, "");
   EXPECT_EQ(server.Terminate(SIGTERM), 0);
+}
+
+// Floats cannot tell such ranges from 0, which means that nothing was hit.
+TEST(ServerValues, ReturnsNearerThanFloatsTellAreReturns)
+{
+  const std::filesystem::path folder =
+    std::filesystem::path(testing::TempDir()) / ("lms3d-floor-" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "floor.wrl")
+    << "#VRML V2.0 utf8\nShape { geometry IndexedFaceSet { coord Coordinate { point [ -9 -9 0,"
+       " 9 -9 0, 9 9 0, -9 9 0 ] } coordIndex [ 0, 1, 2, 3, -1 ] } }\n";
+  {
+    ServerProcess server({ "--scenes", folder.string(), "--scene", "floor.wrl", "--keep", "50" });
+    const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+    for (const double height : { 1.0, 1e-46, 1e-310 })
+    {
+      const LMS3D::ScanHeader header = WaitFor(scanner, scanner->setPose(At(0.0, 0.0, height)));
+      EXPECT_GT(header.returns, 10000u) << height;
+      const lms3dRemoteScan remote = lms3dFetchScan(scanner, header);
+      const auto returns = std::count_if(
+        remote.Ranges.begin(), remote.Ranges.end(), [](float range) { return range > 0.0f; });
+      EXPECT_EQ(returns, header.returns) << height;
+    }
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST(ServerValues, ChoosesScenes)

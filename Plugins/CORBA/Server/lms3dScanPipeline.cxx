@@ -17,17 +17,25 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace
 {
+// Neither rounds to 0, which is no return, nor to infinity.
+float Narrow(double range)
+{
+  using Limits = std::numeric_limits<float>;
+  return static_cast<float>(std::clamp<double>(range, Limits::min(), Limits::max()));
+}
+
 std::vector<float> GetRanges(vtkImageData* image)
 {
   auto* ranges = vtkDoubleArray::SafeDownCast(image->GetPointData()->GetArray("Range"));
   const double* first = ranges->GetPointer(0);
   std::vector<float> narrow(static_cast<std::size_t>(ranges->GetNumberOfValues()));
   std::transform(first, first + narrow.size(), narrow.begin(),
-    [](double range) { return std::isnan(range) ? 0.0f : static_cast<float>(range); });
+    [](double range) { return std::isnan(range) ? 0.0f : Narrow(range); });
   return narrow;
 }
 
@@ -43,7 +51,7 @@ std::vector<double> GetCoordinates(vtkPolyData* map)
 }
 
 template <typename Array>
-std::vector<std::uint32_t> Narrow(Array* connectivity)
+std::vector<std::uint32_t> GetNumbers(Array* connectivity)
 {
   const auto* first = connectivity->GetPointer(0);
   std::vector<std::uint32_t> numbers(static_cast<std::size_t>(connectivity->GetNumberOfValues()));
@@ -59,8 +67,8 @@ std::vector<std::uint32_t> GetTriangles(vtkPolyData* map)
   {
     return {};
   }
-  return triangles->IsStorage64Bit() ? Narrow(triangles->GetConnectivityArray64())
-                                     : Narrow(triangles->GetConnectivityArray32());
+  return triangles->IsStorage64Bit() ? GetNumbers(triangles->GetConnectivityArray64())
+                                     : GetNumbers(triangles->GetConnectivityArray32());
 }
 } // namespace
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dSettingsCheck.h"
 
+#include "lms3dScanGeometry.h"
 #include "lms3dText.h"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace
@@ -18,6 +20,7 @@ void Require(bool isGood, const char* what, double value, const char* demand)
   if (!isGood)
   {
     std::ostringstream reason;
+    reason.precision(std::numeric_limits<double>::max_digits10);
     reason << what << " is " << value << "; it must be " << demand;
     throw LMS3D::InvalidArgument(lms3dText(reason.str()));
   }
@@ -90,7 +93,8 @@ void lms3dCheckConfiguration(const LMS3D::Configuration& configuration)
   Require(alpha.stop <= 90.0, "alpha.stop", alpha.stop, "at most 90");
   const LMS3D::Axis& beta = configuration.beta;
   CheckAxis(beta, "beta.start", "beta.stop", "beta.count");
-  Require(beta.stop - beta.start <= FullCircle, "beta.stop - beta.start", beta.stop - beta.start,
+  const double extent = beta.stop - beta.start;
+  Require(extent <= FullCircle || lms3dIsFullCircle(extent), "beta.stop - beta.start", extent,
     "at most 360");
   CheckBeams(configuration);
 
