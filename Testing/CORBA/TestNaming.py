@@ -4,6 +4,7 @@
 
 import os
 import shutil
+import signal
 import socket
 import subprocess
 import tempfile
@@ -76,6 +77,16 @@ class NamingTest(unittest.TestCase):
                 with Server("--naming-service", self.service):
                     self.assertEqual(second.stop()[0], 0)
                     self.assertIn("scene room.wrl", self.look_up("LMS3D.Scanner").stdout)
+
+    def test_ends_although_it_hangs(self):
+        """And says what was left."""
+        with Server("--naming-service", self.service) as server:
+            self.names.send_signal(signal.SIGSTOP)
+            code, seconds = server.stop()
+            self.assertEqual(code, 0)
+            # A call may take five seconds otherwise.
+            self.assertLess(seconds, 4)
+            self.assertIn("the naming service keeps a stale name", server.read_log())
 
     def test_serves_without_it(self):
         """The log says so, and everything else works."""

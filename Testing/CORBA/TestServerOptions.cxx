@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace
@@ -100,6 +101,23 @@ TEST_F(ServerOptions, TheCommandLineWinsOverTheFile)
   EXPECT_EQ(options.ORBArguments, (std::vector<std::string>{ "-ORBtraceLevel", "10" }));
 }
 
+TEST_F(ServerOptions, AFileMayBeginWithAByteOrderMark)
+{
+  const std::string file = this->Write("windows.conf", "\xEF\xBB\xBFscenes = Data\r\nrate = 5\r\n");
+  const lms3dServerOptions options = lms3dReadServerOptions({ "--config", file });
+  EXPECT_EQ(options.Scenes, "Data");
+  EXPECT_EQ(options.Rate, 5.0);
+}
+
+TEST_F(ServerOptions, ARateOfZeroMayBeWrittenAsOneLikes)
+{
+  for (const char* zero : { "0", "0.0", "0e0" })
+  {
+    EXPECT_EQ(lms3dReadServerOptions({ "--scenes", "Data", "--rate", zero }).Rate, 0.0);
+  }
+  EXPECT_TRUE(Speaks(GetProblem({ "--rate", "0.0005" }), "from 0.001 to 10000"));
+}
+
 TEST_F(ServerOptions, SayWhatIsWrongAndWhere)
 {
   EXPECT_TRUE(Speaks(GetProblem({}), "--scenes"));
@@ -123,6 +141,7 @@ TEST_F(ServerOptions, SayWhatIsWrongAndWhere)
   const std::string file = this->Write("bad.conf", "rate = 5\nport = 3\n");
   EXPECT_TRUE(
     Speaks(GetProblem({ "--config", file }), file + ":2: \"port = 3\": there is no such"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--config", this->Folder.string() }), "cannot be read"));
   const std::string flag = this->Write("flag.conf", "read-only = yes\n");
   EXPECT_TRUE(Speaks(GetProblem({ "--config", flag }), "it takes 0 values, not 1"));
   const std::string nested = this->Write("nested.conf", "config = " + file + "\n");
@@ -158,6 +177,16 @@ TEST_F(ServerOptions, TheAdministratorsORBSettingsAreKept)
   EXPECT_EQ(Find(settings, "maxServerThreadPerConnection"), "not set");
   EXPECT_EQ(Find(settings, "serverCallTimeOutPeriod"), "not set");
   EXPECT_EQ(Find(settings, "inConScanPeriod"), "30");
+}
+
+TEST_F(ServerOptions, AnORBSettingMayHaveTheNameOfAnotherAsItsValue)
+{
+  lms3dServerOptions options;
+  options.ORBArguments = { "-ORBtraceFile", "-ORBconfigFile" };
+  EXPECT_EQ(Find(lms3dGetORBSettings(options), "inConScanPeriod"), "30");
+  const std::string file = this->Write("omniORB.cfg", "inConScanPeriod = 1\n");
+  options.ORBArguments.insert(options.ORBArguments.end(), { "-ORBconfigFile", file });
+  EXPECT_EQ(Find(lms3dGetORBSettings(options), "inConScanPeriod"), "not set");
 }
 
 TEST_F(ServerOptions, OwnOptionsWinOverTheAdministratorsORBSettings)
@@ -252,6 +281,20 @@ TEST_F(ServerOptions, TheReferenceFileIsThereAsLongAsTheServer)
   }
   EXPECT_TRUE(std::filesystem::exists(file)) << "another server's file was removed";
   EXPECT_THROW(lms3dReferenceFile("/no/such/folder/x.ior", "IOR:00"), std::runtime_error);
+}
+
+TEST_F(ServerOptions, TheReferenceFileReplacesFilesAlone)
+{
+  const std::string pipe = (this->Folder / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string link = (this->Folder / "link").string();
+  std::filesystem::create_symlink("/dev/null", link);
+  for (const std::string& name : { pipe, link, this->Folder.string() })
+  {
+    EXPECT_THROW(lms3dReferenceFile(name, "IOR:00"), std::runtime_error) << name;
+  }
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
 }
 
 TEST_F(ServerOptions, ServersMayWriteTheSameReferenceFileAtOnce)

@@ -76,7 +76,15 @@ class StartTest(unittest.TestCase):
             taken = server.corbaloc.split("@")[1].split("/")[0]
             finished = run_server("--scenes", DATA, "--endpoint", f"giop:tcp:{taken}")
             self.assertEqual(finished.returncode, 1)
-            self.assertIn("in use", finished.stderr)
+            self.assertIn("is the endpoint in use?", finished.stderr)
+        for arguments, word in (
+                (("--connect-to", "foo"), "address mask"), (("-ORBfoo", "1"), "unknown option"),
+                (("--endpoint", "giop:ssl:127.0.0.1:", "--tls-key", "/no/such.pem",
+                  "--tls-authorities", "/no/such.pem"), "/no/such.pem")):
+            finished = run_server("--scenes", DATA, *arguments)
+            self.assertEqual(finished.returncode, 1)
+            self.assertIn(word, finished.stderr)
+            self.assertNotIn("in use", finished.stderr)
         for arguments, word in ((("--scenes", "/no/such/folder"), "cannot be read"),
                                 (("--scenes", self.folder), "no file"),
                                 (("--scenes", DATA, "--scene", "x.wrl"), "x.wrl"),
@@ -99,6 +107,28 @@ class StartTest(unittest.TestCase):
             self.assertEqual(server.stop(signal.SIGINT)[0], 0)
             self.assertFalse(reference.exists())
             self.assertIn("SIGINT: ending", server.read_log())
+
+    def test_end_of_its_terminal(self):
+        """Nothing is left behind, unless it was started by nohup, after which it goes on."""
+        reference = self.folder / "scanner.ior"
+        with Server("--ior", reference) as server:
+            self.assertEqual(server.stop(signal.SIGHUP)[0], 0)
+            self.assertFalse(reference.exists())
+            self.assertIn("SIGHUP: ending", server.read_log())
+        before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+        self.addCleanup(signal.signal, signal.SIGHUP, before)
+        with Server() as server:
+            server.process.send_signal(signal.SIGHUP)
+            self.assertEqual(run_client(server.corbaloc, "watch", "3").returncode, 0)
+            self.assertEqual(server.stop()[0], 0)
+
+    def test_few_open_files(self):
+        """The log tells that clients will have no room."""
+        finished = subprocess.run(
+            ["sh", "-c", 'ulimit -n 256; exec "$0" "$@"', SERVER, "--scenes", DATA, "--scene", "x"],
+            capture_output=True, text=True, timeout=30, check=False)
+        self.assertEqual(finished.returncode, 1)
+        self.assertIn("allows 256 open files", finished.stderr)
 
     def test_end_while_the_scene_is_read(self):
         """Code 0 at once, and nobody is told of a server that never was."""

@@ -6,6 +6,8 @@
 
 namespace
 {
+constexpr CORBA::ULong EndMilliseconds = 500;
+
 CosNaming::NamingContextExt_ptr FindContext(CORBA::ORB_ptr orb, const std::string& service)
 {
   const CORBA::Object_var object = service.empty() ? orb->resolve_initial_references("NameService")
@@ -44,6 +46,8 @@ lms3dNameRegistration::~lms3dNameRegistration()
   {
     return;
   }
+  // Who ends the server waits as long.
+  omniORB::setClientCallTimeout(this->Context, EndMilliseconds);
   try
   {
     const CosNaming::Name_var path = this->Context->to_name(this->Name.c_str());

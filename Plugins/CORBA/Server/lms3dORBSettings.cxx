@@ -26,10 +26,13 @@ Names GetNamesOfArguments(const std::vector<std::string>& arguments)
 
 std::string GetConfigurationFile(const std::vector<std::string>& arguments)
 {
-  const auto name = std::find(arguments.begin(), arguments.end(), "-ORBconfigFile");
-  if (name != arguments.end())
+  // Names and values in turn, where a value may look like a name.
+  for (std::size_t i = 0; i < arguments.size(); i += 2)
   {
-    return *(name + 1);
+    if (arguments[i] == "-ORBconfigFile")
+    {
+      return arguments[i + 1];
+    }
   }
   const char* const file = std::getenv("OMNIORB_CONFIG");
   return file ? file : "/etc/omniORB.cfg";

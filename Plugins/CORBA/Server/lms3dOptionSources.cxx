@@ -85,6 +85,28 @@ lms3dOptionSetting ReadLine(
   }
 }
 
+Words ReadLines(const std::string& file)
+{
+  std::ifstream stream(file);
+  Words lines;
+  for (std::string line; std::getline(stream, line);)
+  {
+    lines.push_back(line);
+  }
+  // A folder can be opened, and fails when it is read.
+  if (!stream.is_open() || stream.bad())
+  {
+    throw std::invalid_argument("the configuration file \"" + file + "\" cannot be read");
+  }
+  // What some editors write before all text.
+  constexpr const char* ByteOrderMark = "\xEF\xBB\xBF";
+  if (!lines.empty() && BeginsWith(lines[0], ByteOrderMark))
+  {
+    lines[0].erase(0, std::char_traits<char>::length(ByteOrderMark));
+  }
+  return lines;
+}
+
 // The values after place `i`, which moves on to the last of them.
 Words TakeValues(const std::vector<std::string>& arguments, std::size_t& i, std::size_t count)
 {
@@ -129,17 +151,12 @@ lms3dCommandLine lms3dReadCommandLine(
 std::vector<lms3dOptionSetting> lms3dReadOptionFile(
   const std::string& file, lms3dOptionCount getCount)
 {
-  std::ifstream stream(file);
-  if (!stream)
-  {
-    throw std::invalid_argument("the configuration file \"" + file + "\" cannot be read");
-  }
   std::vector<lms3dOptionSetting> settings;
   int number = 0;
-  for (std::string line; std::getline(stream, line);)
+  for (const std::string& whole : ReadLines(file))
   {
     ++number;
-    line = Trim(line);
+    const std::string line = Trim(whole);
     if (!line.empty() && line[0] != '#')
     {
       settings.push_back(ReadLine(line, DescribePlace(file, number, line), getCount));

@@ -3,9 +3,11 @@
 #include "lms3dReferenceFile.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <random>
 #include <stdexcept>
+#include <system_error>
 
 namespace
 {
@@ -15,6 +17,18 @@ bool WriteNew(const std::string& name, const std::string& text)
   const bool isWritten = file && std::fputs(text.c_str(), file) >= 0;
   return file && std::fclose(file) == 0 && isWritten;
 }
+
+// Renaming replaces whatever is there, devices too.
+void RequireFile(const std::string& name)
+{
+  std::error_code problem;
+  const std::filesystem::file_status status = std::filesystem::status(name, problem);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+  {
+    throw std::runtime_error(
+      "\"" + name + "\" is no ordinary file, so that the reference is not written there");
+  }
+}
 } // namespace
 
 // First under a name that nobody else has, be it another server that is to write the same file.
@@ -22,6 +36,7 @@ lms3dReferenceFile::lms3dReferenceFile(const std::string& name, const std::strin
   : Name(name)
   , Reference(reference)
 {
+  RequireFile(name);
   const std::string temporary = name + "." + std::to_string(std::random_device()());
   if (!WriteNew(temporary, reference + '\n') || std::rename(temporary.c_str(), name.c_str()) != 0)
   {

@@ -13,7 +13,7 @@
 class lms3dReferenceFile
 {
 public:
-  /// Throws std::runtime_error where it cannot be written.
+  /// Throws std::runtime_error where it cannot be written, or something is there that is no file.
   lms3dReferenceFile(const std::string& name, const std::string& reference);
   /// Removes it, unless another server has written its own meanwhile.
   ~lms3dReferenceFile();

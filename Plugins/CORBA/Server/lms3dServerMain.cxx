@@ -8,6 +8,8 @@
 #include "lms3dStopSignal.h"
 #include "lms3dVersion.h"
 
+#include <omniORB4/minorCode.h>
+
 #include <sys/resource.h>
 
 #include <exception>
@@ -24,11 +26,20 @@ constexpr int ExitUsage = 2;
 // Where files run out, omniORB accepts nobody any more and spins.
 void AllowManyConnections()
 {
+  // A thread for each of 2,000 connections is what lms3dGetORBSettings() allows.
+  constexpr rlim_t Enough = 2100;
   rlimit limit = {};
-  if (getrlimit(RLIMIT_NOFILE, &limit) == 0)
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0)
   {
-    limit.rlim_cur = limit.rlim_max;
-    setrlimit(RLIMIT_NOFILE, &limit);
+    return;
+  }
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);
+  if (limit.rlim_max < Enough)
+  {
+    lms3dLog("warning: the system allows " + std::to_string(limit.rlim_max) +
+      " open files, and each connection is one. Where they run out, newcomers wait until idle " +
+      "connections are closed; ulimit -n " + std::to_string(Enough) + " makes room");
   }
 }
 
@@ -101,6 +112,20 @@ void Serve(const lms3dServerOptions& options)
   lms3dLog("ended");
 }
 
+std::string Describe(const CORBA::SystemException& problem)
+{
+  // Null for codes that are not the ORB's own.
+  const char* const detail = problem.NP_minorString();
+  return problem._name() + (detail ? std::string(", ") + detail : "");
+}
+
+// What the ORB's own lines in the log leave open.
+std::string GetHint(const CORBA::SystemException& problem, const lms3dServerOptions& options)
+{
+  const bool isEndpoint = problem.minor() == omni::INITIALIZE_TransportError;
+  return isEndpoint && options.TLSKey.empty() ? "; is the endpoint in use?" : "";
+}
+
 int Run(const lms3dServerOptions& options)
 {
   if (options.Help || options.Version)
@@ -116,10 +141,7 @@ int Run(const lms3dServerOptions& options)
   }
   catch (const CORBA::SystemException& problem)
   {
-    // Null for codes that are not the ORB's own.
-    const char* const detail = problem.NP_minorString();
-    lms3dLog(std::string("the ORB failed: ") + problem._name() +
-      (detail ? std::string(", ") + detail : "") + "; is the endpoint in use?");
+    lms3dLog("the ORB failed: " + Describe(problem) + GetHint(problem, options));
   }
   catch (const CORBA::Exception& problem)
   {

@@ -15,6 +15,13 @@ namespace
 {
 using Words = lms3dOptionSetting::Words;
 
+// 0, however it is written, has a meaning of its own.
+double GetRate(const std::string& text)
+{
+  constexpr double Fastest = 10000.0;
+  return lms3dGetNumber(text, 0.0, Fastest) == 0.0 ? 0.0 : lms3dGetNumber(text, 0.001, Fastest);
+}
+
 struct Option
 {
   const char* Name;
@@ -39,8 +46,7 @@ const Option Options[] = {
     [](lms3dServerOptions& o, const Words& w) { o.Orientation = lms3dGetVector(w); } },
   { "rate", 1, "HZ",
     "scans a second, 0.001 to 10000 (default 10); 0: as fast as it goes, on all cores",
-    [](lms3dServerOptions& o, const Words& w)
-    { o.Rate = w[0] == "0" ? 0.0 : lms3dGetNumber(w[0], 0.001, 10000.0); } },
+    [](lms3dServerOptions& o, const Words& w) { o.Rate = GetRate(w[0]); } },
   { "map-error", 1, "M", "the bound of the local map's error, metres (default 0.01)",
     [](lms3dServerOptions& o, const Words& w) { o.MapError = lms3dGetNumber(w[0], 0.0, 1e6); } },
   { "no-map", 0, "", "make no local maps until a client asks for them",
@@ -78,9 +84,9 @@ const Option Options[] = {
     "where the server may connect to beside this machine, for listeners and the naming service",
     [](lms3dServerOptions& o, const Words& w) { o.ConnectTo.push_back(w[0]); } },
   { "config", 1, "FILE",
-    "options from a file, one a line: \"rate = 5\", \"position = 0.3 -0.2 1\", \"read-only\"; # "
-    "begins "
-    "a comment; the command line wins",
+    "options from a file, one a line: \"rate = 5\", \"position = 0.3 -0.2 1\", \"read-only\"; "
+    "lines "
+    "that begin with # are comments; values of the command line win",
     [](lms3dServerOptions&, const Words&) {} },
   { "help", 0, "", "this text", [](lms3dServerOptions& o, const Words&) { o.Help = true; } },
   { "version", 0, "", "the version of LMS3D",
@@ -90,7 +96,8 @@ const Option Options[] = {
 constexpr const char* Usage = R"(Usage: lms3d-server --scenes FOLDER [OPTIONS] [-ORBNAME VALUE ...]
 
 Scans in an endless loop and serves the scans by CORBA, as Plugins/CORBA/LMS3DScanner.idl describes.
-When it is ready it prints a corbaloc and an IOR, a line each. SIGTERM and SIGINT end it with code 0.
+When it is ready it prints a corbaloc and an IOR, a line each. SIGTERM, SIGINT and SIGHUP end it, with
+code 0.
 
 )";
 

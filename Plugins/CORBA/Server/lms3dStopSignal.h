@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Waits for SIGTERM or SIGINT.
+ * @brief Waits for SIGTERM, SIGINT, or SIGHUP, which a terminal that is closed sends.
  */
 #ifndef lms3dStopSignal_h
 #define lms3dStopSignal_h
