@@ -149,8 +149,9 @@ public:
 
   ///@{
   /**
-   * First and last platform angle, degrees. Increasing by at most 360, but for rounding up to
-   * 1e-6. Both are included, except that the end of a full circle is left out, being its start again. The default is 0 to 360.
+   * First and last platform angle, degrees. Increasing by at most 360, but for rounding up to 1e-6.
+   * Both are included, except that the end of a full circle is left out, being its start again. The
+   * default is 0 to 360.
    */
   vtkSetVector2Macro(BetaRange, double);
   vtkGetVector2Macro(BetaRange, double);

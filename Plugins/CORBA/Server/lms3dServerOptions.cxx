@@ -85,8 +85,7 @@ const Option Options[] = {
     [](lms3dServerOptions& o, const Words& w) { o.ConnectTo.push_back(w[0]); } },
   { "config", 1, "FILE",
     "options from a file, one a line: \"rate = 5\", \"position = 0.3 -0.2 1\", \"read-only\"; "
-    "lines "
-    "that begin with # are comments; values of the command line win",
+    "lines that begin with # are comments; values of the command line win",
     [](lms3dServerOptions&, const Words&) {} },
   { "help", 0, "", "this text", [](lms3dServerOptions& o, const Words&) { o.Help = true; } },
   { "version", 0, "", "the version of LMS3D",
