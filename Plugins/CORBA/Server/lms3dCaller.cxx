@@ -24,6 +24,11 @@ const omni::giopStrand* lms3dGetCaller()
 
 bool lms3dIsCallerThere()
 {
+  // This process itself has no connection.
+  if (!Caller)
+  {
+    return true;
+  }
   const omni_tracedmutex_lock lock(*omni::omniTransportLock);
   return Caller->state() != omni::giopStrand::DYING;
 }
