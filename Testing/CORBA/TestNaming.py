@@ -82,6 +82,7 @@ class NamingTest(unittest.TestCase):
         """And says what was left."""
         with Server("--naming-service", self.service) as server:
             self.names.send_signal(signal.SIGSTOP)
+            os.waitpid(self.names.pid, os.WUNTRACED)
             code, seconds = server.stop()
             self.assertEqual(code, 0)
             # A call may take five seconds otherwise.
