@@ -12,16 +12,23 @@
 
 #include <sys/resource.h>
 
+#include <chrono>
+#include <cstdlib>
 #include <exception>
+#include <future>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace
 {
 constexpr int ExitFailure = 1;
 constexpr int ExitUsage = 2;
+
+// As long as an answer may take; see lms3dGetORBSettings().
+constexpr std::chrono::seconds LongestEnd(5);
 
 // Where files run out, omniORB accepts nobody any more and spins.
 void AllowManyConnections()
@@ -71,6 +78,25 @@ CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
   return CORBA::ORB_init(count, pointers.data(), "omniORB4", reinterpret_cast<Table>(table.data()));
 }
 
+// The ORB would wait for a client that asks on and on and takes no answer, many times as long as for
+// one answer.
+void Destroy(CORBA::ORB_ptr orb, int exitCode)
+{
+  std::promise<void> destroyed;
+  std::thread worker(
+    [orb, &destroyed]
+    {
+      orb->destroy();
+      destroyed.set_value();
+    });
+  if (destroyed.get_future().wait_for(LongestEnd) == std::future_status::timeout)
+  {
+    lms3dLog("ended; a client did not take its answers");
+    std::_Exit(exitCode);
+  }
+  worker.join();
+}
+
 // Clients may call the server's object until the ORB is gone, also where the start fails on the way.
 class RunningServer
 {
@@ -83,7 +109,7 @@ public:
   ~RunningServer()
   {
     this->Server.Stop();
-    this->ORB->destroy();
+    Destroy(this->ORB, std::uncaught_exceptions() == 0 ? 0 : ExitFailure);
   }
   RunningServer(const RunningServer&) = delete;
   void operator=(const RunningServer&) = delete;
