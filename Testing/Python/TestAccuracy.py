@@ -253,11 +253,14 @@ class CasterTest(unittest.TestCase):
                              10_000_000, contender)
         self.assertEqual({row["threads"] for row in self.growth} & {"1", "2"}, {"1", "2"})
 
-    def test_no_power_of_the_threads_is_twice_the_speed(self):
-        powers = [float(row["time exponent"]) for row in self.growth
-                  if row["against"] == "threads"]
-        self.assertGreaterEqual(len(powers), 24)
-        self.assertGreater(min(powers), -1.0)
+    def test_a_second_thread_helps_the_bounded_map_least(self):
+        powers = {(row["work"], row["contender"]): float(row["time exponent"])
+                  for row in self.growth if row["against"] == "threads"}
+        self.assertGreaterEqual(len(powers), 12)
+        bounded = powers["map", "map within 10 mm"]
+        self.assertLess(powers["map", "plain grid"], bounded)
+        self.assertLess(powers["build", "Exact"], bounded)
+        self.assertLess(max(power for (work, _), power in powers.items() if work == "scan"), bounded)
 
     def test_what_is_told_against_our_maps_growth_holds(self):
         cost = {(row["contender"], row["triangles"]): float(row["ms"]) for row in self.growth
