@@ -23,13 +23,14 @@ void RequireLength(CORBA::ULong length, CORBA::ULong expected)
 // `ask(first, count)` is one message's items, of `width` elements each. The server's limit may be
 // lower than the client's, which it then tells.
 template <typename Sequence, typename Element, typename Ask>
-void FetchAll(
-  CORBA::ULong total, CORBA::ULong width, const Ask& ask, std::vector<Element>& elements)
+void FetchAll(CORBA::ULong total, CORBA::ULong width, const std::function<void()>& beforePart,
+  const Ask& ask, std::vector<Element>& elements)
 {
   CORBA::ULongLong most = lms3dGetMostElements(width * sizeof(Element));
   for (CORBA::ULong first = 0; first < total;)
   {
     const auto count = static_cast<CORBA::ULong>(std::min<CORBA::ULongLong>(most, total - first));
+    beforePart();
     try
     {
       const typename Sequence::_var_type part = ask(first, count);
@@ -57,28 +58,19 @@ lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::Sca
   scan.Header = header;
   const CORBA::ULongLong number = header.number;
   FetchAll<LMS3D::Ranges>(
-    header.beams, 1,
+    header.beams, 1, beforePart,
     [&](CORBA::ULong first, CORBA::ULong count)
-    {
-      beforePart();
-      return scanner->getRanges(number, first, count);
-    },
+    { return scanner->getRanges(number, first, count); },
     scan.Ranges);
   FetchAll<LMS3D::Coordinates>(
-    header.mapPoints, 3,
+    header.mapPoints, 3, beforePart,
     [&](CORBA::ULong first, CORBA::ULong count)
-    {
-      beforePart();
-      return scanner->getMapPoints(number, first, count);
-    },
+    { return scanner->getMapPoints(number, first, count); },
     scan.MapPoints);
   FetchAll<LMS3D::Indices>(
-    header.mapTriangles, 3,
+    header.mapTriangles, 3, beforePart,
     [&](CORBA::ULong first, CORBA::ULong count)
-    {
-      beforePart();
-      return scanner->getMapTriangles(number, first, count);
-    },
+    { return scanner->getMapTriangles(number, first, count); },
     scan.MapTriangles);
   lms3dCheckArrays(scan);
   return scan;

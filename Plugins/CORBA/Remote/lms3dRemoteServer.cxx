@@ -4,8 +4,8 @@
 
 #include "lms3dClientORB.h"
 #include "lms3dScannerReference.h"
+#include "lms3dWaitForScan.h"
 
-#include <thread>
 #include <utility>
 
 namespace
@@ -71,21 +71,6 @@ Result lms3dRemoteServer::Ask(const Call& call) const
   }
 }
 
-// Where too many others wait already, this does so by itself and then looks.
-LMS3D::ScanHeader* lms3dRemoteServer::WaitOrLook(std::uint32_t milliseconds) const
-{
-  try
-  {
-    return this->Scanner->waitForScan(this->Seen, 0, milliseconds);
-  }
-  catch (const LMS3D::LimitExceeded&)
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-  }
-  LMS3D::ScanHeader_var header = this->Scanner->getHeader();
-  return header->number > this->Seen ? header._retn() : nullptr;
-}
-
 LMS3D::ScanHeader_var lms3dRemoteServer::WaitForHeader(std::uint32_t milliseconds)
 {
   return this->Ask<LMS3D::ScanHeader*>(
@@ -93,7 +78,8 @@ LMS3D::ScanHeader_var lms3dRemoteServer::WaitForHeader(std::uint32_t millisecond
     {
       try
       {
-        return this->WaitOrLook(milliseconds);
+        return lms3dWaitForScan(
+          this->Scanner, this->Seen, 0, milliseconds, std::chrono::milliseconds(milliseconds));
       }
       catch (const LMS3D::NoScanYet&)
       {

@@ -49,7 +49,6 @@ public:
 private:
   template <typename Result, typename Call>
   Result Ask(const Call& call) const;
-  LMS3D::ScanHeader* WaitOrLook(std::uint32_t milliseconds) const;
   LMS3D::ScanHeader_var WaitForHeader(std::uint32_t milliseconds);
   lms3dRemoteScanPointer Fetch(const LMS3D::ScanHeader& header) const;
   void LimitCalls(std::chrono::milliseconds timeout) const;

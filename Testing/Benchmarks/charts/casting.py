@@ -24,7 +24,6 @@ NAME = "casting"
 SUMMARY = "time of a beam against the error of its range, for every method and other casters"
 
 SECONDS = 2.0
-TITLES = {"terrain1e5": "hills"}
 
 
 def measure(quick, csv_file):
@@ -105,7 +104,7 @@ def _list(rows):
     """Casters by their scenes, as in "a, b on room, teapot"."""
     scenes = {}
     for row in rows:
-        scenes.setdefault(row["caster"], []).append(TITLES.get(row["scene"], row["scene"]))
+        scenes.setdefault(row["caster"], []).append(drawing.name_scene(row["scene"]))
     casters = {}
     for caster, names in scenes.items():
         casters.setdefault(", ".join(names), []).append(caster)
@@ -139,7 +138,7 @@ def draw(table, machine):
         bottom = 1 - (head + step * number + tall) / height
         axes = figure.add_axes((0.078, bottom, 0.47, tall / height))
         casting_panels.draw_errors(axes, rows)
-        axes.set_title(f"{TITLES.get(scene, scene)}, {int(rows[0]['triangles']):,} triangles: "
+        axes.set_title(f"{drawing.name_scene(scene)}, {int(rows[0]['triangles']):,} triangles: "
                        "time per beam", loc="left")
         failures = figure.add_axes((0.80, bottom, 0.165, tall / height))
         casting_panels.draw_failures(failures, rows)

@@ -73,6 +73,11 @@ def _embree():
     return lines[0].split("+")[0].split("-")[0] if lines else "of unknown version"
 
 
+def name_scene(scene):
+    """What texts call a scene of the benchmarks."""
+    return {"terrain1e5": "hills"}.get(scene, scene)
+
+
 def name_machine():
     """What measures and on what, to be kept beside the table that comes of it."""
     return (f"LMS3D {lms3d.__version__}, VTK {vtkVersion.GetVTKVersion()}, Embree {_embree()}, "

@@ -28,7 +28,6 @@ METHODS = (
 )
 DASHED = (0, (3, 2))
 HALO = patheffects.withStroke(linewidth=2, foreground="white")
-TITLES = {"terrain1e5": "hills"}
 # What stands beside the scene's own triangles: the label, the map, its noise and its bound.
 COUNTED = (
     ("map within 10 mm", "LMS3D map", "0", "10"),
@@ -170,7 +169,7 @@ def _draw_counts(axes, table):
 
 
 def _draw_scene(table, time, triangles, counts):
-    name = TITLES.get(table[0]["scene"], table[0]["scene"])
+    name = drawing.name_scene(table[0]["scene"])
     _draw_panel(time, table, "ms")
     _draw_panel(triangles, table, "triangles")
     time.set_title(name, loc="left")

@@ -5,6 +5,7 @@
 #include "lms3dClientFiles.h"
 #include "lms3dClientListener.h"
 #include "lms3dRemoteData.h"
+#include "lms3dWaitForScan.h"
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -19,7 +20,6 @@
 #include <optional>
 #include <stdexcept>
 #include <system_error>
-#include <thread>
 
 namespace
 {
@@ -78,26 +78,6 @@ void Fetch(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
   }
 }
 
-// Where too many others wait already, the client does so by itself and then looks.
-LMS3D::ScanHeader* WaitOnce(
-  LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong after, CORBA::ULongLong generation)
-{
-  try
-  {
-    return scanner->waitForScan(after, generation, WaitMilliseconds);
-  }
-  catch (const LMS3D::LimitExceeded&)
-  {
-    std::this_thread::sleep_for(PauseTime);
-  }
-  LMS3D::ScanHeader_var header = scanner->getHeader();
-  if (header->number <= after || header->generation < generation)
-  {
-    throw LMS3D::NoScanYet(header->number);
-  }
-  return header._retn();
-}
-
 // As long as the server lives and has not given up: the next scan may be a long time off.
 LMS3D::ScanHeader_var WaitForScan(
   LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong after, CORBA::ULongLong generation)
@@ -106,7 +86,7 @@ LMS3D::ScanHeader_var WaitForScan(
   {
     try
     {
-      return WaitOnce(scanner, after, generation);
+      return lms3dWaitForScan(scanner, after, generation, WaitMilliseconds, PauseTime);
     }
     catch (const LMS3D::NoScanYet&)
     {
