@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLMS3DMapComparison.h"
 
-#include "lms3dAlgorithmProgress.h"
-#include "lms3dComparisonOutput.h"
-#include "lms3dFailure.h"
-#include "lms3dMapComparison.h"
-#include "lms3dProcesses.h"
-#include "lms3dSceneTriangles.h"
-#include "lms3dThreads.h"
+#include "Comparison/lms3dComparisonOutput.h"
+#include "Comparison/lms3dMapComparison.h"
+#include "Pipeline/lms3dAlgorithmProgress.h"
+#include "Pipeline/lms3dFailure.h"
+#include "Pipeline/lms3dThreads.h"
+#include "Scan/lms3dProcesses.h"
+#include "Scene/lms3dSceneTriangles.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>

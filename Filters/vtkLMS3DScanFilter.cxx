@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLMS3DScanFilter.h"
 
-#include "lms3dAlgorithmProgress.h"
-#include "lms3dBuiltScene.h"
-#include "lms3dFailure.h"
-#include "lms3dPipelineRequests.h"
-#include "lms3dProcesses.h"
-#include "lms3dRangeImage.h"
-#include "lms3dRayCaster.h"
-#include "lms3dScanChecks.h"
-#include "lms3dScanGeometry.h"
-#include "lms3dScanOutput.h"
-#include "lms3dScanner.h"
-#include "lms3dThreads.h"
-#include "lms3dTrajectory.h"
+#include "Casting/lms3dRayCaster.h"
+#include "Device/lms3dRangeImage.h"
+#include "Device/lms3dScanChecks.h"
+#include "Device/lms3dScanGeometry.h"
+#include "Device/lms3dTrajectory.h"
+#include "Pipeline/lms3dAlgorithmProgress.h"
+#include "Pipeline/lms3dFailure.h"
+#include "Pipeline/lms3dPipelineRequests.h"
+#include "Pipeline/lms3dThreads.h"
+#include "Scan/lms3dBuiltScene.h"
+#include "Scan/lms3dProcesses.h"
+#include "Scan/lms3dScanOutput.h"
+#include "Scan/lms3dScanner.h"
 
 #include <vtkDataSet.h>
 #include <vtkErrorCode.h>
@@ -34,6 +34,14 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkLMS3DScanFilter);
+
+static_assert(static_cast<int>(vtkLMS3DScanFilter::EXACT) == lms3dRayCaster::EXACT &&
+    static_cast<int>(vtkLMS3DScanFilter::FAST) == lms3dRayCaster::FAST &&
+    static_cast<int>(vtkLMS3DScanFilter::ANGLE_SUM) == lms3dRayCaster::ANGLE_SUM &&
+    static_cast<int>(vtkLMS3DScanFilter::MOLLER_TRUMBORE) == lms3dRayCaster::MOLLER_TRUMBORE &&
+    static_cast<int>(vtkLMS3DScanFilter::STATIC_CELL_LOCATOR) ==
+      lms3dRayCaster::STATIC_CELL_LOCATOR,
+  "the property and the ray casters number the methods alike");
 
 namespace
 {

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 
-#include "lms3dAlgorithmProgress.h"
-#include "lms3dBoundedMesher.h"
-#include "lms3dBoundedOutput.h"
-#include "lms3dFailure.h"
-#include "lms3dGridMap.h"
-#include "lms3dPipelineRequests.h"
-#include "lms3dRangeGrid.h"
-#include "lms3dRangeJoins.h"
-#include "lms3dScanInput.h"
-#include "lms3dThreads.h"
+#include "Device/lms3dScanInput.h"
+#include "LocalMap/Bounded/lms3dBoundedMesher.h"
+#include "LocalMap/Bounded/lms3dBoundedOutput.h"
+#include "LocalMap/Grid/lms3dGridMap.h"
+#include "LocalMap/Grid/lms3dRangeGrid.h"
+#include "LocalMap/Grid/lms3dRangeJoins.h"
+#include "Pipeline/lms3dAlgorithmProgress.h"
+#include "Pipeline/lms3dFailure.h"
+#include "Pipeline/lms3dPipelineRequests.h"
+#include "Pipeline/lms3dThreads.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>

@@ -7,8 +7,8 @@
 #ifndef lms3dTriangulator_h
 #define lms3dTriangulator_h
 
+#include "Geometry/lms3dVector.h"
 #include "lms3dCornerGrid.h"
-#include "lms3dVector.h"
 
 #include <array>
 #include <cstddef>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/lms3dVector.h"
 #include "lms3dTransform.h"
 #include "lms3dTriangulator.h"
 #include "lms3dVRMLGeometry.h"
 #include "lms3dVRMLSpine.h"
-#include "lms3dVector.h"
 
 #include <algorithm>
 #include <cmath>

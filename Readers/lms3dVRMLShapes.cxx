@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dVRMLTraversal.h"
 
+#include "Geometry/lms3dVector.h"
 #include "lms3dUTF8.h"
 #include "lms3dVRMLColors.h"
 #include "lms3dVRMLContext.h"
 #include "lms3dVRMLGeometry.h"
 #include "lms3dVRMLNodeTypes.h"
-#include "lms3dVector.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #ifndef lms3dVRMLSpine_h
 #define lms3dVRMLSpine_h
 
-#include "lms3dVector.h"
+#include "Geometry/lms3dVector.h"
 
 #include <vector>
 

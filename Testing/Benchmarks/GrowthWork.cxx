@@ -3,10 +3,10 @@
 #include "GrowthWork.h"
 
 #include "Memory.h"
+#include "Pipeline/lms3dThreads.h"
+#include "Scan/lms3dBuiltScene.h"
 #include "Scenes.h"
 #include "Timer.h"
-#include "lms3dBuiltScene.h"
-#include "lms3dThreads.h"
 
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"

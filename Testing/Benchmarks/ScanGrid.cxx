@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScanGrid.h"
 
+#include "Device/lms3dScanGeometry.h"
 #include "Scenes.h"
 #include "Timer.h"
-#include "lms3dScanGeometry.h"
 
 #include "vtkLMS3DScanFilter.h"
 

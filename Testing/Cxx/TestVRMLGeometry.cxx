@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/lms3dVector.h"
 #include "lms3dVRMLSpine.h"
-#include "lms3dVector.h"
 
 #include "VRMLFixtures.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SceneFixtures.h"
+#include "Fixtures/SceneFixtures.h"
 
 #include "vtkVRMLImporterSource.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VRMLFixtures.h"
 
-#include "lms3dVector.h"
+#include "Geometry/lms3dVector.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #ifndef StabilityCase_h
 #define StabilityCase_h
 
-#include "BeamFixtures.h"
+#include "Fixtures/BeamFixtures.h"
 
 #include <vector>
 

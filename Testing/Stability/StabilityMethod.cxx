@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StabilityMethod.h"
 
-#include "lms3dAngleSumTest.h"
-#include "lms3dBruteForceCaster.h"
-#include "lms3dRayCaster.h"
-#include "lms3dSceneTriangles.h"
+#include "Casting/lms3dAngleSumTest.h"
+#include "Casting/lms3dBruteForceCaster.h"
+#include "Casting/lms3dRayCaster.h"
+#include "Scene/lms3dSceneTriangles.h"
 
 #include <iterator>
 #include <memory>

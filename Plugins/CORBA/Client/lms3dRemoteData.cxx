@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dRemoteData.h"
 
+#include "Device/lms3dScanFieldData.h"
 #include "lms3dGridGeometry.h"
-#include "lms3dScanFieldData.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>

@@ -7,8 +7,8 @@
 #ifndef lms3dGridGeometry_h
 #define lms3dGridGeometry_h
 
+#include "Device/lms3dScanGeometry.h"
 #include "LMS3DScanner.hh"
-#include "lms3dScanGeometry.h"
 
 ///@{
 /// As the filter makes them, to the bit.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dSettingsCheck.h"
 
-#include "lms3dScanGeometry.h"
+#include "Device/lms3dScanGeometry.h"
 #include "lms3dText.h"
 
 #include <cmath>

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Casting/lms3dNormalization.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+// Rays start no farther from the scene's centre than this, in diagonals.
+constexpr double FarthestStart = 2.0;
+
+// What outweighs the rounding of the cone, and that of coordinates at a large offset.
+constexpr double ConeMargin = 1e-9;
+constexpr double RoundingMargin = 1e-15;
+} // namespace
+
+lms3dNormalization::lms3dNormalization(
+  const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& leftOut)
+{
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low = { Infinity, Infinity, Infinity };
+  std::array<double, 3> high = { -Infinity, -Infinity, -Infinity };
+  auto skipped = leftOut.begin();
+  for (std::size_t triangle = 0; triangle < mesh.GetNumberOfTriangles(); ++triangle)
+  {
+    if (skipped != leftOut.end() && *skipped == triangle)
+    {
+      ++skipped;
+      continue;
+    }
+    for (std::uint32_t corner : mesh.Triangles[triangle])
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        low[i] = std::min(low[i], mesh.Points[corner][i]);
+        high[i] = std::max(high[i], mesh.Points[corner][i]);
+      }
+    }
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Center[i] = 0.5 * low[i] + 0.5 * high[i];
+  }
+  const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  this->Diagonal = diagonal > 0.0 ? diagonal : 1.0;
+}
+
+lms3dCone lms3dNormalization::GetCone(const double origin[3]) const
+{
+  lms3dCone cone;
+  double rounding = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    cone.Axis[i] = this->Center[i] - origin[i];
+    rounding += std::abs(this->Center[i]) + std::abs(origin[i]);
+  }
+  const double radius = 0.5 * this->Diagonal * (1.0 + ConeMargin) + RoundingMargin * rounding;
+  const double distance = std::hypot(cone.Axis[0], cone.Axis[1], cone.Axis[2]);
+  const double tangent = std::sqrt(std::max(0.0, distance - radius) * (distance + radius));
+  cone.Least =
+    distance > radius ? tangent * (1.0 - ConeMargin) : -std::numeric_limits<double>::infinity();
+  return cone;
+}
+
+double lms3dNormalization::GetHeadStart(const double origin[3]) const
+{
+  const double distance = std::hypot(
+    origin[0] - this->Center[0], origin[1] - this->Center[1], origin[2] - this->Center[2]);
+  return std::max(0.0, distance - FarthestStart * this->Diagonal);
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Casting/lms3dRayCaster.h"
+
+#include <iterator>
+
+using lms3dNewRayCaster = std::unique_ptr<lms3dRayCaster>(lms3dTriangleMesh mesh);
+
+lms3dNewRayCaster lms3dNewExactCaster;
+lms3dNewRayCaster lms3dNewFastCaster;
+lms3dNewRayCaster lms3dNewAngleSumCaster;
+lms3dNewRayCaster lms3dNewMollerTrumboreCaster;
+lms3dNewRayCaster lms3dNewStaticCellLocatorCaster;
+
+namespace
+{
+struct Method
+{
+  const char* Name;
+  lms3dNewRayCaster* New;
+};
+
+constexpr Method Methods[] = {
+  { "Exact", lms3dNewExactCaster },
+  { "Fast", lms3dNewFastCaster },
+  { "AngleSum", lms3dNewAngleSumCaster },
+  { "MollerTrumbore", lms3dNewMollerTrumboreCaster },
+  { "StaticCellLocator", lms3dNewStaticCellLocatorCaster },
+};
+static_assert(std::size(Methods) == lms3dRayCaster::STATIC_CELL_LOCATOR + 1,
+  "each method of lms3dRayCaster::Method has its row, in the order of their numbers");
+} // namespace
+
+std::unique_ptr<lms3dRayCaster> lms3dRayCaster::New(int method, lms3dTriangleMesh mesh)
+{
+  return Methods[method].New(std::move(mesh));
+}
+
+void lms3dRayCaster::Measure(const lms3dViewpoint&, lms3dBeamPacket*, int) const
+{
+  // Most methods choose by the range that they give.
+}
+
+int lms3dRayCaster::GetNumberOfMethods()
+{
+  return static_cast<int>(std::size(Methods));
+}
+
+const char* lms3dRayCaster::GetMethodName(int method)
+{
+  return Methods[method].Name;
+}

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Comparison/lms3dMapComparison.h"
+
+#include "Geometry/lms3dTriangleDistance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr double DegreesPerRadian = 57.29577951308232;
+
+// A point is hidden where a beam towards it ends before this share of its range, which leaves room
+// for rounding at grazing angles.
+constexpr double VisibleFrom = 1.0 - 1e-6;
+
+constexpr double Rounding = 1e-12;
+
+// How many samples of a scene of which the sensor sees little are made for each that it sees.
+constexpr double MostSamplesPerVisible = 32.0;
+
+// By the tangent, which unlike the cosine is exact for small angles.
+double GetAngleBetweenPlanes(const lms3dVector& a, const lms3dVector& b)
+{
+  const lms3dVector cross = lms3dCross(a, b);
+  return DegreesPerRadian * std::atan2(std::sqrt(lms3dDot(cross, cross)), std::abs(lms3dDot(a, b)));
+}
+
+// A plane through the sensor itself counts as a front, within rounding.
+bool IsBack(const lms3dCorners& corners, const lms3dVector& normal, const double position[3])
+{
+  const lms3dVector toSensor = { position[0] - corners[0][0], position[1] - corners[0][1],
+    position[2] - corners[0][2] };
+  return lms3dDot(normal, toSensor) <
+    -Rounding * std::sqrt(lms3dDot(normal, normal) * lms3dDot(toSensor, toSensor));
+}
+
+double GetNormalError(const lms3dCorners& map, const lms3dCorners& scene, const double position[3])
+{
+  const lms3dVector normal = lms3dGetWeightedNormal(map);
+  const double angle = GetAngleBetweenPlanes(normal, lms3dGetWeightedNormal(scene));
+  return IsBack(map, normal, position) ? 180.0 - angle : angle;
+}
+
+std::vector<double> GetDistances(const std::vector<lms3dNearest>& nearest)
+{
+  std::vector<double> distances(nearest.size());
+  std::transform(nearest.begin(), nearest.end(), distances.begin(),
+    [](const lms3dNearest& each) { return each.Distance; });
+  return distances;
+}
+
+// Those of the scene's samples that the view covers and that nothing hides.
+lms3dSurfaceQuery::Points GetVisible(
+  const lms3dSurfaceQuery& scene, const lms3dSensorView& view, std::int64_t count)
+{
+  const lms3dSurfaceSamples samples(scene.GetMesh(), count);
+  const std::vector<double> seen = scene.GetRangesTowards(view.GetPosition(), samples.Points);
+  lms3dSurfaceQuery::Points visible;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+  {
+    const std::array<double, 3>& point = samples.Points[i];
+    if (view.Covers(point) && seen[i] >= VisibleFrom * view.GetRange(point))
+    {
+      visible.push_back(point);
+    }
+  }
+  return visible;
+}
+
+double GetShare(std::size_t part, std::size_t whole)
+{
+  return static_cast<double>(part) / static_cast<double>(whole);
+}
+} // namespace
+
+std::vector<double> lms3dGetDistances(
+  const lms3dSurfaceQuery& surface, const lms3dSurfaceQuery::Points& points)
+{
+  return GetDistances(surface.FindNearest(points));
+}
+
+lms3dMapErrors::lms3dMapErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
+  const lms3dSensorView& view, double tolerance, std::int64_t count)
+  : Samples(map.GetMesh(), count)
+{
+  const std::vector<lms3dNearest> nearest = scene.FindNearest(this->Samples.Points);
+  const std::vector<double> seen = scene.GetRangesTowards(view.GetPosition(), this->Samples.Points);
+  this->Distances = GetDistances(nearest);
+  this->Angles.resize(nearest.size());
+  std::size_t samplesInFreeSpace = 0;
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+  {
+    this->Angles[i] = GetNormalError(lms3dGetCorners(map.GetMesh(), this->Samples.Triangles[i]),
+      lms3dGetCorners(scene.GetMesh(), nearest[i].Triangle), view.GetPosition());
+    const std::array<double, 3>& point = this->Samples.Points[i];
+    const bool isBefore = view.Covers(point) && view.GetRange(point) + tolerance < seen[i];
+    samplesInFreeSpace += isBefore && nearest[i].Distance > tolerance ? 1 : 0;
+  }
+  this->ShareInFreeSpace = GetShare(samplesInFreeSpace, nearest.size());
+}
+
+lms3dSceneErrors::lms3dSceneErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
+  const lms3dSensorView& view, std::int64_t count)
+  : Points(GetVisible(scene, view, count))
+  , VisibleShare(GetShare(this->Points.size(), count))
+{
+  if (this->VisibleShare < 1.0)
+  {
+    const double samples = count / std::max(this->VisibleShare, 1.0 / MostSamplesPerVisible);
+    const std::int64_t refined = static_cast<std::int64_t>(std::ceil(samples));
+    this->Points = GetVisible(scene, view, refined);
+    this->VisibleShare = GetShare(this->Points.size(), refined);
+  }
+  this->Distances = lms3dGetDistances(map, this->Points);
+}

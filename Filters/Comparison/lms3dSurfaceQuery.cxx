@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Comparison/lms3dSurfaceQuery.h"
+
+#include "Casting/lms3dRangeMeter.h"
+#include "Casting/lms3dTriangle.h"
+#include "Geometry/lms3dTriangleDistance.h"
+#include "Kernels/lms3dPacketKernels.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace
+{
+class NearestTriangle final : public lms3dEmbreeScene::NearestTest
+{
+public:
+  NearestTriangle(const lms3dTriangleMesh& mesh, const double point[3])
+    : Mesh(mesh)
+    , Point(point)
+  {
+  }
+
+  double Test(std::uint32_t triangle) override
+  {
+    const double distance = lms3dGetDistance(this->Point, lms3dGetCorners(this->Mesh, triangle));
+    const bool isNearer = distance < this->Nearest.Distance ||
+      (distance == this->Nearest.Distance && triangle < this->Nearest.Triangle);
+    if (isNearer)
+    {
+      this->Nearest = { distance, triangle };
+    }
+    return this->Nearest.Distance;
+  }
+
+  const lms3dNearest& Get() const { return this->Nearest; }
+
+private:
+  const lms3dTriangleMesh& Mesh;
+  const double* Point;
+  lms3dNearest Nearest;
+};
+
+bool IsFinite(const double point[3])
+{
+  return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+}
+
+// A point where the sensor itself is has no direction; its beam stays inactive.
+std::uint32_t Aim(
+  const double origin[3], const std::array<double, 3>* points, int count, lms3dBeamPacket& packet)
+{
+  lms3dElevations elevations;
+  lms3dFanAxes axes;
+  std::uint32_t active = 0;
+  std::fill_n(elevations.Cosine, lms3dBeamPacket::Size, 1.0);
+  std::fill_n(elevations.Sine, lms3dBeamPacket::Size, 0.0);
+  std::fill_n(axes.Up, 3, 0.0);
+  for (int i = 0; i < lms3dBeamPacket::Size; ++i)
+  {
+    const std::array<double, 3>& point = points[std::min(i, count - 1)];
+    const double beam[3] = { point[0] - origin[0], point[1] - origin[1], point[2] - origin[2] };
+    const double length = std::hypot(beam[0], beam[1], beam[2]);
+    const bool isBeam = length > 0.0 && std::isfinite(length);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      axes.Horizontal[axis][i] = isBeam ? beam[axis] / length : axis == 0;
+    }
+    active |= isBeam && i < count ? 1u << i : 0u;
+  }
+  lms3dGetPacketKernels().Aim(elevations, axes, packet);
+  return active;
+}
+} // namespace
+
+lms3dSurfaceQuery::lms3dSurfaceQuery(lms3dTriangleMesh mesh)
+  : Mesh(std::move(mesh))
+  , Scene(this->Mesh)
+{
+}
+
+std::vector<lms3dNearest> lms3dSurfaceQuery::FindNearest(const Points& points) const
+{
+  std::vector<lms3dNearest> nearest(points.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size()),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      std::uint32_t guess = 0;
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        nearest[i] = this->FindNearest(points[i].data(), guess);
+        guess = nearest[i].Triangle;
+      }
+    });
+  return nearest;
+}
+
+// The triangle nearest to a neighbouring point tells how far the search has to go at most.
+lms3dNearest lms3dSurfaceQuery::FindNearest(const double point[3], std::uint32_t guess) const
+{
+  NearestTriangle test(this->Mesh, point);
+  if (IsFinite(point))
+  {
+    this->Scene.FindNearest(point, test.Test(guess), test);
+  }
+  return test.Get();
+}
+
+std::vector<double> lms3dSurfaceQuery::GetRangesTowards(
+  const double origin[3], const Points& points) const
+{
+  constexpr std::size_t Size = lms3dBeamPacket::Size;
+  const lms3dViewpoint viewpoint = { { origin[0], origin[1], origin[2] },
+    std::numeric_limits<double>::infinity() };
+  std::vector<double> ranges(points.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (points.size() + Size - 1) / Size),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t packet = range.begin(); packet < range.end(); ++packet)
+      {
+        const std::size_t first = packet * Size;
+        this->CastTowards(viewpoint, points.data() + first,
+          static_cast<int>(std::min(Size, points.size() - first)), ranges.data() + first);
+      }
+    });
+  return ranges;
+}
+
+void lms3dSurfaceQuery::CastTowards(const lms3dViewpoint& viewpoint,
+  const std::array<double, 3>* points, int count, double* ranges) const
+{
+  lms3dBeamPacket packet;
+  packet.Active = Aim(viewpoint.Origin, points, count, packet);
+  this->Scene.Cast(viewpoint, &packet, 1);
+  lms3dMeasureRanges(this->Mesh, viewpoint, &packet, 1);
+  std::copy_n(packet.Range, count, ranges);
+}

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Device/lms3dScanChecks.h"
+
+#include "Device/lms3dScanGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+constexpr double LargestPosition = 1e18;
+
+// Two different ends, or one beam that needs only the first.
+bool IsProperRange(const double range[2], int resolution)
+{
+  return range[0] < range[1] || (resolution == 1 && range[0] == range[1]);
+}
+
+// At most once around.
+bool IsWithinACircle(const double range[2])
+{
+  const double extent = range[1] - range[0];
+  return extent <= 360.0 || lms3dIsFullCircle(extent);
+}
+
+bool IsFiniteRange(const double range[2])
+{
+  return std::isfinite(range[0]) && std::isfinite(range[1]);
+}
+} // namespace
+
+bool lms3dIsPosition(const lms3dVector& position)
+{
+  return std::all_of(
+    position.begin(), position.end(), [](double x) { return std::abs(x) <= LargestPosition; });
+}
+
+std::string lms3dFindPoseError(const lms3dVector& position, const lms3dVector& orientation)
+{
+  std::ostringstream error;
+  if (!lms3dIsPosition(position) || !lms3dIsFinite(orientation))
+  {
+    error << "The pose is Position " << position[0] << ' ' << position[1] << ' ' << position[2]
+          << ", Orientation " << orientation[0] << ' ' << orientation[1] << ' ' << orientation[2]
+          << "; finite numbers are expected, positions up to 1e18 m.";
+  }
+  return error.str();
+}
+
+std::string lms3dFindAngleError(
+  const double alphaRange[2], int alphaResolution, const double betaRange[2], int betaResolution)
+{
+  std::ostringstream error;
+  if (alphaResolution < 1 || betaResolution < 1)
+  {
+    error << "AlphaResolution x BetaResolution is " << alphaResolution << " x " << betaResolution
+          << "; each must be at least 1.";
+  }
+  else if (static_cast<std::int64_t>(alphaResolution) * betaResolution >
+    std::numeric_limits<std::int32_t>::max())
+  {
+    error << "AlphaResolution x BetaResolution is " << alphaResolution << " x " << betaResolution
+          << " beams; at most 2147483647 are possible.";
+  }
+  else if (!IsProperRange(alphaRange, alphaResolution) || alphaRange[0] < -90.0 ||
+    alphaRange[1] > 90.0)
+  {
+    error << "AlphaRange is " << alphaRange[0] << " to " << alphaRange[1]
+          << " degrees; it must increase, within -90 to 90.";
+  }
+  else if (!IsFiniteRange(betaRange) || !IsProperRange(betaRange, betaResolution) ||
+    !IsWithinACircle(betaRange))
+  {
+    error << "BetaRange is " << betaRange[0] << " to " << betaRange[1]
+          << " degrees; it must increase, by at most 360.";
+  }
+  return error.str();
+}
+
+std::string lms3dFindLimitError(const lms3dRangeLimits& limits)
+{
+  std::ostringstream error;
+  const bool areGood = limits.Minimum >= 0.0 && std::isfinite(limits.Minimum) &&
+    limits.Minimum <= limits.Maximum && limits.Maximum > 0.0;
+  if (!areGood)
+  {
+    error << "MinimumRange and MaximumRange are " << limits.Minimum << " and " << limits.Maximum
+          << " m; 0 <= minimum <= maximum and 0 < maximum are expected.";
+  }
+  return error.str();
+}

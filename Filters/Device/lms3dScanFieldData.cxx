@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Device/lms3dScanFieldData.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace
+{
+void AddDoubles(vtkFieldData* fieldData, const char* name, const double* values, vtkIdType count)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(count);
+  std::copy(values, values + count, array->GetPointer(0));
+  fieldData->AddArray(array);
+}
+} // namespace
+
+void lms3dAddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan)
+{
+  const std::vector<double>& alpha = geometry.GetAlphaAngles();
+  const std::vector<double>& beta = geometry.GetBetaAngles();
+  std::array<double, 16> matrix{};
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      matrix[4 * row + column] = pose.Axes[column][row];
+    }
+    matrix[4 * row + 3] = pose.Position[row];
+  }
+  matrix[15] = 1.0;
+  vtkFieldData* fieldData = scan->GetFieldData();
+  AddDoubles(fieldData, "AlphaAngles", alpha.data(), static_cast<vtkIdType>(alpha.size()));
+  AddDoubles(fieldData, "BetaAngles", beta.data(), static_cast<vtkIdType>(beta.size()));
+  AddDoubles(fieldData, "SensorToWorld", matrix.data(), static_cast<vtkIdType>(matrix.size()));
+}

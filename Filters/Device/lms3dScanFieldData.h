@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The field data of a scan.
+ */
+#ifndef lms3dScanFieldData_h
+#define lms3dScanFieldData_h
+
+#include "Device/lms3dScanGeometry.h"
+
+class vtkPolyData;
+
+/// Alpha and beta of the grid and the pose, as the scan filter's header tells.
+void lms3dAddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan);
+
+#endif

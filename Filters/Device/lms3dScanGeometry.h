@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The angles of the device and the directions of its beams.
+ *
+ * This is the one place that knows the geometry of the founding paper (Bedkowski, Kretkiewicz and
+ * Maslowski, "3D laser range finder simulation based on rotated LMS SICK 200", section 2.1). The
+ * sensor frame is right-handed with z up. A beam with elevation alpha in the fan and platform angle
+ * beta points along
+ *
+ *     d(alpha, beta) = (cos(alpha) cos(beta), -cos(alpha) sin(beta), sin(alpha)),
+ *
+ * the paper's M = Mz(beta) My(alpha) applied to the column vector (r, 0, 0). Beta turns clockwise
+ * seen from above, and alpha is an elevation although the paper calls it "horizontal".
+ */
+#ifndef lms3dScanGeometry_h
+#define lms3dScanGeometry_h
+
+#include <array>
+#include <vector>
+
+/// Sine and cosine of an angle in degrees, exact at each multiple of 90 and equal at 45.
+void lms3dSinCosDegrees(double degrees, double& sine, double& cosine);
+
+/// True for 360 degrees but for rounding, up to 1e-6.
+bool lms3dIsFullCircle(double extent);
+
+/// A rigid transform from the sensor frame to the world.
+struct lms3dPose
+{
+  std::array<double, 3> Position;
+  /// The sensor's x, y and z axes in world coordinates.
+  std::array<std::array<double, 3>, 3> Axes;
+
+  /// `orientation` in degrees about x, y, z, applied as vtkProp3D does: RotateZ, RotateX, RotateY.
+  static lms3dPose FromOrientation(const double position[3], const double orientation[3]);
+};
+
+/// The ranges at which a beam gives a return, metres, both included.
+struct lms3dRangeLimits
+{
+  double Minimum;
+  double Maximum;
+};
+
+/// The angles of a scan, in degrees.
+class lms3dScanGeometry
+{
+public:
+  /**
+   * Equal steps over both ranges, ends included, except that the end of a full circle of beta is
+   * left out, being its start again. A resolution of 1 gives the start of the range alone.
+   */
+  lms3dScanGeometry(
+    const double alphaRange[2], int alphaResolution, const double betaRange[2], int betaResolution);
+
+  lms3dScanGeometry(std::vector<double> alphaAngles, std::vector<double> betaAngles);
+
+  /// The step of such a range, without making its angles; 0 for a resolution of 1.
+  static double GetStep(const double range[2], int resolution);
+
+  int GetNumberOfBeams() const { return static_cast<int>(this->AlphaAngles.size()); }
+  int GetNumberOfTurns() const { return static_cast<int>(this->BetaAngles.size()); }
+  const std::vector<double>& GetAlphaAngles() const { return this->AlphaAngles; }
+  const std::vector<double>& GetBetaAngles() const { return this->BetaAngles; }
+
+  /// The angle between neighbouring beams, and between neighbouring turns; 0 where there is one, and
+  /// below 0 where the angles fall.
+  double GetAlphaStep() const;
+  double GetBetaStep() const;
+
+  /// True where the turn after the last is the first one again.
+  bool IsClosed() const;
+
+  /// True where either the elevations fall from beam to beam or the angles from turn to turn.
+  bool IsMirrored() const;
+
+  /// True where the beam points along the platform's axis, so that it is the same in every turn.
+  bool IsPole(int beam) const;
+
+  /// For all beams.
+  const std::vector<double>& GetAlphaSines() const { return this->AlphaSines; }
+  const std::vector<double>& GetAlphaCosines() const { return this->AlphaCosines; }
+
+  double GetAlphaSine(int beam) const { return this->AlphaSines[beam]; }
+  double GetAlphaCosine(int beam) const { return this->AlphaCosines[beam]; }
+  double GetBetaSine(int turn) const { return this->BetaSines[turn]; }
+  double GetBetaCosine(int turn) const { return this->BetaCosines[turn]; }
+
+private:
+  void FillTables();
+
+  std::vector<double> AlphaAngles;
+  std::vector<double> AlphaSines;
+  std::vector<double> AlphaCosines;
+  std::vector<double> BetaAngles;
+  std::vector<double> BetaSines;
+  std::vector<double> BetaCosines;
+};
+
+/**
+ * The beams of a posed sensor: the sum of the fan's horizontal axis in a turn, times the cosine of
+ * the elevation, and of the upward axis, times its sine.
+ */
+class lms3dBeamDirections
+{
+public:
+  /// Keeps a reference to the geometry.
+  lms3dBeamDirections(const lms3dScanGeometry& geometry, const lms3dPose& pose);
+
+  const std::array<double, 3>& GetFanAxis(int turn) const { return this->FanAxes[turn]; }
+  const std::array<double, 3>& GetUp() const { return this->Up; }
+
+  std::array<double, 3> GetDirection(int turn, int beam) const
+  {
+    const std::array<double, 3>& fan = this->FanAxes[turn];
+    const double cosine = this->Geometry.GetAlphaCosine(beam);
+    const double sine = this->Geometry.GetAlphaSine(beam);
+    return { cosine * fan[0] + sine * this->Up[0], cosine * fan[1] + sine * this->Up[1],
+      cosine * fan[2] + sine * this->Up[2] };
+  }
+
+private:
+  const lms3dScanGeometry& Geometry;
+  std::vector<std::array<double, 3>> FanAxes;
+  const std::array<double, 3> Up;
+};
+
+#endif

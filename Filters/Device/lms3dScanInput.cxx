@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Device/lms3dScanInput.h"
+
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace
+{
+// Fewer are looked at before another thread can come.
+constexpr vtkIdType FewestCoordinates = 16384;
+
+[[noreturn]] void Fail(const std::string& what)
+{
+  throw std::runtime_error(what + " Connect the first output of vtkLMS3DScanFilter.");
+}
+
+// The array itself where it has the type already, a copy where another filter changed it.
+template <typename ArrayT>
+vtkSmartPointer<ArrayT> As(vtkDataArray* array)
+{
+  if (ArrayT* typed = ArrayT::FastDownCast(array))
+  {
+    return typed;
+  }
+  auto copy = vtkSmartPointer<ArrayT>::New();
+  copy->DeepCopy(array);
+  return copy;
+}
+
+template <typename ArrayT>
+vtkSmartPointer<ArrayT> Take(vtkFieldData* data, const char* name, vtkIdType count)
+{
+  vtkDataArray* array = data->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
+  {
+    Fail(
+      "The scan has no array " + std::string(name) + " of " + std::to_string(count) + " numbers.");
+  }
+  return As<ArrayT>(array);
+}
+
+// A count goes over all of them, and so is vectorized, where a search would stop.
+bool AreFinite(const double* first, const double* last)
+{
+  std::int64_t infinite = 0;
+  for (; first != last; ++first)
+  {
+    infinite += std::abs(*first) <= std::numeric_limits<double>::max() ? 0 : 1;
+  }
+  return infinite == 0;
+}
+
+void CheckFinite(vtkDoubleArray* array, const std::string& name)
+{
+  const double* first = array->GetPointer(0);
+  if (!AreFinite(first, first + array->GetNumberOfValues()))
+  {
+    Fail("The scan's field data " + name + " is not finite.");
+  }
+}
+
+vtkSmartPointer<vtkDoubleArray> TakeAngles(vtkFieldData* data, const char* name)
+{
+  vtkDataArray* array = data->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() == 0)
+  {
+    Fail("The scan has no field data " + std::string(name) + ".");
+  }
+  vtkSmartPointer<vtkDoubleArray> angles = As<vtkDoubleArray>(array);
+  CheckFinite(angles, name);
+  return angles;
+}
+
+std::vector<double> ToVector(vtkDoubleArray* array)
+{
+  const double* first = array->GetPointer(0);
+  return { first, first + array->GetNumberOfValues() };
+}
+
+bool AreEqual(vtkDoubleArray* array, const std::vector<double>& values)
+{
+  const double* first = array->GetPointer(0);
+  return std::equal(first, first + array->GetNumberOfValues(), values.begin(), values.end());
+}
+} // namespace
+
+lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
+{
+  const vtkIdType count = scan->GetNumberOfPoints();
+  if (count == 0)
+  {
+    return; // As a scan that was stopped comes, without any array.
+  }
+  this->Ranges = Take<vtkDoubleArray>(scan->GetPointData(), "Range", count);
+  this->BeamIds = Take<vtkIntArray>(scan->GetPointData(), "BeamId", count);
+  this->AlphaAngles = TakeAngles(scan->GetFieldData(), "AlphaAngles");
+  this->BetaAngles = TakeAngles(scan->GetFieldData(), "BetaAngles");
+  this->SensorToWorld = Take<vtkDoubleArray>(scan->GetFieldData(), "SensorToWorld", 16);
+  CheckFinite(this->SensorToWorld, "SensorToWorld");
+  this->Points = As<vtkDoubleArray>(scan->GetPoints()->GetData());
+  const std::int64_t beams = static_cast<std::int64_t>(this->AlphaAngles->GetNumberOfValues()) *
+    this->BetaAngles->GetNumberOfValues();
+  if (beams > std::numeric_limits<std::int32_t>::max())
+  {
+    Fail("The scan's AlphaAngles x BetaAngles are " + std::to_string(beams) + " beams.");
+  }
+}
+
+void lms3dScanInput::CheckPoints() const
+{
+  const double* first = this->GetPoints();
+  std::atomic<bool> areFinite{ true };
+  const vtkIdType count = 3 * this->GetNumberOfReturns();
+  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, count, FewestCoordinates),
+    [&](const tbb::blocked_range<vtkIdType>& range)
+    {
+      if (!AreFinite(first + range.begin(), first + range.end()))
+      {
+        areFinite = false;
+      }
+    });
+  if (!areFinite)
+  {
+    const double* bad =
+      std::find_if(first, first + count, [](double x) { return !std::isfinite(x); });
+    throw std::runtime_error("Return " + std::to_string((bad - first) / 3) +
+      " of the scan has the coordinate " + std::to_string(*bad) + "; finite numbers are expected.");
+  }
+}
+
+lms3dScanGeometry lms3dScanInput::GetGeometry() const
+{
+  return { ToVector(this->AlphaAngles), ToVector(this->BetaAngles) };
+}
+
+bool lms3dScanInput::HasAngles(const lms3dScanGeometry& geometry) const
+{
+  return AreEqual(this->AlphaAngles, geometry.GetAlphaAngles()) &&
+    AreEqual(this->BetaAngles, geometry.GetBetaAngles());
+}
+
+std::array<double, 3> lms3dScanInput::GetSensorPosition() const
+{
+  const double* matrix = this->SensorToWorld->GetPointer(0);
+  return { matrix[3], matrix[7], matrix[11] };
+}

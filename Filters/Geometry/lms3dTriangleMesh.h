@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The triangles of a scene, as the ray casters take them.
+ */
+#ifndef lms3dTriangleMesh_h
+#define lms3dTriangleMesh_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+struct lms3dTriangleMesh
+{
+  /// Vertices in world coordinates, metres. Those of the triangles are finite.
+  std::vector<std::array<double, 3>> Points;
+
+  /// Three indices into Points for each triangle.
+  std::vector<std::array<std::uint32_t, 3>> Triangles;
+
+  /// For each triangle the scene's cell that it is a part of; empty where that is its own number.
+  std::vector<std::int64_t> Cells;
+
+  std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
+
+  std::int64_t GetCell(std::size_t triangle) const
+  {
+    return this->Cells.empty() ? static_cast<std::int64_t>(triangle) : this->Cells[triangle];
+  }
+
+  const double* GetCorner(std::size_t triangle, int corner) const
+  {
+    return this->Points[this->Triangles[triangle][corner]].data();
+  }
+};
+
+/// The three corners of a triangle in world coordinates, metres. Points into the mesh.
+using lms3dCorners = std::array<const double*, 3>;
+
+inline lms3dCorners lms3dGetCorners(const lms3dTriangleMesh& mesh, std::size_t triangle)
+{
+  return { mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1), mesh.GetCorner(triangle, 2) };
+}
+
+#endif

@@ -1,0 +1,7 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Kernels/lms3dPacketKernels.inl"
+
+#include "Kernels/lms3dPacketKernelSets.h"
+
+const lms3dPacketKernels lms3dPacketKernelsAVX2 = { "AVX2", LMS3D_PACKET_KERNELS };

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief What all packet kernels are made of.
+ */
+#ifndef lms3dPacketMask_inl
+#define lms3dPacketMask_inl
+
+#include "Kernels/lms3dPacketKernels.h"
+
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
+namespace
+{
+constexpr int Size = lms3dBeamPacket::Size;
+
+double Magnitude(double x)
+{
+  return x < 0.0 ? -x : x;
+}
+
+template <typename Real>
+Real Least(Real x, Real y)
+{
+  return x < y ? x : y;
+}
+
+template <typename Real>
+Real Greatest(Real x, Real y)
+{
+  return x > y ? x : y;
+}
+
+// A condition for each beam: all bits set, or none.
+struct Mask
+{
+  void Set(int beam, bool condition) { this->Beams[beam] = condition ? -1 : 0; }
+
+  // Bit i for beam i. Of a plain loop compilers make a tree of shifts.
+  std::uint32_t GetBits() const
+  {
+#if defined(__AVX512DQ__)
+    return _mm512_movepi32_mask(_mm512_load_si512(this->Beams));
+#elif defined(__SSE2__)
+    std::uint32_t bits = 0;
+    for (int i = 0; i < Size; i += 4)
+    {
+      const __m128i* four = reinterpret_cast<const __m128i*>(this->Beams + i);
+      bits |= static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(_mm_load_si128(four))))
+        << i;
+    }
+    return bits;
+#else
+    std::uint32_t bits = 0;
+    for (int i = 0; i < Size; ++i)
+    {
+      bits |= this->Beams[i] ? 1u << i : 0u;
+    }
+    return bits;
+#endif
+  }
+
+  alignas(64) std::int32_t Beams[Size];
+};
+} // namespace
+
+#endif

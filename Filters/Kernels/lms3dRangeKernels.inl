@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The ranges of beams whose triangle is known, in double and with twice its digits.
+ */
+#ifndef lms3dRangeKernels_inl
+#define lms3dRangeKernels_inl
+
+#include "Kernels/lms3dPacketMask.inl"
+#include "Kernels/lms3dPairArithmetic.inl"
+
+namespace
+{
+lms3dSeenPlane See(const double* const* corners, const double* origin)
+{
+  Pair p[3], q[3], a[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    p[axis] = Subtract(corners[1][axis], corners[0][axis]);
+    q[axis] = Subtract(corners[2][axis], corners[0][axis]);
+    a[axis] = Subtract(corners[0][axis], origin[axis]);
+  }
+  lms3dSeenPlane plane;
+  plane.Offset = { 0.0, 0.0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int next = (axis + 1) % 3;
+    const int last = (axis + 2) % 3;
+    plane.Normal[axis] = Add(Multiply(p[next], q[last]), Negate(Multiply(p[last], q[next])));
+    plane.Offset = Add(plane.Offset, Multiply(plane.Normal[axis], a[axis]));
+  }
+  return plane;
+}
+
+void Measure(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double* ranges)
+{
+  alignas(64) double measured[Size];
+  for (int i = 0; i < Size; ++i)
+  {
+    // The slope Normal.direction, each product and each sum with its rounding error.
+    double slope = 0.0;
+    double error = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double direction = packet.Direction[axis][i];
+      const Pair product = Multiply(plane.Normal[axis].High, direction);
+      const Pair sum = Add(slope, product.High);
+      slope = sum.High;
+      error += sum.Low + (product.Low + plane.Normal[axis].Low * direction);
+    }
+    // At a grazing angle the error is no longer small beside the slope.
+    const Pair whole = Add(slope, error);
+    // The quotient, and its correction by what remains.
+    const double quotient = plane.Offset.High / whole.High;
+    const Pair back = Multiply(quotient, whole.High);
+    const double remainder =
+      ((plane.Offset.High - back.High) - back.Low) + (plane.Offset.Low - quotient * whole.Low);
+    measured[i] = quotient + remainder / whole.High;
+  }
+  for (int i = 0; i < Size; ++i)
+  {
+    ranges[i] = measured[i];
+  }
+}
+
+void MeasureRoughly(const lms3dRoughPlane& plane, const lms3dBeamPacket& packet, double* ranges)
+{
+  for (int i = 0; i < Size; ++i)
+  {
+    ranges[i] = plane.Offset /
+      (packet.Direction[0][i] * plane.Normal[0] + packet.Direction[1][i] * plane.Normal[1] +
+        packet.Direction[2][i] * plane.Normal[2]);
+  }
+}
+
+std::uint32_t KeepRanges(
+  const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet)
+{
+  Mask measured;
+  Mask lost;
+  for (int i = 0; i < Size; ++i)
+  {
+    const bool isMeasured = packet.Triangle[i] == triangle;
+    const bool isHit = (ranges[i] > 0.0) & (ranges[i] <= maximumRange);
+    packet.Range[i] = isMeasured ? (isHit ? ranges[i] : lms3dBeamPacket::NoRange) : packet.Range[i];
+    measured.Set(i, isMeasured);
+    lost.Set(i, isMeasured & !isHit);
+  }
+  for (int i = 0; i < Size; ++i)
+  {
+    packet.Triangle[i] |= lost.Beams[i];
+  }
+  return measured.GetBits();
+}
+} // namespace
+
+#endif

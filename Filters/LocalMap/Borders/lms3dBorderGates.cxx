@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Borders/lms3dBorderGates.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Between beams so far apart, borders stay in the middle, lest a patch reaches behind the sensor.
+constexpr double WideCosine = 0.6;
+constexpr double WideMargin = 0.45;
+constexpr double Few = 6.0;
+} // namespace
+
+lms3dBorderGates::lms3dBorderGates(
+  const lms3dBeamSphere& sphere, const lms3dPatches& patches, double tolerance)
+  : Sphere(sphere)
+  , Patches(patches)
+  , Tolerance(tolerance)
+{
+  this->FindGates();
+  this->FollowBorders();
+}
+
+void lms3dBorderGates::FindGates()
+{
+  this->GateOf.assign(2 * static_cast<std::size_t>(this->Sphere.GetNumberOfPlaces()), NoGate);
+  const int rows = this->Sphere.GetNumberOfRows();
+  const std::int32_t* labels = this->Patches.Labels.data();
+  // A depth step may run within a patch, as a slit.
+  const auto isGate = [&](Place place, int side, Place neighbor)
+  {
+    return labels[place] != labels[neighbor] ||
+      (labels[place] >= 0 && !this->Sphere.IsJoined(place, side));
+  };
+  for (int column = 0; column < this->Sphere.GetNumberOfColumns(); ++column)
+  {
+    const Place start = this->Sphere.GetPlace(column, 0);
+    const Place toRight = this->Sphere.GetNeighbor(start, lms3dBeamSphere::Right) - start;
+    for (Place place = start; place < start + rows; ++place)
+    {
+      if (place + 1 < start + rows && isGate(place, lms3dBeamSphere::Up, place + 1))
+      {
+        this->AddGate(place, lms3dBeamSphere::Up);
+      }
+      if (isGate(place, lms3dBeamSphere::Right, place + toRight))
+      {
+        this->AddGate(place, lms3dBeamSphere::Right);
+      }
+    }
+  }
+}
+
+void lms3dBorderGates::AddGate(Place place, int side)
+{
+  const Place other = this->Sphere.GetNeighbor(place, side);
+  this->GateOf[2 * static_cast<std::size_t>(place) + side] =
+    static_cast<std::int32_t>(this->Gates.size());
+  const bool isWide =
+    lms3dDot(this->Sphere.GetDirection(place), this->Sphere.GetDirection(other)) < WideCosine;
+  const double margin = isWide ? WideMargin : Margin;
+  Gate gate = { { place, other }, Cut, margin, 1.0 - margin, 0.5 };
+  // A return that has a facet of its own belongs to no patch.
+  if (this->Patches.Labels[place] >= 0 && this->Patches.Labels[other] >= 0 &&
+    this->Sphere.IsJoined(place, side))
+  {
+    this->Judge(gate);
+  }
+  this->Gates.push_back(gate);
+}
+
+// Along the chord of a gate both planes' inverse ranges are linear, and so is their difference. It
+// is a crease where that is small enough somewhere, best where it is 0.
+void lms3dBorderGates::Judge(Gate& gate) const
+{
+  std::array<double, 2> differences;
+  double limit = this->Tolerance;
+  for (int end = 0; end < 2; ++end)
+  {
+    const lms3dVector direction = this->Sphere.GetDirection(gate.Ends[end]);
+    const auto inverse = [&](int i)
+    {
+      const int patch = this->Patches.Labels[gate.Ends[i]];
+      return this->Patches.Patches[patch].Plane.GetInverseRange(direction);
+    };
+    differences[end] = inverse(0) - inverse(1);
+    limit /= this->Sphere.GetRange(gate.Ends[end]);
+  }
+  gate.Is = Step;
+  const double slope = differences[1] - differences[0];
+  if (std::abs(slope) <= limit * 1e-6)
+  {
+    // The planes are parallel here.
+    gate.Is = std::abs(differences[0]) <= limit ? Crease : Step;
+    return;
+  }
+  const double center = -differences[0] / slope;
+  const double halfWidth = limit / std::abs(slope);
+  const double low = std::max(CreaseMargin, center - halfWidth);
+  const double high = std::min(1.0 - CreaseMargin, center + halfWidth);
+  if (low > high && this->IsFew(this->Patches.Labels[gate.Ends[0]]) &&
+    this->IsFew(this->Patches.Labels[gate.Ends[1]]))
+  {
+    gate.Is = Crease;
+    return;
+  }
+  // Wide gates keep their margin.
+  if (low <= high && gate.Low <= Margin)
+  {
+    gate = { gate.Ends, Crease, low, high, std::min(high, std::max(low, center)) };
+  }
+}
+
+bool lms3dBorderGates::IsFew(std::int32_t patch) const
+{
+  return this->Patches.Patches[patch].Fit.GetNumberOfReturns() <= Few;
+}
+
+void lms3dBorderGates::FollowBorders()
+{
+  this->Next.assign(this->GetNumberOfEdges(), NoGate);
+  for (int edge = 0; edge < this->GetNumberOfEdges(); ++edge)
+  {
+    if (!this->IsVoid(edge))
+    {
+      this->Next[edge] = this->FindNext(edge);
+    }
+  }
+}
+
+int lms3dBorderGates::GetSide(int edge) const
+{
+  const int gate = edge / 2;
+  const Place first = this->Gates[gate].Ends[0];
+  const bool isUp = this->GateOf[2 * static_cast<std::size_t>(first)] == gate;
+  const int side = isUp ? lms3dBeamSphere::Up : lms3dBeamSphere::Right;
+  return (edge & 1) ? (side + 2) % 4 : side;
+}
+
+// Of a place on one of its sides, or NoGate.
+int lms3dBorderGates::GetEdge(Place place, int side) const
+{
+  const bool isSecond = side == lms3dBeamSphere::Down || side == lms3dBeamSphere::Left;
+  const Place first = isSecond ? this->Sphere.GetNeighbor(place, side) : place;
+  const int gate = this->GateOf[2 * static_cast<std::size_t>(first) + side % 2];
+  return gate == NoGate ? NoGate : 2 * gate + (isSecond ? 1 : 0);
+}
+
+// With the patch to the left, the border on the upper side of a place heads left, and so on. In the
+// cell that it comes to, it turns around the first place that is no longer the patch's.
+int lms3dBorderGates::FindNext(int edge) const
+{
+  const int side = this->GetSide(edge);
+  const int heading = (side + 3) % 4;
+  Place place = this->GetOwner(edge);
+  for (int turned : { heading, side, (side + 1) % 4, (side + 2) % 4 })
+  {
+    const int next = this->GetEdge(place, turned);
+    if (next != NoGate)
+    {
+      return next;
+    }
+    place = this->Sphere.GetNeighbor(place, turned);
+  }
+  return NoGate;
+}
+
+bool lms3dBorderGates::IsRegular(int edge) const
+{
+  const int next = this->Next[edge];
+  const Kind kind = this->GetGate(edge).Is;
+  // A slit ends where its border turns back.
+  return this->GetGate(next).Is == kind && next != GetTwin(edge) &&
+    (kind == Cut || this->Next[GetTwin(next)] == GetTwin(edge));
+}
+
+lms3dBorderGates::Cell lms3dBorderGates::GetCell(Place lowerLeft) const
+{
+  const Place upperLeft = this->Sphere.GetNeighbor(lowerLeft, lms3dBeamSphere::Up);
+  return { lowerLeft,
+    { lowerLeft, upperLeft, this->Sphere.GetNeighbor(upperLeft, lms3dBeamSphere::Right),
+      this->Sphere.GetNeighbor(lowerLeft, lms3dBeamSphere::Right) } };
+}
+
+lms3dBorderGates::Cell lms3dBorderGates::GetEndCell(int edge, int& corner) const
+{
+  const int side = this->GetSide(edge);
+  Place place = this->GetOwner(edge);
+  // It ends up left of the owner, up right, down right or down left.
+  corner = (side + 3) % 4;
+  if (corner == 1 || corner == 2)
+  {
+    place = this->Sphere.GetNeighbor(place, lms3dBeamSphere::Down);
+  }
+  if (corner == 2 || corner == 3)
+  {
+    place = this->Sphere.GetNeighbor(place, lms3dBeamSphere::Left);
+  }
+  return this->GetCell(place);
+}
+
+int lms3dBorderGates::GetCellGate(const Cell& cell, int corner) const
+{
+  constexpr int First[4] = { 0, 1, 3, 0 };
+  const Place first = cell.Corners[First[corner]];
+  return this->GateOf[2 * static_cast<std::size_t>(first) + (corner % 2)];
+}

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Bounded/lms3dBeamsOfTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+// Radians; wider than rounding and margins, and no matter where a column more is asked.
+constexpr double AzimuthTolerance = 1e-6;
+
+// The turn from one azimuth to another the short way round.
+double GetTurn(double from, double to)
+{
+  const double turn = to - from;
+  return turn > Pi ? turn - 2.0 * Pi : (turn <= -Pi ? turn + 2.0 * Pi : turn);
+}
+} // namespace
+
+lms3dCorner::lms3dCorner(const lms3dVector& position)
+  : Position(position)
+  , Azimuth(std::atan2(-position[1], position[0]))
+  , IsPole(position[0] == 0.0 && position[1] == 0.0)
+{
+}
+
+lms3dBeamsOfTriangle::lms3dBeamsOfTriangle(const lms3dBeamSphere& sphere, const lms3dCorner& a,
+  const lms3dCorner& b, const lms3dCorner& c, double margin)
+  : Sphere(sphere)
+{
+  this->Edges[0] = lms3dCross(b.Position, a.Position);
+  this->Edges[1] = lms3dCross(c.Position, b.Position);
+  this->Edges[2] = lms3dCross(a.Position, c.Position);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Margins[i] =
+      margin > 0.0 ? margin * std::sqrt(lms3dDot(this->Edges[i], this->Edges[i])) : 0.0;
+  }
+  // The sum of the edges' normals is that of the triangle.
+  lms3dVector normal;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    normal[axis] = this->Edges[0][axis] + this->Edges[1][axis] + this->Edges[2][axis];
+  }
+  const double offset = lms3dDot(normal, a.Position);
+  this->Plane = { { normal[0] / offset, normal[1] / offset, normal[2] / offset } };
+  this->FindColumns(a, b, c);
+}
+
+void lms3dBeamsOfTriangle::FindColumns(
+  const lms3dCorner& a, const lms3dCorner& b, const lms3dCorner& c)
+{
+  const std::vector<double>& azimuths = this->Sphere.GetAzimuths();
+  const int columns = this->Sphere.GetNumberOfColumns();
+  this->FirstColumn = 0;
+  this->NumberOfColumns = columns;
+  const double ab = GetTurn(a.Azimuth, b.Azimuth);
+  const double bc = GetTurn(b.Azimuth, c.Azimuth);
+  const double ca = GetTurn(c.Azimuth, a.Azimuth);
+  const double longest = std::max({ std::abs(ab), std::abs(bc), std::abs(ca) });
+  // Around a pole, or so near to one that it cannot be told.
+  if (a.IsPole || b.IsPole || c.IsPole || std::abs(ab + bc + ca) > Pi ||
+    longest > Pi - AzimuthTolerance)
+  {
+    return;
+  }
+  double low = a.Azimuth + std::min({ 0.0, ab, ab + bc }) - AzimuthTolerance;
+  const double width = std::max({ 0.0, ab, ab + bc }) - std::min({ 0.0, ab, ab + bc });
+  low -= 2.0 * Pi * std::floor((low - azimuths.front()) / (2.0 * Pi));
+  const double high = low + width + 2.0 * AzimuthTolerance;
+  const auto first = std::lower_bound(azimuths.begin(), azimuths.end(), low);
+  const auto last = std::upper_bound(first, azimuths.end(), high);
+  const auto wrapped = std::upper_bound(azimuths.begin(), first, high - 2.0 * Pi);
+  this->FirstColumn = first == azimuths.end() ? 0 : static_cast<int>(first - azimuths.begin());
+  this->NumberOfColumns = static_cast<int>((last - first) + (wrapped - azimuths.begin()));
+}
+
+bool lms3dBeamsOfTriangle::FindRows(int column, int& first, int& last) const
+{
+  const std::array<double, 2>& level = this->Sphere.GetLevel(column);
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i)
+  {
+    const lms3dVector& edge = this->Edges[i];
+    const double side = edge[0] * level[0] + edge[1] * level[1] + this->Margins[i];
+    if (edge[2] > 0.0)
+    {
+      low = std::max(low, -side / edge[2]);
+    }
+    else if (edge[2] < 0.0)
+    {
+      high = std::min(high, -side / edge[2]);
+    }
+    else if (side < 0.0)
+    {
+      return false;
+    }
+  }
+  if (low > high)
+  {
+    return false;
+  }
+  const std::vector<double>& tangents = this->Sphere.GetTangents();
+  const auto begin = std::lower_bound(tangents.begin(), tangents.end(), low);
+  const auto end = std::upper_bound(begin, tangents.end(), high);
+  first = static_cast<int>(begin - tangents.begin());
+  last = static_cast<int>(end - tangents.begin()) - 1;
+  return first <= last;
+}

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Bounded/lms3dBoundedMap.h"
+
+#include "Geometry/lms3dTriangleDistance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace
+{
+// Of the angle to the nearest neighbour, or of this angle in radians where that is far.
+constexpr double FacetShare = 0.25;
+constexpr double LargestAngle = 0.2;
+// Radians by which a beam may miss a triangle that is asked all the same.
+constexpr double BeamMargin = 1e-6;
+
+double GetAngleToNeighbor(const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place)
+{
+  const int row = sphere.GetRow(place);
+  const lms3dVector direction = sphere.GetDirection(place);
+  double least = LargestAngle;
+  for (int side = lms3dBeamSphere::Up; side <= lms3dBeamSphere::Left; ++side)
+  {
+    if (!sphere.HasNeighbor(place, side) || (sphere.IsPoleRow(row) && side % 2 == 1))
+    {
+      continue;
+    }
+    const lms3dVector across =
+      lms3dCross(direction, sphere.GetDirection(sphere.GetNeighbor(place, side)));
+    least = std::min(least, std::sqrt(lms3dDot(across, across)));
+  }
+  return least;
+}
+} // namespace
+
+void lms3dBoundedMap::AddFacet(
+  const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place, double range)
+{
+  const lms3dVector ahead = sphere.GetDirection(place);
+  const std::array<double, 2>& level = sphere.GetLevel(sphere.GetColumn(place));
+  // To the right and up, as the sensor sees them.
+  const lms3dVector right = { level[1], -level[0], 0.0 };
+  const lms3dVector up = lms3dCross(right, ahead);
+  const double radius = range * FacetShare * GetAngleToNeighbor(sphere, place);
+  constexpr double Corners[3][2] = { { -0.8660254037844386, -0.5 }, { 0.8660254037844386, -0.5 },
+    { 0.0, 1.0 } };
+  const std::int32_t first = static_cast<std::int32_t>(this->Points.size());
+  for (const double* corner : Corners)
+  {
+    lms3dVector point;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      point[axis] = range * ahead[axis] + radius * (corner[0] * right[axis] + corner[1] * up[axis]);
+    }
+    this->Points.push_back(point);
+  }
+  this->Triangles.push_back({ first, first + 1, first + 2 });
+  this->PatchIds.push_back(this->NumberOfPatches++);
+}
+
+double lms3dBoundedMap::GetDeviation(const lms3dVector& point) const
+{
+  const double range = std::sqrt(lms3dDot(point, point));
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::array<std::int32_t, 3>& triangle : this->Triangles)
+  {
+    const lms3dVector& a = this->Points[triangle[0]];
+    const lms3dVector& b = this->Points[triangle[1]];
+    const lms3dVector& c = this->Points[triangle[2]];
+    const auto isInside = [&](const lms3dVector& p, const lms3dVector& q)
+    {
+      const lms3dVector edge = lms3dCross(q, p);
+      return lms3dDot(edge, point) >= -BeamMargin * range * std::sqrt(lms3dDot(edge, edge));
+    };
+    if (isInside(a, b) && isInside(b, c) && isInside(c, a))
+    {
+      least = std::min(least, lms3dGetDistance(point, a, b, c));
+    }
+  }
+  return least;
+}
+
+bool lms3dBoundedMap::IsFacing(const std::array<std::int32_t, 3>& triangle) const
+{
+  return lms3dDot(lms3dCross(this->Points[triangle[0]], this->Points[triangle[1]]),
+           this->Points[triangle[2]]) < 0.0;
+}
+
+void lms3dBoundedMap::DropUnusedPoints()
+{
+  std::vector<std::int32_t> numbers(this->Points.size(), -1);
+  std::vector<lms3dVector> used;
+  for (std::array<std::int32_t, 3>& triangle : this->Triangles)
+  {
+    for (std::int32_t& corner : triangle)
+    {
+      if (numbers[corner] < 0)
+      {
+        numbers[corner] = static_cast<std::int32_t>(used.size());
+        used.push_back(this->Points[corner]);
+      }
+      corner = numbers[corner];
+    }
+  }
+  this->Points = std::move(used);
+}

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The bounded map as an output of vtkLMS3DSurfaceReconstructionFilter.
+ */
+#ifndef lms3dBoundedOutput_h
+#define lms3dBoundedOutput_h
+
+#include "LocalMap/Bounded/lms3dBoundedMap.h"
+
+class lms3dScanInput;
+class vtkPolyData;
+
+/// Points in world coordinates with `Range` and normal, triangles with `PatchId`, and the counts.
+void lms3dFillBoundedOutput(
+  const lms3dScanInput& scan, const lms3dBoundedMap& bounded, vtkPolyData* map);
+
+#endif

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Bounded/lms3dFacetedGrid.h"
+
+#include "LocalMap/Grid/lms3dGridMesher.h"
+#include "LocalMap/Grid/lms3dGridPoints.h"
+
+#include <algorithm>
+#include <utility>
+
+// Of each vertex.
+std::vector<lms3dFacetedGrid::Place> lms3dFacetedGrid::FindPlaces() const
+{
+  std::vector<Place> places(this->Grid.GetReturns().size());
+  for (Place place = 0; place < this->Sphere.GetNumberOfPlaces(); ++place)
+  {
+    const int turn = this->Sphere.GetTurn(place);
+    if (turn >= 0 && this->Sphere.HasReturn(place))
+    {
+      places[this->Grid.GetVertex(turn, this->Sphere.GetBeam(place))] = place;
+    }
+  }
+  return places;
+}
+
+// Three numbers each.
+std::vector<std::int32_t> lms3dFacetedGrid::MakeTriangles(const lms3dBoundedMap& map) const
+{
+  lms3dGridPoints points;
+  points.SetShape(this->Grid);
+  for (int turn = 0; turn < this->Grid.GetNumberOfTurns(); ++turn)
+  {
+    for (int beam = 0; beam < this->Grid.GetNumberOfBeams(); ++beam)
+    {
+      const std::int32_t vertex = this->Grid.GetVertex(turn, beam);
+      for (int axis = 0; axis < 3 && vertex != lms3dRangeGrid::NoVertex; ++axis)
+      {
+        points.GetRow(axis, turn)[beam] = map.Points[vertex][axis];
+      }
+    }
+  }
+  points.FillGhosts(this->Grid);
+  lms3dGridMesher mesher;
+  mesher.ChooseTriangles(this->Grid, this->Joins, points);
+  std::vector<std::int32_t> corners(3 * mesher.GetNumberOfTriangles());
+  mesher.FillTriangles(this->Grid, corners.data());
+  return corners;
+}
+
+// Returns which vertices have one.
+std::vector<bool> lms3dFacetedGrid::AddTriangles(lms3dBoundedMap& map) const
+{
+  const std::vector<std::int32_t> corners = this->MakeTriangles(map);
+  const bool isMirrored = this->Grid.GetGeometry().IsMirrored();
+  std::vector<bool> isMet(map.Points.size(), false);
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+  {
+    std::array<std::int32_t, 3> triangle = { corners[i], corners[i + 1], corners[i + 2] };
+    if (isMirrored)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
+    // A cell that is wider than half a circle has no front.
+    if (map.IsFacing(triangle))
+    {
+      map.Triangles.push_back(triangle);
+      for (std::int32_t corner : triangle)
+      {
+        isMet[corner] = true;
+      }
+    }
+  }
+  return isMet;
+}
+
+lms3dBoundedMap lms3dFacetedGrid::MakeMap() const
+{
+  const std::vector<Place> places = this->FindPlaces();
+  lms3dBoundedMap map;
+  map.Points.reserve(places.size());
+  for (Place place : places)
+  {
+    map.Points.push_back(
+      lms3dScale(this->Sphere.GetDirection(place), this->Sphere.GetRange(place)));
+  }
+  const std::vector<bool> isMet = this->AddTriangles(map);
+  map.PatchIds.assign(map.Triangles.size(), lms3dBoundedMap::NoPatch);
+  map.ReturnsOnGrid = std::count(isMet.begin(), isMet.end(), true);
+  for (std::size_t vertex = 0; vertex < isMet.size(); ++vertex)
+  {
+    if (!isMet[vertex])
+    {
+      map.AddFacet(this->Sphere, places[vertex], this->Sphere.GetRange(places[vertex]));
+      ++map.ReturnsOnFacets;
+    }
+  }
+  map.DropUnusedPoints();
+  return map;
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Makes the bounded map of a scan that patches would not simplify.
+ */
+#ifndef lms3dFacetedGrid_h
+#define lms3dFacetedGrid_h
+
+#include "LocalMap/Bounded/lms3dBoundedMap.h"
+#include "LocalMap/Grid/lms3dRangeJoins.h"
+
+/// The triangles of the plain grid, each return a vertex, and a facet for each return without one.
+class lms3dFacetedGrid
+{
+public:
+  using Place = lms3dBeamSphere::Place;
+
+  /// Keeps references.
+  lms3dFacetedGrid(
+    const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, const lms3dBeamSphere& sphere)
+    : Grid(grid)
+    , Joins(joins)
+    , Sphere(sphere)
+  {
+  }
+
+  lms3dBoundedMap MakeMap() const;
+
+private:
+  std::vector<Place> FindPlaces() const;
+  std::vector<std::int32_t> MakeTriangles(const lms3dBoundedMap& map) const;
+  std::vector<bool> AddTriangles(lms3dBoundedMap& map) const;
+
+  const lms3dRangeGrid& Grid;
+  const lms3dRangeJoins& Joins;
+  const lms3dBeamSphere& Sphere;
+};
+
+#endif

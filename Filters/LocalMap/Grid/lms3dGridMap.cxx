@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Grid/lms3dGridMap.h"
+
+#include "Device/lms3dScanInput.h"
+#include "LocalMap/Grid/lms3dGridNormals.h"
+#include "Pipeline/lms3dPooledArray.h"
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace
+{
+// Fewer are done before another thread can come.
+constexpr int FewestTriangles = 4096;
+
+/// Where the vertices go.
+struct VertexArrays
+{
+  // A pole is a vertex of the first turn, though a place of every.
+  void FillTurn(const lms3dRangeGrid& grid, int turn, lms3dGridPoints& places) const
+  {
+    const std::int32_t* vertices = grid.GetVertices(turn);
+    const std::int32_t* returns = grid.GetReturns().data();
+    double* x = places.GetRow(0, turn);
+    double* y = places.GetRow(1, turn);
+    double* z = places.GetRow(2, turn);
+    if (!grid.HasReturns(turn))
+    {
+      for (double* row : { x, y, z })
+      {
+        std::fill_n(row, grid.GetNumberOfBeams(), 0.0);
+      }
+      return;
+    }
+    for (int beam = 0; beam < grid.GetNumberOfBeams(); ++beam)
+    {
+      const vtkIdType vertex = vertices[beam];
+      if (vertex == lms3dRangeGrid::NoVertex)
+      {
+        x[beam] = y[beam] = z[beam] = 0.0;
+        continue;
+      }
+      const vtkIdType source = returns[vertex];
+      const double* point = this->ScanPoints + 3 * source;
+      x[beam] = point[0];
+      y[beam] = point[1];
+      z[beam] = point[2];
+      if (vertex >= grid.GetFirstVertex(turn))
+      {
+        double* out = this->Points + 3 * vertex;
+        out[0] = point[0];
+        out[1] = point[1];
+        out[2] = point[2];
+        this->Ranges[vertex] = this->ScanRanges[source];
+      }
+    }
+  }
+
+  const double* ScanPoints;
+  const double* ScanRanges;
+  double* Points;
+  double* Ranges;
+};
+
+void FillOffsets(int triangles, std::int32_t* offsets)
+{
+  tbb::parallel_for(tbb::blocked_range<int>(0, triangles + 1, FewestTriangles),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      for (int i = range.begin(); i < range.end(); ++i)
+      {
+        offsets[i] = 3 * i;
+      }
+    });
+}
+
+void TurnRound(int triangles, std::int32_t* vertices)
+{
+  tbb::parallel_for(tbb::blocked_range<int>(0, triangles, FewestTriangles),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      for (int i = range.begin(); i < range.end(); ++i)
+      {
+        std::swap(vertices[3 * i + 1], vertices[3 * i + 2]);
+      }
+    });
+}
+
+// Cells are told by 32 bits.
+int CheckNumber(std::int64_t triangles)
+{
+  constexpr int Most = std::numeric_limits<std::int32_t>::max() / 3;
+  if (triangles > Most)
+  {
+    throw std::runtime_error("The map would have " + std::to_string(triangles) +
+      " triangles; at most " + std::to_string(Most) + " are possible. Choose lower resolutions.");
+  }
+  return static_cast<int>(triangles);
+}
+} // namespace
+
+void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
+  const lms3dRangeJoins& joins, const lms3dProgress& progress, vtkPolyData* map)
+{
+  const vtkIdType vertices = static_cast<vtkIdType>(grid.GetReturns().size());
+  const auto coordinates = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Points", vertices, 3);
+  const auto ranges = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Range", vertices);
+  const VertexArrays out = { scan.GetPoints(), scan.GetRanges(), coordinates->GetPointer(0),
+    ranges->GetPointer(0) };
+  this->Points.SetShape(grid);
+  tbb::parallel_for(
+    0, grid.GetNumberOfTurns(), [&](int turn) { out.FillTurn(grid, turn, this->Points); });
+  this->Points.FillGhosts(grid);
+  this->Mesher.ChooseTriangles(grid, joins, this->Points);
+  if (!progress(0.4))
+  {
+    return;
+  }
+  const int triangles = CheckNumber(this->Mesher.GetNumberOfTriangles());
+  const auto connectivity = lms3dMakeArray<vtkTypeInt32Array>(
+    this->Pool, "Connectivity", 3 * static_cast<vtkIdType>(triangles));
+  const auto offsets =
+    lms3dMakeArray<vtkTypeInt32Array>(this->Pool, "Offsets", static_cast<vtkIdType>(triangles) + 1);
+  this->Mesher.FillTriangles(grid, connectivity->GetPointer(0));
+  FillOffsets(triangles, offsets->GetPointer(0));
+  if (grid.GetGeometry().IsMirrored())
+  {
+    TurnRound(triangles, connectivity->GetPointer(0));
+  }
+  if (!progress(0.7))
+  {
+    return;
+  }
+  const auto normals = lms3dMakeArray<vtkFloatArray>(this->Pool, "Normals", vertices, 3);
+  lms3dFillNormals(
+    grid, this->Mesher, this->Points, scan.GetSensorPosition(), normals->GetPointer(0));
+
+  vtkNew<vtkPoints> mapPoints;
+  mapPoints->SetData(coordinates);
+  map->SetPoints(mapPoints);
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(offsets, connectivity);
+  map->SetPolys(polygons);
+  map->GetPointData()->SetScalars(ranges);
+  map->GetPointData()->SetNormals(normals);
+  this->Pool.FreeUnused();
+}

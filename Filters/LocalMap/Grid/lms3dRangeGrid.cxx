@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Grid/lms3dRangeGrid.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace
+{
+constexpr std::int32_t NoReturn = -1;
+constexpr double LargestRange = std::numeric_limits<double>::max();
+} // namespace
+
+void lms3dRangeGrid::Place(
+  const lms3dScanGeometry& geometry, const double* ranges, const int* beamIds, std::int64_t count)
+{
+  this->Geometry = &geometry;
+  this->Closed = geometry.IsClosed();
+  this->Sort(ranges, beamIds, count);
+  this->Poles.clear();
+  this->RangesOfPoles.clear();
+  for (int beam = 0; beam < this->GetNumberOfBeams(); ++beam)
+  {
+    if (geometry.IsPole(beam))
+    {
+      this->Poles.push_back(beam);
+      this->JoinPole(beam, ranges);
+    }
+  }
+
+  this->CountVertices();
+  this->Returns.resize(this->FirstVertices.back());
+  this->Ranges.SetShape(this->GetNumberOfTurns(), this->GetNumberOfBeams());
+  this->Vertices.SetShape(this->GetNumberOfTurns(), this->GetNumberOfBeams());
+  tbb::parallel_for(0, this->GetNumberOfTurns(), [&](int turn) { this->FillTurn(turn, ranges); });
+  this->HasPole = false;
+  for (int beam : this->Poles)
+  {
+    this->SpreadPole(beam);
+    this->HasPole |= this->HasReturn(0, beam);
+  }
+  this->GoOnBeyond(0, -1);
+  this->GoOnBeyond(this->GetNumberOfBeams() - 1, 1);
+  this->Ranges.FillGhosts(this->Closed);
+  this->Vertices.FillGhosts(this->Closed);
+}
+
+const std::int32_t* lms3dRangeGrid::GetReturnsOfTurn(int turn) const
+{
+  return this->ReturnOfBeam.data() + static_cast<std::ptrdiff_t>(turn) * this->GetNumberOfBeams();
+}
+
+void lms3dRangeGrid::Sort(const double* ranges, const int* beamIds, std::int64_t count)
+{
+  const std::int64_t beams =
+    static_cast<std::int64_t>(this->GetNumberOfBeams()) * this->GetNumberOfTurns();
+  this->ReturnOfBeam.assign(beams, NoReturn);
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    const int beam = beamIds[i];
+    if (beam < 0 || beam >= beams || this->ReturnOfBeam[beam] != NoReturn ||
+      !(ranges[i] > 0.0 && ranges[i] <= LargestRange))
+    {
+      this->Refuse(i, ranges[i], beam);
+    }
+    this->ReturnOfBeam[beam] = static_cast<std::int32_t>(i);
+  }
+}
+
+void lms3dRangeGrid::Refuse(std::int64_t index, double range, int beamId) const
+{
+  const std::string words = "Return " + std::to_string(index) + " of the scan has the ";
+  const std::int64_t beams = static_cast<std::int64_t>(this->ReturnOfBeam.size());
+  if (beamId < 0 || beamId >= beams)
+  {
+    throw std::runtime_error(words + "BeamId " + std::to_string(beamId) + "; 0 to " +
+      std::to_string(beams - 1) + " are expected from AlphaAngles and BetaAngles.");
+  }
+  if (this->ReturnOfBeam[beamId] != NoReturn)
+  {
+    throw std::runtime_error(words + "BeamId " + std::to_string(beamId) +
+      " of an earlier one. Give each beam at most one return.");
+  }
+  throw std::runtime_error(words + "Range " + std::to_string(range) +
+    "; a finite number of metres above 0 is expected. Remove beams that gave no return.");
+}
+
+// Leaves the pole to the first turn.
+void lms3dRangeGrid::JoinPole(int beam, const double* ranges)
+{
+  std::vector<std::pair<double, std::int32_t>> returns;
+  std::vector<double>& all = this->RangesOfPoles.emplace_back();
+  for (int turn = 0; turn < this->GetNumberOfTurns(); ++turn)
+  {
+    const std::size_t place = static_cast<std::size_t>(turn) * this->GetNumberOfBeams() + beam;
+    const std::int32_t found = std::exchange(this->ReturnOfBeam[place], NoReturn);
+    if (found != NoReturn)
+    {
+      returns.emplace_back(ranges[found], found);
+      all.push_back(ranges[found]);
+    }
+  }
+  if (!returns.empty())
+  {
+    const auto median = returns.begin() + returns.size() / 2;
+    std::nth_element(returns.begin(), median, returns.end());
+    this->ReturnOfBeam[beam] = median->second;
+  }
+}
+
+void lms3dRangeGrid::CountVertices()
+{
+  std::vector<std::int32_t>& first = this->FirstVertices;
+  first.assign(this->GetNumberOfTurns() + 1, 0);
+  tbb::parallel_for(0, this->GetNumberOfTurns(),
+    [&](int turn)
+    {
+      const std::int32_t* returns = this->GetReturnsOfTurn(turn);
+      std::int32_t found = 0;
+      for (int beam = 0; beam < this->GetNumberOfBeams(); ++beam)
+      {
+        found += returns[beam] != NoReturn ? 1 : 0;
+      }
+      first[turn + 1] = found;
+    });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+}
+
+void lms3dRangeGrid::FillTurn(int turn, const double* ranges)
+{
+  const std::int32_t* returns = this->GetReturnsOfTurn(turn);
+  double* range = this->Ranges.GetRow(turn);
+  std::int32_t* vertex = this->Vertices.GetRow(turn);
+  std::int32_t next = this->FirstVertices[turn];
+  for (int beam = 0; beam < this->GetNumberOfBeams(); ++beam)
+  {
+    const std::int32_t found = returns[beam];
+    range[beam] = found != NoReturn ? ranges[found] : 0.0;
+    vertex[beam] = found != NoReturn ? next : NoVertex;
+    if (found != NoReturn)
+    {
+      this->Returns[next++] = found;
+    }
+  }
+}
+
+void lms3dRangeGrid::SpreadPole(int beam)
+{
+  for (int turn = 1; turn < this->GetNumberOfTurns(); ++turn)
+  {
+    this->Ranges.GetRow(turn)[beam] = this->GetRange(0, beam);
+    this->Vertices.GetRow(turn)[beam] = this->GetVertex(0, beam);
+  }
+}
+
+// Fills the ghosts beside the first beam or the last.
+void lms3dRangeGrid::GoOnBeyond(int end, int outwards)
+{
+  const bool goesOn = this->Closed && this->Geometry->IsPole(end);
+  for (int distance : { 1, 2 })
+  {
+    const int opposite = end - distance * outwards;
+    const bool isInside = opposite >= 0 && opposite < this->GetNumberOfBeams();
+    for (int turn = 0; turn < this->GetNumberOfTurns(); ++turn)
+    {
+      this->Ranges.GetRow(turn)[end + distance * outwards] =
+        goesOn && isInside ? this->GetOppositeRange(turn, opposite) : 0.0;
+    }
+  }
+}
+
+double lms3dRangeGrid::GetOppositeRange(int turn, int beam) const
+{
+  const int turns = this->GetNumberOfTurns();
+  return std::min(this->GetRange((turn + turns / 2) % turns, beam),
+    this->GetRange((turn + (turns + 1) / 2) % turns, beam));
+}

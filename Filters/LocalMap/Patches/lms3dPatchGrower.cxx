@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Patches/lms3dPatchGrower.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace
+{
+constexpr int CoarsestStride = 16;
+constexpr int MaximumFloods = 5;
+// A plane that a new fit moves by less than this share of the tolerance stays.
+constexpr double Settled = 0.05;
+} // namespace
+
+lms3dPatchGrower::lms3dPatchGrower(const lms3dBeamSphere& sphere, double tolerance)
+  : Sphere(sphere)
+  , Tolerance(tolerance)
+{
+  const Place places = sphere.GetNumberOfPlaces();
+  this->Result.Labels.resize(places);
+  for (Place place = 0; place < places; ++place)
+  {
+    this->Result.Labels[place] = sphere.HasReturn(place) ? lms3dPatches::Free : lms3dPatches::None;
+  }
+}
+
+lms3dPatches lms3dPatchGrower::Grow()
+{
+  for (int stride = CoarsestStride; stride > 1; stride /= 2)
+  {
+    this->GrowFromLattice(stride);
+  }
+  this->GrowFromRest();
+  return std::move(this->Result);
+}
+
+void lms3dPatchGrower::GrowFromLattice(int stride)
+{
+  for (int column = stride / 2; column < this->Sphere.GetNumberOfColumns(); column += stride)
+  {
+    for (int row = stride / 2; row + stride / 2 < this->Sphere.GetNumberOfRows(); row += stride)
+    {
+      const Place seed = this->Sphere.GetPlace(column, row);
+      lms3dPlane plane;
+      if (this->IsFree(seed) && this->FitWindow(column, row, stride, plane))
+      {
+        this->GrowFrom(seed, plane);
+      }
+    }
+  }
+}
+
+// Asks a few returns of the window only: the flood asks all.
+bool lms3dPatchGrower::FitWindow(int column, int row, int stride, lms3dPlane& plane) const
+{
+  const int columns = this->Sphere.GetNumberOfColumns();
+  const int half = stride / 2;
+  const int step = std::max(1, half / 2);
+  std::array<Place, 25> samples;
+  int count = 0;
+  lms3dPlaneFit fit;
+  for (int i = -half; i <= half; i += step)
+  {
+    for (int j = -half; j <= half; j += step)
+    {
+      const Place place = this->Sphere.GetPlace((column + i + columns) % columns, row + j);
+      if (!this->IsFree(place))
+      {
+        return false;
+      }
+      fit.Add(this->Sphere, place);
+      samples[count++] = place;
+    }
+  }
+  plane = fit.GetPlane();
+  return std::all_of(samples.begin(), samples.begin() + count,
+    [&](Place place) { return this->Fits(place, plane); });
+}
+
+void lms3dPatchGrower::GrowFromRest()
+{
+  for (Place seed = 0; seed < this->Sphere.GetNumberOfPlaces(); ++seed)
+  {
+    if (this->IsFree(seed))
+    {
+      this->GrowFrom(seed, this->FitCorner(seed));
+    }
+  }
+}
+
+// Through the seed and joined neighbours on two sides, or on one, or through the seed alone.
+lms3dPlane lms3dPatchGrower::FitCorner(Place seed) const
+{
+  const auto isOpen = [&](int side)
+  {
+    return this->Sphere.HasNeighbor(seed, side) && this->Sphere.IsJoined(seed, side) &&
+      this->IsFree(this->Sphere.GetNeighbor(seed, side));
+  };
+  const bool isPole = this->Sphere.IsPoleRow(this->Sphere.GetRow(seed));
+  lms3dPlaneFit fit;
+  fit.Add(this->Sphere, seed);
+  for (int first : { lms3dBeamSphere::Up, lms3dBeamSphere::Down })
+  {
+    for (int second : { lms3dBeamSphere::Right, lms3dBeamSphere::Left })
+    {
+      if (!isPole && isOpen(first) && isOpen(second))
+      {
+        fit.Add(this->Sphere, this->Sphere.GetNeighbor(seed, first));
+        fit.Add(this->Sphere, this->Sphere.GetNeighbor(seed, second));
+        return fit.GetPlane();
+      }
+    }
+  }
+  for (int side :
+    { lms3dBeamSphere::Up, lms3dBeamSphere::Right, lms3dBeamSphere::Down, lms3dBeamSphere::Left })
+  {
+    if (!isPole && isOpen(side))
+    {
+      fit.Add(this->Sphere, this->Sphere.GetNeighbor(seed, side));
+      return fit.GetPlane();
+    }
+  }
+  return fit.GetPlane();
+}
+
+void lms3dPatchGrower::GrowFrom(Place seed, lms3dPlane plane)
+{
+  lms3dPatches::Patch patch;
+  for (int flood = 1;; ++flood)
+  {
+    patch.Plane = plane;
+    this->Flood(seed, plane, patch);
+    plane = patch.Fit.GetPlane();
+    if (flood == MaximumFloods || !this->HasMoved(patch, plane) || !this->Fits(seed, plane))
+    {
+      break;
+    }
+    this->Release(patch);
+  }
+  this->Result.Patches.push_back(std::move(patch));
+}
+
+bool lms3dPatchGrower::HasMoved(const lms3dPatches::Patch& patch, const lms3dPlane& plane) const
+{
+  if (patch.Fit.GetNumberOfReturns() < 3)
+  {
+    return false;
+  }
+  return std::any_of(patch.Spans.begin(), patch.Spans.end(),
+    [&](const Span& span)
+    {
+      const lms3dVector direction = this->Sphere.GetDirection(span.First);
+      const double range = this->Sphere.GetRange(span.First);
+      const double moved =
+        plane.GetInverseRange(direction) - patch.Plane.GetInverseRange(direction);
+      return std::abs(moved) * range * range > Settled * this->Tolerance;
+    });
+}
+
+void lms3dPatchGrower::Release(lms3dPatches::Patch& patch)
+{
+  for (const Span& span : patch.Spans)
+  {
+    std::fill(this->Result.Labels.begin() + span.First, this->Result.Labels.begin() + span.Last + 1,
+      lms3dPatches::Free);
+  }
+  patch.Spans.clear();
+  patch.Fit = {};
+}
+
+void lms3dPatchGrower::Flood(Place seed, const lms3dPlane& plane, lms3dPatches::Patch& patch)
+{
+  const int rows = this->Sphere.GetNumberOfRows();
+  this->Queue.assign(1, seed);
+  while (!this->Queue.empty())
+  {
+    const Place place = this->Queue.back();
+    this->Queue.pop_back();
+    if (!this->IsFree(place))
+    {
+      continue;
+    }
+    const int column = this->Sphere.GetColumn(place);
+    const Span span = this->FloodSpan(place, lms3dColumnPlane(plane, this->Sphere, column));
+    patch.Spans.push_back(span);
+    patch.Fit.Add(this->Sphere, column, span.First - column * rows, span.Last - column * rows);
+    this->QueueNeighbors(span, lms3dBeamSphere::Left, plane);
+    this->QueueNeighbors(span, lms3dBeamSphere::Right, plane);
+  }
+}
+
+lms3dPatches::Span lms3dPatchGrower::FloodSpan(Place seed, const lms3dColumnPlane& plane)
+{
+  const Place column = seed - this->Sphere.GetRow(seed);
+  const Place end = column + this->Sphere.GetNumberOfRows() - 1;
+  const auto fits = [&](Place place)
+  {
+    const int row = place - column;
+    return this->IsFree(place) &&
+      lms3dIsWithin(this->Sphere.GetRange(place),
+        plane.GetInverseRange(this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]),
+        this->Tolerance);
+  };
+  Span span = { seed, seed };
+  while (span.First > column && this->Sphere.IsJoined(span.First - 1, lms3dBeamSphere::Up) &&
+    fits(span.First - 1))
+  {
+    --span.First;
+  }
+  while (
+    span.Last < end && this->Sphere.IsJoined(span.Last, lms3dBeamSphere::Up) && fits(span.Last + 1))
+  {
+    ++span.Last;
+  }
+  const std::int32_t label = static_cast<std::int32_t>(this->Result.Patches.size());
+  std::fill(
+    this->Result.Labels.begin() + span.First, this->Result.Labels.begin() + span.Last + 1, label);
+  return span;
+}
+
+// One place of each run: the flood of the run finds the others.
+void lms3dPatchGrower::QueueNeighbors(const Span& span, int side, const lms3dPlane& plane)
+{
+  const Place first = this->Sphere.GetNeighbor(span.First, side);
+  const int column = this->Sphere.GetColumn(first);
+  const Place offset = first - span.First;
+  const Place start = this->Sphere.GetPlace(column, 0);
+  const Place joinOffset = side == lms3dBeamSphere::Left ? offset : 0;
+  const lms3dColumnPlane inColumn(plane, this->Sphere, column);
+  bool isRun = false;
+  for (Place place = span.First; place <= span.Last; ++place)
+  {
+    const Place next = place + offset;
+    const bool isOpen = this->IsFree(next) &&
+      this->Sphere.IsJoined(place + joinOffset, lms3dBeamSphere::Right) &&
+      lms3dIsWithin(this->Sphere.GetRange(next),
+        inColumn.GetInverseRange(
+          this->Sphere.GetCosines()[next - start], this->Sphere.GetSines()[next - start]),
+        this->Tolerance);
+    if (isOpen && !(isRun && this->Sphere.IsJoined(next - 1, lms3dBeamSphere::Up)))
+    {
+      this->Queue.push_back(next);
+    }
+    isRun = isOpen;
+  }
+}
+
+bool lms3dPatchGrower::Fits(Place place, const lms3dPlane& plane) const
+{
+  return lms3dIsWithin(this->Sphere.GetRange(place),
+    plane.GetInverseRange(this->Sphere.GetDirection(place)), this->Tolerance);
+}

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Patches/lms3dPatchMerger.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace
+{
+// Where one patch is so many times larger, its plane is the joint plane.
+constexpr double MuchLarger = 16.0;
+constexpr int MergingPasses = 4;
+} // namespace
+
+lms3dPatchMerger::lms3dPatchMerger(
+  const lms3dBeamSphere& sphere, lms3dPatches& patches, double maximumError)
+  : Sphere(sphere)
+  , Patches(patches)
+  , Tolerance(lms3dPatches::MergedShare * maximumError)
+  , Parents(patches.Patches.size())
+{
+  std::iota(this->Parents.begin(), this->Parents.end(), 0);
+}
+
+std::vector<lms3dPatchMerger::Pair> lms3dPatchMerger::FindNeighbors() const
+{
+  const std::vector<std::int32_t>& labels = this->Patches.Labels;
+  std::vector<Pair> pairs;
+  const auto add = [&](Place place, int side)
+  {
+    const std::int32_t a = labels[place];
+    const std::int32_t b = labels[this->Sphere.GetNeighbor(place, side)];
+    if (a != b && this->Sphere.IsJoined(place, side))
+    {
+      pairs.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  };
+  const int rows = this->Sphere.GetNumberOfRows();
+  for (int column = 0; column < this->Sphere.GetNumberOfColumns(); ++column)
+  {
+    for (int row = 0; row < rows; ++row)
+    {
+      const Place place = this->Sphere.GetPlace(column, row);
+      add(place, lms3dBeamSphere::Right);
+      if (row + 1 < rows)
+      {
+        add(place, lms3dBeamSphere::Up);
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+int lms3dPatchMerger::FindRoot(int patch)
+{
+  while (this->Parents[patch] != patch)
+  {
+    this->Parents[patch] = this->Parents[this->Parents[patch]];
+    patch = this->Parents[patch];
+  }
+  return patch;
+}
+
+void lms3dPatchMerger::Merge()
+{
+  const std::vector<Pair> pairs = this->FindNeighbors();
+  bool hasMerged = true;
+  for (int pass = 0; pass < MergingPasses && hasMerged; ++pass)
+  {
+    hasMerged = false;
+    for (const Pair& pair : pairs)
+    {
+      int large = this->FindRoot(pair.first);
+      int small = this->FindRoot(pair.second);
+      const auto size = [&](int patch)
+      { return this->Patches.Patches[patch].Fit.GetNumberOfReturns(); };
+      if (size(large) < size(small))
+      {
+        std::swap(large, small);
+      }
+      hasMerged |= large != small && this->TryToMerge(large, small);
+    }
+  }
+  this->WriteLabels();
+}
+
+bool lms3dPatchMerger::TryToMerge(int large, int small)
+{
+  const lms3dPatches::Patch& a = this->Patches.Patches[large];
+  const lms3dPatches::Patch& b = this->Patches.Patches[small];
+  if (this->Explains(a.Plane, b))
+  {
+    this->Join(large, small, a.Plane);
+    return true;
+  }
+  if (a.Fit.GetNumberOfReturns() > MuchLarger * b.Fit.GetNumberOfReturns())
+  {
+    return false;
+  }
+  lms3dPlaneFit fit = a.Fit;
+  fit.Add(b.Fit);
+  const lms3dPlane plane = fit.GetPlane();
+  if (this->Explains(plane, b) && this->Explains(plane, a))
+  {
+    this->Join(large, small, plane);
+    return true;
+  }
+  return false;
+}
+
+bool lms3dPatchMerger::Explains(const lms3dPlane& plane, const lms3dPatches::Patch& patch) const
+{
+  return std::all_of(patch.Spans.begin(), patch.Spans.end(),
+    [&](const lms3dPatches::Span& span)
+    {
+      const int column = this->Sphere.GetColumn(span.First);
+      const Place start = this->Sphere.GetPlace(column, 0);
+      const lms3dColumnPlane inColumn(plane, this->Sphere, column);
+      for (Place place = span.First; place <= span.Last; ++place)
+      {
+        const int row = place - start;
+        if (!lms3dIsWithin(this->Sphere.GetRange(place),
+              inColumn.GetInverseRange(
+                this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]),
+              this->Tolerance))
+        {
+          return false;
+        }
+      }
+      return true;
+    });
+}
+
+void lms3dPatchMerger::Join(int large, int small, const lms3dPlane& plane)
+{
+  lms3dPatches::Patch& a = this->Patches.Patches[large];
+  lms3dPatches::Patch& b = this->Patches.Patches[small];
+  a.Plane = plane;
+  a.Fit.Add(b.Fit);
+  a.Spans.insert(a.Spans.end(), b.Spans.begin(), b.Spans.end());
+  b.Spans.clear();
+  this->Parents[small] = large;
+}
+
+void lms3dPatchMerger::WriteLabels()
+{
+  for (std::int32_t& label : this->Patches.Labels)
+  {
+    label = label < 0 ? label : this->FindRoot(label);
+  }
+}

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/lms3dMemoryPool.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <mutex>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// What stands before the bytes of a block.
+struct alignas(64) lms3dMemoryPool::Header
+{
+  std::shared_ptr<Shelf> Home;
+  std::size_t Bytes;
+};
+
+/// The blocks that wait to be taken again.
+struct lms3dMemoryPool::Shelf
+{
+  std::mutex Lock;
+  std::vector<Header*> Waiting;
+  bool IsOpen = true;
+
+  static void Free(Header* block)
+  {
+    block->~Header();
+    std::free(block);
+  }
+
+  // The smallest block that is large enough, unless it wastes as much as it serves.
+  Header* Find(std::size_t bytes)
+  {
+    const std::lock_guard<std::mutex> guard(this->Lock);
+    auto best = this->Waiting.end();
+    for (auto it = this->Waiting.begin(); it != this->Waiting.end(); ++it)
+    {
+      const bool fits = (*it)->Bytes >= bytes && (*it)->Bytes <= 2 * bytes;
+      best = fits && (best == this->Waiting.end() || (*it)->Bytes < (*best)->Bytes) ? it : best;
+    }
+    if (best == this->Waiting.end())
+    {
+      return nullptr;
+    }
+    Header* block = *best;
+    this->Waiting.erase(best);
+    return block;
+  }
+
+  std::vector<Header*> TakeAll()
+  {
+    const std::lock_guard<std::mutex> guard(this->Lock);
+    std::vector<Header*> all;
+    all.swap(this->Waiting);
+    return all;
+  }
+
+  bool Keep(Header* block)
+  {
+    const std::lock_guard<std::mutex> guard(this->Lock);
+    if (this->IsOpen)
+    {
+      this->Waiting.push_back(block);
+    }
+    return this->IsOpen;
+  }
+};
+
+lms3dMemoryPool::lms3dMemoryPool()
+  : Blocks(std::make_shared<Shelf>())
+{
+}
+
+lms3dMemoryPool::~lms3dMemoryPool()
+{
+  {
+    const std::lock_guard<std::mutex> guard(this->Blocks->Lock);
+    this->Blocks->IsOpen = false;
+  }
+  this->FreeUnused();
+}
+
+void* lms3dMemoryPool::Take(std::size_t bytes)
+{
+  Header* block = this->Blocks->Find(bytes);
+  if (!block)
+  {
+    const std::size_t whole = (sizeof(Header) + bytes + 63) / 64 * 64;
+    void* memory = std::aligned_alloc(64, whole);
+    if (!memory)
+    {
+      throw std::runtime_error("There is no memory for " + std::to_string(bytes >> 20) +
+        " MiB of a scan; choose lower resolutions.");
+    }
+    block = new (memory) Header{ this->Blocks, whole - sizeof(Header) };
+  }
+  return block + 1;
+}
+
+void lms3dMemoryPool::Return(void* block)
+{
+  Header* header = static_cast<Header*>(block) - 1;
+  // The shelf must outlive the call, though the block may be the last to know it.
+  const std::shared_ptr<Shelf> home = header->Home;
+  if (!home->Keep(header))
+  {
+    Shelf::Free(header);
+  }
+}
+
+void lms3dMemoryPool::FreeUnused()
+{
+  for (Header* block : this->Blocks->TakeAll())
+  {
+    Shelf::Free(block);
+  }
+}

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scan/lms3dScanOutput.h"
+
+#include "Device/lms3dScanFieldData.h"
+#include "Pipeline/lms3dPooledArray.h"
+#include "Scan/lms3dProcesses.h"
+#include "Scan/lms3dReturns.h"
+
+#include <vtkImageData.h>
+#include <vtkPolyData.h>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+std::size_t CountBeams(const lms3dScanGeometry& geometry)
+{
+  return static_cast<std::size_t>(geometry.GetNumberOfBeams()) * geometry.GetNumberOfTurns();
+}
+} // namespace
+
+void lms3dScanOutput::Discard()
+{
+  this->Ranges = nullptr;
+  this->Cells = {};
+  this->Pool.FreeUnused();
+}
+
+void lms3dScanOutput::MakeRoom(std::size_t beams)
+{
+  this->Ranges = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Range", static_cast<vtkIdType>(beams));
+  if (this->Triangles.capacity() > 2 * beams)
+  {
+    this->Triangles = {};
+  }
+  this->Triangles.resize(beams);
+}
+
+bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
+  const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
+{
+  this->MakeRoom(CountBeams(geometry));
+  const lms3dBeamDirections directions(geometry, pose);
+  return lms3dScan(caster, geometry, directions, pose, limits, progress,
+    this->Ranges->GetPointer(0), this->Triangles.data());
+}
+
+bool lms3dScanOutput::CastPart(const lms3dRayCaster* caster, const lms3dScanGeometry& geometry,
+  const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
+{
+  const std::size_t beams = CountBeams(geometry);
+  this->MakeRoom(beams);
+  this->ChosenRanges.assign(beams, lms3dBeamPacket::NoRange);
+  this->ChosenTriangles.assign(beams, lms3dBeamPacket::NoTriangle);
+  this->Cells.resize(beams);
+  if (!caster)
+  {
+    std::fill_n(this->Ranges->GetPointer(0), beams, NAN);
+    return true;
+  }
+  const lms3dBeamDirections directions(geometry, pose);
+  const lms3dChoices choices = { this->ChosenRanges.data(), this->ChosenTriangles.data() };
+  return lms3dScan(*caster, geometry, directions, pose, limits, progress,
+    this->Ranges->GetPointer(0), this->Triangles.data(), &choices);
+}
+
+void lms3dScanOutput::TakeNearest(
+  const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell)
+{
+  const std::size_t beams = this->Triangles.size();
+  for (std::size_t i = 0; i < beams; ++i)
+  {
+    const std::int32_t triangle = this->ChosenTriangles[i];
+    this->Cells[i] = triangle == lms3dBeamPacket::NoTriangle
+      ? lms3dProcesses::NoCell
+      : firstCell + caster->GetMesh().GetCell(triangle);
+  }
+  double* ranges = this->Ranges->GetPointer(0);
+  processes.TakeNearest(this->ChosenRanges, this->Cells, ranges);
+  for (std::size_t i = 0; i < beams; ++i)
+  {
+    this->Triangles[i] = std::isnan(ranges[i]) ? lms3dBeamPacket::NoTriangle : 0;
+  }
+  this->ChosenRanges = {};
+  this->ChosenTriangles = {};
+}
+
+/// For each turn the slot of its first return, and their number at the end.
+std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& geometry) const
+{
+  const int beams = geometry.GetNumberOfBeams();
+  std::vector<std::size_t> first(static_cast<std::size_t>(geometry.GetNumberOfTurns()) + 1, 0);
+  tbb::parallel_for(0, geometry.GetNumberOfTurns(),
+    [&](int turn)
+    {
+      const std::int32_t* triangle =
+        this->Triangles.data() + static_cast<std::ptrdiff_t>(turn) * beams;
+      // A count of the width of its elements is what compilers vectorize.
+      std::int32_t hits = 0;
+      for (int beam = 0; beam < beams; ++beam)
+      {
+        hits += triangle[beam] != lms3dBeamPacket::NoTriangle ? 1 : 0;
+      }
+      first[turn + 1] = static_cast<std::size_t>(hits);
+    });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  return first;
+}
+
+void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry,
+  const lms3dPose& pose, vtkPolyData* scan)
+{
+  const std::vector<std::size_t> first = this->CountReturns(geometry);
+  const vtkIdType count = static_cast<vtkIdType>(first.back());
+  const lms3dReturns returns(this->Pool, count);
+  const lms3dBeamDirections directions(geometry, pose);
+  tbb::parallel_for(0, geometry.GetNumberOfTurns(),
+    [&](int turn)
+    {
+      if (first[turn] < first[turn + 1])
+      {
+        const std::size_t beam = static_cast<std::size_t>(turn) * geometry.GetNumberOfBeams();
+        const lms3dTurn source = { geometry, directions, pose.Position, turn,
+          this->Ranges->GetPointer(static_cast<vtkIdType>(beam)), this->Triangles.data() + beam,
+          mesh, mesh ? nullptr : this->Cells.data() + beam };
+        source.Fill(first[turn], returns);
+      }
+    });
+  returns.VertexOffset[count] = static_cast<vtkTypeInt32>(count);
+  returns.MoveTo(scan);
+  lms3dAddFieldData(geometry, pose, scan);
+  this->Pool.FreeUnused();
+}
+
+void lms3dScanOutput::FillRangeImage(const lms3dScanGeometry& geometry, vtkImageData* image)
+{
+  lms3dFillRangeImage(geometry, this->Ranges, image);
+  this->Ranges = nullptr;
+}
+
+void lms3dScanOutput::FillRangeImagePiece(
+  const lms3dScanGeometry& geometry, const lms3dImagePiece& piece, vtkImageData* image) const
+{
+  lms3dFillRangeImagePiece(geometry, this->Ranges->GetPointer(0), piece, image);
+}

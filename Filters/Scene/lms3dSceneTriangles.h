@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Turns the surfaces of a VTK data object into the triangles that are cast against.
+ */
+#ifndef lms3dSceneTriangles_h
+#define lms3dSceneTriangles_h
+
+#include "Geometry/lms3dTriangleMesh.h"
+
+#include <cstdint>
+#include <string>
+
+class vtkDataObject;
+
+struct lms3dSceneTriangles
+{
+  lms3dTriangleMesh Mesh;
+
+  /// All of the scene, also those without a surface.
+  std::int64_t NumberOfCells = 0;
+
+  /// Whether Mesh.Cells are the scene's global cell ids, in increasing order, so that triangles that
+  /// come in another order, or in parts, are still numbered in the same order.
+  bool HasGlobalIds = false;
+
+  /// Whether some of it is the outer surface of volume cells.
+  bool HasVolume = false;
+
+  /// Cells that were left out because one of their points is not finite, or beyond 1e18 m.
+  std::int64_t SkippedCells = 0;
+
+  /// Polygons that were left out because they cross themselves.
+  std::int64_t CrossedCells = 0;
+};
+
+/**
+ * Takes all polygons and triangle strips of a vtkPolyData, the outer surface of any other data set,
+ * or those of all leaves of a composite. The cells of a composite are numbered through, leaf after
+ * leaf, unless all of them have global ids. Vertices, lines and polygons without area have no
+ * surface and are passed over.
+ *
+ * Throws std::runtime_error, with words for the user, where a cell uses a point that is not there,
+ * or where there are too many triangles.
+ */
+lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene);
+
+/// Words for the user on the cells of "The scene", or whatever it is, that were left out; empty
+/// where all were taken.
+std::string lms3dTellLeftOut(const lms3dSceneTriangles& triangles, const std::string& what);
+
+#endif

@@ -1,7 +1,0 @@
-// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
-// SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dPacketKernels.inl"
-
-#include "lms3dPacketKernelSets.h"
-
-const lms3dPacketKernels lms3dPacketKernelsBaseline = { "Baseline", LMS3D_PACKET_KERNELS };

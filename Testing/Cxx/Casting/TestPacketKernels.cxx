@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The packet kernels of all instruction sets that this processor has.
+ */
+#include "Fixtures/CasterFixtures.h"
+
+#include "Casting/lms3dTriangle.h"
+#include "Kernels/lms3dPacketKernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace
+{
+/// All that the kernels compute of some triangle and packet.
+struct KernelResults
+{
+  lms3dBeamPacket Aimed;
+  lms3dBeamPacket Taken;
+  lms3dBeamPacket Kept;
+  lms3dBeamPacket Finished;
+  lms3dSeenPlane Plane;
+  double Ranges[lms3dBeamPacket::Size];
+  double RoughRanges[lms3dBeamPacket::Size];
+  double Points[lms3dBeamPacket::Size][3];
+  float Starts[lms3dBeamPacket::Size];
+  float Reach[lms3dBeamPacket::Size];
+  unsigned int Geometry[lms3dBeamPacket::Size];
+  lms3dVerdicts Verdicts;
+  std::uint32_t Changed;
+  std::uint32_t Unsure;
+  std::uint32_t Within;
+  std::uint32_t Near;
+  std::uint32_t Hits;
+  std::uint32_t Measured;
+};
+
+/// What the kernels are given, of all kinds: with zeros, tiny and equal numbers among them.
+struct KernelInput
+{
+  explicit KernelInput(Random& random)
+  {
+    for (Vector& corner : this->Corners)
+    {
+      corner = { GetNastyNumber(random), GetNastyNumber(random), GetNastyNumber(random) };
+    }
+    this->Origin = { GetNastyNumber(random), GetNastyNumber(random), GetNastyNumber(random) };
+    if (random.GetBits() % 4 == 0)
+    {
+      this->Corners[2] = this->Corners[random.GetBits() % 2]; // Without area.
+    }
+    if (random.GetBits() % 8 == 0)
+    {
+      this->Origin = this->Corners[0];
+    }
+    for (int i = 0; i < lms3dBeamPacket::Size; ++i)
+    {
+      const Vector axis = random.GetBits() % 2 ? random.GetDirection() : Vector{ 1.0, -1e-17, 0.0 };
+      this->Elevations.Cosine[i] = GetNastyNumber(random) / 1e7;
+      this->Elevations.Sine[i] = random.Get(-1.0, 1.0);
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Axes.Horizontal[k][i] = axis[k];
+        this->Axes.Up[k] = k == 2 ? 1.0 : 0.0;
+      }
+    }
+  }
+
+  static double GetNastyNumber(Random& random)
+  {
+    const double sizes[] = { 0.0, 1e-9, 1.0, 1.0, 1e7 };
+    const double size = sizes[random.GetBits() % 5];
+    return random.GetBits() % 2 ? size * random.Get(-1.0, 1.0)
+                                : std::copysign(size, random.Get(-1, 1));
+  }
+
+  Vector Corners[3];
+  Vector Origin;
+  lms3dElevations Elevations;
+  lms3dFanAxes Axes;
+};
+
+void ComputeBeams(
+  const lms3dPacketKernels& kernels, const KernelInput& input, KernelResults& results)
+{
+  const lms3dBeamPacket& packet = results.Taken;
+  const lms3dStart start = { input.Origin[0], 2.0, input.Corners[0][0], 3.0, 10.0 };
+  results.Near = kernels.SetStarts(start, packet.Direction[0], results.Starts);
+  const Vector& axis = input.Corners[1];
+  results.Within = kernels.FindWithin({ { axis[0], axis[1], axis[2] }, 0.5 }, packet);
+  std::fill_n(results.Reach, lms3dBeamPacket::Size, 7.0f);
+  kernels.Shorten(packet, results.Changed, 0.25, 3.0, 9, { 0, 8, results.Reach, results.Geometry });
+  kernels.Shorten(
+    packet, results.Changed, 0.25, 3.0, 9, { 8, 5, results.Reach + 8, results.Geometry + 8 });
+  const lms3dReturnsOfTurn returns = { input.Elevations.Cosine, input.Elevations.Sine, packet.Range,
+    lms3dBeamPacket::Size - 1, input.Corners[0].data(), input.Corners[1].data(),
+    input.Origin.data() };
+  kernels.Locate(returns, results.Points[0]);
+}
+
+void ComputeRanges(const lms3dPacketKernels& kernels, const lms3dCorners& corners,
+  const KernelInput& input, KernelResults& results)
+{
+  results.Plane = kernels.See(corners.data(), input.Origin.data());
+  kernels.Measure(results.Plane, results.Taken, results.Ranges);
+  const lms3dSeenPlane& plane = results.Plane;
+  kernels.MeasureRoughly({ { plane.Normal[0].High, plane.Normal[1].High, plane.Normal[2].High },
+                           plane.Offset.High, 0.0, true },
+    results.Taken, results.RoughRanges);
+  results.Kept = results.Taken;
+  results.Measured = kernels.KeepRanges(results.Ranges, 3, 10.0, results.Kept);
+  results.Hits = kernels.FindHits(results.Kept);
+  results.Finished = results.Kept;
+  kernels.Finish(0.5, results.Finished);
+}
+
+/// The bytes of the results.
+std::string Compute(const lms3dPacketKernels& kernels, const KernelInput& input)
+{
+  const lms3dCorners corners = { input.Corners[0].data(), input.Corners[1].data(),
+    input.Corners[2].data() };
+  KernelResults results;
+  std::memset(static_cast<void*>(&results), 0, sizeof(results));
+  lms3dBeamPacket& packet = results.Aimed;
+  kernels.Aim(input.Elevations, input.Axes, packet);
+  std::fill_n(packet.Range, lms3dBeamPacket::Size, 1.0);
+  std::fill_n(packet.Triangle, lms3dBeamPacket::Size, 5);
+  packet.Active = 0x7fffu;
+  const lms3dSeenTriangle seen = lms3dSee(corners, input.Origin.data());
+  results.Verdicts = kernels.Classify(seen, packet);
+  results.Taken = packet;
+  results.Changed = kernels.TakeHits(seen, 3, 0xffffu, 1e6, results.Taken, results.Unsure);
+  ComputeBeams(kernels, input, results);
+  ComputeRanges(kernels, corners, input, results);
+  return { reinterpret_cast<const char*>(&results), sizeof(results) };
+}
+} // namespace
+
+TEST(PacketKernels, GiveTheSameBitsWithAllInstructions)
+{
+  Random random(11);
+  for (int i = 0; i < 20000; ++i)
+  {
+    const KernelInput input(random);
+    const std::string expected = Compute(lms3dGetPacketKernels(0), input);
+    for (int k = 1; k < lms3dGetNumberOfPacketKernels(); ++k)
+    {
+      ASSERT_TRUE(Compute(lms3dGetPacketKernels(k), input) == expected)
+        << lms3dGetPacketKernels(k).Name << ", input " << i;
+    }
+  }
+}
+
+TEST(PacketKernels, SumTheSameNormalsWithAllInstructions)
+{
+  std::vector<std::string> sums;
+  for (int k = 0; k < lms3dGetNumberOfPacketKernels(); ++k)
+  {
+    Random random(12);
+    lms3dNormalTile tile = {};
+    sums.emplace_back();
+    for (int turn = 0; turn < 100; ++turn)
+    {
+      for (int i = 0; i < lms3dNormalTile::Points; ++i)
+      {
+        tile.Triangles[i] = random.GetBits() % 16;
+        for (auto& coordinates : tile.Next)
+        {
+          coordinates[i] = random.Get(-5.0, 5.0);
+        }
+      }
+      lms3dGetPacketKernels(k).AddStrip(tile);
+      sums.back().append(reinterpret_cast<const char*>(tile.Sum), sizeof(tile.Sum));
+      sums.back().append(reinterpret_cast<const char*>(tile.Scale), sizeof(tile.Scale));
+    }
+    ASSERT_TRUE(sums[k] == sums[0]) << lms3dGetPacketKernels(k).Name;
+  }
+}

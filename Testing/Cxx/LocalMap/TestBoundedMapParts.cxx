@@ -1,0 +1,338 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/lms3dTriangleDistance.h"
+#include "LocalMap/Borders/lms3dBorderLine.h"
+#include "LocalMap/Bounded/lms3dBeamsOfTriangle.h"
+#include "LocalMap/Patches/lms3dPlane.h"
+#include "Triangulation/lms3dOrientation.h"
+#include "Triangulation/lms3dTriangulation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <set>
+
+namespace
+{
+using Loop = std::vector<std::int32_t>;
+
+double GetArea(const lms3dPoint2& a, const lms3dPoint2& b, const lms3dPoint2& c)
+{
+  return 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+}
+
+double GetInnerArea(const lms3dTriangulation& mesh, const std::vector<lms3dPoint2>& points)
+{
+  double area = 0.0;
+  for (int i = 0; i < mesh.GetNumberOfTriangles(); ++i)
+  {
+    const std::array<std::int32_t, 3>& corners = mesh.GetCorners(i);
+    if (mesh.IsInside(i))
+    {
+      const double part = GetArea(points[corners[0]], points[corners[1]], points[corners[2]]);
+      EXPECT_GT(part, 0.0);
+      area += part;
+    }
+  }
+  return area;
+}
+
+/// A square of the side `count` with a hole of the side 0.5 in each of its unit cells.
+struct Sieve
+{
+  explicit Sieve(int count)
+  {
+    const double side = count;
+    this->AddLoop({ { 0, 0 }, { side, 0 }, { side, side }, { 0, side } });
+    for (int i = 0; i < count; ++i)
+    {
+      for (int j = 0; j < count; ++j)
+      {
+        const double x = i + 0.25;
+        const double y = j + 0.25;
+        this->AddLoop({ { x, y }, { x, y + 0.5 }, { x + 0.5, y + 0.5 }, { x + 0.5, y } });
+      }
+    }
+  }
+
+  void AddLoop(const std::vector<lms3dPoint2>& corners)
+  {
+    for (const lms3dPoint2& corner : corners)
+    {
+      this->Loops.push_back(static_cast<std::int32_t>(this->Points.size()));
+      this->Points.push_back(corner);
+    }
+    this->Ends.push_back(static_cast<std::int32_t>(this->Loops.size()));
+  }
+
+  std::vector<lms3dPoint2> Points;
+  Loop Loops;
+  Loop Ends;
+};
+
+lms3dScanGeometry MakeGeometry(int beams, int turns)
+{
+  const double alpha[2] = { -90.0, 90.0 };
+  const double beta[2] = { 0.0, 360.0 };
+  return { alpha, beams, beta, turns };
+}
+
+/// A sphere of beams that all return at one range.
+struct Ball
+{
+  Ball(int beams, int turns, double range)
+    : Geometry(MakeGeometry(beams, turns))
+  {
+    const std::vector<double> ranges(static_cast<std::size_t>(beams) * turns, range);
+    std::vector<int> ids(ranges.size());
+    std::iota(ids.begin(), ids.end(), 0);
+    this->Grid.Place(this->Geometry, ranges.data(), ids.data(), beams * turns);
+    this->Joins.Find(this->Grid, 0.1);
+  }
+
+  const lms3dScanGeometry Geometry;
+  lms3dRangeGrid Grid;
+  lms3dRangeJoins Joins;
+};
+} // namespace
+
+TEST(Orientation, IsExactForPointsThatAreNearlyOnALine)
+{
+  const double tiny = std::ldexp(1.0, -53);
+  // Without rounding, c lies off the diagonal by half of the last digit of 1.
+  const lms3dPoint2 a = { 0.0, 0.0 };
+  const lms3dPoint2 b = { 3.0, 3.0 };
+  EXPECT_EQ(lms3dGetOrientation(a, b, { 0.5, 0.5 }), 0);
+  EXPECT_EQ(lms3dGetOrientation(a, b, { 0.5, 0.5 + tiny }), 1);
+  EXPECT_EQ(lms3dGetOrientation(a, b, { 0.5 + tiny, 0.5 }), -1);
+  EXPECT_EQ(lms3dGetOrientation(b, a, { 0.5, 0.5 + tiny }), -1);
+}
+
+TEST(Triangulation, FillsARegionWithManyHoles)
+{
+  const int count = 40;
+  const Sieve sieve(count);
+  const lms3dTriangulation mesh(sieve.Points, sieve.Loops, sieve.Ends);
+  ASSERT_TRUE(mesh.IsValid());
+  EXPECT_NEAR(GetInnerArea(mesh, sieve.Points), 0.75 * count * count, 1e-9);
+}
+
+TEST(Triangulation, KeepsEveryEdgeOfItsOutline)
+{
+  // A comb of thin teeth, whose edges no Delaunay triangulation has by itself.
+  Sieve comb(1);
+  comb.Points.clear();
+  comb.Loops.clear();
+  comb.Ends.clear();
+  std::vector<lms3dPoint2> outline = { { 0.0, -1.0 }, { 20.0, -1.0 } };
+  for (int tooth = 19; tooth >= 0; --tooth)
+  {
+    outline.push_back({ tooth + 0.9, 5.0 });
+    outline.push_back({ tooth + 0.5, 0.0 });
+  }
+  comb.AddLoop(outline);
+  const lms3dTriangulation mesh(comb.Points, comb.Loops, comb.Ends);
+  ASSERT_TRUE(mesh.IsValid());
+  std::set<std::array<std::int32_t, 2>> edges;
+  for (int i = 0; i < mesh.GetNumberOfTriangles(); ++i)
+  {
+    for (int j = 0; mesh.IsInside(i) && j < 3; ++j)
+    {
+      edges.insert({ mesh.GetCorners(i)[j], mesh.GetCorners(i)[(j + 1) % 3] });
+    }
+  }
+  for (std::size_t i = 0; i < outline.size(); ++i)
+  {
+    const std::int32_t next = static_cast<std::int32_t>((i + 1) % outline.size());
+    EXPECT_EQ(edges.count({ static_cast<std::int32_t>(i), next }), 1u) << i;
+  }
+}
+
+TEST(Triangulation, TakesPointsIn)
+{
+  Sieve sieve(8);
+  const double area = 0.75 * 64.0;
+  lms3dTriangulation mesh(sieve.Points, sieve.Loops, sieve.Ends);
+  ASSERT_TRUE(mesh.IsValid());
+  sieve.Points.resize(sieve.Points.size() + 3); // The frame's.
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> anywhere(0.01, 7.99);
+  int taken = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const lms3dPoint2 point = { anywhere(random), anywhere(random) };
+    const double x = point[0] - std::floor(point[0]);
+    const double y = point[1] - std::floor(point[1]);
+    const bool isInHole = x > 0.25 && x < 0.75 && y > 0.25 && y < 0.75;
+    const std::int32_t number = mesh.Insert(point, 0);
+    EXPECT_EQ(number == lms3dTriangulation::None, isInHole);
+    if (number != lms3dTriangulation::None)
+    {
+      EXPECT_EQ(number, static_cast<std::int32_t>(sieve.Points.size()));
+      sieve.Points.push_back(point);
+      ++taken;
+      EXPECT_EQ(mesh.Insert(point, 0), lms3dTriangulation::None) << "there is a point already";
+    }
+  }
+  EXPECT_GT(taken, 1000);
+  EXPECT_NEAR(GetInnerArea(mesh, sieve.Points), area, 1e-9);
+}
+
+TEST(Triangulation, RefusesOutlinesThatCross)
+{
+  const std::vector<lms3dPoint2> points = { { 0, 0 }, { 1, 1 }, { 1, 0 }, { 0, 1 } };
+  EXPECT_FALSE(lms3dTriangulation(points, { 0, 1, 2, 3 }, { 4 }).IsValid());
+  // Clockwise: all of the plane would be inside.
+  EXPECT_FALSE(lms3dTriangulation(points, { 0, 3, 1, 2 }, { 4 }).IsValid());
+  EXPECT_TRUE(lms3dTriangulation(points, { 0, 2, 1, 3 }, { 4 }).IsValid());
+}
+
+TEST(BorderLine, IsOneArcWhereOnePassesAllGates)
+{
+  std::vector<lms3dBorderLine::Gate> gates;
+  for (int i = -20; i <= 20; ++i)
+  {
+    // Gates around the arc in the plane y = z / 7, with the left to the north.
+    const double x = std::cos(0.01 * i);
+    const double y = -std::sin(0.01 * i);
+    const double z = y / 7.0;
+    gates.push_back({ { x, y, z + 0.004 }, { x, y, z - 0.003 }, 0.1, 0.9, 0.5 });
+  }
+  const lms3dVector start = { std::cos(-0.21), -std::sin(-0.21), -std::sin(-0.21) / 7.0 };
+  const lms3dVector end = { std::cos(0.21), -std::sin(0.21), -std::sin(0.21) / 7.0 };
+  EXPECT_TRUE(lms3dBorderLine(gates).Straighten(start, end).empty());
+
+  // A bump forces two bends or three, all within the gates' parts.
+  gates[20].Low = 0.0;
+  gates[20].High = 0.05;
+  const auto line = lms3dBorderLine(gates).Straighten(start, end);
+  EXPECT_GE(line.size(), 1u);
+  EXPECT_LE(line.size(), 3u);
+  for (const lms3dBorderLine::Vertex& vertex : line)
+  {
+    EXPECT_GE(vertex.At, gates[vertex.Gate].Low);
+    EXPECT_LE(vertex.At, gates[vertex.Gate].High);
+  }
+}
+
+TEST(BorderLine, ClosesAroundABeamWithThreeVerticesOrMore)
+{
+  std::vector<lms3dBorderLine::Gate> gates;
+  const lms3dVector beam = { 1.0, 0.0, 0.0 };
+  // Up, left, down and right as the sensor sees them: counter-clockwise.
+  for (const lms3dVector& other : { lms3dVector{ 1.0, 0.0, 0.1 }, lms3dVector{ 1.0, 0.1, 0.0 },
+         lms3dVector{ 1.0, 0.0, -0.1 }, lms3dVector{ 1.0, -0.1, 0.0 } })
+  {
+    gates.push_back({ beam, other, 0.1, 0.9, 0.5 });
+  }
+  EXPECT_GE(lms3dBorderLine(gates).StraightenClosed().size(), 3u);
+}
+
+TEST(PlaneFit, FindsThePlaneOfReturns)
+{
+  const Ball ball(31, 24, 2.0);
+  const lms3dBeamSphere sphere(ball.Grid, ball.Joins);
+  lms3dPlaneFit single;
+  const lms3dBeamSphere::Place place = sphere.GetPlace(5, 12);
+  single.Add(sphere, place);
+  // One return: the plane that faces the sensor.
+  const lms3dPlane plane = single.GetPlane();
+  const lms3dVector direction = sphere.GetDirection(place);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_NEAR(plane.Q[axis], direction[axis] / 2.0, 1e-5);
+  }
+  EXPECT_NEAR(plane.GetInverseRange(direction), 0.5, 1e-12);
+
+  // Three returns: their own plane.
+  lms3dPlaneFit three;
+  for (lms3dBeamSphere::Place each : { place, place + 1, sphere.GetPlace(6, 12) })
+  {
+    three.Add(sphere, each);
+  }
+  for (lms3dBeamSphere::Place each : { place, place + 1, sphere.GetPlace(6, 12) })
+  {
+    EXPECT_NEAR(three.GetPlane().GetInverseRange(sphere.GetDirection(each)), 0.5, 1e-8);
+  }
+}
+
+TEST(BeamsOfTriangle, MeetsEachBeamOnceOrOnASharedEdge)
+{
+  // An octahedron around the sensor: its edges run along beams, its corners are beams and poles.
+  const Ball ball(37, 36, 1.0);
+  const lms3dBeamSphere sphere(ball.Grid, ball.Joins);
+  std::vector<int> met(sphere.GetNumberOfPlaces(), 0);
+  for (double x : { -1.0, 1.0 })
+  {
+    for (double y : { -1.0, 1.0 })
+    {
+      for (double z : { -1.0, 1.0 })
+      {
+        lms3dVector corners[3] = { { x, 0, 0 }, { 0, y, 0 }, { 0, 0, z } };
+        if (x * y * z > 0.0)
+        {
+          std::swap(corners[0], corners[1]);
+        }
+        const lms3dBeamsOfTriangle beams(
+          sphere, lms3dCorner(corners[0]), lms3dCorner(corners[1]), lms3dCorner(corners[2]));
+        beams.ForColumns(
+          [&](int column, int first, int last)
+          {
+            for (int row = first; row <= last; ++row)
+            {
+              ++met[sphere.GetPlace(column, row)];
+            }
+          });
+      }
+    }
+  }
+  for (lms3dBeamSphere::Place place = 0; place < sphere.GetNumberOfPlaces(); ++place)
+  {
+    EXPECT_GE(met[place], 1) << "row " << sphere.GetRow(place) << " of " << sphere.GetColumn(place);
+    const lms3dVector direction = sphere.GetDirection(place);
+    const bool isInside =
+      std::all_of(direction.begin(), direction.end(), [](double x) { return std::abs(x) > 1e-9; });
+    EXPECT_TRUE(!isInside || met[place] == 1);
+  }
+}
+
+TEST(BeamSphere, SurroundsEveryReturnByGhosts)
+{
+  const double alpha[2] = { -10.0, 10.0 };
+  const double beta[2] = { 30.0, 40.0 };
+  const lms3dScanGeometry geometry(alpha, 2, beta, 2);
+  const std::vector<double> ranges(4, 3.0);
+  const std::vector<int> ids = { 0, 1, 2, 3 };
+  lms3dRangeGrid grid;
+  grid.Place(geometry, ranges.data(), ids.data(), 4);
+  lms3dRangeJoins joins;
+  joins.Find(grid, 0.1);
+  const lms3dBeamSphere sphere(grid, joins);
+  EXPECT_EQ(sphere.GetNumberOfReturns(), 4);
+  for (lms3dBeamSphere::Place place = 0; place < sphere.GetNumberOfPlaces(); ++place)
+  {
+    const int row = sphere.GetRow(place);
+    if (sphere.HasReturn(place))
+    {
+      EXPECT_GT(row, 0);
+      EXPECT_LT(row, sphere.GetNumberOfRows() - 1);
+    }
+    const lms3dVector right =
+      sphere.GetDirection(sphere.GetNeighbor(place, lms3dBeamSphere::Right));
+    EXPECT_GE(lms3dDot(sphere.GetDirection(place), right), -0.5 - 1e-9) << "120 degrees at most";
+  }
+}
+
+TEST(TriangleDistance, IsThatOfTheNearestPoint)
+{
+  const lms3dVector a = { 0, 0, 0 };
+  const lms3dVector b = { 4, 0, 0 };
+  const lms3dVector c = { 0, 3, 0 };
+  EXPECT_DOUBLE_EQ(lms3dGetDistance({ 1, 1, -2 }, a, b, c), 2.0);
+  EXPECT_DOUBLE_EQ(lms3dGetDistance({ 1, -3, 4 }, a, b, c), 5.0);
+  EXPECT_DOUBLE_EQ(lms3dGetDistance({ 7, 0, 4 }, a, b, c), 5.0);
+  EXPECT_DOUBLE_EQ(lms3dGetDistance({ 4, 3, 0 }, a, b, c), 12.0 / 5.0);
+}

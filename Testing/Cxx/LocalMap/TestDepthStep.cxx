@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which neighbours along one fan are on one surface, on profiles whose answer is known.
+ */
+#include "LocalMap/Grid/lms3dDepthStep.h"
+
+#include <vtkMath.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+constexpr double Tolerance = 0.1;
+
+/// A straight line in the plane of the fan: at that distance, met at a right angle at `angle`.
+struct Line
+{
+  double Distance;
+  double Angle;
+
+  double GetRange(double angle) const
+  {
+    const double cosine = std::cos(vtkMath::RadiansFromDegrees(angle - this->Angle));
+    return cosine > 0.0 ? this->Distance / cosine : std::numeric_limits<double>::infinity();
+  }
+};
+
+/// The ranges of equal steps from 0 degrees on, of the line that each beam meets first.
+std::vector<double> Scan(const std::vector<Line>& lines, double step, int count)
+{
+  std::vector<double> ranges;
+  for (int i = 0; i < count; ++i)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Line& line : lines)
+    {
+      nearest = std::min(nearest, line.GetRange(i * step));
+    }
+    ranges.push_back(nearest);
+  }
+  return ranges;
+}
+
+/// Of the range at a place and the next; beyond the ends nothing returned.
+lms3dDepthStep::Answer Judge(const std::vector<double>& ranges, double step, int place)
+{
+  const auto get = [&](int i)
+  { return i >= 0 && i < static_cast<int>(ranges.size()) ? ranges[i] : 0.0; };
+  const double six[6] = { get(place - 2), get(place - 1), get(place), get(place + 1),
+    get(place + 2), get(place + 3) };
+  return lms3dDepthStep(Tolerance, step).Judge(six + 2);
+}
+
+/// The first beams of those that are not joined.
+std::vector<int> FindSteps(const std::vector<double>& ranges, double step)
+{
+  std::vector<int> steps;
+  for (int i = 0; i + 1 < static_cast<int>(ranges.size()); ++i)
+  {
+    if (Judge(ranges, step, i) != lms3dDepthStep::Joined)
+    {
+      steps.push_back(i);
+    }
+  }
+  return steps;
+}
+} // namespace
+
+TEST(DepthStep, JoinsTheCreasesOfAnyRoom)
+{
+  // A rectangle around the sensor, turned so that its corners come anywhere between two beams, and
+  // each wall has three returns.
+  for (double step : { 1.0, 4.0, 10.0 })
+  {
+    for (int i = 0; i < 10; ++i)
+    {
+      const double turn = 0.1 * i * step;
+      for (double nearest : { 0.01, 0.3, 2.0 })
+      {
+        const std::vector<double> ranges = Scan(
+          { { nearest, turn }, { 3.0, 90.0 + turn }, { 8.0, 180.0 + turn }, { 1.0, 270.0 + turn } },
+          step, static_cast<int>(360.0 / step));
+        EXPECT_EQ(FindSteps(ranges, step), std::vector<int>()) << step << ' ' << turn;
+      }
+    }
+  }
+}
+
+TEST(DepthStep, DoubtsCreasesBesideTwoReturns)
+{
+  // The last two returns before the wall lie as if a surface led behind it; the one before them denies
+  // that.
+  const std::vector<double> ranges = { 1.9, 2.6, 3.5, 4.7, 4.72, 4.75 };
+  EXPECT_EQ(Judge(ranges, 1.0, 2), lms3dDepthStep::Doubtful);
+}
+
+TEST(DepthStep, SeparatesAPoleFromTheWallBehind)
+{
+  for (int width : { 1, 2, 3 })
+  {
+    for (double angle : { 10.0, 45.0, -30.0 })
+    {
+      std::vector<double> ranges = Scan({ { 4.0, angle } }, 1.0, 20);
+      for (int i = 0; i < width; ++i)
+      {
+        ranges[10 + i] -= 1.0;
+      }
+      EXPECT_EQ(FindSteps(ranges, 1.0), std::vector<int>({ 9, 9 + width }))
+        << width << ' ' << angle;
+    }
+  }
+}
+
+TEST(DepthStep, SeparatesAPoleFromMisses)
+{
+  EXPECT_EQ(FindSteps({ 4.0, 4.0, 0.0, 3.0, 0.0, 4.0 }, 1.0), std::vector<int>({ 1, 2, 3, 4 }));
+}
+
+TEST(DepthStep, SeparatesWhatBeginsInFrontOfItsNeighbor)
+{
+  // Beams meet a floor one metre below. From beam 10 on, a table top lies 40 cm above it, so what is
+  // farther than the floor's last return is in front of the floor's plane, and of that return's too.
+  std::vector<double> ranges;
+  const Line floor = { 1.0, -85.0 };
+  const Line table = { 0.6, -86.0 };
+  for (int i = -20; i < 0; ++i)
+  {
+    ranges.push_back((i < -10 ? floor : table).GetRange(i));
+  }
+  EXPECT_EQ(FindSteps(ranges, 1.0), std::vector<int>({ 9 }));
+}
+
+TEST(DepthStep, JoinsAGrazingFloor)
+{
+  const std::vector<double> ranges = Scan({ { 1.0, -88.0 } }, 0.5, 4);
+  EXPECT_GT(ranges[3] - ranges[2], 1.0);
+  EXPECT_EQ(FindSteps(ranges, 0.5), std::vector<int>());
+}
+
+TEST(DepthStep, DoesNotAskWhichWayTheAnglesGo)
+{
+  std::vector<double> ranges = Scan({ { 3.0, 0.0 }, { 2.0, 90.0 } }, 10.0, 10);
+  ranges[4] -= 1.0;
+  EXPECT_EQ(FindSteps(ranges, 10.0), std::vector<int>({ 3, 4 }));
+  EXPECT_EQ(FindSteps(ranges, -10.0), FindSteps(ranges, 10.0));
+}
+
+TEST(DepthStep, JoinsNothingAcrossHalfACircle)
+{
+  EXPECT_EQ(FindSteps({ 3.0, 3.0 }, 179.0), std::vector<int>());
+  for (double step : { 180.0, 200.0, -180.0 })
+  {
+    EXPECT_EQ(FindSteps({ 3.0, 3.0 }, step), std::vector<int>({ 0 }));
+  }
+}
