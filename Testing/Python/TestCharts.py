@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The generated pages and the README's table are those of the CSV files in Documentation/charts."""
+"""The generated pages and the README's table agree with the CSV files in Documentation/charts."""
 
 import shutil
 import tempfile

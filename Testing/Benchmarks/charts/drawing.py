@@ -62,7 +62,7 @@ def caption(words, machine, threads="1 thread"):
 
 
 def add_caption(figure, text, width):
-    """Write a caption below the axes, in lines of so many letters."""
+    """Write a caption below the axes, in lines of at most width letters."""
     figure.text(0.01, 0.008, textwrap.fill(text, width), fontsize=7, color="#555555", va="bottom")
 
 

@@ -47,7 +47,7 @@ def name_scene(scene):
 
 
 def to_number(cell, digits=2):
-    """Return a number rounded to so many digits, integers whole; a cell of words as it is."""
+    """Return a number rounded to some digits, integers whole; return words as they are."""
     try:
         value = float(cell)
     except ValueError:
@@ -76,7 +76,7 @@ def to_percent(share):
 
 
 def to_markdown(columns, rows, words=1):
-    """Return a Markdown table; so many columns of words come first, the others hold numbers."""
+    """Return a Markdown table; the first columns hold words, the others numbers."""
     rule = ["---"] * words + ["--:"] * (len(columns) - words)
     return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |"
                      for row in (columns, rule, *rows))

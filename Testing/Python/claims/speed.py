@@ -19,7 +19,7 @@ def get_speed_ups(scenes, part="scenes"):
 
 
 def compare_runs(methods):
-    """Return how many times as long the README's scans took as those of all scenes."""
+    """Return how many times as long the README's scans took in one run as in the other."""
     return [scan(scene, method, threads=threads, part="scan")
             / scan(scene, method, threads=threads)
             for scene in README_SCENES for method in methods for threads in "12"]
