@@ -30,11 +30,11 @@ std::vector<Contender> MakeContenders(const BenchmarkScene& scene, const RawEmbr
     { return ScanSubject::GetFirstMilliseconds(scene, method, threads); };
   };
   return {
-    { "boxes, low quality", [&](int n) { return raw.GetMilliseconds(RawEmbreeBuild::LOW, n); } },
-    { "boxes, medium quality",
+    { "boxes at low quality", [&](int n) { return raw.GetMilliseconds(RawEmbreeBuild::LOW, n); } },
+    { "boxes at medium quality",
       [&](int n) { return raw.GetMilliseconds(RawEmbreeBuild::MEDIUM, n); } },
-    { "first update, Fast", first(vtkLMS3DScanFilter::FAST) },
-    { "first update, Exact", first(vtkLMS3DScanFilter::EXACT) },
+    { "first update with Fast", first(vtkLMS3DScanFilter::FAST) },
+    { "first update with Exact", first(vtkLMS3DScanFilter::EXACT) },
   };
 }
 

@@ -74,10 +74,6 @@ void PrintHelp()
   {
     std::printf("  %-9s  %s\n", benchmark.Name, benchmark.Summary);
   }
-  std::printf(
-    "  %-9s  %s\n", "peers", "other ray casters for Python beside LMS3D; by ./run bench alone");
-  std::printf("  %-9s  %s\n", "map-peers",
-    "maps of other libraries for Python beside those of LMS3D; by ./run bench alone");
   std::printf("  %-9s  %s\n", "corba",
     "what fetch() costs beside a bare socket, and the scanner; by ./run bench corba alone");
   std::printf("\nScenes: %s", Join(GetSceneNames()).c_str());

@@ -154,8 +154,8 @@ void TimeScene(const std::string& name, const BenchmarkOptions& options, Table& 
 
 void RunReadBenchmark(const BenchmarkOptions& options)
 {
-  Table table({ "scene", "triangles", "file, MB", "what is read", "ms", "x numbers",
-    "MB beside the output" });
+  Table table(
+    { "scene", "triangles", "file MB", "what is read", "ms", "x numbers", "MB beside the output" });
   for (const std::string& name : options.Scenes)
   {
     TimeScene(name, options, table);

@@ -28,7 +28,7 @@ struct StabilitySituation
   StabilityCase MakeCase(std::size_t shots) const;
 };
 
-/// In the order of the chart. Documentation/accuracy.md tells what each is.
+/// In the order of the chart. Documentation/charts/C-stability.md explains each.
 const std::vector<StabilitySituation>& GetStabilitySituations();
 
 #endif

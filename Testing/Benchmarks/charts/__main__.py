@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures and draws the charts of Documentation/accuracy.md, and renews the numbers of texts.
+"""Measures the charts of Documentation/accuracy.md and the tables of Documentation/performance.md.
 
-Call it as "./run chart". A chart is a module of this folder; it makes a table, .csv, and of that,
-and of the words on the machine that measured, .txt, a picture, .png and .svg.
+Call it as "./run chart". A chart is a module of this folder. It measures a .csv file; a .txt file
+names the machine. A picture, .png, and a page of short tables, .md, are made from these two.
 """
 
 import argparse
@@ -17,13 +17,16 @@ import casting
 import drawing
 import growth
 import mapping
-import numbers_of_text
 import sampling
+import speed
 import stability
+import summaries
+import tables
+from places import CHART_FOLDER, ROOT
 
 # Each has LETTER, NAME, SUMMARY, measure(quick, csv_file), which writes the table, and
-# draw(table, machine), which makes the picture of what the table holds.
-CHARTS = {chart.LETTER: chart for chart in (casting, mapping, stability, growth, sampling)}
+# draw(table, machine), which makes the picture of the table, or None.
+CHARTS = {chart.LETTER: chart for chart in (casting, mapping, stability, growth, sampling, speed)}
 
 
 class ChartProblem(Exception):
@@ -31,18 +34,18 @@ class ChartProblem(Exception):
 
 
 def make(chart, options, folder):
-    """Measure, then draw what was measured; the files are there when all of them are done."""
+    """Measure, then draw what was measured; the files appear when all of them are done."""
     start = time.monotonic()
     print(f"{chart.LETTER}: {chart.SUMMARY}", flush=True)
     name = f"{chart.LETTER}-{chart.NAME}"
     with tempfile.TemporaryDirectory(dir=folder, prefix=".unfinished-") as unfinished:
-        path = pathlib.Path(unfinished) / name
+        unfinished = pathlib.Path(unfinished)
         if not options.draw:
-            _measure(chart, options.quick, path)
-        _draw(chart, folder / name if options.draw else path, path)
-        for file in sorted(pathlib.Path(unfinished).iterdir()):
+            _measure(chart, options.quick, unfinished / name)
+        _present(chart, folder if options.draw else unfinished, unfinished)
+        for file in sorted(unfinished.iterdir()):
             file.replace(folder / file.name)
-    print(f"saved {folder / name}.* after {time.monotonic() - start:.0f} s", flush=True)
+    print(f"saved {folder / name}* after {time.monotonic() - start:.0f} s", flush=True)
 
 
 def _measure(chart, quick, path):
@@ -53,39 +56,39 @@ def _measure(chart, quick, path):
     path.with_suffix(".txt").write_text(drawing.name_machine() + "\n", encoding="utf-8")
 
 
-def _draw(chart, source, path):
+def _present(chart, source, target):
+    """Draw the picture and write the tables of what lies in the source folder."""
+    name = f"{chart.LETTER}-{chart.NAME}"
     try:
-        table = drawing.read_table(source.with_suffix(".csv"))
-        machine = source.with_suffix(".txt").read_text(encoding="utf-8").strip()
+        page = summaries.make_page(source, name)
+        if chart.draw:
+            machine = (source / f"{name}.txt").read_text(encoding="utf-8").strip()
+            drawing.save(chart.draw(tables.read(source / f"{name}.csv"), machine), target / name)
     except FileNotFoundError as problem:
         raise ChartProblem(f"there is no {problem.filename}; measure first") from problem
-    drawing.save(chart.draw(table, machine), path)
+    (target / f"{name}.md").write_text(page, encoding="utf-8")
 
 
-def refresh_texts(folder):
-    """Give the texts the numbers of the tables; returns what could not be renewed."""
-    problems = []
-    for name in numbers_of_text.TEXTS:
-        path = drawing.ROOT / name
-        text, missing = numbers_of_text.refresh(path.read_text(encoding="utf-8"), folder)
-        problems += [f"{name} keeps a number: {problem}" for problem in missing]
-        unfinished = path.with_name(f".unfinished-{path.name}")
-        unfinished.write_text(text, encoding="utf-8")
-        unfinished.replace(path)
-    return problems
+def renew_readme():
+    """Write the README's table anew."""
+    path = ROOT / "README.md"
+    text = summaries.insert_table(path.read_text(encoding="utf-8"), CHART_FOLDER)
+    unfinished = path.with_name(f".unfinished-{path.name}")
+    unfinished.write_text(text, encoding="utf-8")
+    unfinished.replace(path)
 
 
 def main():
     """Read the command line, make the charts."""
     parser = argparse.ArgumentParser(
         prog="./run chart", formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Measure and draw charts of accuracy.\n\n" + "\n".join(
+        description="Measure and draw charts, and write their tables.\n\n" + "\n".join(
             f"  {letter}  {chart.SUMMARY}" for letter, chart in CHARTS.items()))
     parser.add_argument("charts", nargs="*", metavar="CHART", help="which (default: all)")
     parser.add_argument("--draw", action="store_true",
-                        help="draw anew what has been measured before")
+                        help="draw pictures and write tables of what has been measured")
     parser.add_argument("--quick", action="store_true",
-                        help="measure less, for a first look; saved in build/charts")
+                        help="measure less, for a first look; saves in build/charts")
     parser.add_argument("--output", metavar="FOLDER", type=pathlib.Path,
                         help="where to save (default: Documentation/charts)")
     options = parser.parse_args()
@@ -93,8 +96,7 @@ def main():
     if unknown:
         parser.error(f"no chart {' '.join(unknown)}; there are {' '.join(CHARTS)}")
 
-    place = "build" if options.quick else "Documentation"
-    folder = options.output or drawing.ROOT / place / "charts"
+    folder = options.output or (ROOT / "build" / "charts" if options.quick else CHART_FOLDER)
     folder.mkdir(parents=True, exist_ok=True)
     problems = []
     for name in options.charts or CHARTS:
@@ -102,8 +104,8 @@ def main():
             make(CHARTS[name.upper()], options, folder)
         except ChartProblem as problem:
             problems.append(f"chart {name.upper()}: {problem}")
-    if not options.quick and not options.output:
-        problems += refresh_texts(folder)
+    if folder == CHART_FOLDER and not problems:
+        renew_readme()
     if problems:
         sys.exit("\n".join(f"./run chart: {problem}" for problem in problems))
 

@@ -11,69 +11,67 @@ import tempfile
 import casting_panels
 import drawing
 import numpy
-from casting_panels import ERRORS, PEERS
+import peers
+import tables
+from casting_panels import ERRORS
 from matplotlib import pyplot
-
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
-import compare_peers  # noqa: E402  (of the folder above)
-import peers_casters  # noqa: E402
+from peers_casters import CASTERS
+from places import BENCHMARK
 
 LETTER = "A"
 NAME = "casting"
 SUMMARY = "time of a beam against the error of its range, for every method and other casters"
 
-SECONDS = 2.0
+SECONDS = 2.0  # for which a caster called from Python repeats its scan
 
 
 def measure(quick, csv_file):
-    """Run the C++ casters, then those for Python with the same beams and the same truth."""
+    """Run the C++ casters, then the casters for Python with the same beams and the same truth."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        command = [drawing.BENCHMARK, "casting", "--csv", folder / "table.csv", "--beams", folder]
+        command = [BENCHMARK, "casting", "--csv", folder / "table.csv", "--beams", folder]
         subprocess.run(command + ["--quick"] * quick, stdout=subprocess.DEVNULL, check=True)
-        rows = drawing.read_table(folder / "table.csv")
+        rows = tables.read(folder / "table.csv")
         scenes = {row["scene"]: row["triangles"] for row in rows}
-        peers, versions = ([], {}) if quick else _measure_peers(scenes, folder)
-    rows = [{**row, "version": versions.get(row["caster"], "-")} for row in rows + peers]
-    drawing.write_table(csv_file, sorted(rows, key=lambda row: list(scenes).index(row["scene"])))
+        rows = [{**row, "version": "-"} for row in rows]
+        rows += [] if quick else _measure_peers(scenes, folder)
+    tables.write(csv_file, sorted(rows, key=lambda row: list(scenes).index(row["scene"])))
 
 
 def _measure_peers(scenes, folder):
-    """Their rows, each from a process of its own, on one core; and their versions."""
+    """Return the rows of the casters for Python, all on one core."""
     try:
-        python = compare_peers.install()
+        python = peers.install()
     except (OSError, subprocess.CalledProcessError) as problem:
-        print(f"Open3D and trimesh are left out: {problem}")
-        return [_row(scene, triangles, peer, "cannot be installed")
-                for scene, triangles in scenes.items() for peer in PEERS.values()], {}
+        print(f"{', '.join(CASTERS)} are left out: {problem}")
+        return [_make_row(scene, triangles, caster, "cannot be installed", "-")
+                for scene, triangles in scenes.items() for caster in CASTERS]
+    versions = peers.get_versions(python)
     cores = os.sched_getaffinity(0)
     os.sched_setaffinity(0, {max(cores)})
     try:
-        rows = [_measure_peer(number, peer.name, scene, triangles, python, folder)
-                for scene, triangles in scenes.items()
-                for number, peer in enumerate(peers_casters.PEERS) if peer.name in PEERS]
+        return [_measure_peer(caster, scene, triangles, python, folder, versions)
+                for scene, triangles in scenes.items() for caster in CASTERS]
     finally:
         os.sched_setaffinity(0, cores)
-    return rows, {name: version for name in PEERS.values()
-                  for version in compare_peers.versions(python)
-                  if version.startswith(name.lower())}
 
 
-def _measure_peer(number, name, scene, triangles, python, folder):
-    print(f"{scene}, {PEERS[name]}", file=sys.stderr)
+def _measure_peer(caster, scene, triangles, python, folder, versions):
+    print(f"{scene}, {caster}", file=sys.stderr)
+    version = peers.find_version(versions, caster)
     scene_file = folder / "scene.npz"
-    numpy.savez(scene_file, reach=numpy.inf, **_load(folder, scene))
+    numpy.savez(scene_file, **_load(folder, scene))
     try:
-        result = compare_peers.scan(number, python, scene_file, folder, SECONDS)
-    except compare_peers.PeerProblem as problem:
-        return _row(scene, triangles, PEERS[name], str(problem).replace(",", ";"))
+        result = peers.run(python, "peers_casters.py", caster, scene_file, SECONDS,
+                           result_file=folder / "result.npz")
+    except peers.PeerProblem as problem:
+        return _make_row(scene, triangles, caster, str(problem), version)
     truth = numpy.fromfile(folder / f"{scene}.ranges")
-    return _row(scene, triangles, PEERS[name], "done", **_judge(result, truth))
+    return _make_row(scene, triangles, caster, "done", version, **_judge(result, truth))
 
 
 def _load(folder, scene):
-    """What the C++ casters got."""
+    """Return the scene and the beams of the C++ casters."""
     return {"points": numpy.fromfile(folder / f"{scene}.points").reshape(-1, 3),
             "triangles": numpy.fromfile(folder / f"{scene}.triangles",
                                         numpy.uint32).reshape(-1, 3).astype(numpy.int32),
@@ -81,21 +79,25 @@ def _load(folder, scene):
             "directions": numpy.fromfile(folder / f"{scene}.directions").reshape(-1, 3)}
 
 
-def _row(scene, triangles, caster, end, **values):
+def _make_row(scene, triangles, caster, end, version, **values):
     row = {"scene": scene, "caster": caster, "triangles": triangles, "threads": 1}
     for key in ("beams timed", "ns/beam", "beams compared", "hits", "misses", "false hits",
                 *ERRORS):
         row[key] = values.get(key, "-")
-    return {**row, "end": end}
+    return {**row, "end": end, "version": version}
 
 
 def _judge(result, truth):
-    asked = ~numpy.isnan(truth)
-    failures, errors = compare_peers.judge(result["ranges"][asked], truth[asked])
-    errors = numpy.sort(errors)
-    return {"beams timed": len(truth), "ns/beam": f"{1e9 * result['scan'] / len(truth):.1f}",
-            "beams compared": int(asked.sum()), "hits": int(numpy.isfinite(truth).sum()),
-            **failures,
+    """Return what a row holds; beams without a true range are not compared."""
+    is_compared = ~numpy.isnan(truth)
+    beams, truth, ranges = len(truth), truth[is_compared], result["ranges"][is_compared]
+    is_hit, is_true = numpy.isfinite(ranges), numpy.isfinite(truth)
+    both = is_hit & is_true
+    errors = numpy.sort(numpy.abs(ranges[both] - truth[both]) / truth[both])
+    return {"beams timed": beams, "ns/beam": f"{1e9 * result['seconds'] / beams:.1f}",
+            "beams compared": len(truth), "hits": int(is_true.sum()),
+            "misses": int((is_true & ~is_hit).sum()),
+            "false hits": int((is_hit & ~is_true).sum()),
             **{name: f"{errors[len(errors) - 1 - int(len(errors) * above)]:.1e}"
                for name, above in ERRORS.items() if len(errors)}}
 
@@ -104,7 +106,7 @@ def _list(rows):
     """Casters by their scenes, as in "a, b on room, teapot"."""
     scenes = {}
     for row in rows:
-        scenes.setdefault(row["caster"], []).append(drawing.name_scene(row["scene"]))
+        scenes.setdefault(row["caster"], []).append(tables.name_scene(row["scene"]))
     casters = {}
     for caster, names in scenes.items():
         casters.setdefault(", ".join(names), []).append(caster)
@@ -112,14 +114,14 @@ def _list(rows):
 
 
 def _words(table):
-    """What the caption says of this table."""
+    """Return the caption's words about this table."""
     most = max(int(row["beams timed"]) for row in table if row["end"] == "done")
     words = (f"The default scan, {most:,} beams without a limit of the range, best of many; errors "
-             "against exact arithmetic. LMS3D's methods: the filter's whole update, all its "
-             "arrays; those of Python make points, too; the others get directions and give ranges. "
-             "★ and the black line: all that is quicker has a larger worst error, or misses or "
-             "invents beams. Faint: of as few beams as the name tells, since it takes long; the "
-             "worst of few errors is smaller.")
+             "against exact arithmetic. LMS3D's methods: the filter's whole update with all its "
+             "arrays; casters for Python make points, too; the others get directions and give "
+             "ranges. ★ and the black line: everything quicker has a larger worst error, or misses "
+             "or invents beams. Faint: only as many beams as the name says, because a scan takes "
+             "long; the worst of few errors is smaller.")
     for end in dict.fromkeys(row["end"] for row in table if row["end"] != "done"):
         words += f" Left out ({end}): {_list([row for row in table if row['end'] == end])}."
     versions = dict.fromkeys(row["version"] for row in table if row["version"] != "-")
@@ -138,7 +140,7 @@ def draw(table, machine):
         bottom = 1 - (head + step * number + tall) / height
         axes = figure.add_axes((0.078, bottom, 0.47, tall / height))
         casting_panels.draw_errors(axes, rows)
-        axes.set_title(f"{drawing.name_scene(scene)}, {int(rows[0]['triangles']):,} triangles: "
+        axes.set_title(f"{tables.name_scene(scene)}, {int(rows[0]['triangles']):,} triangles: "
                        "time per beam", loc="left")
         failures = figure.add_axes((0.80, bottom, 0.165, tall / height))
         casting_panels.draw_failures(failures, rows)

@@ -6,12 +6,11 @@ import math
 
 import drawing
 from matplotlib import colors, pyplot, ticker
+from peers_casters import CASTERS
 
-# Their names in peers_casters.py, and on the chart.
-PEERS = {"Open3D RaycastingScene": "Open3D", "trimesh + embreex": "trimesh"}
 ERRORS = {"median error": 0.5, "99.9% error": 0.001, "worst error": 0.0}
 
-NO_ERROR, MOST_ERROR = 1e-17, 10.0  # where errors of 0 are drawn, and the end of the axis
+NO_ERROR, MAXIMUM_ERROR = 1e-17, 10.0  # where errors of 0 are drawn, and the end of the axis
 NO_FAILURE = 1e-6  # where shares of 0 are drawn
 DOMINATED = "#f0f0f0"
 FAINT = 0.35
@@ -20,7 +19,7 @@ GROUPS = (
     ("LMS3D", drawing.COLORS[0], ()),
     ("Embree, single precision", drawing.COLORS[1], ("Embree",)),
     ("VTK's locators", drawing.COLORS[2], ("vtk",)),
-    ("called from Python", drawing.COLORS[3], tuple(PEERS.values())),
+    ("called from Python", drawing.COLORS[3], tuple(CASTERS)),
 )
 MARKERS = {"median error": "o", "99.9% error": "|", "worst error": "D"}
 
@@ -58,8 +57,8 @@ def _frontier(rows):
 
 
 def _draw_frontier(axes, chosen):
-    """A staircase; whatever is beyond it is slower and errs more than something on it."""
-    x = [MOST_ERROR] + [_error(row) for row in chosen for _ in range(2)]
+    """A staircase; everything beyond it is slower and errs more than something on it."""
+    x = [MAXIMUM_ERROR] + [_error(row) for row in chosen for _ in range(2)]
     y = [get_time(row) for row in chosen for _ in range(2)] + [axes.get_ylim()[1]]
     axes.fill_between(x, y, axes.get_ylim()[1], color=DOMINATED, zorder=0, linewidth=0)
     axes.plot(x, y, color="black", linewidth=0.9, zorder=1)
@@ -81,7 +80,7 @@ def _draw_marks(axes, rows):
     times = [get_time(row) for row in rows]
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_xlim(NO_ERROR / 4, MOST_ERROR)
+    axes.set_xlim(NO_ERROR / 4, MAXIMUM_ERROR)
     axes.set_ylim(min(times) / 2, max(times) * 2)
     axes.grid(False)
     for row in rows:
@@ -104,7 +103,7 @@ def _draw_labels(axes, rows, chosen):
         height = (place + 0.5) / len(rows)
         here = axes.transAxes.inverted().transform(axes.transData.transform((1, get_time(row))))[1]
         color = _color(row["caster"])
-        axes.plot([_error(row), MOST_ERROR], [get_time(row)] * 2, color=color, linewidth=0.4,
+        axes.plot([_error(row), MAXIMUM_ERROR], [get_time(row)] * 2, color=color, linewidth=0.4,
                   alpha=0.6, zorder=0.5)
         axes.plot([1.0, 1.05, 1.07], [here, height, height], transform=axes.transAxes,
                   color=color, linewidth=0.6, clip_on=False)

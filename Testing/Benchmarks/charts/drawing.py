@@ -2,12 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the charts have in common: their look, their caption, their files."""
 
-import csv
 import os
-import pathlib
 import platform
 import subprocess
-import sys
 import textwrap
 
 import lms3d
@@ -16,9 +13,6 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  (after the choice of what draws)
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from places import BENCHMARK, ROOT  # noqa: E402, F401  (for the charts as well)
 
 # Those of Okabe and Ito (2008), which people who see few colours can tell apart.
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
@@ -34,24 +28,7 @@ pyplot.rcParams.update({
     "grid.linewidth": 0.6,
     "lines.linewidth": 1.6,
     "legend.frameon": False,
-    # The same bytes for the same numbers, and letters as letters.
-    "svg.hashsalt": "lms3d",
-    "svg.fonttype": "none",
 })
-
-
-def read_table(path):
-    """The rows of a CSV file as dictionaries."""
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-def write_table(path, rows):
-    """Write dictionaries, all with the keys of the first, as a CSV file."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
 
 
 def _processor():
@@ -73,11 +50,6 @@ def _embree():
     return lines[0].split("+")[0].split("-")[0] if lines else "of unknown version"
 
 
-def name_scene(scene):
-    """What texts call a scene of the benchmarks."""
-    return {"terrain1e5": "hills"}.get(scene, scene)
-
-
 def name_machine():
     """What measures and on what, to be kept beside the table that comes of it."""
     return (f"LMS3D {lms3d.__version__}, VTK {vtkVersion.GetVTKVersion()}, Embree {_embree()}, "
@@ -90,15 +62,11 @@ def caption(words, machine, threads="1 thread"):
 
 
 def add_caption(figure, text, width):
-    """Write a caption below the axes, in lines of so many letters."""
+    """Write a caption below the axes, in lines of at most width letters."""
     figure.text(0.01, 0.008, textwrap.fill(text, width), fontsize=7, color="#555555", va="bottom")
 
 
 def save(figure, path):
-    """Save a figure as PNG and SVG."""
+    """Save a figure as PNG."""
     figure.savefig(f"{path}.png", dpi=120)
-    figure.savefig(f"{path}.svg", metadata={"Date": None})
     pyplot.close(figure)
-    svg = pathlib.Path(f"{path}.svg")
-    lines = svg.read_text(encoding="utf-8").splitlines()
-    svg.write_text("\n".join(line.rstrip() for line in lines) + "\n", encoding="utf-8")

@@ -9,7 +9,9 @@ import tempfile
 import drawing
 import growth_panels
 import numpy
+import tables
 from matplotlib import pyplot
+from places import BENCHMARK
 
 LETTER = "D"
 NAME = "growth"
@@ -20,16 +22,16 @@ def measure(quick, csv_file):
     """Run the benchmark, and fit what it measured."""
     with tempfile.TemporaryDirectory() as folder:
         table = pathlib.Path(folder) / "table.csv"
-        command = [drawing.BENCHMARK, "growth", "--csv", table] + ["--quick"] * quick
+        command = [BENCHMARK, "growth", "--csv", table] + ["--quick"] * quick
         subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
-        rows = drawing.read_table(table)
+        rows = tables.read(table)
     for row in rows:
         row.update({"time exponent": "-", "memory exponent": "-"})
     for line in _lines(rows).values():
         for row in line:
             row.update({"time exponent": _fit(line, growth_panels.get_seconds),
                         "memory exponent": _fit(line, growth_panels.get_megabytes)})
-    drawing.write_table(csv_file, rows)
+    tables.write(csv_file, rows)
 
 
 def _lines(table):
@@ -54,7 +56,7 @@ def _fit(line, value):
 
 
 def _words(table):
-    """What the caption says of this table."""
+    """Return the caption's words about this table."""
     hills = next(row["triangles"] for row in table
                  if row["work"] == "build" and row["against"] == "threads")
     most = max(int(row["beams"]) for row in table

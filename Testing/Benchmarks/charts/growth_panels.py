@@ -20,7 +20,7 @@ def get_seconds(row):
 
 
 def get_megabytes(row):
-    """The most memory that was taken at any time, megabytes, of which a page is the least."""
+    """The most memory at any time, megabytes; the least is a page."""
     return max(0.004, float(row["peak MB"]))
 
 
@@ -35,11 +35,11 @@ STYLES = {
     "map within 10 mm": ("#000000", "X"),
 }
 COLUMNS = ("triangles", "beams", "threads")
-# Each a row of panels: what is drawn, and what of it by the column.
+# Each a row of panels: what is drawn, and which part of it in each column.
 TIMES = ("build", "scan", "map")
 MEMORY = {"triangles": ("build", STYLES), "threads": ("build", STYLES),
           "beams": ("", ("Exact", "plain grid", "map within 10 mm"))}
-LEAST_MEMORY = 0.1  # megabytes; what is less is not drawn
+MINIMUM_MEMORY = 0.1  # megabytes; what is less is not drawn
 
 
 def _format_seconds(x, _):
@@ -127,7 +127,7 @@ def draw_row(panels, lines, name):
         ends[axes] = _draw_lines(axes, _choose(lines, name, against), value, exponent)
         _style_panel(axes, against, name)
     if name == "memory":
-        panels[0].set_ylim(bottom=LEAST_MEMORY)
+        panels[0].set_ylim(bottom=MINIMUM_MEMORY)
     panels[0].set_ylabel("most memory taken" if name == "memory" else name)
     return ends
 

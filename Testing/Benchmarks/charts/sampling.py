@@ -3,20 +3,19 @@
 """Chart E: what the steps between the beams and the bound of the map cost in error."""
 
 import dataclasses
-import pathlib
 
 import drawing
+import tables
 from lms3d.sampling import measure as measure_sample
 from lms3d.sampling import steps_down_to
 from lms3d.scene import read_scene
 from lms3d.simulation import Simulation
 from matplotlib import lines, pyplot
+from places import DATA
 
 LETTER = "E"
 NAME = "sampling"
 SUMMARY = "error, completeness and triangles of the map against the steps between the beams"
-
-DATA = pathlib.Path(__file__).resolve().parents[3] / "Data"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -34,7 +33,7 @@ SUBJECTS = (
     Subject("room", (0.3, -0.2, 1.0), 0.01, (0.0, 0.001, 0.01, 0.05), 0.1),
     Subject("teapot", (0.10, -0.33, 0.30), 0.001, (0.0, 0.0001, 0.001, 0.005), 0.02),
 )
-LEAST_ERROR = 0.01  # millimetres; what is less is not drawn
+MINIMUM_ERROR = 0.01  # millimetres; what is less is not drawn
 SAMPLES, SAMPLES_WHEN_QUICK = 200_000, 20_000
 
 
@@ -51,7 +50,7 @@ def measure(quick, csv_file):
                 rows.append(_row(subject, measure_sample(
                     simulation, step, bound, subject.tolerance,
                     SAMPLES_WHEN_QUICK if quick else SAMPLES)))
-    drawing.write_table(csv_file, rows)
+    tables.write(csv_file, rows)
 
 
 def _row(subject, sample):
@@ -70,7 +69,7 @@ def _row(subject, sample):
     }
 
 
-# Each a row of panels: its label, what is drawn whole and what is dashed, what these are called, and
+# Each a row of panels: its label, the columns of the whole and of the dashed line, their names, and
 # the scale.
 PANELS = (
     ("error, 95 % of the area, mm", ("scene to map 95% mm", "map to scene 95% mm"),
@@ -80,9 +79,7 @@ PANELS = (
     ("triangles of the map", ("triangles",), (), "log"),
 )
 STYLES = ("-", "--")
-
-
-# Lines that lie on one another can be told apart.
+# They distinguish lines that lie on one another.
 MARKERS = "os^D"
 
 
@@ -123,7 +120,7 @@ def draw(table, machine):
         for axes, panel in zip(grid[:, column], PANELS):
             _draw_panel(axes, rows, panel)
         # A grid with returns on all planes is right to the last digits.
-        grid[0][column].set_ylim(bottom=max(LEAST_ERROR, grid[0][column].get_ylim()[0]))
+        grid[0][column].set_ylim(bottom=max(MINIMUM_ERROR, grid[0][column].get_ylim()[0]))
         # An axes keeps one legend of its own.
         grid[0][column].add_artist(grid[0][column].legend(fontsize=8, loc="upper left"))
         for axes, panel, place in zip(grid[:, column], PANELS, ("lower right", "lower left")):
@@ -134,5 +131,5 @@ def draw(table, machine):
     drawing.add_caption(figure, drawing.caption(
         "Top: how far the visible scene is from the map, and the map from the scene. Middle: what "
         "share of either is within the tolerance of the other. Ranges without noise. Errors below "
-        f"{LEAST_ERROR} mm are not drawn.", machine, "a thread on each"), 165)
+        f"{MINIMUM_ERROR} mm are not drawn.", machine, "a thread on each"), 165)
     return figure

@@ -7,6 +7,7 @@ import subprocess
 import drawing
 import numpy
 from matplotlib import colors, pyplot
+from places import BENCHMARK
 
 LETTER = "C"
 NAME = "stability"
@@ -19,14 +20,14 @@ GROUPS = (
     ("VTK's locators,\ntolerance 1e-9 m or 0", 6),
 )
 NO_FAILURE = "#d6e6f4"
-LEAST, MOST = 0.03, 100.0  # percent
+MINIMUM, MAXIMUM = 0.03, 100.0  # percent
 UNITS = {"grazing angle": "rad", "offset": "m", "scale": "m", "denormals": "m",
          "far targets": "radii", "nested shells": "radii", "slivers": ": 1"}
 
 
 def measure(quick, csv_file):
     """Run the suite."""
-    command = [drawing.BENCHMARK, "stability", "--csv", csv_file] + ["--quick"] * quick
+    command = [BENCHMARK, "stability", "--csv", csv_file] + ["--quick"] * quick
     subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
 
 
@@ -56,7 +57,7 @@ def _format(share):
 
 
 def _draw_cells(axes, shares):
-    scale = colors.LogNorm(LEAST, MOST)
+    scale = colors.LogNorm(MINIMUM, MAXIMUM)
     palette = pyplot.get_cmap("YlOrBr").copy()
     palette.set_bad(NO_FAILURE)
     image = axes.pcolormesh(numpy.ma.masked_less_equal(shares, 0), cmap=palette, norm=scale,

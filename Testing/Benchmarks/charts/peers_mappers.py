@@ -1,22 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a map of a scan's points with one peer: NAME POINTS-FILE MAP-FILE.
+"""Makes a map of a scan's points with one library: peers_mappers.py MAPPER POINTS.npz MAP.npz.
 
-Runs in a process of its own, with the Python that has the peer. The peers know the points and where
-the sensor was, towards which they turn their normals.
+A mapper gets the points and the sensor's position, towards which it turns the normals.
 """
 
 import sys
 import time
 
 import numpy
-
 from peers_casters import import_open3d
 
 NEIGHBOURS = 30
-# Each is repeated for so long, as those of "./run bench map" are.
-SECONDS = 2.0
-# Of the vertices, those that the fewest points support; Poisson closes every surface.
+SECONDS = 2.0  # for which each map is made again, as by "./run bench map"
+# Poisson's surface is closed; this share of its vertices, the least supported, is cut away.
 TRIMMED_SHARE = 0.05
 
 
@@ -27,38 +24,33 @@ def _make_cloud(open3d, points, sensor):
     return cloud
 
 
-def poisson(depth):
-    """Return a function that solves Poisson's equation in an octree and trims what is far."""
-
+def _make_poisson_mapper(depth):
+    """Return a function that solves Poisson's equation in an octree of this depth."""
     def make(open3d, points, sensor):
         mesh, densities = open3d.geometry.TriangleMesh.create_from_point_cloud_poisson(
             _make_cloud(open3d, points, sensor), depth=depth)
         densities = numpy.asarray(densities)
         mesh.remove_vertices_by_mask(densities < numpy.quantile(densities, TRIMMED_SHARE))
         return mesh
-
     return make
 
 
-PEERS = {
-    "Open3D Poisson depth 8": poisson(8),
-    "Open3D Poisson depth 9": poisson(9),
-}
+# By their names on the chart.
+MAPPERS = {f"Open3D Poisson depth {depth}": _make_poisson_mapper(depth) for depth in (8, 9)}
 
 
-def main():
-    """Make the map and save it with its best time in seconds."""
-    name, points_file, map_file = sys.argv[1:]
+def main(name, points_file, map_file):
+    """Make the map; save it and its best time in seconds."""
     scan = numpy.load(points_file)
     open3d = import_open3d()
     times = []
     while sum(times) < SECONDS:
         start = time.perf_counter()
-        mesh = PEERS[name](open3d, scan["points"], scan["sensor"])
+        mesh = MAPPERS[name](open3d, scan["points"], scan["sensor"])
         times.append(time.perf_counter() - start)
     numpy.savez(map_file, seconds=min(times), points=numpy.asarray(mesh.vertices),
                 triangles=numpy.asarray(mesh.triangles))
 
 
 if __name__ == "__main__":
-    main()
+    main(*sys.argv[1:])

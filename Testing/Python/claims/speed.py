@@ -1,0 +1,141 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables F: scans, building and reading; and what performance.md and the README say of maps."""
+
+from claims.values import (PERFORMANCE, QUADRICS, README, TABLES, Claim, bounded, first, grid,
+                           kernels, local_map, make_spread, ratios, scan)
+
+BEAMS = 361 * 360
+README_SCENES = ("room", "castle", "teapot", "terrain1e6")
+HILLS = tuple(f"terrain1e{power}" for power in range(3, 8))
+SCENES = ("room", "castle", "teapot", *HILLS)
+METHODS = ("Exact", "Fast")
+
+
+def get_speed_ups(scenes, part="scenes"):
+    """Return how many times as fast two threads are, by both methods."""
+    return [scan(scene, method, part=part) / scan(scene, method, threads="2", part=part)
+            for scene in scenes for method in METHODS]
+
+
+def compare_runs(methods):
+    """Return how many times as long the README's scans took in one run as in the other."""
+    return [scan(scene, method, threads=threads, part="scan")
+            / scan(scene, method, threads=threads)
+            for scene in README_SCENES for method in methods for threads in "12"]
+
+
+def make_scan_claims():
+    """A scan, its threads and its errors."""
+    both_runs = [scan(scene, "Exact", "x raw", part=part)
+                 for scene in ("room", "castle") for part in ("scenes", "scan")]
+    fast_errors = [scan(scene, "Fast", "worst error") for scene in SCENES]
+    fast_errors += [scan(scene, "Fast", "worst error", part="scan") for scene in README_SCENES]
+    closed = [scene for scene in SCENES if scene != "teapot"]
+    return [
+        *make_spread(PERFORMANCE, "at most about twice the time of raw packets", both_runs,
+                     1.5, 2.15),
+        *make_spread(PERFORMANCE, "less than three times on hills of up to 10,000,000 triangles",
+                     [scan(scene, "Exact", "x raw") for scene in HILLS], 1, 3),
+        *make_spread(PERFORMANCE, "`Fast` takes less than twice their time in every scene",
+                     [scan(scene, "Fast", "x raw") for scene in SCENES], 0.5, 2),
+        *make_spread(PERFORMANCE, "`Fast` errs by less than 1e-14", fast_errors, 0, 1e-14),
+        *make_spread(README, "`Fast` errs by less than 1e-14", fast_errors, 0, 1e-14),
+        *make_spread(PERFORMANCE, "Two threads are about twice as fast as one",
+                     get_speed_ups(closed), 1.9, 2.15),
+        *make_spread(PERFORMANCE, "in the teapot scene 1.6 times", get_speed_ups(["teapot"]),
+                     1.55, 1.7),
+        *make_spread(README, "two threads take about half the time",
+                     get_speed_ups(["room", "castle", "terrain1e6"], "scan"), 1.8, 2.2),
+        Claim(PERFORMANCE, "There a scan takes no longer than casting does",
+              scan("teapot", "Exact", "x raw"), 0.5, 1.0),
+        *make_spread(PERFORMANCE, "a scan took up to three tenths longer", compare_runs(METHODS),
+                     0.85, 1.3),
+        *make_spread(PERFORMANCE, "raw packets less than a tenth", compare_runs(["raw packets"]),
+                     0.9, 1.1),
+        Claim(PERFORMANCE, "99 of 100 beams miss it",
+              1 - scan("teapot", "Exact", "hits") / BEAMS, 0.985, 0.995),
+        *make_spread(PERFORMANCE, "46 of 100 beams miss them",
+                     [1 - scan(scene, "Exact", "hits") / BEAMS for scene in HILLS], 0.45, 0.48),
+    ]
+
+
+def make_method_claims():
+    """The methods for comparison, in times of raw packets."""
+    at_teapot = "at the teapot about 1,500, 60 and 12,000 times"
+    return [Claim(PERFORMANCE, phrase, scan(scene, method, "x raw", part="methods"),
+                  0.94 * times, 1.06 * times) for method, scene, times, phrase in (
+        ("MollerTrumbore", "room", 145, "takes about 145 times as long as raw packets"),
+        ("StaticCellLocator", "room", 460, "`StaticCellLocator` about 460 times"),
+        ("AngleSum", "room", 1200, "`AngleSum` almost 1,200 times"),
+        ("MollerTrumbore", "teapot", 1500, at_teapot),
+        ("StaticCellLocator", "teapot", 60, at_teapot),
+        ("AngleSum", "teapot", 12000, at_teapot),
+    )]
+
+
+def make_claims():
+    """Everything that is not about maps."""
+    reading = [float(row["x numbers"]) for row in TABLES["F-speed-read"]
+               if row["what is read"] == "vtkVRMLImporterSource"]
+    updates = [first(f"first update with {method}", "x boxes low", threads)
+               for method in METHODS for threads in "12"]
+    medium = [first(f"first update with {method}", "x boxes medium", threads)
+              for method in METHODS for threads in "12"]
+    held = {method: [scan(scene, method, "B/triangle") for scene in HILLS[1:]]
+            for method in METHODS}
+    scenes = ("room", "teapot", "terrain1e5")
+    return make_scan_claims() + make_method_claims() + [
+        *make_spread(PERFORMANCE, "takes less than a fifth longer than the least", updates, 1, 1.2),
+        *make_spread(PERFORMANCE, "and less than Embree's build at medium quality", medium, 0.3, 1),
+        *make_spread(PERFORMANCE, "takes less than twice that for one IndexedFaceSet", reading,
+                     1.3, 2),
+        *make_spread(PERFORMANCE, "A triangle takes about 50 bytes with `Exact`", held["Exact"],
+                     45, 55),
+        *make_spread(PERFORMANCE, "about 90 with `Fast`", held["Fast"], 85, 95),
+        Claim(PERFORMANCE, "A beam takes 72 bytes", scan("room", "Exact", "B/beam"), 72, 72),
+        Claim(PERFORMANCE, "13 if one in a hundred does", scan("teapot", "Exact", "B/beam"),
+              13, 13),
+        Claim(PERFORMANCE, "`Exact` holds about 0.55 GB", held["Exact"][-1] / 100, 0.545, 0.555),
+        Claim(PERFORMANCE, "`Fast` about 0.92 GB", held["Fast"][-1] / 100, 0.915, 0.925),
+        Claim(PERFORMANCE, "up to 0.84 and 1.18 GB", scan("terrain1e7", "Exact", "peak MB") / 1000,
+              0.83, 0.845),
+        Claim(PERFORMANCE, "up to 0.84 and 1.18 GB", scan("terrain1e7", "Fast", "peak MB") / 1000,
+              1.175, 1.185),
+        *make_spread(PERFORMANCE, "AVX2 takes about three fifths of the time of SSE2",
+                     ratios(lambda scene: kernels("AVX2", scene),
+                            lambda scene: kernels("Baseline", scene), scenes), 0.55, 0.65),
+        *make_spread(PERFORMANCE, "AVX-512 about a tenth less than AVX2",
+                     ratios(lambda scene: kernels("AVX512", scene),
+                            lambda scene: kernels("AVX2", scene), scenes), 0.85, 0.95),
+    ]
+
+
+def make_map_claims():
+    """Maps, as performance.md and the README describe them."""
+    scene, hills = {"column": "to scene mean mm"}, {"scene": "terrain1e5"}
+    claims = [Claim(PERFORMANCE, *claim) for claim in (
+        ("about as near to the scene as the plain grid",
+         bounded("10", **scene) / grid(**scene), 0.9, 1.1),
+        ("is a third farther", local_map(QUADRICS, "10", **scene) / bounded("10", **scene),
+         1.25, 1.4),
+        ("returns are two thirds of a metre away",
+         local_map(QUADRICS, "10", column="farthest return mm") / 1000, 0.64, 0.69),
+        ("within 20 mm is nearer to the scene than the grid",
+         bounded("20", "5", **scene) / grid("5", **scene), 0, 1),
+        ("the mean of both distances is half of the grid's",
+         bounded("10", **hills) / grid(**hills), 0.45, 0.55),
+        ("its returns are up to 56 mm away",
+         local_map(QUADRICS, "10", scene="teapot", column="farthest return mm"), 55.5, 56.5),
+        ("takes about six times as long as it",
+         bounded("5", "5", column="ms") / grid("5", column="ms"), 5, 7),
+    )]
+    return claims + [Claim(README, *claim) for claim in (
+        ("less than a hundredth of the plain grid's triangles",
+         bounded("10", column="triangles") / grid(column="triangles"), 0.005, 0.01),
+        ("about as near to the scene", bounded("10", **scene) / grid(**scene), 0.9, 1.1),
+        ("more than 500 times as long",
+         local_map(QUADRICS, "10", column="ms") / bounded("10", column="ms"), 500, 700),
+        ("a third farther from the scene",
+         local_map(QUADRICS, "10", **scene) / bounded("10", **scene), 1.25, 1.4),
+    )]
