@@ -12,6 +12,9 @@ vtk_module_scan(
   WANT_BY_DEFAULT ON
   HIDE_MODULES_FROM_CACHE ON)
 
+# What the modules and the CORBA adapter share.
+add_subdirectory(Filters/Geometry)
+
 # The library version has two parts because vtk_module_build takes a plain "0" for "none".
 vtk_module_build(
   MODULES ${lms3d_modules}

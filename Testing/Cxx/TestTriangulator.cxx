@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dTriangulator.h"
+#include "Geometry/lms3dTriangulator.h"
 
 #include <gtest/gtest.h>
 
@@ -39,6 +39,17 @@ Corners MakeComb(int teeth)
   }
   corners.push_back({ 2.0 * teeth, -2, 0 });
   corners.push_back({ 0, -2, 0 });
+  return corners;
+}
+
+Corners MakeRegularPolygon(int sides, double radius)
+{
+  Corners corners;
+  for (int i = 0; i < sides; ++i)
+  {
+    const double angle = 2.0 * Pi * i / sides;
+    corners.push_back({ radius * std::cos(angle), radius * std::sin(angle), 1.0 });
+  }
   return corners;
 }
 
@@ -141,4 +152,87 @@ TEST(Triangulator, CutsPolygonsOfManyThousandCorners)
   const Corners star = MakeStar(20000);
   EXPECT_TRUE(triangulator.Cut(star));
   EXPECT_NEAR(GetArea(star, triangulator.GetTriangles()), 20000 * 2.0 * std::sin(Pi / 20000), 1e-9);
+}
+
+TEST(Triangulator, SharesTheFirstOrTheLastCornerOfAQuadrilateral)
+{
+  // Not in one plane: each diagonal gives another surface.
+  const Corners quadrilateral = { { 0, 0, 0 }, { 1, 0, 0.5 }, { 1, 1, 0 }, { 0, 1, 0.5 } };
+  using Triangles = std::vector<lms3dTriangulator::Triangle>;
+  lms3dTriangulator first;
+  EXPECT_TRUE(first.Cut(quadrilateral));
+  EXPECT_EQ(first.GetTriangles(), (Triangles{ { 0, 1, 2 }, { 0, 2, 3 } }));
+  lms3dTriangulator last(lms3dTriangulator::LAST_CORNER);
+  EXPECT_TRUE(last.Cut(quadrilateral));
+  EXPECT_EQ(last.GetTriangles(), (Triangles{ { 3, 0, 1 }, { 3, 1, 2 } }));
+}
+
+TEST(Triangulator, KeepsAStraightCornerOfAConvexPolygonAsAVertex)
+{
+  const Corners square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  for (std::size_t side = 0; side < 4; ++side)
+  {
+    Corners corners = square;
+    const lms3dVector middle = lms3dScale(lms3dAdd(square[side], square[(side + 1) % 4]), 0.5);
+    corners.insert(corners.begin() + static_cast<std::ptrdiff_t>(side + 1), middle);
+    for (auto shared : { lms3dTriangulator::FIRST_CORNER, lms3dTriangulator::LAST_CORNER })
+    {
+      lms3dTriangulator triangulator(shared);
+      EXPECT_TRUE(triangulator.Cut(corners));
+      EXPECT_EQ(triangulator.GetTriangles().size(), 3u);
+      EXPECT_DOUBLE_EQ(GetArea(corners, triangulator.GetTriangles()), 1.0);
+    }
+  }
+}
+
+TEST(Triangulator, CutsConvexPolygonsOfAnySize)
+{
+  for (int sides : { 16000, 1000000 })
+  {
+    lms3dTriangulator triangulator;
+    const Corners corners = MakeRegularPolygon(sides, 2.0);
+    EXPECT_TRUE(triangulator.Cut(corners));
+    EXPECT_EQ(triangulator.GetTriangles().size(), static_cast<std::size_t>(sides) - 2);
+    EXPECT_NEAR(GetArea(corners, triangulator.GetTriangles()),
+      2.0 * sides * std::sin(2.0 * Pi / sides), 1e-9);
+  }
+}
+
+TEST(Triangulator, CutsTinyPolygons)
+{
+  lms3dTriangulator triangulator;
+  for (double size : { 1e-3, 1e-60, 1e-120 })
+  {
+    const Corners square = { { 0, 0, 0 }, { size, 0, 0 }, { size, size, 0 }, { 0, size, 0 } };
+    EXPECT_TRUE(triangulator.Cut(square));
+    EXPECT_EQ(triangulator.GetTriangles().size(), 2u) << size;
+  }
+}
+
+TEST(Triangulator, StopsWithinAPolygon)
+{
+  lms3dTriangulator triangulator;
+  const Corners star = MakeStar(100000);
+  int calls = 0;
+  EXPECT_FALSE(triangulator.Cut(star, [&calls] { return ++calls < 3; }));
+  EXPECT_EQ(calls, 3);
+  EXPECT_TRUE(triangulator.GetTriangles().empty());
+  EXPECT_TRUE(triangulator.Cut(star, [] { return true; }));
+  EXPECT_EQ(triangulator.GetTriangles().size(), star.size() - 2);
+}
+
+// The small loop of an eight turns the other way: at last all of its corners are reflex.
+TEST(Triangulator, BoundsTheWorkOnAPolygonThatCrossesItself)
+{
+  constexpr int sides = 20000;
+  Corners eight = MakeRegularPolygon(sides, 2.0);
+  for (const lms3dVector& corner : MakeRegularPolygon(sides, 1.0))
+  {
+    eight.push_back({ 3.0 - corner[0], corner[1], 1.0 });
+  }
+  lms3dTriangulator triangulator;
+  std::size_t calls = 0;
+  EXPECT_FALSE(triangulator.Cut(eight, [&calls] { return ++calls > 0; }));
+  EXPECT_LE(calls, 2 * (2000 * eight.size() + 1000000) / 100000);
+  EXPECT_FALSE(triangulator.GetTriangles().empty());
 }

@@ -6,7 +6,7 @@
  */
 #include "FuzzVRMLReader.h"
 
-#include "lms3dVRMLReader.h"
+#include "Shapes/lms3dVRMLReader.h"
 
 #include <cmath>
 #include <cstdlib>
