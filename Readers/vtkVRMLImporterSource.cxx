@@ -200,7 +200,7 @@ int vtkVRMLImporterSource::RequestData(
   {
     return 1;
   }
-  // Of several processes only the first one reads. If its pipeline stopped here, the others would
+  // With several processes, only the first one reads. If its pipeline stopped here, the others would
   // wait forever in the next filter that communicates.
   const auto pieces = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES();
   return output->Has(pieces) && output->Get(pieces) > 1 ? 1 : 0;

@@ -46,8 +46,8 @@
  * - FileFormatError: the file has no surface that can be read.
  * - UserError: the reader runs out of memory or fails in another way. No exception leaves the reader.
  *
- * The error codes are those of vtkErrorCode. After an abort the output is empty, without an error or
- * a message.
+ * vtkErrorCode defines these codes. After an abort the output is empty, without an error or a
+ * message.
  *
  * @warning
  * The engine VTKImporter exists for comparison only. It uses vtkVRMLImporter:

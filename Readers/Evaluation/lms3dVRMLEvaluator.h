@@ -99,9 +99,10 @@ public:
   ///@}
 
   ///@{
-  /// Return a list, empty if the file does not give it, never null. GetReals adds a message if the
-  /// length is not a multiple of `tuple`. GetIntegers replaces each number that is not an integer by
-  /// the minimum of std::int32_t.
+  /// Return a list, never null. If the file does not give the field, return the fallback, which for
+  /// integers is an empty list. If the value is not of this kind, add a message and return an empty
+  /// list. GetReals adds a message if the length is not a multiple of `tuple`. GetIntegers replaces
+  /// each number that is not an integer by the minimum of std::int32_t.
   std::shared_ptr<const lms3dVRMLReals> GetReals(const lms3dVRMLNodeInContext& node,
     std::string_view name, std::size_t tuple = 1, const lms3dVRMLReals& fallback = {});
   std::shared_ptr<const lms3dVRMLIntegers> GetIntegers(

@@ -32,8 +32,8 @@ public:
   const lms3dVRMLOptions& Options;
   lms3dMessages Messages;
 
-  /// Reports the fraction of a file that is done, 0 to 1. The reported progress never decreases, so
-  /// of several files mostly the first one counts. Returns false after the user's abort.
+  /// Reports the fraction of a file that is done, 0 to 1. The reported progress never decreases: while
+  /// an Inline is parsed, it mostly stands still. Returns false after the user's abort.
   bool Report(double fraction);
 
   ///@{

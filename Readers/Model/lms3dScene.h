@@ -46,7 +46,7 @@ struct lms3dShape
 
 struct lms3dMessage
 {
-  /// The values are those of vtkVRMLImporterSource::MessageSeverities. (ERROR alone is a macro on
+  /// The values equal vtkVRMLImporterSource::MessageSeverities. (ERROR alone is a macro on
   /// Windows.)
   enum Severities
   {

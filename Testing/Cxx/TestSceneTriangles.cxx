@@ -11,6 +11,7 @@
 #include <vtkCommand.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
+#include <vtkPoints.h>
 
 #include <gtest/gtest.h>
 
@@ -68,9 +69,22 @@ TEST(SceneTrianglesOfPolygons, AreExactForConvexPolygonsOfAnySize)
     const lms3dSceneTriangles scene = lms3dCollectTriangles(MakePolygon(MakeStar(sides, 2.0, 2.0)));
     EXPECT_EQ(scene.CrossedCells, 0);
     EXPECT_EQ(scene.Mesh.Triangles.size(), static_cast<std::size_t>(sides) - 2);
-    // Points of vtkPoints are in single precision.
-    EXPECT_NEAR(GetArea(scene.Mesh), 2.0 * sides * std::sin(2.0 * Pi / sides), 1e-5);
+    EXPECT_NEAR(GetArea(scene.Mesh), 2.0 * sides * std::sin(2.0 * Pi / sides), 1e-9);
   }
+}
+
+// Rounding makes half of the corners reflex.
+TEST(SceneTrianglesOfPolygons, CoverARoundPolygonInSinglePrecision)
+{
+  constexpr int sides = 1000000;
+  vtkSmartPointer<vtkPolyData> polygon = MakePolygon(MakeStar(sides, 2.0, 2.0));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  points->DeepCopy(polygon->GetPoints());
+  polygon->SetPoints(points);
+  const lms3dSceneTriangles scene = lms3dCollectTriangles(polygon);
+  EXPECT_EQ(scene.CrossedCells, 0);
+  EXPECT_NEAR(GetArea(scene.Mesh), 2.0 * sides * std::sin(2.0 * Pi / sides), 1e-5);
 }
 
 TEST(SceneTrianglesOfPolygons, StopWithinOnePolygon)

@@ -723,14 +723,14 @@ class TestLosses(CommandLineTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
     def test_info(self):
-        path = self.write("Group { children [ USE Floor Shape { geometry Box { } } ] } USE Nobody\n")
+        path = self.write("Group { children [ USE Floor Shape { geometry Box { } } ] } USE Missing\n")
         result = run("info", path)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(result.stdout.splitlines(), [
             "scene    scene.wrl: 16 triangles, axes as in the file, z is up",
             "x        -9 to 9 m", "y        -9 to 9 m", "z        -1 to 1 m",
             "shapes   3", "  Floor: 2 with 4 triangles", "  (no name): 1 with 12 triangles",
-            "messages 1", f"  error: {path}:3: USE Nobody: no earlier node has this name"])
+            "messages 1", f"  error: {path}:3: USE Missing: no earlier node has this name"])
 
     def test_scene_root(self):
         scenes = self.folder / "scenes"

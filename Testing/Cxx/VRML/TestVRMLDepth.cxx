@@ -16,7 +16,7 @@ namespace
 {
 using VRMLDepth = VRMLScene;
 
-// Sanitizers make frames several times as large.
+// Sanitizers make stack frames several times as large.
 #ifdef LMS3D_FEWER_BEAMS
 constexpr std::size_t StackSize = std::size_t(16) << 20;
 #else

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/lms3dFile.h"
+#include "Files/lms3dVRMLHeader.h"
 #include "Files/lms3dVRMLUrl.h"
 #include "Model/lms3dMessages.h"
 #include "Model/lms3dUTF8.h"

@@ -182,5 +182,5 @@ TEST(VRMLLexer, ReadsRunsOfNumbers)
   EXPECT_EQ(lexer.Get().Text, "nan");
   lexer.Stop();
   EXPECT_EQ(lexer.Get().Kind, Token::END);
-  EXPECT_EQ(lexer.GetShareDone(), 1.0);
+  EXPECT_EQ(lexer.GetFractionDone(), 1.0);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Scenes that are written by a test and read by the VRML97 reader.
+ * @brief Writes scenes, reads them with the VRML97 reader and measures the result.
  */
 #ifndef VRMLFixtures_h
 #define VRMLFixtures_h
@@ -16,29 +16,29 @@
 #include <string>
 #include <vector>
 
-/// A square of one metre with its corner at the origin, in the plane of x and y.
+/// A Shape: a square of 1 m in the xy plane, with a corner at the origin.
 extern const char* const SquareShape;
 
-/// Corners of all triangles of a scene, in world coordinates.
+/// The corners of all triangles of a scene, in world coordinates.
 std::vector<std::array<lms3dPoint, 3>> GetTriangles(const lms3dScene& scene);
 
 double GetArea(const lms3dScene& scene);
-/// What the triangles enclose, positive where they face outwards.
+/// The enclosed volume of a closed surface, positive if its triangles face outwards.
 double GetVolume(const lms3dScene& scene);
 /// xmin, ymin, zmin, xmax, ymax, zmax.
 std::array<double, 6> GetBounds(const lms3dScene& scene);
 
-/// "error 3: words" for each message.
+/// Returns each message as "error 3: text", with its line.
 std::vector<std::string> GetMessages(const lms3dScene& scene);
 
-/// A folder of the test's own.
+/// Each test has its own folder.
 class VRMLScene : public testing::Test
 {
 protected:
   void SetUp() override;
   void TearDown() override;
 
-  /// Writes a file after the header, which is its first line.
+  /// Writes a file: the header, which is its first line, and the text. Returns its path.
   std::string Write(const std::string& text, const std::string& name = "scene.wrl") const;
   lms3dScene Read(const std::string& text) const;
 
