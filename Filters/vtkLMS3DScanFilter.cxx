@@ -48,6 +48,9 @@ namespace
 // What of the whole work building takes, in the eyes of the progress bar.
 constexpr double BuildShare = 0.3;
 
+// The part of it that collects the triangles of the scene.
+constexpr double CollectShare = 0.1;
+
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 } // namespace
 
@@ -289,6 +292,7 @@ void vtkLMS3DScanFilter::Scan(
   const lms3dProcesses processes(this->Internal->Controller);
   lms3dPose pose;
   double time = NAN;
+  bool isBuilt = false;
   processes.Do(
     [&]
     {
@@ -298,8 +302,13 @@ void vtkLMS3DScanFilter::Scan(
         pose = this->Internal->GetPose(poses, this, request, time);
       }
       this->Internal->GetGeometry(this);
-      this->Build(vtkDataObject::GetData(inputVector[0]));
+      isBuilt = this->Build(vtkDataObject::GetData(inputVector[0]));
     });
+  if (processes.AskAny(!isBuilt))
+  {
+    lms3dForgetOutputs(outputVector);
+    return;
+  }
   processes.Share(pose, time);
   this->UpdateProgress(BuildShare);
 
@@ -328,20 +337,25 @@ void vtkLMS3DScanFilter::Scan(
   }
 }
 
-void vtkLMS3DScanFilter::Build(vtkDataObject* scene)
+// Returns false if the user stopped the work.
+bool vtkLMS3DScanFilter::Build(vtkDataObject* scene)
 {
   lms3dBuiltScene& built = this->Internal->Scene;
-  if (!built.IsFor(scene, this->IntersectionMethod))
+  if (built.IsFor(scene, this->IntersectionMethod))
   {
-    this->Internal->Threads.Run(
-      this->NumberOfThreads, [&] { built.Build(scene, this->IntersectionMethod); });
-    // Where nothing is left at all, an error says so.
-    const bool others = lms3dProcesses(this->Internal->Controller).AreMany();
-    if ((built.GetCaster() || others) && !built.GetLeftOut().empty())
-    {
-      vtkWarningMacro(<< built.GetLeftOut());
-    }
+    return true;
   }
+  const lms3dProgress progress = lms3dReportTo(this, 0.0, CollectShare);
+  bool isBuilt = false;
+  this->Internal->Threads.Run(this->NumberOfThreads,
+    [&] { isBuilt = built.Build(scene, this->IntersectionMethod, progress); });
+  // If no triangle is left, an error reports it.
+  const bool others = lms3dProcesses(this->Internal->Controller).AreMany();
+  if (isBuilt && (built.GetCaster() || others) && !built.GetLeftOut().empty())
+  {
+    vtkWarningMacro(<< built.GetLeftOut());
+  }
+  return isBuilt;
 }
 
 bool vtkLMS3DScanFilter::CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image)

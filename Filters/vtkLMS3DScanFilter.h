@@ -66,7 +66,8 @@
  * vtkErrorCode::UserError, and empty outputs: an input without polygons, a range that is empty
  * or out of its limits, more than 2^31 - 1 beams, a trajectory without points, with several lines
  * or with bad positions, quaternions or times. Cells with a point that is not finite or beyond
- * 1e18 m, and polygons that cross themselves, are left out, with one warning that counts them.
+ * 1e18 m are left out. Polygons that cross themselves are filled with triangles that may overlap or
+ * extend beyond them. One warning counts both.
  *
  * What a scene may be, for the method EXACT (IntersectionMethods tells of the others): triangles
  * without area are never hit. Of faces at the same place either is returned, the same one each
@@ -341,7 +342,7 @@ private:
 
   void Scan(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
-  void Build(vtkDataObject* scene);
+  bool Build(vtkDataObject* scene);
   void CheckScene(bool hasTriangles) const;
   bool CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image);
   bool CastTogether(const lms3dProcesses& processes, const lms3dPose& pose, int ghostLevels,

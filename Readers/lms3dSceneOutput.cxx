@@ -60,7 +60,7 @@ void AddPoints(const lms3dScene& scene, bool turnYUp, vtkPolyData* surface)
   surface->SetPoints(points);
 }
 
-// A mirror would turn the front of a triangle to the back.
+// A mirror reverses the orientation of triangles, so their corners are swapped back.
 vtkIdType* AddTriangles(const lms3dShape& shape, vtkIdType firstPoint, vtkIdType* out)
 {
   const bool isMirror = shape.ToWorld.IsMirror();

@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Makes one vtkPolyData of the shapes that an engine has read.
+ * @brief Converts the shapes of a scene to one vtkPolyData.
  */
 #ifndef lms3dSceneOutput_h
 #define lms3dSceneOutput_h
 
-#include "lms3dScene.h"
+#include "Model/lms3dScene.h"
 
 class vtkPolyData;
 
-/// Whether any shape has a triangle.
+/// Returns whether any shape has a triangle.
 bool lms3dHasSurface(const lms3dScene& scene);
 
-/// Points in the scene's coordinates, turned from y up to z up if asked; triangles; their arrays.
+/// Writes points (double, world coordinates), triangles, and the arrays that vtkVRMLImporterSource
+/// documents to `surface`, which must be empty. If `turnYUp`, rotates the scene from y up to z up.
 void lms3dWriteScene(const lms3dScene& scene, bool turnYUp, vtkPolyData* surface);
 
 #endif

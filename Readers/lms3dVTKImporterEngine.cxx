@@ -25,8 +25,8 @@
 
 namespace
 {
-// VTK puts the source file, the line and the object before the words: "... (0x5a2b): words".
-std::string GetWords(const std::string& message)
+// Removes VTK's prefix of source file, line and object: "... (0x5a2b): text".
+std::string GetText(const std::string& message)
 {
   const std::string endOfPrefix = "): ";
   const std::size_t prefix = message.find(endOfPrefix);
@@ -35,15 +35,16 @@ std::string GetWords(const std::string& message)
   return last == std::string::npos ? "" : message.substr(first, last + 1 - first);
 }
 
-void KeepMessage(vtkObject*, unsigned long, void* clientData, void* callData)
+void StoreMessage(vtkObject*, unsigned long, void* clientData, void* callData)
 {
   auto* messages = static_cast<std::vector<lms3dMessage>*>(clientData);
-  messages->push_back({ lms3dMessage::ERROR, "", 0, GetWords(static_cast<const char*>(callData)) });
+  messages->push_back(
+    { lms3dMessage::MESSAGE_ERROR, "", 0, GetText(static_cast<const char*>(callData)) });
 }
 
-std::uint8_t ToByte(double share)
+std::uint8_t ToByte(double fraction)
 {
-  return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+  return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(fraction, 0.0, 1.0)));
 }
 
 lms3dColor GetColor(vtkProperty* property)
@@ -60,7 +61,7 @@ std::array<double, 3> TransformPoint(vtkMatrix4x4* matrix, const double point[3]
   return { out[0], out[1], out[2] };
 }
 
-// A polygon or strip of n corners makes n - 2 triangles.
+// A polygon or strip of n corners has n - 2 triangles.
 vtkIdType CountTriangles(vtkCellArray* cells)
 {
   vtkIdType count = 0;
@@ -106,7 +107,7 @@ void AppendShape(vtkActor* actor, lms3dScene& scene)
   const vtkIdType lost = expected - static_cast<vtkIdType>(mesh->Triangles.size());
   if (lost > 0)
   {
-    scene.Messages.push_back({ lms3dMessage::ERROR, "", 0,
+    scene.Messages.push_back({ lms3dMessage::MESSAGE_ERROR, "", 0,
       "shape " + std::to_string(scene.Shapes.size()) + ": " + std::to_string(lost) + " of " +
         std::to_string(expected) + " triangles could not be made" });
   }
@@ -123,10 +124,10 @@ lms3dScene lms3dReadWithVTKImporter(
 {
   lms3dScene scene;
   vtkNew<vtkCallbackCommand> keeper;
-  keeper->SetCallback(KeepMessage);
+  keeper->SetCallback(StoreMessage);
   keeper->SetClientData(&scene.Messages);
 
-  // An importer that reads twice piles up what it read.
+  // An importer appends to its result when it reads again, so each reading needs a new one.
   vtkNew<vtkVRMLImporter> importer;
   importer->AddObserver(vtkCommand::ErrorEvent, keeper);
   importer->AddObserver(vtkCommand::WarningEvent, keeper);

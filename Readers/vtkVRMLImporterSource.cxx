@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVRMLImporterSource.h"
 
-#include "lms3dFile.h"
+#include "Model/lms3dMessageList.h"
+#include "Shapes/lms3dVRMLReader.h"
+#include "lms3dFileCheck.h"
 #include "lms3dSceneOutput.h"
-#include "lms3dVRMLReader.h"
 #include "lms3dVTKImporterEngine.h"
 
 #include <vtkErrorCode.h>
@@ -15,39 +16,37 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkVersionMacros.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <fstream>
+#include <exception>
 #include <new>
 
 vtkStandardNewMacro(vtkVRMLImporterSource);
 
-namespace
-{
-constexpr std::size_t LengthOfHeader = 64;
+static_assert(vtkVRMLImporterSource::MESSAGE_WARNING == int(lms3dMessage::MESSAGE_WARNING) &&
+    vtkVRMLImporterSource::MESSAGE_ERROR == int(lms3dMessage::MESSAGE_ERROR),
+  "Severities pass through unchanged.");
 
-// So many messages are listed in one warning.
-constexpr std::size_t MostListed = 20;
-
-bool CanOpen(const std::string& fileName)
+struct vtkVRMLImporterSource::Internals
 {
-  return std::ifstream(fileName, std::ios::binary).is_open();
-}
+  explicit Internals(vtkVRMLImporterSource* self)
+    : Self(self)
+  {
+  }
 
-bool IsPacked(const std::string& fileName)
-{
-  std::ifstream file(fileName, std::ios::binary);
-  return file.get() == 0x1f && file.get() == 0x8b;
-}
+  bool IsAborted() const;
+  lms3dScene Read() const;
+  /// Throws lms3dReadFailure if the file has no surface.
+  void ReadFile(vtkInformation* output);
+  /// Executes the reader. Returns false after an error.
+  bool Execute(vtkInformation* output);
+  bool Fail(vtkInformation* output, unsigned long errorCode, const std::string& text) const;
+  void ReportMessages() const;
 
-std::string ToText(const lms3dMessage& message)
-{
-  const std::string line = message.Line > 0 ? ":" + std::to_string(message.Line) : "";
-  return (message.File.empty() ? "" : message.File + line + ": ") + message.Text;
-}
-} // namespace
+  vtkVRMLImporterSource* Self;
+  lms3dMessageList Messages;
+};
 
 vtkVRMLImporterSource::vtkVRMLImporterSource()
+  : Internal(new Internals(this))
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -60,136 +59,134 @@ vtkVRMLImporterSource::~vtkVRMLImporterSource()
 
 int vtkVRMLImporterSource::CanReadFile(const char* fileName)
 {
-  return fileName && lms3dIsRegularFile(fileName) && CanOpen(fileName) &&
-      lms3dExplainBeginning(lms3dReadBeginning(fileName, LengthOfHeader)).empty()
-    ? 1
-    : 0;
+  try
+  {
+    lms3dCheckFile(fileName, true);
+    return 1;
+  }
+  catch (const lms3dReadFailure&)
+  {
+    return 0;
+  }
+  catch (const std::exception&)
+  {
+    return 0;
+  }
+}
+
+int vtkVRMLImporterSource::GetNumberOfMessages() const
+{
+  return this->Internal->Messages.GetSize();
 }
 
 std::string vtkVRMLImporterSource::GetMessage(int i) const
 {
-  return i >= 0 && i < this->GetNumberOfMessages() ? this->Messages[i] : std::string();
+  return this->Internal->Messages.GetText(i);
 }
 
 int vtkVRMLImporterSource::GetMessageSeverity(int i) const
 {
-  return i >= 0 && i < this->GetNumberOfMessages() ? this->Severities[i] : MESSAGE_WARNING;
+  return this->Internal->Messages.GetSeverity(i);
 }
 
-bool vtkVRMLImporterSource::Fail(unsigned long errorCode, const std::string& words)
-{
-  vtkErrorMacro(<< words);
-  this->SetErrorCode(errorCode);
-  return false;
-}
-
-bool vtkVRMLImporterSource::CheckFile()
-{
-  if (!this->FileName || !*this->FileName)
-  {
-    return this->Fail(vtkErrorCode::NoFileNameError, "There is no FileName to read; set one.");
-  }
-  const std::string fileName = this->FileName;
-  if (!lms3dIsRegularFile(fileName))
-  {
-    return this->Fail(vtkErrorCode::FileNotFoundError,
-      fileName + " is not there or is no regular file; check FileName.");
-  }
-  if (!CanOpen(fileName))
-  {
-    return this->Fail(vtkErrorCode::CannotOpenFileError,
-      fileName + " cannot be opened; check that it may be read.");
-  }
-  const std::string problem = lms3dExplainBeginning(lms3dReadBeginning(fileName, LengthOfHeader));
-  if (!problem.empty())
-  {
-    return this->Fail(vtkErrorCode::UnrecognizedFileTypeError, fileName + " " + problem + ".");
-  }
-  if (this->Engine == VTK_IMPORTER && IsPacked(fileName))
-  {
-    return this->Fail(vtkErrorCode::UnrecognizedFileTypeError,
-      fileName + " is packed by gzip, which vtkVRMLImporter cannot read; set the engine VRML97.");
-  }
-  return true;
-}
-
-bool vtkVRMLImporterSource::IsAborted()
+bool vtkVRMLImporterSource::Internals::IsAborted() const
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
-  return this->CheckAbort();
+  return this->Self->CheckAbort();
 #else
-  return this->GetAbortExecute() != 0;
+  return this->Self->GetAbortExecute() != 0;
 #endif
 }
 
-lms3dScene vtkVRMLImporterSource::Read()
+lms3dScene vtkVRMLImporterSource::Internals::Read() const
 {
   const auto progress = [this](double done)
   {
-    this->UpdateProgress(done);
+    this->Self->UpdateProgress(done);
     return !this->IsAborted();
   };
-  if (this->Engine == VTK_IMPORTER)
+  if (this->Self->Engine == VTK_IMPORTER)
   {
-    return lms3dReadWithVTKImporter(this->FileName, progress);
+    return lms3dReadWithVTKImporter(this->Self->FileName, progress);
   }
   lms3dVRMLOptions options;
-  options.SceneRoot = this->SceneRoot ? this->SceneRoot : "";
-  options.ChordError = this->ChordError;
-  options.MaximumInlineDepth = this->MaximumInlineDepth;
-  options.MaximumNumberOfNodes = this->MaximumNumberOfNodes;
-  options.MaximumNumberOfTriangles = this->MaximumNumberOfTriangles;
-  options.MaximumFileSize = this->MaximumFileSize;
-  return lms3dReadVRML(this->FileName, options, progress);
+  options.SceneRoot = this->Self->SceneRoot ? this->Self->SceneRoot : "";
+  options.ChordError = this->Self->ChordError;
+  options.MaximumInlineDepth = this->Self->MaximumInlineDepth;
+  options.MaximumNumberOfNodes = this->Self->MaximumNumberOfNodes;
+  options.MaximumNumberOfTriangles = this->Self->MaximumNumberOfTriangles;
+  options.MaximumFileSize = this->Self->MaximumFileSize;
+  return lms3dReadVRML(this->Self->FileName, options, progress);
 }
 
-void vtkVRMLImporterSource::KeepMessages(const std::vector<lms3dMessage>& messages)
+void vtkVRMLImporterSource::Internals::ReadFile(vtkInformation* output)
 {
-  for (const lms3dMessage& message : messages)
+  auto* surface = vtkPolyData::SafeDownCast(output->Get(vtkDataObject::DATA_OBJECT()));
+  const lms3dScene scene = this->Read();
+  if (this->IsAborted())
   {
-    this->Messages.push_back(ToText(message));
-    this->Severities.push_back(message.Severity);
-  }
-}
-
-// The first error says more than a warning before it.
-std::string vtkVRMLImporterSource::GetGravestMessage() const
-{
-  const auto gravest = std::max_element(this->Severities.begin(), this->Severities.end());
-  return this->GetMessage(static_cast<int>(gravest - this->Severities.begin()));
-}
-
-// Whole, for windows such as ParaView's, whose users cannot call GetMessage.
-std::string vtkVRMLImporterSource::ListMessages() const
-{
-  const std::size_t listed = std::min(this->Messages.size(), MostListed);
-  std::string list = "\nAll " + std::to_string(this->Messages.size()) + " messages:";
-  for (std::size_t i = 0; i < listed; ++i)
-  {
-    list.append("\n").append(this->Messages[i]);
-  }
-  if (listed < this->Messages.size())
-  {
-    list.append("\nand so on, see GetMessage");
-  }
-  return list;
-}
-
-void vtkVRMLImporterSource::SumUpMessages()
-{
-  if (this->Messages.empty())
-  {
+    // Otherwise VTK would regard the output of an aborted execution as up to date.
+    output->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    surface->ReleaseData();
     return;
   }
-  const std::string words =
-    this->GetGravestMessage() + (this->Messages.size() > 1 ? this->ListMessages() : "");
-  if (*std::max_element(this->Severities.begin(), this->Severities.end()) == MESSAGE_ERROR)
+  this->Messages = lms3dMessageList(scene.Messages);
+  if (!lms3dHasSurface(scene))
   {
-    vtkErrorMacro(<< this->FileName << " was not read whole: " << words);
+    throw lms3dReadFailure{ vtkErrorCode::FileFormatError,
+      std::string(this->Self->FileName) + " has no surface that can be read. " +
+        this->Messages.GetMostSevere() };
   }
-  else
+  lms3dWriteScene(scene, this->Self->UpAxis == UP_AXIS_Y, surface);
+  this->ReportMessages();
+}
+
+void vtkVRMLImporterSource::Internals::ReportMessages() const
+{
+  if (this->Messages.HasErrors())
   {
-    vtkWarningMacro(<< this->FileName << " has faults: " << words);
+    vtkErrorWithObjectMacro(this->Self,
+      << this->Self->FileName << " was not read completely: " << this->Messages.Summarize());
+  }
+  else if (this->Messages.GetSize() > 0)
+  {
+    vtkWarningWithObjectMacro(
+      this->Self, << this->Self->FileName << " has faults: " << this->Messages.Summarize());
+  }
+}
+
+bool vtkVRMLImporterSource::Internals::Fail(
+  vtkInformation* output, unsigned long errorCode, const std::string& text) const
+{
+  output->Get(vtkDataObject::DATA_OBJECT())->Initialize();
+  vtkErrorWithObjectMacro(this->Self, << text);
+  this->Self->SetErrorCode(errorCode);
+  return false;
+}
+
+bool vtkVRMLImporterSource::Internals::Execute(vtkInformation* output)
+{
+  try
+  {
+    lms3dCheckFile(this->Self->FileName, this->Self->Engine != VTK_IMPORTER);
+    this->ReadFile(output);
+    return true;
+  }
+  catch (const lms3dReadFailure& failure)
+  {
+    return this->Fail(output, failure.ErrorCode, failure.Text);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return this->Fail(output, vtkErrorCode::UserError,
+      std::string(this->Self->FileName) +
+        " needs more memory than there is; lower MaximumNumberOfNodes or "
+        "MaximumNumberOfTriangles.");
+  }
+  catch (const std::exception& exception)
+  {
+    return this->Fail(output, vtkErrorCode::UserError,
+      std::string(this->Self->FileName) + " cannot be read: " + exception.what());
   }
 }
 
@@ -197,51 +194,16 @@ int vtkVRMLImporterSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  this->Messages.clear();
-  this->Severities.clear();
+  this->Internal->Messages = lms3dMessageList();
   vtkInformation* output = outputVector->GetInformationObject(0);
-  if (this->CheckFile() && this->ReadFile(output))
+  if (this->Internal->Execute(output))
   {
     return 1;
   }
-  // Of several processes the first alone reads. If the pipeline stopped here in that one, the others
-  // would wait for it in the next filter whose processes talk to one another.
+  // With several processes, only the first one reads. If its pipeline stopped here, the others would
+  // wait forever in the next filter that communicates.
   const auto pieces = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES();
   return output->Has(pieces) && output->Get(pieces) > 1 ? 1 : 0;
-}
-
-bool vtkVRMLImporterSource::ReadFile(vtkInformation* output)
-{
-  auto* surface = vtkPolyData::SafeDownCast(output->Get(vtkDataObject::DATA_OBJECT()));
-  try
-  {
-    const lms3dScene scene = this->Read();
-    if (this->IsAborted())
-    {
-      // VTK takes for good what a filter leaves, also where it was stopped.
-      output->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-      surface->ReleaseData();
-      return true;
-    }
-    this->KeepMessages(scene.Messages);
-    if (!lms3dHasSurface(scene))
-    {
-      return this->Fail(vtkErrorCode::FileFormatError,
-        std::string(this->FileName) + " has no surface that can be read. " +
-          this->GetGravestMessage());
-    }
-    lms3dWriteScene(scene, this->UpAxis == Y, surface);
-  }
-  catch (const std::bad_alloc&)
-  {
-    surface->Initialize();
-    return this->Fail(vtkErrorCode::UserError,
-      std::string(this->FileName) +
-        " needs more memory than there is; lower MaximumNumberOfNodes or "
-        "MaximumNumberOfTriangles.");
-  }
-  this->SumUpMessages();
-  return true;
 }
 
 void vtkVRMLImporterSource::PrintSelf(ostream& os, vtkIndent indent)
@@ -250,7 +212,7 @@ void vtkVRMLImporterSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
   os << indent << "SceneRoot: " << (this->SceneRoot ? this->SceneRoot : "(none)") << '\n';
   os << indent << "Engine: " << (this->Engine == VRML97 ? "VRML97" : "VTKImporter") << '\n';
-  os << indent << "UpAxis: " << (this->UpAxis == Y ? "Y" : "AsInFile") << '\n';
+  os << indent << "UpAxis: " << (this->UpAxis == UP_AXIS_Y ? "Y" : "AsInFile") << '\n';
   os << indent << "ChordError: " << this->ChordError << '\n';
   os << indent << "MaximumInlineDepth: " << this->MaximumInlineDepth << '\n';
   os << indent << "MaximumNumberOfNodes: " << this->MaximumNumberOfNodes << '\n';

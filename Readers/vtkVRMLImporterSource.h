@@ -4,44 +4,62 @@
  * @class   vtkVRMLImporterSource
  * @brief   reads the surfaces of a VRML 2.0 (VRML97) file as one vtkPolyData
  *
- * All shapes of the file become triangles in world coordinates, metres (VRML's unit), ready for
- * vtkLMS3DScanFilter. The cell data are `ShapeId` (int32, the shape's place in the scene, from 0)
- * and `Color` (uint8, red, green, blue, opacity: the diffuse colour, or those of a Color node, and
- * the transparency). The field data `ShapeNames` (strings) has the name of each shape: what DEF
- * calls it, or else the nearest node around it that has a name, outside of prototypes first.
+ * The output has the triangles of all shapes in world coordinates, in metres (VRML's unit), ready for
+ * vtkLMS3DScanFilter. Triangles are counter-clockwise seen from the front.
  *
- * @par What is read
- * With the engine VRML97 all of ISO/IEC 14772-1:1997 that makes surfaces: Box, Cone, Cylinder,
- * ElevationGrid, Extrusion, IndexedFaceSet (faces of any number of corners, concave or with holes
- * that a bridge joins to the rim, whatever `convex` says) and Sphere; Transform, Group, Anchor,
- * Billboard (not turned), Collision (without its proxy), Switch, LOD (the first level), Inline, DEF
- * and USE, PROTO and EXTERNPROTO; files packed by gzip; any line ending. Triangles turn
- * counter-clockwise seen from their front. The scene is read as it stands at first: no ROUTE,
- * interpolator or Script is run. Lines, points, text, lights, sounds and textures are read over.
+ * Cell data:
+ * - `ShapeId` (int32): the index of the shape in the scene, from 0.
+ * - `Color` (uint8, 4 components): red, green, blue, opacity. They come from the diffuse colour and
+ *   the transparency of the Material, or from a Color node.
  *
- * @par What is not read
- * is told, never left out in silence: each fault of the file is a message with its file and line,
- * and all the rest is kept. A message is an error where geometry is lost or misplaced, else a
- * warning. After an execution with messages one vtkErrorMacro (if any is an error) or one
- * vtkWarningMacro names the gravest and lists the first 20; the output has what could be read, and
- * the error code is NoError.
+ * Field data:
+ * - `ShapeNames` (strings): the name of each shape. The name is the one given by DEF, or else the
+ *   name of the nearest named node around the shape. Names outside prototypes come first.
+ *
+ * @par Supported nodes
+ * The engine VRML97 reads every part of ISO/IEC 14772-1:1997 that makes surfaces:
+ * - Box, Cone, Cylinder, ElevationGrid, Extrusion, IndexedFaceSet, Sphere. Faces can have any number
+ *   of corners. They can be concave, also if `convex` is TRUE, and can have holes that a bridge joins
+ *   to the outline.
+ * - Transform, Group, Anchor, Billboard (not rotated), Collision (without its proxy), Switch, LOD (the
+ *   first level).
+ * - Inline, DEF and USE, PROTO and EXTERNPROTO.
+ *
+ * Files can be packed by gzip and can have any line ending. The reader shows the initial state of the
+ * scene: it runs no ROUTE, interpolator or Script. It ignores lines, points, text, lights, sounds and
+ * textures.
+ *
+ * @par Messages
+ * The reader reports each fault of a file in a message with the file and the line, and reads the rest.
+ * A message is an error if geometry is lost or misplaced, else a warning. If there are messages, the
+ * reader calls vtkErrorMacro (if any message is an error) or vtkWarningMacro once. The text contains
+ * the most severe message and the first 20 messages. The output then has the surfaces that could be
+ * read, and the error code is NoError.
  *
  * @par Errors
- * with an empty output: no FileName (vtkErrorCode::NoFileNameError), a file that does not exist or
- * is no regular file (FileNotFoundError), cannot be opened (CannotOpenFileError), is no VRML 2.0
- * file (UnrecognizedFileTypeError; VRML 1.0, X3D, Open Inventor and binary files are named), has no
- * surface (FileFormatError), or needs more memory than there is (UserError). After an abort the
- * output is empty too, without an error or a message.
+ * After one of these errors the output is empty:
+ * - NoFileNameError: FileName is not set.
+ * - FileNotFoundError: the file does not exist or is not a regular file.
+ * - CannotOpenFileError: the file cannot be opened.
+ * - UnrecognizedFileTypeError: the file is not a VRML 2.0 file. The error names VRML 1.0, X3D, Open
+ *   Inventor and binary files.
+ * - FileFormatError: the file has no surface that can be read.
+ * - UserError: the reader runs out of memory or fails in another way. No exception leaves the reader.
+ *
+ * vtkErrorCode defines these codes. After an abort the output is empty, without an error or a
+ * message.
  *
  * @warning
- * The engine VTKImporter is there for comparison. vtkVRMLImporter reads simple files only: shapes of
- * IndexedFaceSet with explicit values under unnested translations. Default sizes of Box, Sphere,
- * Cone and Cylinder come out at half, centres and orders of scale are lost, PROTO, EXTERNPROTO,
- * Inline and ElevationGrid are not read, all children of Switch and LOD are, USE of a group brings
- * nothing, faces with holes are lost, and malformed files, and many that are not, crash the process.
- * It keeps no names and no lines, and prints syntax errors to the terminal only. It is not thread
- * safe, and two importers that live at once crash the process. ChordError, SceneRoot and the limits
- * mean nothing to it.
+ * The engine VTKImporter exists for comparison only. It uses vtkVRMLImporter:
+ * - It reads IndexedFaceSets with explicit values under Transforms that are not nested and only
+ *   translate.
+ * - Box, Sphere, Cone and Cylinder of default size have half their size. Centres and the order of
+ *   scales are lost. Faces with holes are lost. USE of a group has no effect.
+ * - It ignores PROTO, EXTERNPROTO, Inline and ElevationGrid, and shows all children of Switch and LOD.
+ * - Malformed files, and many correct ones, crash the process. So do two importers that exist at the
+ *   same time. The importer is not thread safe.
+ * - Messages have no line. Syntax errors appear on the terminal only. Shapes have no names.
+ * - ChordError, SceneRoot and the limits have no effect.
  *
  * @sa
  * vtkLMS3DScanFilter vtkVRMLImporter
@@ -52,11 +70,8 @@
 #include "vtkLMS3DReadersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // For std::unique_ptr
 #include <string> // For std::string
-#include <vector> // For std::vector
-
-struct lms3dMessage;
-struct lms3dScene;
 
 class VTKLMS3DREADERS_EXPORT vtkVRMLImporterSource : public vtkPolyDataAlgorithm
 {
@@ -66,20 +81,21 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether the file is there and begins as a VRML 2.0 file, packed by gzip or not: 1 or 0.
+   * Returns 1 if the file can be opened and begins as a VRML 2.0 file, packed by gzip or not.
+   * Otherwise returns 0.
    */
   static int CanReadFile(const char* fileName);
 
   ///@{
   /**
-   * The file to read. None by default.
+   * The file to read. Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   /**
-   * What reads the file: LMS3D's own reader, or vtkVRMLImporter (see the warning above).
+   * The values of Engine: LMS3D's own reader, or vtkVRMLImporter (see the warning above).
    */
   enum Engines
   {
@@ -89,7 +105,7 @@ public:
 
   ///@{
   /**
-   * What reads the file; the default is VRML97.
+   * The implementation that reads the file. Default: VRML97.
    */
   vtkSetClampMacro(Engine, int, VRML97, VTK_IMPORTER);
   vtkGetMacro(Engine, int);
@@ -98,31 +114,32 @@ public:
   ///@}
 
   /**
-   * What UpAxis can be. AS_IN_FILE leaves coordinates as they are. Y says that the file has y up,
-   * as VRML browsers and modellers assume, and turns it by 90 degrees about x, so that z is up as
-   * in the sensor frame: (x, y, z) becomes (x, -z, y).
+   * The values of UpAxis. UP_AXIS_AS_IN_FILE leaves the coordinates unchanged. UP_AXIS_Y is for
+   * files whose y axis points up, which is the convention of VRML browsers and modellers. It rotates
+   * the scene by 90 degrees about x, so that z points up as in the sensor frame: (x, y, z) becomes
+   * (x, -z, y).
    */
   enum UpAxes
   {
-    AS_IN_FILE = 0,
-    Y = 1
+    UP_AXIS_AS_IN_FILE = 0,
+    UP_AXIS_Y = 1
   };
 
   ///@{
   /**
-   * Which axis of the file points up; the default is AS_IN_FILE, which never turns a scene.
+   * The axis of the file that points up. Default: UP_AXIS_AS_IN_FILE, which never rotates a scene.
    */
-  vtkSetClampMacro(UpAxis, int, AS_IN_FILE, Y);
+  vtkSetClampMacro(UpAxis, int, UP_AXIS_AS_IN_FILE, UP_AXIS_Y);
   vtkGetMacro(UpAxis, int);
-  void SetUpAxisToAsInFile() { this->SetUpAxis(AS_IN_FILE); }
-  void SetUpAxisToY() { this->SetUpAxis(Y); }
+  void SetUpAxisToAsInFile() { this->SetUpAxis(UP_AXIS_AS_IN_FILE); }
+  void SetUpAxisToY() { this->SetUpAxis(UP_AXIS_Y); }
   ///@}
 
   ///@{
   /**
-   * How far the triangles of a Sphere, Cone or Cylinder may be from its true surface, in metres of
-   * the world, from 1e-9 on; the default is 0.001. Their points are on it. A circle has 8 sides at
-   * least, and 2,048 at most, with a warning where these are too few.
+   * The maximum distance of the triangles of a Sphere, Cone or Cylinder from its true surface, in
+   * metres of the world. The points of the triangles are on the surface. Minimum: 1e-9. Default:
+   * 0.001. A circle has between 8 and 2,048 sides; if 2,048 sides are too few, a message says so.
    */
   vtkSetClampMacro(ChordError, double, 1e-9, VTK_DOUBLE_MAX);
   vtkGetMacro(ChordError, double);
@@ -130,8 +147,9 @@ public:
 
   ///@{
   /**
-   * The folder that the files of Inline and EXTERNPROTO have to be in or below, links resolved.
-   * None by default: the folder of FileName. Nothing is ever fetched from a network.
+   * The root folder. The files of Inline and EXTERNPROTO must be in this folder or below it, after
+   * links are resolved. Default: none, which means the folder of FileName. The reader never
+   * accesses a network.
    */
   vtkSetFilePathMacro(SceneRoot);
   vtkGetFilePathMacro(SceneRoot);
@@ -139,8 +157,8 @@ public:
 
   ///@{
   /**
-   * How many Inlines may be inside of each other, and through how many files an EXTERNPROTO may
-   * lead, 0 and more; the default is 16.
+   * The maximum nesting of Inlines, and the maximum number of files in a chain of EXTERNPROTOs.
+   * Minimum: 0. Maximum: 1,000. Default: 16.
    */
   vtkSetClampMacro(MaximumInlineDepth, int, 0, 1000);
   vtkGetMacro(MaximumInlineDepth, int);
@@ -148,8 +166,9 @@ public:
 
   ///@{
   /**
-   * How many nodes the files may have, and how many may be met when each USE and instance is
-   * followed, 0 and more; the default is 20,000,000. What comes first is kept.
+   * The maximum number of nodes in the files, and also the maximum number of visits to nodes, where
+   * each USE and each instance counts again. The reader keeps the part of the scene before the
+   * limit. Minimum: 0. Default: 20,000,000.
    */
   vtkSetClampMacro(MaximumNumberOfNodes, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaximumNumberOfNodes, vtkTypeInt64);
@@ -157,9 +176,9 @@ public:
 
   ///@{
   /**
-   * How many triangles the output may have, 0 and more; the default is 400,000,000. The shapes that
-   * come first are kept. A scene whose geometry could have a million more than that, but has not,
-   * since its faces are no surfaces, ends there too.
+   * The maximum number of triangles in the output. The reader keeps the shapes before the limit.
+   * Faces without area count too, beyond an allowance of one million. Minimum: 0. Default:
+   * 400,000,000.
    */
   vtkSetClampMacro(MaximumNumberOfTriangles, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaximumNumberOfTriangles, vtkTypeInt64);
@@ -167,15 +186,15 @@ public:
 
   ///@{
   /**
-   * How many bytes all files of the scene may have together, unpacked, 0 and more; the default is
-   * 2 GiB. What comes first is kept.
+   * The maximum size of all files of the scene together, unpacked, in bytes. The reader keeps the
+   * part of the scene before the limit. Minimum: 0. Default: 2,147,483,648 (2 GiB).
    */
   vtkSetClampMacro(MaximumFileSize, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaximumFileSize, vtkTypeInt64);
   ///@}
 
   /**
-   * How grave a message is: of an ERROR geometry is lost or misplaced.
+   * The severity of a message. MESSAGE_ERROR means that geometry is lost or misplaced.
    */
   enum MessageSeverities
   {
@@ -185,11 +204,11 @@ public:
 
   ///@{
   /**
-   * What was not read, or not as the file has it, at the last execution, from message 0 on:
-   * "file:line: what", without the line, or both, where they are not known. A number out of range
-   * gives an empty message and MESSAGE_WARNING.
+   * The messages of the last execution, numbered from 0. The form is "file:line: text", or shorter
+   * if the line or the file is not known. If the index is out of range, the message is empty and
+   * its severity is MESSAGE_WARNING.
    */
-  int GetNumberOfMessages() const { return static_cast<int>(this->Messages.size()); }
+  int GetNumberOfMessages() const;
   std::string GetMessage(int i) const;
   int GetMessageSeverity(int i) const;
   ///@}
@@ -205,27 +224,18 @@ private:
   vtkVRMLImporterSource(const vtkVRMLImporterSource&) = delete;
   void operator=(const vtkVRMLImporterSource&) = delete;
 
-  bool CheckFile();
-  lms3dScene Read();
-  bool IsAborted();
-  bool ReadFile(vtkInformation* output);
-  void KeepMessages(const std::vector<lms3dMessage>& messages);
-  std::string GetGravestMessage() const;
-  std::string ListMessages() const;
-  void SumUpMessages();
-  bool Fail(unsigned long errorCode, const std::string& words);
-
   char* FileName = nullptr;
   char* SceneRoot = nullptr;
   int Engine = VRML97;
-  int UpAxis = AS_IN_FILE;
+  int UpAxis = UP_AXIS_AS_IN_FILE;
   double ChordError = 0.001;
   int MaximumInlineDepth = 16;
   vtkTypeInt64 MaximumNumberOfNodes = 20000000;
   vtkTypeInt64 MaximumNumberOfTriangles = 400000000;
   vtkTypeInt64 MaximumFileSize = 2147483648;
-  std::vector<std::string> Messages;
-  std::vector<int> Severities;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

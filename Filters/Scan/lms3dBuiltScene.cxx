@@ -45,11 +45,16 @@ bool lms3dBuiltScene::IsFor(vtkDataObject* scene, int method) const
   return this->Scene == scene && this->SceneTime == GetSceneTime(scene) && this->Method == method;
 }
 
-void lms3dBuiltScene::Build(vtkDataObject* scene, int method)
+bool lms3dBuiltScene::Build(
+  vtkDataObject* scene, int method, const std::function<bool(double)>& progress)
 {
   this->Caster.reset();
   this->Scene = nullptr;
-  lms3dSceneTriangles triangles = lms3dCollectTriangles(scene);
+  lms3dSceneTriangles triangles = lms3dCollectTriangles(scene, progress);
+  if (!triangles.IsComplete)
+  {
+    return false;
+  }
   this->LeftOut = lms3dTellLeftOut(triangles, "The scene");
   this->NumberOfCells = triangles.NumberOfCells;
   this->HasIds = triangles.HasGlobalIds;
@@ -62,4 +67,5 @@ void lms3dBuiltScene::Build(vtkDataObject* scene, int method)
   this->SceneTime = GetSceneTime(scene);
   this->Method = method;
   this->BuildTime.Modified();
+  return true;
 }

@@ -13,6 +13,7 @@
 #include <vtkType.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -24,8 +25,10 @@ public:
   /// Whether the last Build was of this scene as it is now, for the same method.
   bool IsFor(vtkDataObject* scene, int method) const;
 
-  /// Throws std::runtime_error, with words for the user, where the scene is bad.
-  void Build(vtkDataObject* scene, int method);
+  /// `progress` receives the fraction of the triangles that are collected, 0 to 1, from the calling
+  /// thread. If it returns false, the scene stays unbuilt and Build() returns false. Throws
+  /// std::runtime_error, with a text for the user, if the scene is bad.
+  bool Build(vtkDataObject* scene, int method, const std::function<bool(double)>& progress);
 
   /// Words on the cells that were left out, empty where all were taken.
   const std::string& GetLeftOut() const { return this->LeftOut; }

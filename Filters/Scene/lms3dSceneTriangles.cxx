@@ -2,85 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/lms3dSceneTriangles.h"
 
-#include "lms3dPolygon.h"
+#include "Scene/lms3dSurfaceTriangles.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSetSurfaceFilter.h>
-#include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
 #include <vtkGenericCell.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <sstream>
-#include <stdexcept>
-#include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
-// Sums of squares of larger coordinates leave the range of single precision.
-constexpr double LargestCoordinate = 1e18;
-
-// Embree and the packets number triangles by 32 bits.
-constexpr std::size_t MostTriangles = std::numeric_limits<std::int32_t>::max();
-
-// A composite asks once for each leaf, so room grows by at least a half.
-template <typename T>
-void MakeRoom(std::vector<T>& vector, std::size_t more)
-{
-  const std::size_t needed = vector.size() + more;
-  if (needed > vector.capacity())
-  {
-    vector.reserve(std::max(needed, vector.capacity() + vector.capacity() / 2));
-  }
-}
-
-template <typename ArrayT>
-void CopyPoints(ArrayT* array, std::vector<std::array<double, 3>>& points)
-{
-  const auto* value = array->GetPointer(0);
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i, value += 3)
-  {
-    points.push_back({ static_cast<double>(value[0]), static_cast<double>(value[1]),
-      static_cast<double>(value[2]) });
-  }
-}
-
-void AppendPoints(vtkPoints* points, std::vector<std::array<double, 3>>& out)
-{
-  if (!points)
-  {
-    return;
-  }
-  MakeRoom(out, points->GetNumberOfPoints());
-  if (vtkFloatArray* floats = vtkFloatArray::FastDownCast(points->GetData()))
-  {
-    CopyPoints(floats, out);
-  }
-  else if (vtkDoubleArray* doubles = vtkDoubleArray::FastDownCast(points->GetData()))
-  {
-    CopyPoints(doubles, out);
-  }
-  else
-  {
-    vtkNew<vtkDoubleArray> copy;
-    copy->DeepCopy(points->GetData());
-    CopyPoints(copy.Get(), out);
-  }
-}
+// Points of skipped cells can have larger coordinates.
+constexpr double MaximumCoordinate = 1e18;
 
 bool HasVolumeCells(vtkDataSet* data)
 {
@@ -96,37 +41,58 @@ bool HasVolumeCells(vtkDataSet* data)
   return false;
 }
 
+std::vector<vtkDataSet*> GetLeaves(vtkDataObject* scene)
+{
+  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(scene);
+  if (!composite)
+  {
+    return { vtkDataSet::SafeDownCast(scene) };
+  }
+  std::vector<vtkDataSet*> leaves;
+  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    leaves.push_back(vtkDataSet::SafeDownCast(it->GetCurrentDataObject()));
+  }
+  return leaves;
+}
+
 class Collector
 {
 public:
-  void Append(vtkDataObject* scene)
+  /// Returns false if `progress` stopped the work.
+  bool Append(vtkDataObject* scene, const std::function<bool(double)>& progress)
   {
-    if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(scene))
+    const std::vector<vtkDataSet*> leaves = GetLeaves(scene);
+    const double count = static_cast<double>(leaves.size());
+    for (std::size_t i = 0; i < leaves.size(); ++i)
     {
-      auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-      for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+      const auto report = [&progress, i, count](double done)
+      { return progress((static_cast<double>(i) + done) / count); };
+      if (leaves[i] && !this->AppendLeaf(leaves[i], report))
       {
-        this->AppendLeaf(vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject()));
+        return false;
       }
-      return;
     }
-    this->AppendLeaf(vtkDataSet::SafeDownCast(scene));
+    this->Scene.SkippedCells = this->Surfaces.GetSkippedCells();
+    this->Scene.CrossedCells = this->Surfaces.GetCrossedCells();
+    return true;
   }
 
-  // Points that no triangle uses may be anything; nobody has to look at them twice.
+  // No triangle uses these points. Finite coordinates need no special case later.
   void ClearUnusable()
   {
     for (std::array<double, 3>& point : this->Scene.Mesh.Points)
     {
       for (double& x : point)
       {
-        x = std::abs(x) <= LargestCoordinate ? x : 0.0;
+        x = std::abs(x) <= MaximumCoordinate ? x : 0.0;
       }
     }
   }
 
-  // Triangles are numbered as their cells are, whatever order or parts the scene comes in.
-  void TakeGlobalIds()
+  // Sorts the triangles by global id, so that their order does not depend on the order of the cells.
+  void UseGlobalIds()
   {
     this->Scene.NumberOfCells = this->FirstCell;
     this->Scene.HasGlobalIds = !this->GlobalIds.empty() &&
@@ -146,8 +112,8 @@ public:
     }
   }
 
-  // A scene of nothing but triangles, all usable, needs no list of what cell each is a part of.
-  void DropOwnNumbers()
+  // If each triangle is a cell of its own, in order, the list of cells is not needed.
+  void DropTrivialCells()
   {
     std::vector<std::int64_t>& cells = this->Scene.Mesh.Cells;
     std::int64_t number = 0;
@@ -158,7 +124,7 @@ public:
     }
   }
 
-  void DropUnusedRoom()
+  void FreeUnusedMemory()
   {
     this->Scene.Mesh.Points.shrink_to_fit();
     this->Scene.Mesh.Triangles.shrink_to_fit();
@@ -188,16 +154,12 @@ private:
     mesh.Cells = std::move(cells);
   }
 
-  void AppendLeaf(vtkDataSet* leaf)
+  bool AppendLeaf(vtkDataSet* leaf, const lms3dSurfaceTriangles::Progress& progress)
   {
-    if (!leaf)
-    {
-      return;
-    }
-    this->FirstPoint = this->Scene.Mesh.Points.size();
+    bool isComplete = false;
     if (vtkPolyData* surface = vtkPolyData::SafeDownCast(leaf))
     {
-      this->AppendSurface(surface, nullptr);
+      isComplete = this->Surfaces.Append(surface, nullptr, this->FirstCell, progress);
     }
     else
     {
@@ -206,13 +168,15 @@ private:
       filter->SetInputData(leaf);
       filter->PassThroughCellIdsOn();
       filter->Update();
-      this->AppendSurface(filter->GetOutput(),
-        vtkIdTypeArray::SafeDownCast(
-          filter->GetOutput()->GetCellData()->GetArray(filter->GetOriginalCellIdsName())));
+      auto* originalCells = vtkIdTypeArray::SafeDownCast(
+        filter->GetOutput()->GetCellData()->GetArray(filter->GetOriginalCellIdsName()));
+      isComplete =
+        this->Surfaces.Append(filter->GetOutput(), originalCells, this->FirstCell, progress);
     }
     const vtkIdType cells = leaf->GetNumberOfCells();
     this->AppendGlobalIds(leaf->GetCellData()->GetGlobalIds(), cells);
     this->FirstCell += cells;
+    return isComplete;
   }
 
   void AppendGlobalIds(vtkDataArray* ids, vtkIdType cells)
@@ -226,152 +190,42 @@ private:
     }
   }
 
-  // Cells of a vtkPolyData are numbered vertices, lines, polygons, strips.
-  void AppendSurface(vtkPolyData* surface, vtkIdTypeArray* originalCells)
-  {
-    if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
-    {
-      return;
-    }
-    AppendPoints(surface->GetPoints(), this->Scene.Mesh.Points);
-    MakeRoom(this->Scene.Mesh.Triangles, surface->GetNumberOfPolys());
-    MakeRoom(this->Scene.Mesh.Cells, surface->GetNumberOfPolys());
-    if (this->Scene.Mesh.Points.size() > std::numeric_limits<std::uint32_t>::max())
-    {
-      throw std::runtime_error("The scene has more points than 32 bits can number; split it.");
-    }
-    this->OriginalCells = originalCells;
-    vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-    this->AppendCells(surface->GetPolys(), cell, &Collector::AppendPolygon);
-    cell += surface->GetNumberOfPolys();
-    this->AppendCells(surface->GetStrips(), cell, &Collector::AppendStrip);
-  }
-
-  using AppendCell = void (Collector::*)(vtkIdType count, const vtkIdType* points);
-
-  void AppendCells(vtkCellArray* cells, vtkIdType firstCell, AppendCell append)
-  {
-    auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
-    vtkIdType cell = firstCell;
-    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
-    {
-      vtkIdType count;
-      const vtkIdType* points;
-      it->GetCurrentCell(count, points);
-      this->Cell =
-        this->FirstCell + (this->OriginalCells ? this->OriginalCells->GetValue(cell) : cell);
-      if (this->IsUsable(count, points))
-      {
-        (this->*append)(count, points);
-      }
-    }
-  }
-
-  // Skips a cell with a point that no beam can be cast against.
-  bool IsUsable(vtkIdType count, const vtkIdType* points)
-  {
-    const std::vector<std::array<double, 3>>& all = this->Scene.Mesh.Points;
-    const vtkIdType pointsOfLeaf = static_cast<vtkIdType>(all.size() - this->FirstPoint);
-    bool isFinite = true;
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      if (points[i] < 0 || points[i] >= pointsOfLeaf)
-      {
-        throw std::runtime_error("Cell " + std::to_string(this->Cell) +
-          " of the scene uses point " + std::to_string(points[i]) + " of " +
-          std::to_string(pointsOfLeaf) + ". Repair the cell.");
-      }
-      for (double x : all[this->FirstPoint + points[i]])
-      {
-        isFinite = isFinite && std::abs(x) <= LargestCoordinate;
-      }
-    }
-    this->Scene.SkippedCells += isFinite ? 0 : 1;
-    return isFinite;
-  }
-
-  void AppendTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
-  {
-    if (this->Scene.Mesh.Triangles.size() >= MostTriangles)
-    {
-      throw std::runtime_error(
-        "The scene has more triangles than 31 bits can number; split it or simplify it.");
-    }
-    this->Scene.Mesh.Triangles.push_back({ static_cast<std::uint32_t>(this->FirstPoint + a),
-      static_cast<std::uint32_t>(this->FirstPoint + b),
-      static_cast<std::uint32_t>(this->FirstPoint + c) });
-    this->Scene.Mesh.Cells.push_back(this->Cell);
-  }
-
-  void AppendStrip(vtkIdType count, const vtkIdType* points)
-  {
-    for (vtkIdType i = 0; i + 2 < count; ++i)
-    {
-      const vtkIdType odd = i % 2;
-      this->AppendTriangle(points[i], points[i + 1 + odd], points[i + 2 - odd]);
-    }
-  }
-
-  void AppendPolygon(vtkIdType count, const vtkIdType* points)
-  {
-    if (count == 3)
-    {
-      this->AppendTriangle(points[0], points[1], points[2]);
-    }
-    else if (count > 3)
-    {
-      this->AppendCut(count, points);
-    }
-  }
-
-  void AppendCut(vtkIdType count, const vtkIdType* points)
-  {
-    this->Corners.clear();
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      this->Corners.push_back(this->Scene.Mesh.Points[this->FirstPoint + points[i]]);
-    }
-    const lms3dPolygonTriangles cut = lms3dCutPolygon(this->Corners);
-    this->Scene.CrossedCells += cut.IsSimple ? 0 : 1;
-    for (const std::array<int, 3>& triangle : cut.Triangles)
-    {
-      this->AppendTriangle(points[triangle[0]], points[triangle[1]], points[triangle[2]]);
-    }
-  }
-
-  std::vector<std::array<double, 3>> Corners;
-  // As many as there are cells, or of no use.
+  lms3dSurfaceTriangles Surfaces{ this->Scene.Mesh };
+  // Used only if all cells have one.
   std::vector<std::int64_t> GlobalIds;
-  vtkIdTypeArray* OriginalCells = nullptr;
-  std::size_t FirstPoint = 0;
   std::int64_t FirstCell = 0;
-  std::int64_t Cell = 0;
 };
 } // namespace
 
-lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene)
+lms3dSceneTriangles lms3dCollectTriangles(
+  vtkDataObject* scene, const std::function<bool(double)>& progress)
 {
   Collector collector;
-  collector.Append(scene);
-  collector.TakeGlobalIds();
-  collector.DropOwnNumbers();
+  if (!collector.Append(scene, progress))
+  {
+    lms3dSceneTriangles stopped;
+    stopped.IsComplete = false;
+    return stopped;
+  }
+  collector.UseGlobalIds();
+  collector.DropTrivialCells();
   collector.ClearUnusable();
-  collector.DropUnusedRoom();
+  collector.FreeUnusedMemory();
   return std::move(collector.Scene);
 }
 
 std::string lms3dTellLeftOut(const lms3dSceneTriangles& triangles, const std::string& what)
 {
-  std::ostringstream words;
+  std::ostringstream text;
   if (triangles.SkippedCells > 0)
   {
-    words << what << ": cells with a point that is not finite, or beyond 1e18 m, are left out: "
-          << triangles.SkippedCells << ". ";
+    text << what << ": cells with a point that is not finite or exceeds 1e18 m are left out: "
+         << triangles.SkippedCells << ". ";
   }
   if (triangles.CrossedCells > 0)
   {
-    words << what << ": polygons that cross themselves are left out: " << triangles.CrossedCells
-          << ". Split them to have them taken. ";
+    text << what << ": polygons that cross themselves: " << triangles.CrossedCells
+         << ". Their triangles may overlap or extend beyond them; split these polygons. ";
   }
-  return words.str();
+  return text.str();
 }

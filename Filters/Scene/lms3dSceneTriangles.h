@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Turns the surfaces of a VTK data object into the triangles that are cast against.
+ * @brief Converts the surfaces of a VTK data object to the triangles of a scene.
  */
 #ifndef lms3dSceneTriangles_h
 #define lms3dSceneTriangles_h
@@ -10,6 +10,7 @@
 #include "Geometry/lms3dTriangleMesh.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 class vtkDataObject;
@@ -18,36 +19,44 @@ struct lms3dSceneTriangles
 {
   lms3dTriangleMesh Mesh;
 
-  /// All of the scene, also those without a surface.
+  /// The number of all cells of the scene, including cells without a surface.
   std::int64_t NumberOfCells = 0;
 
-  /// Whether Mesh.Cells are the scene's global cell ids, in increasing order, so that triangles that
-  /// come in another order, or in parts, are still numbered in the same order.
+  /// Whether Mesh.Cells are the global cell ids of the scene. They increase then, so that the
+  /// triangles have the same order if the cells come in another order or in parts.
   bool HasGlobalIds = false;
 
-  /// Whether some of it is the outer surface of volume cells.
+  /// Whether the scene has volume cells, whose outer surface is in the mesh.
   bool HasVolume = false;
 
-  /// Cells that were left out because one of their points is not finite, or beyond 1e18 m.
+  /// The number of cells that were skipped because a coordinate is not finite or exceeds 1e18 m.
   std::int64_t SkippedCells = 0;
 
-  /// Polygons that were left out because they cross themselves.
+  /// The number of polygons that cross themselves. Their triangles are in the mesh, but can overlap or
+  /// extend beyond the polygon.
   std::int64_t CrossedCells = 0;
+
+  /// False if `progress` stopped the work. Everything else is then empty.
+  bool IsComplete = true;
 };
 
 /**
- * Takes all polygons and triangle strips of a vtkPolyData, the outer surface of any other data set,
- * or those of all leaves of a composite. The cells of a composite are numbered through, leaf after
- * leaf, unless all of them have global ids. Vertices, lines and polygons without area have no
- * surface and are passed over.
+ * Converts all polygons and triangle strips of a vtkPolyData, the outer surface of any other data
+ * set, or the surfaces of all leaves of a composite. The cells of a composite are numbered
+ * consecutively over all leaves, unless all of them have global ids. Vertices, lines and polygons
+ * without area have no surface and are ignored.
  *
- * Throws std::runtime_error, with words for the user, where a cell uses a point that is not there,
- * or where there are too many triangles.
+ * `progress` receives the fraction done, 0 to 1, and returns false to stop. It is called by the
+ * calling thread, also within a large polygon.
+ *
+ * Throws std::runtime_error, with a text for the user, if a cell uses a missing point or if there are
+ * too many triangles.
  */
-lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene);
+lms3dSceneTriangles lms3dCollectTriangles(
+  vtkDataObject* scene, const std::function<bool(double)>& progress = [](double) { return true; });
 
-/// Words for the user on the cells of "The scene", or whatever it is, that were left out; empty
-/// where all were taken.
+/// Returns a text for the user about the skipped and crossed cells of `what`, for example "The scene".
+/// Returns an empty string if there are none.
 std::string lms3dTellLeftOut(const lms3dSceneTriangles& triangles, const std::string& what);
 
 #endif

@@ -7,7 +7,7 @@
 #include "Table.h"
 #include "Timer.h"
 
-#include "lms3dVRMLReader.h"
+#include "Shapes/lms3dVRMLReader.h"
 #include "vtkVRMLImporterSource.h"
 
 #include <vtkCellArray.h>

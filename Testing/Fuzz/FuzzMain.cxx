@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What libFuzzer calls with each of its inputs.
+ * @brief The function that libFuzzer calls with each input.
  */
 #include "FuzzVRMLReader.h"
 
@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-// Memory rather than a disk, and a folder of its own for each process.
+// Uses memory, not a disk. Each process has its own folder.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   static const lms3dFuzzFolder folder(

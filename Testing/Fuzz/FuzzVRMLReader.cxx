@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What libFuzzer, and the test that replays its corpus, let the VRML97 reader read.
+ * @brief Reads any bytes with the VRML97 reader, for libFuzzer and for the test of its corpus.
  */
 #include "FuzzVRMLReader.h"
 
-#include "lms3dVRMLReader.h"
+#include "Shapes/lms3dVRMLReader.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -16,7 +16,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// Small, so that an input that asks for too much is refused soon.
+// Small limits, so that large scenes end soon.
 lms3dVRMLOptions GetOptions()
 {
   lms3dVRMLOptions options;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What libFuzzer, and the test that replays its corpus, let the VRML97 reader read.
+ * @brief Reads any bytes with the VRML97 reader, for libFuzzer and for the test of its corpus.
  */
 #ifndef FuzzVRMLReader_h
 #define FuzzVRMLReader_h
@@ -11,8 +11,8 @@
 #include <filesystem>
 
 /**
- * A folder, made and removed with the object, with the scene input.wrl, and library.wrl beside it for
- * Inline and EXTERNPROTO; the reader opens no other file.
+ * A folder that the object creates and removes. It contains the scene input.wrl, and library.wrl for
+ * Inline and EXTERNPROTO. The reader opens no other file.
  */
 class lms3dFuzzFolder
 {
@@ -22,8 +22,8 @@ public:
   lms3dFuzzFolder(const lms3dFuzzFolder&) = delete;
   void operator=(const lms3dFuzzFolder&) = delete;
 
-  /// Reads the bytes as a scene; aborts where a triangle has no such points, or a point is not
-  /// finite.
+  /// Reads the bytes as a scene. Aborts the process if an index of a triangle is out of range or a
+  /// point is not finite.
   void Read(const char* data, std::size_t size) const;
 
 private:

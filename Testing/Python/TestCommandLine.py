@@ -709,7 +709,7 @@ class TestLosses(CommandLineTest):
         lines = result.stderr.splitlines()
         self.assertEqual(lines[0], f"lms3d: warning: {path} is not whole: 2 of its parts are lost")
         self.assertEqual(lines[1], f'lms3d: error: {path}:3: an Inline is lost: "walls.wrl" '
-                                   "is not there or is no regular file")
+                                   "does not exist or is not a regular file")
         self.assertIn(f"lms3d: warning: {path}:4: Box has no field", lines[3])
 
     def test_many_losses_are_a_few_lines(self):
@@ -723,14 +723,14 @@ class TestLosses(CommandLineTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
     def test_info(self):
-        path = self.write("Group { children [ USE Floor Shape { geometry Box { } } ] } USE Nobody\n")
+        path = self.write("Group { children [ USE Floor Shape { geometry Box { } } ] } USE Missing\n")
         result = run("info", path)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(result.stdout.splitlines(), [
             "scene    scene.wrl: 16 triangles, axes as in the file, z is up",
             "x        -9 to 9 m", "y        -9 to 9 m", "z        -1 to 1 m",
             "shapes   3", "  Floor: 2 with 4 triangles", "  (no name): 1 with 12 triangles",
-            "messages 1", f"  error: {path}:3: USE Nobody: no node before has this name"])
+            "messages 1", f"  error: {path}:3: USE Missing: no earlier node has this name"])
 
     def test_scene_root(self):
         scenes = self.folder / "scenes"
@@ -744,7 +744,7 @@ class TestLosses(CommandLineTest):
         result = run(*scan, "--scene-root", self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         result = run(*scan, "--scene-root", self.folder / "nowhere")
-        self.assertIn("is no folder", result.stderr)
+        self.assertIn("is not a folder", result.stderr)
         self.assertNotEqual(result.returncode, 0)
 
     def test_scene_root_of_other_formats(self):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each case of Testing/Data/vrml97 against the values that its expected.json has for it."""
+"""Compares each case of Testing/Data/vrml97 with the values in expected.json."""
 
 import gzip
 import itertools
@@ -18,7 +18,7 @@ TOLERANCE = 1e-5
 
 
 class Case(unittest.TestCase):
-    """One entry of expected.json; README.md beside it says what its words mean."""
+    """One entry of expected.json. README.md beside it explains the keys."""
 
     def __init__(self, name):
         super().__init__("check")
@@ -154,7 +154,7 @@ class Laws(SceneTest):
 
 
 def load_tests(loader, tests, _pattern):
-    """Each case is a test of its own, so that -v names the one that crashes or hangs."""
+    """Each case is a separate test, so that -v shows which one crashes or hangs."""
     tests = loader.loadTestsFromTestCase(Laws)
     tests.addTests(Case(name) for name in EXPECTED)
     return tests

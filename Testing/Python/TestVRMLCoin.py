@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Another VRML reader, Coin, finds the same surfaces in the cases of Testing/Data/vrml97.
+"""Compares LMS3D with another VRML reader, Coin, for the cases of Testing/Data/vrml97.
 
-LMS3D_COIN is the program measureWithCoin. Coin reads single precision and a fixed number of
-triangles for curved shapes; files with faults it rejects as a whole, so that those are left out.
+LMS3D_COIN is the program measureWithCoin. Coin reads in single precision and makes a fixed number
+of triangles for curved shapes. It rejects faulty files entirely, so the test skips these files.
 """
 
 import json
@@ -19,7 +19,7 @@ from vrml_reading import CASES, Scene
 
 EXPECTED = json.loads((CASES / "expected.json").read_text(encoding="utf-8"))
 FLAT, CURVED = 1e-5, 1e-2
-VERSION = "4.0.0"  # that the faults of Coin in expected.json are of
+VERSION = "4.0.0"  # the version whose faults expected.json lists
 
 
 def run_coin(*arguments):
@@ -31,7 +31,7 @@ Measures = namedtuple("Measures", "count area bbox")
 
 
 def measure(path):
-    """What Coin finds in a file; None where it fails."""
+    """The surfaces that Coin reads from a file; None if it fails."""
     done = run_coin(path)
     if done.returncode:
         return None
@@ -40,7 +40,7 @@ def measure(path):
 
 
 def difference(name):
-    """In what Coin and LMS3D differ about a case, or an empty text."""
+    """The difference between Coin and LMS3D for a case, or an empty text."""
     expected = EXPECTED[name]
     path = CASES / expected.get("file", name + ".wrl")
     scene, found = Scene(path, SceneRoot=str(CASES)), measure(path)
@@ -62,7 +62,7 @@ class Coin(unittest.TestCase):
 
     @unittest.skipIf(run_coin().stdout.strip() != VERSION, "a Coin with other faults")
     def test_still_reads_the_others_otherwise(self):
-        """So that no case is left out of the comparison without need."""
+        """No case is excluded from the comparison without need."""
         for name, expected in EXPECTED.items():
             if "coin" in expected:
                 with self.subTest(name):

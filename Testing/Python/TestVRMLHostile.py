@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes made to break a reader: none may crash or hang, each loss must be told, and what stands
-beside the attack must be read. The files are made here, since many are large."""
+"""Scenes made to break a reader. None may crash or hang, a message must report each loss, and the
+rest of the scene must be read. The tests write the files, since many are large."""
 
 import math
 import subprocess
@@ -171,7 +171,7 @@ class Growth(SceneTest):
                     self.assertTrue(np.isfinite(scene.corners).all())
                     self.assertTrue(scene.triangles > 2 or scene.messages)
 
-    # Its points are all at one place: no triangle, however many there are.
+    # All points are equal, so there is no triangle.
     POINT = (f"Shape {{ geometry Extrusion {{ crossSection [ {'0 0,' * 2000} ]"
              f" spine [ {'0 0 0,' * 2000} ] ")
 
@@ -216,7 +216,7 @@ class Growth(SceneTest):
                 self.assertIn("2 triangles", scene)
 
     def read_within(self, gibibytes, text):
-        """What a process that may have so much memory, and half a minute, reads, in words."""
+        """Reads a scene in a process with limited memory and 30 seconds. Returns its output."""
         program = textwrap.dedent(f"""
             import resource
             resource.setrlimit(resource.RLIMIT_AS, ({gibibytes} * 1024 ** 3,) * 2)

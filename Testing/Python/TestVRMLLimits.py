@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The limits that vtkVRMLImporterSource has as properties, and the files that it may open."""
+"""The limits of vtkVRMLImporterSource, and the files that it may open."""
 
 import gzip
 import os
@@ -27,7 +27,7 @@ class Limits(SceneTest):
         self.assertEqual(reader.GetMaximumFileSize(), 2 * 1024 ** 3)
 
     def assert_limit(self, text, least, enough, **limit):
-        """At the least value everything is read in silence, one below it something is lost."""
+        """At the minimum value everything is read without a message, below it a part is lost."""
         (name, value), = limit.items()
         scene = self.read(text, **limit)
         self.assertEqual((scene.area(), scene.words()), (enough, ""))
@@ -132,7 +132,7 @@ class Limits(SceneTest):
 
 
 class Files(SceneTest):
-    """The scene lies in a folder of its own, with a square beside it and one above."""
+    """The scene has its own folder, with a square in it and one in the folder above."""
 
     def setUp(self):
         super().setUp()

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Faces of many corners: outlines and walls with windows in any plane, of which the area is known,
-and very large or senseless ones, which must neither crash nor hang."""
+"""Reads faces of many corners: outlines and walls with windows, whose area is known, in any plane.
+Very large or random faces must neither crash nor hang."""
 
 import math
 import unittest
@@ -13,7 +13,7 @@ from vrml_reading import FACE, SQUARE, SceneTest
 
 
 def face(points, index=None):
-    """A shape of one face with these corners, in the plane z = 0 or in space."""
+    """A shape with one face. The corners are in space, or in the plane z = 0."""
     index = range(len(points)) if index is None else index
     points = np.column_stack((points, np.zeros((len(points), 3 - np.shape(points)[1]))))
     return "Shape { geometry " + FACE.format(
@@ -22,8 +22,8 @@ def face(points, index=None):
 
 
 def boundary(cells):
-    """From each corner of unit squares the next ones along their common boundary,
-    counterclockwise."""
+    """Maps each corner of the unit squares to the next corners along their common boundary,
+    counter-clockwise."""
     steps = {}
     for x, y in cells:
         for beyond, begin, end in (((x, y - 1), (x, y), (x + 1, y)),
@@ -36,8 +36,8 @@ def boundary(cells):
 
 
 def outline(chance, size):
-    """The outline of so many unit squares that grew from one, without holes; all corners of
-    squares are corners of the face."""
+    """The outline of a region of `size` unit squares, without holes. All corners of squares are
+    corners of the face."""
     around = ((1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1))
     cells = {(0, 0)}
     while len(cells) < size:
@@ -55,8 +55,8 @@ def outline(chance, size):
 
 
 def facade(chance, columns, rows):
-    """A wall of 2 x 2 for each place of a window, as one face: windows hang on keyholes, each on
-    that below it, the lowest on the ground."""
+    """A wall with windows as one face: 2 x 2 units for each possible window. Bridges join each
+    window to the one below it, and the lowest ones to the ground."""
     corners, area = [(0, 0)], 4.0 * columns * rows
     for left in 2 * np.arange(columns) + 0.5:
         right = left + chance.uniform(0.1, 1)
@@ -70,7 +70,7 @@ def facade(chance, columns, rows):
 
 
 def somewhere(chance, corners, area):
-    """The face from any corner on, either way around, at any place, turn and scale; its area."""
+    """The face and its area after a random choice of first corner, direction, pose and scale."""
     corners = np.roll(corners, chance.integers(len(corners)), axis=0)[::chance.choice((-1, 1))]
     scale = 10.0 ** chance.integers(-4, 5)
     axes, _ = np.linalg.qr(chance.normal(size=(3, 3)))
@@ -104,7 +104,7 @@ class Large(SceneTest):
         return np.column_stack((np.cos(angles), np.sin(angles)))
 
     def check(self, points, area):
-        """All of the face is read, or its loss is told."""
+        """Either the whole face is read, or a message reports its loss."""
         scene = self.read(SQUARE + face(points.tolist()))
         if not scene.messages:
             self.assertAlmostEqual((scene.area() - 1) / area, 1, places=5)

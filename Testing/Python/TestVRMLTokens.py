@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes of monstrous words, numbers and bytes: none may crash or hang, each loss must be
-told, and what stands beside the monster must be read."""
+"""Scenes of extreme words, numbers and bytes. None may crash or hang, a message must report each
+loss, and the rest of the scene must be read."""
 
 import gzip
 import random
@@ -101,7 +101,7 @@ class Bytes(SceneTest):
         return Scene(path)
 
     def test_cut_at_every_byte(self):
-        """What is cut off is either told or was no part of the scene's nodes so far."""
+        """A message reports the missing part, unless no node was complete."""
         for name in self.FILES:
             data = (CASES / name).read_bytes()
             whole = self.read_bytes(data)

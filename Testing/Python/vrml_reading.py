@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of VRML scenes share: to read a file, and to measure what was read."""
+"""Reads VRML scenes and measures the result, for the tests of VRML."""
 
 import os
 import tempfile
@@ -22,14 +22,14 @@ SQUARE = "Shape { geometry " + FACE.format("0 0 0, 1 0 0, 1 1 0, 0 1 0", "0 1 2 
 
 
 class Scene:
-    """What vtkVRMLImporterSource makes of a file, with its properties set by name."""
+    """The output and messages of vtkVRMLImporterSource. Keyword arguments set its properties."""
 
     def __init__(self, path, **properties):
         self.errors, self.warnings = [], []
         reader = lms3d.vtkVRMLImporterSource()
         self._keep(reader, "ErrorEvent", self.errors)
         self._keep(reader, "WarningEvent", self.warnings)
-        self._keep(reader.GetExecutive(), "ErrorEvent", [])  # which repeats that the reader failed
+        self._keep(reader.GetExecutive(), "ErrorEvent", [])  # which repeats the error
         reader.SetFileName(str(path))
         for name, value in properties.items():
             getattr(reader, "Set" + name)(value)
@@ -69,8 +69,7 @@ class Scene:
         return self.areas().sum()
 
     def volume(self):
-        """What the cones from the origin to the triangles enclose, positive for those that face
-        away from it: the volume of a closed surface that faces outwards."""
+        """The enclosed volume of a closed surface, positive if its triangles face outwards."""
         a, b, c = np.moveaxis(self.corners, 1, 0)
         return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
 
@@ -80,18 +79,18 @@ class Scene:
         return np.concatenate((flat.min(axis=0), flat.max(axis=0)))
 
     def color_areas(self):
-        """The area of each colour, by its four numbers as words."""
+        """The area of each colour; the keys are texts of four numbers."""
         colors, which = np.unique(self.colors, axis=0, return_inverse=True)
         areas = np.bincount(which.ravel(), self.areas(), len(colors))
         return {" ".join(map(str, color)): area for color, area in zip(colors, areas)}
 
     def words(self):
-        """All that the reader said, one text a line."""
+        """All messages, errors and warnings, one on each line."""
         return "\n".join(self.messages + self.errors + self.warnings)
 
 
 class SceneTest(unittest.TestCase):
-    """Tests of scenes that are written by the test, into a folder of its own."""
+    """Tests that write scenes, each test into its own folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -108,7 +107,7 @@ class SceneTest(unittest.TestCase):
         return Scene(self.write(text), **properties)
 
     def assert_lost(self, scene, area=None):
-        """Geometry is lost and it is told; `area` is what must be left."""
+        """Requires an error message about lost geometry, and that `area` remains."""
         self.assertEqual(len(scene.errors), 1, scene.messages[:3])
         self.assertIn(ERROR, scene.severities)
         self.assertTrue(np.isfinite(scene.corners).all())

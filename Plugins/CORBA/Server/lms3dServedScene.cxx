@@ -49,7 +49,8 @@ lms3dServedScenePointer lms3dReadScene(const std::string& name, const std::files
   vtkNew<vtkVRMLImporterSource> reader;
   lms3dVTKProblems problems(reader);
   reader->SetFileName(file.c_str());
-  reader->SetUpAxis(isYUp ? vtkVRMLImporterSource::Y : vtkVRMLImporterSource::AS_IN_FILE);
+  reader->SetUpAxis(
+    isYUp ? vtkVRMLImporterSource::UP_AXIS_Y : vtkVRMLImporterSource::UP_AXIS_AS_IN_FILE);
   lms3dAbortIf(reader, isStopped);
   reader->Update();
   // An aborted reader has no surface, which is no fault of the file.

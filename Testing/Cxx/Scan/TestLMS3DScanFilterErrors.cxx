@@ -160,12 +160,22 @@ TEST(LMS3DScanFilterErrors, ACellWithAPointThatIsNotThere)
   ExpectBadScene(ball, "uses point 100000");
 }
 
-TEST(LMS3DScanFilterErrors, APolygonThatCrossesItself)
+TEST(LMS3DScanFilterErrors, APolygonThatCrossesItselfIsFilledWithAWarning)
 {
+  vtkNew<vtkLMS3DScanFilter> scan;
   // A star that crosses itself.
-  ExpectBadScene(
-    MakePolygon({ { 0, 3, 1 }, { 2, -3, 1 }, { -3, 1, 1 }, { 3, 1, 1 }, { -2, -3, 1 } }),
-    "cross themselves");
+  scan->SetInputDataObject(
+    MakePolygon({ { 0, 3, 1 }, { 2, -3, 1 }, { -3, 1, 1 }, { 3, 1, 1 }, { -2, -3, 1 } }));
+  vtkNew<vtkTest::ErrorObserver> observer;
+  scan->AddObserver(vtkCommand::WarningEvent, observer);
+  for (int method = 0; method < vtkLMS3DScanFilter::GetNumberOfIntersectionMethods(); ++method)
+  {
+    scan->SetIntersectionMethod(method);
+    EXPECT_EQ(UpdateAndGetError(scan), "");
+    EXPECT_NE(observer->GetWarningMessage().find("cross themselves: 1."), std::string::npos);
+    EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
+    observer->Clear();
+  }
 }
 
 TEST(LMS3DScanFilterErrors, APolygonWithoutAreaIsNone)

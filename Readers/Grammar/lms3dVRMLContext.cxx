@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grammar/lms3dVRMLContext.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr std::int64_t NodesPerReport = 4096;
+constexpr std::uint64_t WorkAllowance = 1'000'000;
+} // namespace
+
+bool lms3dVRMLContext::Report(double fraction)
+{
+  this->Fraction = std::max(this->Fraction, fraction);
+  this->IsAborted = this->IsAborted || !this->Progress(this->Fraction);
+  return !this->IsAborted;
+}
+
+bool lms3dVRMLContext::CountParsedNode(const std::string& file, std::size_t line)
+{
+  ++this->ParsedNodes;
+  return this->CheckLimit(this->ParsedNodes <= this->Options.MaximumNumberOfNodes,
+           "MaximumNumberOfNodes", file, line) &&
+    !this->IsAborted;
+}
+
+bool lms3dVRMLContext::CountNode(const std::string& file, std::size_t line)
+{
+  if (++this->Nodes % NodesPerReport == 0)
+  {
+    this->Report(this->Fraction);
+  }
+  this->IsFull = this->IsFull ||
+    !this->CheckLimit(
+      this->Nodes <= this->Options.MaximumNumberOfNodes, "MaximumNumberOfNodes", file, line);
+  return !this->IsFull && !this->IsAborted;
+}
+
+bool lms3dVRMLContext::CountWork(std::size_t count, const std::string& file, std::size_t line)
+{
+  const std::uint64_t limit =
+    static_cast<std::uint64_t>(this->Options.MaximumNumberOfTriangles) + WorkAllowance;
+  this->IsFull = this->IsFull ||
+    !this->CheckLimit(count <= limit - this->Work, "MaximumNumberOfTriangles", file, line);
+  this->Work += this->IsFull ? 0 : count;
+  return !this->IsFull;
+}
+
+bool lms3dVRMLContext::CountTriangles(std::size_t count, const std::string& file, std::size_t line)
+{
+  this->IsFull = this->IsFull ||
+    !this->CheckLimit(
+      static_cast<std::int64_t>(count) <= this->Options.MaximumNumberOfTriangles - this->Triangles,
+      "MaximumNumberOfTriangles", file, line);
+  this->Triangles += this->IsFull ? 0 : static_cast<std::int64_t>(count);
+  return !this->IsFull;
+}
+
+bool lms3dVRMLContext::CheckLimit(
+  bool isWithin, const std::string& limit, const std::string& file, std::size_t line)
+{
+  if (!isWithin && this->ReportedLimits.insert(limit).second)
+  {
+    this->Messages.AddError(
+      file, line, "the rest of the scene is not read: it is larger than " + limit + " allows");
+  }
+  return isWithin;
+}
