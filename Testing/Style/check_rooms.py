@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 FOLDERS = ("Filters", "Readers", "Plugins")
-ROW = re.compile(r"^\| `([\w/]+)` \| ([^|]*) \| ([^|]*) \| [^|]* \|$", re.MULTILINE)
+ROW = re.compile(r"^\| `([\w/]+)` \|([^|]*)\|([^|]*)\|[^|]*\|$", re.MULTILINE)
 INCLUDE = re.compile(r'^#include ([<"])([^>"]+)[>"]', re.MULTILINE)
 # By the beginning of what is included in angle brackets.
 LIBRARIES = {"ParaView": r"pq|vtkSM|vtkPV", "VTK": r"vtk", "TBB": r"tbb/", "Embree": r"embree\d/",
