@@ -22,8 +22,9 @@
  * only.
  *
  * A convex polygon of n corners becomes a fan, in a time proportional to n. Any other polygon is cut
- * by ear clipping. The corners that can be inside an ear are found in a grid. The time grows almost
- * linearly for usual polygons, and never exceeds 2,000 n + 1,000,000 tests of a corner.
+ * by ear clipping. The corners that can be inside an ear are found in a grid. The time is almost
+ * proportional to n for usual polygons. For any polygon it is bounded by about 2,000 n + 1,000,000
+ * tests of a corner.
  *
  * One triangulator can cut many polygons. It reuses its memory.
  */

@@ -28,7 +28,9 @@ public:
   /// `progress` receives the fraction of the triangles that are collected, 0 to 1, from the calling
   /// thread. If it returns false, the scene stays unbuilt and Build() returns false. Throws
   /// std::runtime_error, with a text for the user, if the scene is bad.
-  bool Build(vtkDataObject* scene, int method, const std::function<bool(double)>& progress);
+  bool Build(
+    vtkDataObject* scene, int method,
+    const std::function<bool(double)>& progress = [](double) { return true; });
 
   /// Words on the cells that were left out, empty where all were taken.
   const std::string& GetLeftOut() const { return this->LeftOut; }

@@ -78,7 +78,7 @@ private:
     if (given < wanted)
     {
       this->Evaluator.ReportLoss(this->Node,
-        "an ElevationGrid has " + std::to_string(given) + " heights instead of " +
+        "an ElevationGrid has " + std::to_string(given) + " heights in place of " +
           std::to_string(wanted));
       this->Rows = given / this->Columns;
     }

@@ -52,7 +52,7 @@ private:
     if (this->Corners < 2 || this->Sections < 2)
     {
       this->Evaluator.ReportLoss(
-        this->Node, "an Extrusion needs at least two points of spine and of crossSection");
+        this->Node, "an Extrusion needs two points or more of spine and of crossSection");
       return false;
     }
     // The number of triangles can be far larger than the file, and the lists longer than the spine.

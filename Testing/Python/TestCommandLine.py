@@ -744,7 +744,7 @@ class TestLosses(CommandLineTest):
         result = run(*scan, "--scene-root", self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         result = run(*scan, "--scene-root", self.folder / "nowhere")
-        self.assertIn("is not a folder", result.stderr)
+        self.assertIn("is no folder", result.stderr)
         self.assertNotEqual(result.returncode, 0)
 
     def test_scene_root_of_other_formats(self):

@@ -117,7 +117,7 @@ TEST(Triangulator, CutsFarAway)
   EXPECT_DOUBLE_EQ(GetArea(l, triangulator.GetTriangles()), 3.0);
 }
 
-TEST(Triangulator, MakesNothingOfALine)
+TEST(Triangulator, MakesNoTrianglesOfALine)
 {
   lms3dTriangulator triangulator;
   for (const Corners& corners : { Corners(), Corners(2), Corners(5, { 1, 2, 3 }),
@@ -128,7 +128,7 @@ TEST(Triangulator, MakesNothingOfALine)
   }
 }
 
-TEST(Triangulator, SaysWhichPolygonsCrossThemselves)
+TEST(Triangulator, ReportsPolygonsThatCrossThemselves)
 {
   lms3dTriangulator triangulator;
   const Corners bow = { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };

@@ -59,7 +59,7 @@ TEST_F(VRMLFiles, AreRegularAndNotLongerThanAllowed)
   EXPECT_NE(lms3dReadFile(name + ".none", 100).Problem, "");
 }
 
-TEST_F(VRMLFiles, AreNamedByWhatTheyAre)
+TEST_F(VRMLFiles, AreRecognisedByTheirBeginning)
 {
   EXPECT_EQ(lms3dExplainBeginning("#VRML V2.0 utf8"), "");
   EXPECT_EQ(lms3dExplainBeginning("\xEF\xBB\xBF#VRML V2.0 utf8"), "");
@@ -106,7 +106,7 @@ TEST_F(VRMLFiles, StayBelowTheSceneRoot)
   EXPECT_DOUBLE_EQ(GetArea(read()), 2.0);
 }
 
-TEST_F(VRMLFiles, EndWhereTheyHoldThemselves)
+TEST_F(VRMLFiles, MayNotContainThemselves)
 {
   const lms3dScene scene = this->Read(SquareShape + std::string("Inline { url \"scene.wrl\" }"));
   EXPECT_EQ(
@@ -114,7 +114,7 @@ TEST_F(VRMLFiles, EndWhereTheyHoldThemselves)
   EXPECT_DOUBLE_EQ(GetArea(scene), 1.0);
 }
 
-TEST_F(VRMLFiles, StopWhenTheUserWishes)
+TEST_F(VRMLFiles, StopAfterAnAbort)
 {
   std::string text;
   for (int i = 0; i < 1000; ++i)
@@ -135,7 +135,7 @@ TEST_F(VRMLFiles, StopWhenTheUserWishes)
   EXPECT_LT(last, 0.6);
 }
 
-TEST(Messages, SayEachThingOnceAndAsTheWorst)
+TEST(Messages, AreUniqueWithTheHighestSeverity)
 {
   lms3dMessages messages;
   messages.AddWarning("a", 1, "x");
@@ -148,7 +148,7 @@ TEST(Messages, SayEachThingOnceAndAsTheWorst)
   EXPECT_EQ(taken[1].Severity, lms3dMessage::MESSAGE_ERROR);
 }
 
-TEST(Messages, AreNotMoreThanAThousand)
+TEST(Messages, AreAThousandAtMost)
 {
   lms3dMessages messages;
   for (std::size_t i = 0; i < 5000; ++i)
@@ -177,7 +177,7 @@ TEST(VRMLFuzz, ReadsItsCorpus)
   EXPECT_GT(count, 0u);
 }
 
-TEST(UTF8, KeepsWhatIsValidAndReadsTheRestAsLatin1)
+TEST(UTF8, KeepsValidTextAndReadsTheRestAsLatin1)
 {
   const std::string valid = "a\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80";
   EXPECT_EQ(lms3dToUTF8(valid), valid);

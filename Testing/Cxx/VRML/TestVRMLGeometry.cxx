@@ -115,7 +115,7 @@ TEST_F(VRMLGeometry, LosesSingleFacesOnly)
       "error 2: 1 face of an IndexedFaceSet is lost: a point is not finite or too far away" }));
 }
 
-TEST_F(VRMLGeometry, TakesOnlyThePointsThatAShapeHas)
+TEST_F(VRMLGeometry, CopiesOnlyThePointsOfAShape)
 {
   std::string points;
   for (int i = 0; i < 1000; ++i)
@@ -143,10 +143,10 @@ TEST_F(VRMLGeometry, HasElevationGrids)
   EXPECT_DOUBLE_EQ(GetArea(part), 6.0);
   EXPECT_EQ(GetBounds(part)[1], 5.0);
   const lms3dScene lost = this->Read(Shape(grid + "[ 5 5 5 5 5 ] }"));
-  EXPECT_EQ(GetMessages(lost), Texts{ "error 2: an ElevationGrid has 5 heights instead of 6" });
+  EXPECT_EQ(GetMessages(lost), Texts{ "error 2: an ElevationGrid has 5 heights in place of 6" });
 }
 
-TEST(VRMLSpine, TurnsAStraightFrameTheShortestWay)
+TEST(VRMLSpine, RotatesTheFrameOfAStraightSpineByTheSmallestAngle)
 {
   const std::vector<lms3dSpineFrame> frames =
     lms3dMakeSpineFrames({ { 0, 0, 0 }, { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 3 } });
@@ -179,7 +179,7 @@ TEST(VRMLSpine, HasOneFrameForBothEndsOfAClosedSpine)
   EXPECT_EQ(frames.front().Y, lms3dNormalize({ 1, 0, -1 }));
 }
 
-TEST_F(VRMLGeometry, HasExtrusionsWithTurnsAndScales)
+TEST_F(VRMLGeometry, HasExtrusionsWithOrientationsAndScales)
 {
   const lms3dScene turned =
     this->Read(Shape("Extrusion { spine [ 0 0 0, 0 2 0 ] orientation 0 1 0 0.7853981633974483 }"));

@@ -119,7 +119,7 @@ TEST_F(VRMLImporterSource, TurnsYUpToZUp)
   }
 }
 
-TEST_F(VRMLImporterSource, ReadsAfreshEachTime)
+TEST_F(VRMLImporterSource, ReadsTheFileAgainEachTime)
 {
   this->Write(Square);
   this->Reader->SetFileName(this->File.string().c_str());
@@ -134,7 +134,7 @@ TEST_F(VRMLImporterSource, ReadsAfreshEachTime)
   EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 804);
 }
 
-TEST_F(VRMLImporterSource, ReportsWhatIsNoScene)
+TEST_F(VRMLImporterSource, RejectsFilesThatAreNotScenes)
 {
   this->ExpectError(vtkErrorCode::NoFileNameError, "no FileName");
   this->Reader->SetFileName(this->File.string().c_str());
@@ -157,7 +157,7 @@ TEST_F(VRMLImporterSource, ReportsWhatIsNoScene)
   this->ExpectError(vtkErrorCode::FileFormatError, "no surface");
 }
 
-TEST_F(VRMLImporterSource, TellsOncePerExecutionWhatIsLost)
+TEST_F(VRMLImporterSource, ReportsLossesOncePerExecution)
 {
   this->Write(Square + std::string("USE Missing\nShape { geometry Nurbs { } }\n"));
   this->Reader->SetFileName(this->File.string().c_str());
@@ -197,7 +197,7 @@ TEST_F(VRMLImporterSource, ListsTwentyMessagesAtMost)
   EXPECT_NE(error.find("and so on, see GetMessage"), std::string::npos) << error;
 }
 
-TEST_F(VRMLImporterSource, WarnsWhereNothingIsLost)
+TEST_F(VRMLImporterSource, WarnsIfNothingIsLost)
 {
   this->Write(Square + std::string("WorldInfo { author \"me\" }\n"));
   this->Reader->SetFileName(this->File.string().c_str());
@@ -213,7 +213,7 @@ TEST_F(VRMLImporterSource, WarnsWhereNothingIsLost)
   EXPECT_NE(warning.find(this->Reader->GetMessage(0)), std::string::npos) << warning;
 }
 
-TEST_F(VRMLImporterSource, TellsTheErrorRatherThanAWarningBeforeIt)
+TEST_F(VRMLImporterSource, ReportsTheErrorRatherThanAnEarlierWarning)
 {
   this->Write("#VRML V2.0 utf8\nGroup { foo 1 }\nInline { url \"gone.wrl\" }\n");
   this->Reader->SetFileName(this->File.string().c_str());
@@ -276,7 +276,7 @@ TEST_F(VRMLImporterSource, IsEmptyWithoutAnErrorAfterAnAbort)
   EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 240000);
 }
 
-TEST_F(VRMLImporterSource, LetsThePipelineGoOnWhereOthersWaitForIt)
+TEST_F(VRMLImporterSource, ContinuesThePipelineOfSeveralProcesses)
 {
   this->Reader->SetFileName((this->File.string() + ".not").c_str());
   EXPECT_EQ(this->Reader->UpdatePiece(0, 2, 0), 1);
@@ -339,7 +339,7 @@ TEST_F(VRMLImporterSource, HasTwoEngines)
   EXPECT_NE(words.str().find("Engine: VRML97"), std::string::npos) << words.str();
 }
 
-TEST_F(VRMLImporterSource, KnowsItsFiles)
+TEST_F(VRMLImporterSource, RecognisesItsFiles)
 {
   EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(LMS3D_DATA_DIR "/room.wrl"), 1);
   EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(LMS3D_DATA_DIR "/make_room.py"), 0);

@@ -74,7 +74,7 @@ TEST(VRMLLexer, ReadsReals)
   }
 }
 
-TEST(VRMLLexer, TellsNumbersThatAreNotFinite)
+TEST(VRMLLexer, MarksNumbersThatAreNotFinite)
 {
   for (const char* text :
     { "nan", "-NaN", "inf", "-inf", "Infinity", "1e400", "-1E999", "1.#INF", "-1.#IND", "1.#QNAN" })
@@ -103,7 +103,7 @@ TEST(VRMLLexer, RoundsNumbersOutOfRangeByAllTheirDigits)
   }
 }
 
-TEST(VRMLLexer, TakesNoOtherWordsForNumbers)
+TEST(VRMLLexer, ReadsOtherWordsAsWords)
 {
   for (const char* text : { "Inline", "normal", "info", "12abc", "1.2.3", "-", "+", "0xG", "n" })
   {

@@ -72,7 +72,7 @@ TEST(VRMLParser, KeepsNodeNamesOfABodyApart)
       "error 4: USE B: no earlier node has this name" }));
 }
 
-TEST(VRMLParser, KnowsThePrototypesAround)
+TEST(VRMLParser, FindsPrototypesOfOuterScopes)
 {
   const Parsed parsed("PROTO P [ ] { Group { } }\n"
                       "PROTO Q [ ] { P { } }\nPROTO R [ ] { PROTO S [ ] { Q { } } S { } }\nS { }");
@@ -98,7 +98,7 @@ TEST(VRMLParser, ReadsInterfaces)
   EXPECT_EQ(q.Urls, (lms3dVRMLStrings{ "x", "y" }));
 }
 
-TEST(VRMLParser, ReadsScriptsAndRoutesOver)
+TEST(VRMLParser, SkipsScriptsAndRoutes)
 {
   const Parsed parsed("DEF S Script { url \"x\" field SFNode me USE S eventIn SFTime t IS u\n"
                       "  field MFFloat f [ 1 2 ] eventOut SFBool b }\nROUTE S.b TO T.set_x\n");
@@ -106,7 +106,7 @@ TEST(VRMLParser, ReadsScriptsAndRoutesOver)
   EXPECT_EQ(parsed.Document.Roots.size(), 1u);
 }
 
-TEST(VRMLParser, GoesOnBehindAFault)
+TEST(VRMLParser, ContinuesBehindAFault)
 {
   const std::vector<std::pair<std::string, std::string>> faults = {
     { "}", "error 1: \"}\" is not expected here; it is skipped" },
@@ -150,7 +150,7 @@ TEST(VRMLParser, KeepsTheOrderOfNumbersAroundAWord)
   EXPECT_EQ(parsed.Messages, Texts{ "error 1: \"three\" is not expected here; it is skipped" });
 }
 
-TEST(VRMLParser, TellsOnceThatTheFileEnds)
+TEST(VRMLParser, ReportsTheEndOfTheFileOnce)
 {
   EXPECT_EQ(Parsed("Group { children [\nGroup { children [ Box { size 1").Messages,
     Texts{ "error 2: the file ends inside Box" });
@@ -174,7 +174,7 @@ TEST(VRMLParser, BoundsItsDepth)
   EXPECT_EQ(parsed.Document.Roots.back()->TypeName, "Viewpoint");
 }
 
-TEST(VRMLParser, ForgetsANodeThatIsTooDeep)
+TEST(VRMLParser, DropsANodeThatIsTooDeep)
 {
   std::string text;
   for (int i = 0; i < lms3dVRMLMaximumDepth; ++i)
@@ -188,7 +188,7 @@ TEST(VRMLParser, ForgetsANodeThatIsTooDeep)
       "error 1: the file ends inside a list" }));
 }
 
-TEST(VRMLParser, KeepsThePlaceOfANodeThatItCannotRead)
+TEST(VRMLParser, KeepsTheIndicesAroundANodeThatItCannotRead)
 {
   const Parsed parsed("Switch { choice [ USE A, Group { }, NULL, DEF B 7 ] }\nUSE C\nGroup { }");
   const auto& choices = std::get<lms3dVRMLNodes>(parsed.GetValue(0, "choice"));

@@ -23,7 +23,7 @@ TEST_F(VRMLPrototypes, TakeValuesOfTheInstanceOrElseDefaults)
   EXPECT_DOUBLE_EQ(GetArea(scene), 6 + 6 + 24);
 }
 
-TEST_F(VRMLPrototypes, SeeDefaultsFromWhereTheInstanceIs)
+TEST_F(VRMLPrototypes, EvaluateDefaultsInTheContextOfTheInstance)
 {
   const lms3dScene scene =
     this->Read("PROTO Outer [ field SFVec3f s 1 2 3 ] {\n"
@@ -34,7 +34,7 @@ TEST_F(VRMLPrototypes, SeeDefaultsFromWhereTheInstanceIs)
   EXPECT_DOUBLE_EQ(GetArea(scene), 88.0);
 }
 
-TEST_F(VRMLPrototypes, ShowTheFirstNodeAlone)
+TEST_F(VRMLPrototypes, ShowOnlyTheFirstNode)
 {
   const lms3dScene scene = this->Read(
     std::string("PROTO P [ ] { ") + SquareShape + " Shape { geometry Box { } } } P { } P { }");
@@ -42,7 +42,7 @@ TEST_F(VRMLPrototypes, ShowTheFirstNodeAlone)
   EXPECT_DOUBLE_EQ(GetArea(scene), 2.0);
 }
 
-TEST_F(VRMLPrototypes, HoldInstancesOfThemselvesInTheirFields)
+TEST_F(VRMLPrototypes, MayContainThemselvesInTheirFields)
 {
   const std::string joint = "PROTO Joint [ field SFVec3f t 0 0 0 field MFNode c [ ] ] {"
                             "  Transform { translation IS t children IS c } }\n";
@@ -52,7 +52,7 @@ TEST_F(VRMLPrototypes, HoldInstancesOfThemselvesInTheirFields)
   EXPECT_EQ(GetBounds(scene), (Bounds{ 2, 0, 0, 4, 1, 0 }));
 }
 
-TEST_F(VRMLPrototypes, EndWhereAnInstanceHoldsItself)
+TEST_F(VRMLPrototypes, MayNotContainThemselvesInTheirBody)
 {
   const lms3dScene scene = this->Read("PROTO P [ field MFNode c [ ] ] { Group { children IS c } }\n"
                                       "DEF A P { c [ USE A " +
@@ -61,7 +61,7 @@ TEST_F(VRMLPrototypes, EndWhereAnInstanceHoldsItself)
   EXPECT_DOUBLE_EQ(GetArea(scene), 1.0);
 }
 
-TEST_F(VRMLPrototypes, ShareTheMeshOfWhatIsUsedAgain)
+TEST_F(VRMLPrototypes, ShareTheMeshOfANodeThatIsUsedAgain)
 {
   const lms3dScene scene =
     this->Read("PROTO P [ ] { Shape { geometry Sphere { } } }\n"
@@ -112,7 +112,7 @@ TEST_F(VRMLPrototypes, DoNotShareAMeshWhoseCoordinatesDependOnTheInstance)
   EXPECT_DOUBLE_EQ(GetArea(scene), 0.5 + 2 + 8);
 }
 
-TEST_F(VRMLPrototypes, TellWhatTheyDoNotHave)
+TEST_F(VRMLPrototypes, ReportMissingFields)
 {
   EXPECT_EQ(GetMessages(this->Read("PROTO P [ ] { Shape { geometry Box { size IS s } } }\nP { }")),
     Texts{ "error 2: IS s: PROTO P has no such field" });

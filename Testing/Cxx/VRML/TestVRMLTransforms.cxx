@@ -34,7 +34,7 @@ TEST(Transform, MapsPoints)
     { 3, 2, 2 });
 }
 
-TEST(Transform, KnowsItsLargestScale)
+TEST(Transform, BoundsItsLargestScale)
 {
   const lms3dTransform turn = lms3dTransform::Rotation({ 1, 2, 3, 0.7 });
   EXPECT_NEAR((turn * lms3dTransform::Scale({ 3, 3, 3 })).GetLargestScale(), 3.0, 1e-12);
@@ -43,7 +43,7 @@ TEST(Transform, KnowsItsLargestScale)
   EXPECT_EQ(lms3dTransform::Scale({ 0, 0, 0 }).GetLargestScale(), 0.0);
 }
 
-TEST(Transform, KnowsMirrorsAndInfinities)
+TEST(Transform, DetectsMirrorsAndInfinities)
 {
   EXPECT_FALSE(lms3dTransform().IsMirror());
   EXPECT_TRUE(lms3dTransform::Scale({ 1, 1, -1 }).IsMirror());
