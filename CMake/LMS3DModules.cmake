@@ -12,7 +12,7 @@ vtk_module_scan(
   WANT_BY_DEFAULT ON
   HIDE_MODULES_FROM_CACHE ON)
 
-# The library version has two parts because vtk_module_build takes a plain "0" for "none".
+# The library version has two parts because vtk_module_build ignores a SOVERSION of "0".
 vtk_module_build(
   MODULES ${lms3d_modules}
   PACKAGE LMS3D
