@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests what ./run wants to install, with a copy of it on a system without packages.
 
-LMS3D_RUN is the script. Programs in a folder of the test stand in for dpkg-query, which then lists no
-package, and for apt-get and sudo, which note that they were called.
+LMS3D_RUN is the script. Programs in a folder of the test replace dpkg-query, which then lists no
+package, and apt-get, sudo and cmake, which record that they were called.
 """
 
 import os
@@ -26,7 +26,7 @@ def is_supported():
 
 @unittest.skipUnless(is_supported(), "./run installs packages on Debian 12 and 13 only")
 class TestRun(unittest.TestCase):
-    """./run with LMS3D_NO_INSTALL on a machine that has nothing."""
+    """./run with LMS3D_NO_INSTALL on a machine without packages."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -51,8 +51,8 @@ class TestRun(unittest.TestCase):
         path = f"{self.programs}:{os.environ['PATH']}"
         names = ("LMS3D_PRESET", "LMS3D_PACKAGES", "LMS3D_NO_INSTALL")
         others = {name: value for name, value in os.environ.items() if name not in names}
-        return subprocess.run([self.root / "run", *command], env={**others, "PATH": path, **environment},
-                              capture_output=True, text=True, check=False)
+        return subprocess.run([self.root / "run", *command], capture_output=True, text=True, check=False,
+                              env={**others, "PATH": path, **environment})
 
     def missing(self, *command):
         """The packages that ./run names and does not install."""
@@ -73,10 +73,12 @@ class TestRun(unittest.TestCase):
 
     def test_each_part_adds_its_packages(self):
         demo = self.missing("demo")
-        self.assertEqual(self.missing("server") - demo, {"libcli11-dev", "libomniorb4-dev", "omniidl"})
+        self.assertEqual(self.missing("server") - demo,
+                         {"libcli11-dev", "libomniorb4-dev", "omniidl"})
         self.assertEqual(self.missing("bench") - demo, {"libgtest-dev"})
         self.assertIn("libopenmpi-dev", self.missing("test") - demo)
-        self.assertLessEqual({"maven", "python3-venv"}, self.missing("interop") - self.missing("test"))
+        interop = self.missing("interop") - self.missing("test")
+        self.assertLessEqual({"maven", "python3-venv"}, interop)
 
     def test_parts_of_the_build_folder_stay(self):
         build = self.root / "build"
@@ -87,10 +89,10 @@ class TestRun(unittest.TestCase):
         self.assertNotIn("libgtest-dev", self.missing("demo"))
 
     def stamp(self):
-        """What ./run notes in a build folder: its own folder and the system."""
-        command = '. /etc/os-release && echo "$ID $VERSION_ID"'
-        system = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=True).stdout
-        return f"{self.root.resolve()} {system}"
+        """The text that ./run writes into a build folder: its own folder and the system."""
+        command = ["sh", "-c", '. /etc/os-release && echo "$ID $VERSION_ID"']
+        system = subprocess.run(command, capture_output=True, text=True, check=True)
+        return f"{self.root.resolve()} {system.stdout}"
 
     def test_further_packages_are_named(self):
         outcome = self.call("demo", LMS3D_NO_INSTALL="1", LMS3D_PACKAGES="libcoin-dev")
