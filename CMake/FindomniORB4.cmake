@@ -1,10 +1,12 @@
 #[[
-omniORB 4, a CORBA ORB for C++, by pkg-config: it has no CMake files of its own.
+Finds omniORB 4, a CORBA ORB for C++, through pkg-config: omniORB has no CMake files of its own.
 
 Targets: omniORB4::omniORB4
          omniORB4::SSL, the transport for TLS, which has no pkg-config file
 Variable: omniORB4_OMNIIDL, the IDL compiler that belongs to the library
 Function: omniorb4_add_idl_library(TARGET FILE.idl...), a static library of stubs and skeletons
+
+No target is global: a project that adds LMS3D as a subdirectory does not see them.
 ]]
 
 find_package(PkgConfig QUIET)
@@ -12,7 +14,7 @@ if (PkgConfig_FOUND)
   pkg_check_modules(omniORB4_PKG QUIET IMPORTED_TARGET omniORB4)
   pkg_get_variable(omniidl omniORB4 omniidl)
   if (EXISTS "${omniidl}")
-    # Not any omniidl of PATH: stubs of another version do not compile against this library.
+    # Not an omniidl from PATH: stubs of another version do not compile against this library.
     set(omniORB4_OMNIIDL "${omniidl}")
   endif ()
 endif ()
@@ -32,7 +34,7 @@ if (omniORB4_FOUND AND NOT TARGET omniORB4::omniORB4)
     INTERFACE_LINK_LIBRARIES omniORB4::omniORB4)
 endif ()
 
-# Files are named relative to the current source folder, and may include one another.
+# Paths are relative to the current source folder. The files may include each other.
 function (omniorb4_add_idl_library target)
   set(generated)
   foreach (file IN LISTS ARGN)
@@ -48,7 +50,7 @@ function (omniorb4_add_idl_library target)
     list(APPEND generated ${outputs})
   endforeach ()
   add_library(${target} STATIC ${generated})
-  # Into a ParaView plugin too, which shows nobody its stubs.
+  # A ParaView plugin links the library, too, and hides the stubs.
   set_target_properties(${target} PROPERTIES
     POSITION_INDEPENDENT_CODE ON
     CXX_VISIBILITY_PRESET hidden

@@ -1,22 +1,27 @@
-# The packages that LMS3D stands on. Naming components keeps VTK from asking for Qt, HDF5 and
-# whatever else a complete VTK was built with.
+# The packages that LMS3D depends on. Every find_package names components: without them VTK and ParaView
+# search for Qt, HDF5 and all other libraries that Debian built them with.
+
+if (LMS3D_BUILD_PARAVIEW_PLUGIN OR LMS3D_USE_PARAVIEW_VTK)
+  include(LMS3DDebianParaView)
+endif ()
 
 if (LMS3D_BUILD_PARAVIEW_PLUGIN)
   # Also sets VTK_DIR to the VTK that ParaView was built with.
   find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager)
-  # The component for windows is an error, not missing, where one of its libraries is not there.
+  # Check Qt first: if it is missing, ParaView's component for windows stops CMake with an error.
   if (PARAVIEW_QT_MAJOR_VERSION GREATER 5)
     set(LMS3D_QT Qt${PARAVIEW_QT_MAJOR_VERSION})
     find_package(${LMS3D_QT} QUIET COMPONENTS Core Core5Compat Gui Help OpenGLWidgets Svg Widgets)
     find_package(${LMS3D_QT} QUIET OPTIONAL_COMPONENTS ToolsTools)
-  else () # ParaView before 5.13 does not tell
+  else () # ParaView before 5.13 does not set the variable
     set(LMS3D_QT Qt5)
     find_package(${LMS3D_QT} QUIET COMPONENTS Core Gui Help OpenGL Svg Widgets)
   endif ()
   set(LMS3D_PARAVIEW_WINDOW ${${LMS3D_QT}_FOUND})
   if (LMS3D_PARAVIEW_WINDOW)
-    # Far below ParaView's windows are libraries whose headers nobody here includes. Debian's ParaView
-    # names their packages without depending on them; empty ones save a user from installing them.
+    # ParaView's windows link libraries whose headers LMS3D does not include, and Debian's package of
+    # ParaView does not depend on their development packages. Empty targets replace them. The targets
+    # are not global: a project that adds LMS3D as a subdirectory does not see them.
     foreach (target IN ITEMS Boost::boost LibXml2::LibXml2 NetCDF::NetCDF hdf5::hdf5
         hdf5::hdf5_hl Freetype::Freetype)
       if (NOT TARGET ${target})
@@ -27,9 +32,12 @@ if (LMS3D_BUILD_PARAVIEW_PLUGIN)
   else ()
     message(STATUS "No ${LMS3D_QT}: the ParaView plugin gets neither icons nor the widget for the pose")
   endif ()
+elseif (LMS3D_USE_PARAVIEW_VTK)
+  # The smallest component: the call only has to set VTK_DIR.
+  find_package(ParaView 5.11 REQUIRED COMPONENTS WrapClientServer)
 endif ()
 
-# What the two modules stand on, and so whatever links to them.
+# Public dependencies of the two modules, and so of every program that links them.
 set(LMS3D_VTK_MODULES
   CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore FiltersGeometry IOImport
   ParallelCore RenderingCore)

@@ -16,7 +16,7 @@ vtk_module_scan(
 add_subdirectory(Filters/Geometry)
 add_subdirectory(Filters/Device)
 
-# The library version has two parts because vtk_module_build takes a plain "0" for "none".
+# The library version has two parts because vtk_module_build ignores a SOVERSION of "0".
 vtk_module_build(
   MODULES ${lms3d_modules}
   PACKAGE LMS3D

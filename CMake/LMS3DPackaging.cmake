@@ -27,7 +27,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 if (LMS3D_BUILD_PARAVIEW_PLUGIN AND LMS3D_BUILD_PYTHON)
-  # Python modules are no shared libraries of their package, so dpkg-shlibdeps cannot see them.
+  # dpkg-shlibdeps finds shared libraries alone, and these two packages hold Python modules.
   set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-paraview, python3-numpy")
 endif ()
 include(CPack)

@@ -1,7 +1,7 @@
-# The ParaView plugins: client-server wrappers of the modules and the XML, nothing compiled twice.
+# The ParaView plugins: client-server wrappers of the modules, and XML. No source is compiled twice.
 
-# The help pages are made of the XML by a program of Qt 5, also for windows of Qt 6; ParaView's own
-# search takes it from here.
+# A program of Qt 5 makes the help pages from the XML, for windows of Qt 6, too. ParaView finds the
+# program through this variable.
 set(LMS3D_PARAVIEW_HELP OFF)
 if (LMS3D_PARAVIEW_WINDOW)
   find_program(qt_xmlpatterns_executable NAMES xmlpatterns

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures the table of parallel.md: `mpirun -n N pvbatch --sym measure_parallel.py PLUGIN`.
 
-A ball of 8 million triangles around the sensor, a piece of it on each process, which uses one
-thread. Prints the time of the first scan, which builds, that of the next ones, which do not, and how
-much memory the first took in the process that took most.
+The scene is a ball of 8 million triangles around the sensor. ParaView's source creates a piece of it on
+each process, so that no filter has to spread it, and each process uses one thread. Prints for each
+process the time of the first scan, which builds, the time of the next ones, which do not, and the
+memory that the first one took.
 """
 
 import sys
@@ -27,7 +28,7 @@ def memory():
 
 
 def scan_time(scan, height):
-    """Seconds from moving the sensor to its scan; all processes are needed for it."""
+    """Seconds from moving the sensor to its scan. All processes have to call this."""
     scan.Position = [0.1, 0.2, height]
     start = time.perf_counter()
     scan.UpdatePipeline()

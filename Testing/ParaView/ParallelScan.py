@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scans by all processes of a pvbatch: `pvbatch ParallelScan.py JOB.json`, under mpirun.
+"""Scans with all processes of a pvbatch: `pvbatch ParallelScan.py JOB.json`, under mpirun.
 
-The job names the scenes, and for each case a scene, how it is spread over the processes and the
-filter's properties; the first process writes what each scan holds beside it, as CASE.npz, and what
-the filter said as CASE.txt.
+JOB.json lists the cases: a scene, the filter that spreads it over the processes, and the properties
+of the scan. The first process writes the arrays of each case to CASE.npz and its errors to CASE.txt,
+in the folder of the job.
 """
 
 import json
@@ -24,7 +24,7 @@ PROCESS = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
 
 
 def spread(scene, way):
-    """The scene as it is on the first process, or with its cells on all of them."""
+    """The scene with its cells on the first process, or on all of them."""
     if way == "one":
         return scene
     numbered = simple.GenerateGlobalIds(Input=scene)
@@ -37,7 +37,7 @@ def algorithm(proxy):
 
 
 def listen(filter_, said):
-    """Collect the errors of a filter; its executive repeats them."""
+    """Collect the errors of a filter, and silence its executive, which repeats them."""
     def hear(caller, event, words):
         said.append(words)
     hear.CallDataType = "string0"
@@ -46,7 +46,7 @@ def listen(filter_, said):
 
 
 def contents(scan):
-    """What the scan holds, by name."""
+    """The arrays of the scan by name."""
     points = algorithm(scan).GetOutputDataObject(0)
     arrays = {array.GetName(): vtk_to_numpy(array)
               for array in map(points.GetPointData().GetArray,
@@ -66,7 +66,7 @@ def contents_of_map(local_map):
 
 
 def save_image(scan, name):
-    """This process's part of the range image, and where it lies."""
+    """Save this process's part of the range image, and its place in the whole."""
     image = algorithm(scan).GetOutputDataObject(1)
     if image.GetNumberOfPoints():
         first_beam, last_beam, first_turn, last_turn = image.GetExtent()[:4]
@@ -76,7 +76,7 @@ def save_image(scan, name):
 
 
 def run(case):
-    """Scan once, and map what was scanned."""
+    """Scan once and reconstruct the map."""
     reader = VRMLReader if case["scene"].endswith(".wrl") else simple.OpenDataFile
     scene = reader(FileName=case["scene"]) if reader is VRMLReader else reader(case["scene"])
     scan = LMS3DScan(Input=spread(scene, case["spread"]), **case["properties"])
@@ -103,7 +103,7 @@ def run(case):
         np.savez(JOB.parent / case["name"], **arrays)
         (JOB.parent / f"{case['name']}.txt").write_text("".join(said))
     else:
-        assert not arrays, "only the first has the scan"
+        assert not arrays, "the first process alone has the scan"
 
 
 for case_ in json.loads(JOB.read_text()):

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests what ./run wants to install, with a copy of it on a system without packages.
+
+LMS3D_RUN is the script. Programs in a folder of the test replace dpkg-query, which then lists no
+package, and apt-get, sudo and cmake, which record that they were called.
+"""
+
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+FORBIDDEN = 10
+
+
+def is_supported():
+    """Whether ./run installs packages on this system."""
+    release = Path("/etc/os-release")
+    lines = release.read_text().splitlines() if release.exists() else []
+    return "ID=debian" in lines and {'VERSION_ID="12"', 'VERSION_ID="13"'} & set(lines)
+
+
+@unittest.skipUnless(is_supported(), "./run installs packages on Debian 12 and 13 only")
+class TestRun(unittest.TestCase):
+    """./run with LMS3D_NO_INSTALL on a machine without packages."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+        self.calls = self.root / "calls"
+        shutil.copy(os.environ["LMS3D_RUN"], self.root / "run")
+        self.programs = self.root / "programs"
+        self.programs.mkdir()
+        self.stand_in("dpkg-query", "exit 1")
+        for name in ("apt-get", "sudo", "cmake"):
+            self.stand_in(name, f'echo {name} >>"{self.calls}"')
+
+    def stand_in(self, name, script):
+        """Put a program first in PATH."""
+        program = self.programs / name
+        program.write_text(f"#!/bin/sh\n{script}\n")
+        program.chmod(0o755)
+
+    def call(self, *command, **environment):
+        """The outcome of ./run."""
+        path = f"{self.programs}:{os.environ['PATH']}"
+        names = ("LMS3D_PRESET", "LMS3D_PACKAGES", "LMS3D_NO_INSTALL")
+        others = {name: value for name, value in os.environ.items() if name not in names}
+        return subprocess.run([self.root / "run", *command], capture_output=True, text=True, check=False,
+                              env={**others, "PATH": path, **environment})
+
+    def missing(self, *command):
+        """The packages that ./run names and does not install."""
+        outcome = self.call(*command, LMS3D_NO_INSTALL="1")
+        self.assertEqual(outcome.returncode, FORBIDDEN, outcome.stderr)
+        self.assertIn("LMS3D_NO_INSTALL is set and packages are missing", outcome.stderr)
+        self.assertFalse(self.calls.exists(), "the system was touched")
+        return set(outcome.stderr.split("--no-install-recommends")[1].split())
+
+    def test_nothing_is_installed(self):
+        self.assertIn("g++", self.missing("build"))
+
+    def test_demo_needs_few_packages(self):
+        packages = self.missing("demo")
+        self.assertLessEqual({"cmake", "libembree-dev", "paraview-dev", "xvfb"}, packages)
+        for word in ("qt", "omni", "gtest", "mpi", "java", "jdk", "maven"):
+            self.assertFalse([package for package in packages if word in package], word)
+
+    def test_each_part_adds_its_packages(self):
+        demo = self.missing("demo")
+        self.assertEqual(self.missing("server") - demo,
+                         {"libcli11-dev", "libomniorb4-dev", "omniidl"})
+        self.assertEqual(self.missing("bench") - demo, {"libgtest-dev"})
+        self.assertIn("libopenmpi-dev", self.missing("test") - demo)
+        interop = self.missing("interop") - self.missing("test")
+        self.assertLessEqual({"maven", "python3-venv"}, interop)
+
+    def test_parts_of_the_build_folder_stay(self):
+        build = self.root / "build"
+        build.mkdir()
+        (build / "CMakeCache.txt").write_text("LMS3D_BUILD_CORBA:BOOL=ON\nBUILD_TESTING:BOOL=OFF\n")
+        (build / ".made-for").write_text(self.stamp())
+        self.assertIn("omniidl", self.missing("demo"))
+        self.assertNotIn("libgtest-dev", self.missing("demo"))
+
+    def stamp(self):
+        """The text that ./run writes into a build folder: its own folder and the system."""
+        command = ["sh", "-c", '. /etc/os-release && echo "$ID $VERSION_ID"']
+        system = subprocess.run(command, capture_output=True, text=True, check=True)
+        return f"{self.root.resolve()} {system.stdout}"
+
+    def test_further_packages_are_named(self):
+        outcome = self.call("demo", LMS3D_NO_INSTALL="1", LMS3D_PACKAGES="libcoin-dev")
+        self.assertIn("libcoin-dev", outcome.stderr)
+
+    def test_unknown_commands_are_refused(self):
+        self.assertEqual(self.call("frobnicate").returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
