@@ -11,7 +11,7 @@
 #include "Timer.h"
 
 #include "ServerProcess.h"
-#include "lms3dScannerReference.h"
+#include "Client/lms3dScannerReference.h"
 
 #include <chrono>
 #include <cstddef>

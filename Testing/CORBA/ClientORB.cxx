@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClientORB.h"
 
-#include "lms3dScannerReference.h"
+#include "Client/lms3dScannerReference.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ constexpr CORBA::ULong Patience = 10000;
 const char* Options[][2] = { { "clientCallTimeOutPeriod", "60000" },
   { "endPoint", "giop:tcp:127.0.0.1:" }, { nullptr, nullptr } };
 
-// Connections for more waiting threads than a server takes, also where vtkLMS3DRemoteSource makes the ORB
-// first.
+// Connections for more waiting threads than a server takes, also where vtkLMS3DRemoteSource makes
+// the ORB first.
 const int IsConnectionLimitSet = setenv("ORBmaxGIOPConnectionPerServer", "100", 0);
 
 CORBA::ORB_ptr MakeORB()

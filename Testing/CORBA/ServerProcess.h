@@ -13,8 +13,8 @@
 
 #include <sys/types.h>
 
-/// The threads of the filters, of servers and beside them; 0: all cores. TBB's library is not made for
-/// ThreadSanitizer.
+/// The threads of the filters, of servers and beside them; 0: all cores. TBB's library is not made
+/// for ThreadSanitizer.
 #ifdef __SANITIZE_THREAD__
 constexpr int FilterThreads = 1;
 #else
@@ -25,8 +25,8 @@ constexpr int FilterThreads = 0;
 class ServerProcess
 {
 public:
-  /// Starts it on Data/room.wrl, unless `arguments` say otherwise, and waits until it is ready. A test
-  /// failure where it does not become so.
+  /// Starts it on Data/room.wrl, unless `arguments` say otherwise, and waits until it is ready. A
+  /// test failure where it does not become so.
   explicit ServerProcess(const std::vector<std::string>& arguments = {});
   ~ServerProcess();
   ServerProcess(const ServerProcess&) = delete;

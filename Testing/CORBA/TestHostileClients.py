@@ -18,7 +18,7 @@ from server_process import BEAMS, CLIENT, Server, allow_many_files, wait_until
 
 CONNECTIONS = 1000
 # Sanitizers keep memory of their own for each thread, and what was freed.
-MOST_GROWTH = int(os.environ.get("LMS3D_MOST_GROWTH_MIB", "64")) << 20
+MAXIMUM_GROWTH = int(os.environ.get("LMS3D_MAXIMUM_GROWTH_MIB", "64")) << 20
 
 _header = giop.message(giop.REQUEST, b"")[:8]
 _fetch = giop.request(b"LMS3D", "fetch")
@@ -95,7 +95,7 @@ class HostileTest(unittest.TestCase):
         """Connections are closed, memory is not kept, and the end is in order."""
         self.assertTrue(wait_until(lambda: self.server.count_files() <= self.files + 2))
         self.check_service()
-        self.assertLess(self.server.measure_memory() - self.memory, MOST_GROWTH)
+        self.assertLess(self.server.measure_memory() - self.memory, MAXIMUM_GROWTH)
         self.assertEqual(self.server.stop()[0], 0)
 
     def connect_all(self, data_of):
@@ -126,7 +126,7 @@ class HostileTest(unittest.TestCase):
         """Idle connections cost a thread each, and little memory."""
         with self.connect_all(lambda _: b""):
             self.check_service()
-            self.assertLess(self.server.measure_memory() - self.memory, MOST_GROWTH)
+            self.assertLess(self.server.measure_memory() - self.memory, MAXIMUM_GROWTH)
         self.check_recovery()
 
     def test_half_an_argument_of_two_megabytes(self):

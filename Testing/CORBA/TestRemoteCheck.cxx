@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClientORB.h"
 #include "ServerProcess.h"
-#include "lms3dChecksum.h"
-#include "lms3dRemoteCheck.h"
+#include "Common/lms3dChecksum.h"
+#include "Client/lms3dRemoteCheck.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "ClientORB.h"
 #include "DirectPipeline.h"
 #include "ServerProcess.h"
-#include "lms3dRemoteScan.h"
+#include "Client/lms3dRemoteScan.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include "ClientORB.h"
 #include "DirectPipeline.h"
 #include "ServerProcess.h"
-#include "lms3dChecksum.h"
-#include "lms3dRemoteScan.h"
+#include "Common/lms3dChecksum.h"
+#include "Client/lms3dRemoteScan.h"
 
 #include <gtest/gtest.h>
 

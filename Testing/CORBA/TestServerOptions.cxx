@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dORBSettings.h"
-#include "lms3dObjectAddresses.h"
-#include "lms3dReferenceFile.h"
-#include "lms3dSceneCatalogue.h"
-#include "lms3dServerOptions.h"
+#include "Options/lms3dORBSettings.h"
+#include "Announcement/lms3dObjectAddresses.h"
+#include "Announcement/lms3dReferenceFile.h"
+#include "Scanning/lms3dSceneCatalogue.h"
+#include "Options/lms3dServerOptions.h"
 
 #include <gtest/gtest.h>
 

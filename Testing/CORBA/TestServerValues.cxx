@@ -3,8 +3,8 @@
 #include "ClientORB.h"
 #include "DirectPipeline.h"
 #include "ServerProcess.h"
-#include "lms3dChecksum.h"
-#include "lms3dRemoteData.h"
+#include "Common/lms3dChecksum.h"
+#include "Client/lms3dRemoteData.h"
 
 #include <vtkNew.h>
 #include <vtkPointData.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dChecksum.h"
-#include "lms3dSnapshotStore.h"
+#include "Common/lms3dChecksum.h"
+#include "Scanning/lms3dSnapshotStore.h"
 
 #include <gtest/gtest.h>
 

@@ -34,8 +34,8 @@ public:
   /// Where the sensor was, metres.
   double GetSensorX() const;
 
-  /// Updates as a window does, whenever there is something new, until the condition holds. False where
-  /// it does not within so many seconds.
+  /// Updates as a window does, whenever there is something new, until the condition holds. False
+  /// where it does not within so many seconds.
   bool UpdateUntil(const std::function<bool()>& condition, int seconds = 10);
 
   /// All warnings since the last call.

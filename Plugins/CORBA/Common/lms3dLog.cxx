@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dLog.h"
+#include "Common/lms3dLog.h"
 
 #include <chrono>
 #include <cstdio>
@@ -16,6 +16,6 @@ void lms3dLog(const std::string& text)
   gmtime_r(&seconds, &parts);
   char day[32];
   std::strftime(day, sizeof(day), "%Y-%m-%dT%H:%M:%S", &parts);
-  // One call, so that lines of several threads do not mix.
+  // One call, so that the lines of several threads do not mix.
   std::fprintf(stderr, "%s.%03dZ %s\n", day, static_cast<int>(fraction), text.c_str());
 }

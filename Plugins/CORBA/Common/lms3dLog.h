@@ -9,7 +9,7 @@
 
 #include <string>
 
-/// One line to the standard error output, after the time in UTC; from any thread.
+/// Writes the time in UTC and a line of text to the standard error. Any thread.
 void lms3dLog(const std::string& text);
 
 #endif

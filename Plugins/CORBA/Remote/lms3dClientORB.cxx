@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dClientORB.h"
 
-#include "lms3dORBLog.h"
+#include "Common/lms3dORBLog.h"
 
 #include <iostream>
 

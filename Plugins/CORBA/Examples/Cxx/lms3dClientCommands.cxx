@@ -4,8 +4,8 @@
 
 #include "lms3dClientFiles.h"
 #include "lms3dClientListener.h"
-#include "lms3dRemoteData.h"
-#include "lms3dWaitForScan.h"
+#include "Client/lms3dRemoteData.h"
+#include "Client/lms3dRemoteScan.h"
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>

@@ -19,8 +19,8 @@ std::string lms3dGetClientHelp();
 using lms3dClientCommand = std::function<void(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr)>;
 
 /// Needs no scanner. Empty where there is no such command, or not with so many words. Throws
-/// std::invalid_argument for a word that cannot be taken, std::runtime_error for a file that cannot be
-/// written.
+/// std::invalid_argument for a word that cannot be taken, std::runtime_error for a file that cannot
+/// be written.
 lms3dClientCommand lms3dReadClientCommand(
   const std::string& name, const std::vector<std::string>& words);
 

@@ -80,8 +80,8 @@ private:
   const fs::path Final;
 };
 
-// In memory: VTK 9.2 crashes where a file system takes no more. By default it appends binary data, which
-// is no XML.
+// In memory: VTK 9.2 crashes where a file system takes no more. By default it appends binary data,
+// which is no XML.
 std::string GetText(vtkPolyData* data)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;

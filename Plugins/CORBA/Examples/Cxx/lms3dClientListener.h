@@ -11,8 +11,9 @@
 
 #include <functional>
 
-/// Subscribes, hands `count` headers to `use`, and unsubscribes. Throws CORBA::SystemException where the
-/// server is gone meanwhile, std::runtime_error where it does not know, or does not reach, the listener.
+/// Subscribes, hands `count` headers to `use`, and unsubscribes. Throws CORBA::SystemException
+/// where the server is gone meanwhile, std::runtime_error where it does not know, or does not
+/// reach, the listener.
 void lms3dListenToScanner(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner,
   CORBA::ULongLong count, const std::function<void(const LMS3D::ScanHeader&)>& use);
 

@@ -3,8 +3,8 @@
 // lms3d-client: looks at a scanner, saves what it sees, and moves it.
 #include "lms3dClientCommands.h"
 #include "lms3dExceptionText.h"
-#include "lms3dORBLog.h"
-#include "lms3dScannerReference.h"
+#include "Common/lms3dORBLog.h"
+#include "Client/lms3dScannerReference.h"
 
 #include <algorithm>
 #include <exception>

@@ -1,10 +1,10 @@
-# Makes the clients in Java from LMS3D_SOURCE, with all of Maven's files in LMS3D_FOLDER.
+# Builds the clients in Java from LMS3D_SOURCE. All of Maven's files go to LMS3D_FOLDER.
 
-set(advice "  To do without the clients in Java: cmake --preset default -DLMS3D_TEST_JAVA_CLIENTS=OFF\n")
+set(advice "  To leave the clients in Java out: cmake --preset default -DLMS3D_TEST_JAVA_CLIENTS=OFF\n")
 
 find_program(maven mvn)
 if (NOT maven)
-  message(FATAL_ERROR "There is no Maven (mvn) on this machine.\n${advice}")
+  message(FATAL_ERROR "Maven (mvn) is not installed.\n${advice}")
 endif ()
 execute_process(
   COMMAND "${maven}" --batch-mode --quiet package
@@ -14,6 +14,6 @@ execute_process(
   RESULT_VARIABLE code)
 if (NOT code EQUAL 0)
   message(FATAL_ERROR
-    "Maven could not make the clients in Java. It needs a JDK of Java 11 or newer and, the first time, "
-    "a Maven repository such as settings.xml names.\n${advice}")
+    "Maven could not build the clients in Java. It needs a JDK of Java 11 or newer and, the first time, "
+    "a Maven repository.\n${advice}")
 endif ()

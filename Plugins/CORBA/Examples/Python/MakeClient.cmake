@@ -1,5 +1,5 @@
-# Puts into LMS3D_FOLDER what the client with omniORBpy needs: environment/, a virtual environment of
-# LMS3D_PYTHON, and stubs/, made from the files in LMS3D_IDL.
+# Creates in LMS3D_FOLDER what the client with omniORBpy needs: environment/, a virtual environment of
+# LMS3D_PYTHON, and stubs/, compiled from the files in LMS3D_IDL.
 
 set(environment "${LMS3D_FOLDER}/environment")
 set(stubs "${LMS3D_FOLDER}/stubs")
@@ -12,7 +12,7 @@ foreach (command IN ITEMS
   if (NOT code EQUAL 0)
     list(JOIN command " " words)
     message(FATAL_ERROR
-      "This failed: ${words}\n  It needs Python's venv and, the first time, a Python package index that "
-      "pip knows.\n  To do without the client: cmake --preset default -DLMS3D_TEST_OMNIORBPY_CLIENT=OFF\n")
+      "This failed: ${words}\n  It needs Python's venv and, the first time, a Python package "
+      "index.\n  To leave the client out: cmake --preset default -DLMS3D_TEST_OMNIORBPY_CLIENT=OFF\n")
   endif ()
 endforeach ()

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dNameRegistration.h"
+#include "Announcement/lms3dNameRegistration.h"
 
-#include "lms3dLog.h"
+#include "Common/lms3dLog.h"
 
 namespace
 {
@@ -26,7 +26,7 @@ lms3dNameRegistration::lms3dNameRegistration(
     this->Context = FindContext(orb, service);
     if (CORBA::is_nil(this->Context))
     {
-      lms3dLog("not registered: what --naming-service names is no naming context");
+      lms3dLog("not registered: --naming-service does not name a naming context");
       return;
     }
     const CosNaming::Name_var path = this->Context->to_name(name.c_str());
@@ -46,12 +46,12 @@ lms3dNameRegistration::~lms3dNameRegistration()
   {
     return;
   }
-  // Who ends the server waits as long.
+  // The end of the server waits as long.
   omniORB::setClientCallTimeout(this->Context, EndMilliseconds);
   try
   {
     const CosNaming::Name_var path = this->Context->to_name(this->Name.c_str());
-    // Another server may have taken the name over.
+    // Another server may have registered the name since.
     const CORBA::Object_var now = this->Context->resolve(path);
     if (now->_is_equivalent(this->Object))
     {
@@ -60,6 +60,6 @@ lms3dNameRegistration::~lms3dNameRegistration()
   }
   catch (const CORBA::Exception& problem)
   {
-    lms3dLog(std::string("the naming service keeps a stale name: ") + problem._name());
+    lms3dLog(std::string("the name stays in the naming service: ") + problem._name());
   }
 }

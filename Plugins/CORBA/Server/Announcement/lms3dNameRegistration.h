@@ -11,15 +11,17 @@
 
 #include <string>
 
-/// Is there while this lives, which must end before the ORB does. Where the naming service cannot be
-/// reached the log says so, and clients take the reference or the corbaloc.
+/// The entry exists as long as this object, which must be destroyed before the ORB. If the naming
+/// service cannot be reached, the log says so, and clients need the IOR or the corbaloc.
 class lms3dNameRegistration
 {
 public:
-  /// `service` is a URI, or empty for that which the ORB knows. `name` is stringified, as
-  /// "LMS3D.Scanner" or "robots/LMS3D.Scanner", in contexts that exist.
+  /// `service` is the URI of a naming context. If empty, the ORB's initial reference NameService is
+  /// used. `name` is a stringified name, such as "LMS3D.Scanner" or "robots/LMS3D.Scanner". Its
+  /// contexts must exist. Replaces an entry of the same name. Never throws CORBA exceptions.
   lms3dNameRegistration(CORBA::ORB_ptr orb, const std::string& service, const std::string& name,
     CORBA::Object_ptr object);
+  /// Removes the entry, unless another server has replaced it. Takes up to half a second.
   ~lms3dNameRegistration();
   lms3dNameRegistration(const lms3dNameRegistration&) = delete;
   void operator=(const lms3dNameRegistration&) = delete;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dObjectAddresses.h"
+#include "Announcement/lms3dObjectAddresses.h"
 
 #include <omniORB4/giopEndpoint.h>
 #include <omniORB4/omniIOR.h>
@@ -14,10 +14,10 @@ std::vector<std::string> lms3dGetAddresses(CORBA::Object_ptr object)
   std::vector<std::string> addresses;
   for (const omni::giopAddress* address : ior->getIORInfo()->addresses())
   {
-    // What is served by TLS alone has a plain address too, of port 0, for nobody.
+    // An object that is served by TLS only has an unused plain address of port 0.
     const std::string name = address->address();
-    const std::string nobody = ":0";
-    if (name.size() < nobody.size() || name.substr(name.size() - nobody.size()) != nobody)
+    const std::string unused = ":0";
+    if (name.size() < unused.size() || name.substr(name.size() - unused.size()) != unused)
     {
       addresses.push_back(name);
     }
@@ -25,7 +25,7 @@ std::vector<std::string> lms3dGetAddresses(CORBA::Object_ptr object)
   return addresses;
 }
 
-// Without a version a corbaloc means GIOP 1.0, whose clients agree on no character set.
+// Without a version a corbaloc means GIOP 1.0, which does not negotiate character sets.
 std::string lms3dGetCorbaloc(const std::vector<std::string>& addresses, const std::string& key)
 {
   constexpr std::pair<const char*, const char*> Schemes[] = {

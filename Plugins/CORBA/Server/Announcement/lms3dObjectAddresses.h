@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Where an object can be reached.
+ * @brief The network addresses of a CORBA object.
  */
 #ifndef lms3dObjectAddresses_h
 #define lms3dObjectAddresses_h
@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-/// As omniORB writes endpoints, "giop:tcp:127.0.0.1:2810".
+/// The addresses of the object's IOR in omniORB's form, such as "giop:tcp:127.0.0.1:2810".
 std::vector<std::string> lms3dGetAddresses(CORBA::Object_ptr object);
 
-/// The URI of an object of this key, "corbaloc:iiop:1.2@127.0.0.1:2810/KEY", at the first of the
-/// addresses that can be written so; empty where there is none.
+/// The URI of the object with this key, "corbaloc:iiop:1.2@127.0.0.1:2810/KEY", at the first TCP or
+/// TLS address. Empty if there is none.
 std::string lms3dGetCorbaloc(const std::vector<std::string>& addresses, const std::string& key);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dReferenceFile.h"
+#include "Announcement/lms3dReferenceFile.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -18,7 +18,7 @@ bool WriteNew(const std::string& name, const std::string& text)
   return file && std::fclose(file) == 0 && isWritten;
 }
 
-// Renaming replaces whatever is there, devices too.
+// Renaming would replace devices and pipes too.
 void RequireFile(const std::string& name)
 {
   std::error_code problem;
@@ -26,12 +26,12 @@ void RequireFile(const std::string& name)
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
     throw std::runtime_error(
-      "\"" + name + "\" is no ordinary file, so that the reference is not written there");
+      "cannot write the reference to \"" + name + "\": it is not a regular file");
   }
 }
 } // namespace
 
-// First under a name that nobody else has, be it another server that is to write the same file.
+// Writes a temporary file first, whose name differs from that of other servers.
 lms3dReferenceFile::lms3dReferenceFile(const std::string& name, const std::string& reference)
   : Name(name)
   , Reference(reference)
@@ -41,7 +41,7 @@ lms3dReferenceFile::lms3dReferenceFile(const std::string& name, const std::strin
   if (!WriteNew(temporary, reference + '\n') || std::rename(temporary.c_str(), name.c_str()) != 0)
   {
     std::remove(temporary.c_str());
-    throw std::runtime_error("the file \"" + name + "\" cannot be written");
+    throw std::runtime_error("cannot write the reference to \"" + name + "\"");
   }
 }
 

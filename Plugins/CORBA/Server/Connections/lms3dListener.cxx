@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dListener.h"
+#include "Connections/lms3dListener.h"
 
-#include "lms3dLog.h"
+#include "Common/lms3dLog.h"
 
 namespace
 {
-constexpr int MostFailures = 3;
+// In a row.
+constexpr int MaximumFailures = 3;
 
-// Those who end the server wait as long. The time to connect, which the ORB has for all objects
-// together, must not be longer; see lms3dGetORBSettings().
+// The end of the server waits as long. The ORB's time to connect, one setting for all objects, must
+// not be longer; see lms3dGetORBSettings().
 constexpr CORBA::ULong CallMilliseconds = 500;
 } // namespace
 
@@ -27,12 +28,12 @@ lms3dListener::~lms3dListener()
   this->Thread.join();
 }
 
-void lms3dListener::Tell(const LMS3D::ScanHeader& header)
+void lms3dListener::Notify(const LMS3D::ScanHeader& header)
 {
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->News = header;
-    this->HasNews = true;
+    this->Newest = header;
+    this->IsPending = true;
   }
   this->Changed.notify_one();
 }
@@ -46,38 +47,38 @@ void lms3dListener::Stop()
   this->Changed.notify_one();
 }
 
-bool lms3dListener::IsLeftOut() const
+bool lms3dListener::HasFailed() const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  return this->LeftOut;
+  return this->Failed;
 }
 
 void lms3dListener::Run()
 {
   int failures = 0;
   LMS3D::ScanHeader header;
-  while (failures < MostFailures && this->WaitForNews(header))
+  while (failures < MaximumFailures && this->WaitForHeader(header))
   {
-    failures = this->Reach(header) ? 0 : failures + 1;
+    failures = this->Call(header) ? 0 : failures + 1;
   }
-  if (failures == MostFailures)
+  if (failures == MaximumFailures)
   {
-    lms3dLog("the listener at " + this->Address + " cannot be reached and is left out");
+    lms3dLog("the listener at " + this->Address + " cannot be reached and is dropped");
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->LeftOut = true;
+    this->Failed = true;
   }
 }
 
-bool lms3dListener::WaitForNews(LMS3D::ScanHeader& header)
+bool lms3dListener::WaitForHeader(LMS3D::ScanHeader& header)
 {
   std::unique_lock<std::mutex> lock(this->Mutex);
-  this->Changed.wait(lock, [this] { return this->HasNews || this->Stopped; });
-  header = this->News;
-  this->HasNews = false;
+  this->Changed.wait(lock, [this] { return this->IsPending || this->Stopped; });
+  header = this->Newest;
+  this->IsPending = false;
   return !this->Stopped;
 }
 
-bool lms3dListener::Reach(const LMS3D::ScanHeader& header) const
+bool lms3dListener::Call(const LMS3D::ScanHeader& header) const
 {
   try
   {

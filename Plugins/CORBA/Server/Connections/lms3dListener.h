@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A client's object that is told of each scan.
+ * @brief A client's object that the server calls for each scan.
  */
 #ifndef lms3dListener_h
 #define lms3dListener_h
@@ -14,43 +14,45 @@
 #include <string>
 #include <thread>
 
-/// A thread of its own tells it, so that one whose machine does not answer delays nobody else. Of the
-/// scans that come while it is being told, it is told of the newest.
+/// Calls the object in a thread of its own, so that one that does not answer delays no other. Of
+/// the scans that come during a call, only the newest is passed on. All methods may be called from
+/// any thread.
 class lms3dListener
 {
 public:
-  /// The address is for the log.
+  /// `address` is for the log. Starts the thread.
   lms3dListener(LMS3D::ScanListener_ptr reference, const std::string& address);
-  /// Waits for the call that is under way, half a second at most.
+  /// Waits for the current call, half a second at most.
   ~lms3dListener();
   lms3dListener(const lms3dListener&) = delete;
   void operator=(const lms3dListener&) = delete;
 
   const std::string& GetAddress() const { return this->Address; }
 
-  /// Waits for nobody.
-  void Tell(const LMS3D::ScanHeader& header);
+  /// Passes a header to the thread and returns at once.
+  void Notify(const LMS3D::ScanHeader& header);
 
-  /// Begins no call any more, and does not wait for the one that is under way.
+  /// Begins no further calls. Does not wait for the current one.
   void Stop();
 
-  /// True where it could not be reached, and no more is tried.
-  bool IsLeftOut() const;
+  /// True if three calls in a row failed. No more calls are made then.
+  bool HasFailed() const;
 
 private:
   void Run();
-  /// The newest header that was not told yet; false where there is to be none any more.
-  bool WaitForNews(LMS3D::ScanHeader& header);
-  bool Reach(const LMS3D::ScanHeader& header) const;
+  /// Waits for a header that was not passed on yet. Returns false after Stop().
+  bool WaitForHeader(LMS3D::ScanHeader& header);
+  /// Returns false if the object cannot be reached.
+  bool Call(const LMS3D::ScanHeader& header) const;
 
   const LMS3D::ScanListener_var Reference;
   const std::string Address;
   mutable std::mutex Mutex;
   std::condition_variable Changed;
-  LMS3D::ScanHeader News;
-  bool HasNews = false;
+  LMS3D::ScanHeader Newest;
+  bool IsPending = false;
   bool Stopped = false;
-  bool LeftOut = false;
+  bool Failed = false;
   std::thread Thread;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dListeners.h"
+#include "Connections/lms3dListeners.h"
 
-#include "lms3dObjectAddresses.h"
+#include "Announcement/lms3dObjectAddresses.h"
 
 #include <algorithm>
 #include <chrono>
@@ -12,7 +12,7 @@
 
 namespace
 {
-// The first: clients that name many have them all in the same order.
+// The first one: a client's references list its addresses in the same order.
 std::string GetAddress(LMS3D::ScanListener_ptr reference)
 {
   const std::vector<std::string> addresses = lms3dGetAddresses(reference);
@@ -47,7 +47,7 @@ void lms3dListeners::Stop()
     this->Stopped = true;
     all.swap(this->Listeners);
   }
-  // All of them before the first is waited for.
+  // Stops all before their destructors wait for one after the other.
   for (const auto& listener : all)
   {
     listener.second->Stop();
@@ -57,7 +57,7 @@ void lms3dListeners::Stop()
 CORBA::ULong lms3dListeners::Add(LMS3D::ScanListener_ptr reference)
 {
   const std::string address = GetAddress(reference);
-  const Table leftOut = this->TakeThoseLeftOut();
+  const Table failed = this->TakeFailed();
   const std::lock_guard<std::mutex> lock(this->Mutex);
   if (this->Stopped)
   {
@@ -71,71 +71,71 @@ CORBA::ULong lms3dListeners::Add(LMS3D::ScanListener_ptr reference)
 
 bool lms3dListeners::Remove(CORBA::ULong subscription)
 {
-  // Outlives the lock, since its end may wait for a call.
+  // Outlives the lock, because its destructor may wait for a call.
   Table::node_type removed;
   const std::lock_guard<std::mutex> lock(this->Mutex);
   removed = this->Listeners.extract(subscription);
-  return !removed.empty() && !removed.mapped()->IsLeftOut();
+  return !removed.empty() && !removed.mapped()->HasFailed();
 }
 
 std::size_t lms3dListeners::GetNumber() const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   return std::count_if(this->Listeners.begin(), this->Listeners.end(),
-    [](const auto& listener) { return !listener.second->IsLeftOut(); });
+    [](const auto& listener) { return !listener.second->HasFailed(); });
 }
 
 void lms3dListeners::Run()
 {
-  std::uint64_t told = 0;
+  std::uint64_t newest = 0;
   while (!this->Store.IsStopped())
   {
     const auto later = lms3dSnapshotStore::Clock::now() + std::chrono::hours(1);
-    if (const lms3dSnapshotPointer snapshot = this->Store.Wait(told, 0, later))
+    if (const lms3dSnapshotPointer snapshot = this->Store.Wait(newest, 0, later))
     {
-      told = snapshot->Header.number;
-      this->TellAll(snapshot->Header);
+      newest = snapshot->Header.number;
+      this->NotifyAll(snapshot->Header);
     }
   }
 }
 
-void lms3dListeners::TellAll(const LMS3D::ScanHeader& header)
+void lms3dListeners::NotifyAll(const LMS3D::ScanHeader& header)
 {
-  const Table leftOut = this->TakeThoseLeftOut();
+  const Table failed = this->TakeFailed();
   const std::lock_guard<std::mutex> lock(this->Mutex);
   for (const auto& listener : this->Listeners)
   {
-    listener.second->Tell(header);
+    listener.second->Notify(header);
   }
 }
 
-lms3dListeners::Table lms3dListeners::TakeThoseLeftOut()
+lms3dListeners::Table lms3dListeners::TakeFailed()
 {
-  Table leftOut;
+  Table failed;
   const std::lock_guard<std::mutex> lock(this->Mutex);
   for (auto listener = this->Listeners.begin(); listener != this->Listeners.end();)
   {
     const auto next = std::next(listener);
-    if (listener->second->IsLeftOut())
+    if (listener->second->HasFailed())
     {
-      leftOut.insert(this->Listeners.extract(listener));
+      failed.insert(this->Listeners.extract(listener));
     }
     listener = next;
   }
-  return leftOut;
+  return failed;
 }
 
 void lms3dListeners::RequireRoom(const std::string& address) const
 {
-  const auto ofAddress = std::count_if(this->Listeners.begin(), this->Listeners.end(),
+  const auto sameAddress = std::count_if(this->Listeners.begin(), this->Listeners.end(),
     [&address](const auto& listener) { return listener.second->GetAddress() == address; });
-  if (ofAddress == MostOfAddress)
+  if (sameAddress == MaximumPerAddress)
   {
-    throw LMS3D::LimitExceeded("too many listeners of one client", MostOfAddress);
+    throw LMS3D::LimitExceeded("too many listeners of one client", MaximumPerAddress);
   }
-  if (this->Listeners.size() == Most)
+  if (this->Listeners.size() == Maximum)
   {
-    throw LMS3D::LimitExceeded("too many listeners", Most);
+    throw LMS3D::LimitExceeded("too many listeners", Maximum);
   }
 }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The clients' objects that are told of each scan.
+ * @brief The subscribed listeners of all clients.
  */
 #ifndef lms3dListeners_h
 #define lms3dListeners_h
 
-#include "lms3dListener.h"
-#include "lms3dSnapshotStore.h"
+#include "Connections/lms3dListener.h"
+#include "Scanning/lms3dSnapshotStore.h"
 
 #include <cstddef>
 #include <map>
@@ -17,37 +17,43 @@
 #include <string>
 #include <thread>
 
-/// Neither the scanner nor clients that ask wait for any of them.
+/// Notifies the listeners of each scan. Neither the scanner nor other clients wait for a listener.
+/// All methods but Start() and Stop() may be called from any thread.
 class lms3dListeners
 {
 public:
-  static constexpr std::size_t Most = 16;
-  /// Of one client, which is one address, so that it leaves room for others.
-  static constexpr std::size_t MostOfAddress = 4;
+  static constexpr std::size_t Maximum = 16;
+  /// One client has one address, and must leave room for others.
+  static constexpr std::size_t MaximumPerAddress = 4;
 
-  /// The store must outlive this, and be stopped before Stop().
+  /// `store` must outlive this object, and must be stopped before Stop().
   explicit lms3dListeners(const lms3dSnapshotStore& store);
   ~lms3dListeners();
   lms3dListeners(const lms3dListeners&) = delete;
   void operator=(const lms3dListeners&) = delete;
 
   void Start();
-  /// Nobody is told after it, so that the ORB may be destroyed.
+  /// Waits for the current calls. No listener is called afterwards, so the ORB may be destroyed.
   void Stop();
 
-  /// Returns the number of the subscription, which nobody can guess. Throws LMS3D::LimitExceeded, and
-  /// CORBA::TRANSIENT after Stop().
+  /// Returns the number of the subscription, which is random so that other clients cannot guess it.
+  /// Throws LMS3D::LimitExceeded, or CORBA::TRANSIENT after Stop().
   CORBA::ULong Add(LMS3D::ScanListener_ptr reference);
-  /// False where there is no such subscription. It is told no more when this returns.
+
+  /// Returns false if there is no such subscription. The listener is not called after this returns.
   bool Remove(CORBA::ULong subscription);
+
+  /// The number of listeners that have not failed.
   std::size_t GetNumber() const;
 
 private:
   using Table = std::map<CORBA::ULong, std::unique_ptr<lms3dListener>>;
 
   void Run();
-  void TellAll(const LMS3D::ScanHeader& header);
-  Table TakeThoseLeftOut();
+  void NotifyAll(const LMS3D::ScanHeader& header);
+  /// Removes the listeners that have failed. Their threads end with the result, so destroy it
+  /// unlocked.
+  Table TakeFailed();
   ///@{
   /// The mutex must be locked.
   void RequireRoom(const std::string& address) const;

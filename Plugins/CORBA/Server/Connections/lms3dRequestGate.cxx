@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dRequestGate.h"
-
-#include "lms3dCaller.h"
+#include "Connections/lms3dRequestGate.h"
 
 #include <omniORB4/CORBA.h>
 #include <omniORB4/omniInterceptors.h>
 #include <omniORB4/omniTransport.h>
 
-// In this order, since they do not include each other.
+// In this order, because they do not include each other.
 #include <omniORB4/internal/giopStrand.h>
 #include <omniORB4/internal/giopStream.h>
 
@@ -21,7 +19,7 @@ namespace
 {
 using Interceptors = omni::omniInterceptors;
 
-/// The ORB takes plain functions, so this is the process's.
+// Global, because the ORB accepts only plain functions.
 struct
 {
   std::mutex Mutex;
@@ -29,6 +27,9 @@ struct
   bool IsStarting = true;
   bool IsOpen = false;
 } Gate;
+
+// The ORB unmarshals and answers a call in one thread, and keeps the connection meanwhile.
+thread_local const omni::giopStrand* Connection = nullptr;
 
 void Set(bool isOpen)
 {
@@ -49,15 +50,15 @@ void RunAfterStart(Interceptors::createThread_T::info_T& thread)
   thread.run();
 }
 
-// The longest are those with the reference of a listener.
-constexpr CORBA::ULong MostArgumentBytes = 65536;
+// The longest arguments are references of listeners.
+constexpr CORBA::ULong MaximumArgumentBytes = 65536;
 
-// Before the ORB makes room for arguments of any length, which it never gives back where the rest of
-// the message does not come. Of a message in fragments, whose size only its end tells, it takes
-// everything to be possible.
+// Runs before the ORB allocates memory for the arguments, which it never frees if the rest of the
+// message does not come. The size of a message in fragments is unknown until its end, so it counts
+// as too large.
 void RequireSmall(omni::GIOP_S& request)
 {
-  if (request.checkInputOverrun(1, MostArgumentBytes))
+  if (request.checkInputOverrun(1, MaximumArgumentBytes))
   {
     throw CORBA::IMP_LIMIT(0, CORBA::COMPLETED_NO);
   }
@@ -76,7 +77,7 @@ CORBA::Boolean Pass(Interceptors::serverReceiveRequest_T::info_T& request)
 {
   RequireSmall(request.giop_s);
   RequireOpen();
-  lms3dSetCaller(request.giop_s.strand());
+  Connection = &request.giop_s.strand();
   return true;
 }
 } // namespace
@@ -96,4 +97,19 @@ void lms3dRequestGate::Open()
 void lms3dRequestGate::Close()
 {
   Set(false);
+}
+
+const omni::giopStrand* lms3dRequestGate::GetConnection()
+{
+  return Connection;
+}
+
+bool lms3dRequestGate::IsClientConnected()
+{
+  if (!Connection)
+  {
+    return true;
+  }
+  const omni_tracedmutex_lock lock(*omni::omniTransportLock);
+  return Connection->state() != omni::giopStrand::DYING;
 }

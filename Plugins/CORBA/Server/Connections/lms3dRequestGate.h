@@ -2,27 +2,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Lets requests in no sooner than there is an object, no later, and none that is too long.
+ * @brief Delays and refuses requests before they reach the object, and identifies their connections.
  */
 #ifndef lms3dRequestGate_h
 #define lms3dRequestGate_h
 
+#include <omniORB4/CORBA.h>
+
+OMNI_NAMESPACE_BEGIN(omni)
+class giopStrand;
+OMNI_NAMESPACE_END(omni)
+
 /**
- * omniORB serves as soon as it has an object adapter, which is before there is an object, and on while
- * it destroys them: clients would get OBJECT_NOT_EXIST or OBJ_ADAPTER, after which they need not try
- * again. The ORB's threads wait for the gate to be opened, and once it is closed calls get TRANSIENT.
- * Arguments of 64 KiB or more, and requests in fragments, get IMP_LIMIT; none that the object takes
- * is so long.
- * LocateRequest is no call, so that who sends one in the last moment still gets OBJECT_NOT_EXIST.
+ * The only file that includes omniORB's internal headers.
+ *
+ * omniORB serves from the creation of its first object adapter on, which is before there is an
+ * object, and also while it destroys the objects. Clients would then get OBJECT_NOT_EXIST or
+ * OBJ_ADAPTER, after which they need not try again. Therefore requests wait until the gate opens,
+ * and get TRANSIENT after it has closed. A LocateRequest is no call: at the very end a client can
+ * still get OBJECT_NOT_EXIST.
+ *
+ * Arguments of 64 KiB or more, and requests in fragments, get IMP_LIMIT. No operation needs them.
+ *
+ * All methods may be called from any thread.
  */
 class lms3dRequestGate
 {
 public:
-  /// For the one ORB of a process, before its first object adapter.
+  /// Call once per process, before the ORB's first object adapter exists.
   static void Install();
+
+  /// Lets requests pass.
   static void Open();
-  /// Also where it was never opened, before the ORB is destroyed.
+
+  /// Refuses requests from now on. Call before the ORB is destroyed, even if the gate never opened.
   static void Close();
+
+  /// The connection of the call that this thread answers. Null for calls within the process.
+  static const omni::giopStrand* GetConnection();
+
+  /// False if the ORB has noticed that the client of this thread's call has closed its connection.
+  static bool IsClientConnected();
 };
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dWaitingRoom.h"
+#include "Connections/lms3dWaitingRoom.h"
 
 #include <algorithm>
 
@@ -8,37 +8,51 @@ namespace
 {
 using Clock = lms3dSnapshotStore::Clock;
 
-// Of looking for clients that have gone.
-constexpr std::chrono::milliseconds LookPeriod(500);
+// How often a waiting call checks whether its client is still connected.
+constexpr std::chrono::milliseconds CheckPeriod(500);
 
 constexpr std::chrono::seconds FirstScanWait(5);
 } // namespace
 
-class lms3dWaitingRoom::Place
+lms3dLimitedCall::lms3dLimitedCall(
+  std::atomic<unsigned int>& count, unsigned int maximum, const char* reason)
+  : Count(count)
+{
+  unsigned int others = count;
+  do
+  {
+    if (others >= maximum)
+    {
+      throw LMS3D::LimitExceeded(reason, maximum);
+    }
+  } while (!count.compare_exchange_weak(others, others + 1));
+}
+
+class lms3dWaitingRoom::WaitingCall
 {
 public:
-  explicit Place(lms3dWaitingRoom& room)
+  explicit WaitingCall(lms3dWaitingRoom& room)
     : Room(room)
   {
     const std::lock_guard<std::mutex> lock(room.Mutex);
-    if (room.Waiting.size() >= Most)
+    if (room.Waiting.size() >= MaximumCalls)
     {
-      throw LMS3D::LimitExceeded("too many clients wait for a scan", Most);
+      throw LMS3D::LimitExceeded("too many clients wait for a scan", MaximumCalls);
     }
-    if (room.Waiting.count(lms3dGetCaller()) >= MostOfConnection)
+    if (room.Waiting.count(lms3dRequestGate::GetConnection()) >= MaximumCallsPerConnection)
     {
       throw LMS3D::LimitExceeded(
-        "too many calls of this connection wait for a scan", MostOfConnection);
+        "too many calls of this connection wait for a scan", MaximumCallsPerConnection);
     }
-    room.Waiting.insert(lms3dGetCaller());
+    room.Waiting.insert(lms3dRequestGate::GetConnection());
   }
-  ~Place()
+  ~WaitingCall()
   {
     const std::lock_guard<std::mutex> lock(this->Room.Mutex);
-    this->Room.Waiting.erase(this->Room.Waiting.find(lms3dGetCaller()));
+    this->Room.Waiting.erase(this->Room.Waiting.find(lms3dRequestGate::GetConnection()));
   }
-  Place(const Place&) = delete;
-  void operator=(const Place&) = delete;
+  WaitingCall(const WaitingCall&) = delete;
+  void operator=(const WaitingCall&) = delete;
 
 private:
   lms3dWaitingRoom& Room;
@@ -50,23 +64,24 @@ lms3dWaitingRoom::lms3dWaitingRoom(const lms3dSnapshotStore& store)
 }
 
 lms3dSnapshotPointer lms3dWaitingRoom::Wait(
-  std::uint64_t after, std::uint64_t generation, std::chrono::milliseconds longest)
+  std::uint64_t after, std::uint64_t generation, std::chrono::milliseconds timeout)
 {
-  const Clock::time_point deadline = Clock::now() + longest;
+  const Clock::time_point deadline = Clock::now() + timeout;
   lms3dSnapshotPointer snapshot = this->Store.Wait(after, generation, Clock::now());
   if (snapshot)
   {
     return snapshot;
   }
-  const Place place(*this);
-  while (!snapshot && Clock::now() < deadline && !this->Store.IsStopped() && lms3dIsCallerThere())
+  const WaitingCall call(*this);
+  while (!snapshot && Clock::now() < deadline && !this->Store.IsStopped() &&
+    lms3dRequestGate::IsClientConnected())
   {
-    snapshot = this->Store.Wait(after, generation, std::min(deadline, Clock::now() + LookPeriod));
+    snapshot = this->Store.Wait(after, generation, std::min(deadline, Clock::now() + CheckPeriod));
   }
   return snapshot;
 }
 
-// The paper's operation declares no exceptions, so that without a place it is told to try again.
+// The paper's fetch() declares no exceptions, so without a place its client gets TRANSIENT.
 lms3dSnapshotPointer lms3dWaitingRoom::WaitForFirst()
 {
   lms3dSnapshotPointer first;

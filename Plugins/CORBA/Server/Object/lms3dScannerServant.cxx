@@ -1,15 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dScannerServant.h"
+#include "Object/lms3dScannerServant.h"
 
-#include "lms3dLog.h"
-#include "lms3dMessageParts.h"
-#include "lms3dPolarData.h"
-#include "lms3dSceneNames.h"
-#include "lms3dSettingsCheck.h"
-#include "lms3dText.h"
-#include "lms3dVersion.h"
-#include "lms3dWaiter.h"
+#include "Common/lms3dLog.h"
+#include "Common/lms3dVersion.h"
+#include "Object/lms3dMessages.h"
+#include "Object/lms3dSettingsCheck.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,7 +14,8 @@
 
 namespace
 {
-constexpr CORBA::ULong LongestWait = 10000;
+// Milliseconds.
+constexpr CORBA::ULong MaximumWait = 10000;
 } // namespace
 
 lms3dScannerServant::lms3dScannerServant(const lms3dPermissions& permissions,
@@ -36,12 +33,7 @@ lms3dScannerServant::lms3dScannerServant(const lms3dPermissions& permissions,
 
 LMS3D::Data* lms3dScannerServant::fetch()
 {
-  const lms3dSnapshotPointer snapshot = this->Waiting.WaitForFirst();
-  if (3 * CORBA::ULongLong(snapshot->Header.beams) > lms3dGetMostElements(sizeof(CORBA::Float)))
-  {
-    throw CORBA::IMP_LIMIT(0, CORBA::COMPLETED_NO);
-  }
-  return lms3dMakePolarData(*snapshot);
+  return lms3dMakePolarData(*this->Waiting.WaitForFirst());
 }
 
 LMS3D::Pose lms3dScannerServant::getPose()
@@ -78,7 +70,7 @@ LMS3D::Scene* lms3dScannerServant::getScene()
   return new LMS3D::Scene(this->Board.Get().Scene->Description);
 }
 
-// One at a time: many clients that choose large scenes at once would fill the memory.
+// Reads one scene at a time, so that many large scenes at once cannot fill the memory.
 CORBA::ULongLong lms3dScannerServant::selectScene(const char* name)
 {
   this->RequireWritable();
@@ -87,9 +79,10 @@ CORBA::ULongLong lms3dScannerServant::selectScene(const char* name)
   {
     throw LMS3D::NoSuchScene(name);
   }
-  const lms3dWaiter waiter(this->Selecting, MostSelecting, "too many clients select a scene");
+  const lms3dLimitedCall call(
+    this->Selections, MaximumSelections, "too many clients select a scene");
   const std::lock_guard<std::mutex> lock(this->SceneMutex);
-  // Others may have waited here for as long as their turn takes.
+  // The server may have ended while this call waited for its turn.
   if (this->Store.IsStopped())
   {
     throw CORBA::TRANSIENT(0, CORBA::COMPLETED_NO);
@@ -98,7 +91,7 @@ CORBA::ULongLong lms3dScannerServant::selectScene(const char* name)
   {
     const CORBA::ULongLong generation = this->Board.SetScene(lms3dReadScene(
       name, *file, this->Permissions.IsYUp, [this] { return this->Store.IsStopped(); }));
-    lms3dLog("a client chose the scene " + std::string(name));
+    lms3dLog("a client selected the scene " + std::string(name));
     return generation;
   }
   catch (const lms3dReadingStopped&)
@@ -107,7 +100,7 @@ CORBA::ULongLong lms3dScannerServant::selectScene(const char* name)
   }
   catch (const std::exception& problem)
   {
-    throw LMS3D::SceneFailed(name, lms3dText(problem.what()));
+    throw LMS3D::SceneFailed(name, lms3dMakeText(problem.what()));
   }
 }
 
@@ -127,7 +120,7 @@ LMS3D::Status* lms3dScannerServant::getStatus()
   status->hasCallbacks = this->Permissions.Callbacks;
   status->waiting = static_cast<CORBA::ULong>(this->Waiting.GetNumber());
   status->listening = static_cast<CORBA::ULong>(this->Listeners.GetNumber());
-  status->problem = lms3dText(this->Loop.GetProblem());
+  status->problem = lms3dMakeText(this->Loop.GetProblem());
   return status._retn();
 }
 
@@ -139,8 +132,8 @@ LMS3D::ScanHeader* lms3dScannerServant::getHeader()
 LMS3D::ScanHeader* lms3dScannerServant::waitForScan(
   CORBA::ULongLong after, CORBA::ULongLong generation, CORBA::ULong timeout)
 {
-  const std::chrono::milliseconds longest(std::min(timeout, LongestWait));
-  const lms3dSnapshotPointer snapshot = this->Waiting.Wait(after, generation, longest);
+  const std::chrono::milliseconds limited(std::min(timeout, MaximumWait));
+  const lms3dSnapshotPointer snapshot = this->Waiting.Wait(after, generation, limited);
   if (!snapshot && this->Store.IsStopped())
   {
     throw CORBA::TRANSIENT(0, CORBA::COMPLETED_NO);
@@ -226,7 +219,7 @@ lms3dSnapshotPointer lms3dScannerServant::Find(CORBA::ULongLong number) const
   lms3dSnapshotPointer snapshot = this->Store.Find(number);
   if (!snapshot)
   {
-    // In this order, so that a scan in between leaves no newest that is older than the oldest.
+    // In this order, so that newest >= oldest even if a scan is published in between.
     const CORBA::ULongLong oldest = this->Store.GetOldestNumber();
     throw LMS3D::ScanGone(oldest, this->Store.GetNewestNumber());
   }

@@ -2,40 +2,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The scanner's CORBA object: checks what clients ask and answers from the newest scans.
+ * @brief The scanner's CORBA object: validates requests and answers them from the newest scans.
  */
 #ifndef lms3dScannerServant_h
 #define lms3dScannerServant_h
 
+#include "Connections/lms3dListeners.h"
+#include "Connections/lms3dWaitingRoom.h"
 #include "LMS3DScanner.hh"
-#include "lms3dListeners.h"
-#include "lms3dScanLoop.h"
-#include "lms3dSceneCatalogue.h"
-#include "lms3dSettingsBoard.h"
-#include "lms3dSnapshotStore.h"
-#include "lms3dWaitingRoom.h"
+#include "Scanning/lms3dScanLoop.h"
+#include "Scanning/lms3dSceneCatalogue.h"
+#include "Scanning/lms3dSettingsBoard.h"
+#include "Scanning/lms3dSnapshotStore.h"
 
 #include <atomic>
 #include <mutex>
 
-/// What the administrator decides about clients.
+/// What clients may do.
 struct lms3dPermissions
 {
   bool ReadOnly = false;
   bool Callbacks = false;
-  /// Only for the status.
+  /// Scans per second, for the status.
   double Rate = 0.0;
+  /// Rotates scenes whose y axis is up so that the z axis is up.
   bool IsYUp = false;
 };
 
-/// Every operation is documented in LMS3DScanner.idl. All of them may run at once.
+/// LMS3DScanner.idl documents every operation. The ORB calls them in any thread, several at a time.
 class lms3dScannerServant : public POA_LMS3D::LaserScanner
 {
 public:
-  /// One whose scene is being read, and those who wait for their turn.
-  static constexpr unsigned int MostSelecting = 5;
+  /// Calls of selectScene(): one that reads its scene, and others that wait for their turn.
+  static constexpr unsigned int MaximumSelections = 5;
 
-  /// All that is given must outlive the servant.
+  /// All objects that are given by reference must outlive the servant.
   lms3dScannerServant(const lms3dPermissions& permissions, const lms3dSceneCatalogue& catalogue,
     lms3dSettingsBoard& board, const lms3dSnapshotStore& store, const lms3dScanLoop& loop,
     lms3dListeners& listeners);
@@ -77,7 +78,7 @@ private:
   const lms3dScanLoop& Loop;
   lms3dListeners& Listeners;
   std::mutex SceneMutex;
-  std::atomic<unsigned int> Selecting{ 0 };
+  std::atomic<unsigned int> Selections{ 0 };
   lms3dWaitingRoom Waiting;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dSettingsCheck.h"
+#include "Object/lms3dSettingsCheck.h"
 
+#include "Object/lms3dMessages.h"
 #include "lms3dScanGeometry.h"
-#include "lms3dText.h"
 
 #include <cmath>
 #include <limits>
@@ -11,35 +11,35 @@
 
 namespace
 {
-constexpr double FarthestPosition = 1e6;
+constexpr double MaximumCoordinate = 1e6;
 constexpr double FullCircle = 360.0;
 
-// In the form "what is VALUE; it must be ...".
-void Require(bool isGood, const char* what, double value, const char* demand)
+// The message is "NAME is VALUE; it must be DEMAND".
+void Require(bool isValid, const char* name, double value, const char* demand)
 {
-  if (!isGood)
+  if (!isValid)
   {
     std::ostringstream reason;
     reason.precision(std::numeric_limits<double>::max_digits10);
-    reason << what << " is " << value << "; it must be " << demand;
-    throw LMS3D::InvalidArgument(lms3dText(reason.str()));
+    reason << name << " is " << value << "; it must be " << demand;
+    throw LMS3D::InvalidArgument(lms3dMakeText(reason.str()));
   }
 }
 
 // False for NaN.
-bool IsWithin(double value, double lowest, double highest)
+bool IsWithin(double value, double minimum, double maximum)
 {
-  return value >= lowest && value <= highest;
+  return value >= minimum && value <= maximum;
 }
 
-// Degrees; what rounds to angles that differ.
-constexpr double LargestAngle = 36000.0;
-constexpr double SmallestSpan = 1e-6;
+// Degrees. Within these limits, neighbouring angles differ after rounding.
+constexpr double MaximumAngle = 36000.0;
+constexpr double MinimumSpan = 1e-6;
 
 void CheckAxis(const LMS3D::Axis& axis, const char* start, const char* stop, const char* count)
 {
-  Require(std::abs(axis.start) <= LargestAngle, start, axis.start, "within 36,000 degrees of 0");
-  Require(axis.stop >= axis.start + SmallestSpan && axis.stop <= LargestAngle, stop, axis.stop,
+  Require(std::abs(axis.start) <= MaximumAngle, start, axis.start, "within 36,000 degrees of 0");
+  Require(axis.stop >= axis.start + MinimumSpan && axis.stop <= MaximumAngle, stop, axis.stop,
     "above the start, by 1e-6 degrees or more, and up to 36,000");
   Require(axis.count >= 1, count, axis.count, "at least 1");
 }
@@ -48,10 +48,10 @@ void CheckBeams(const LMS3D::Configuration& configuration)
 {
   const CORBA::ULongLong beams =
     CORBA::ULongLong(configuration.alpha.count) * configuration.beta.count;
-  if (beams > lms3dMostBeams)
+  if (beams > lms3dMaximumBeams)
   {
     throw LMS3D::LimitExceeded(
-      lms3dText("alpha.count * beta.count is " + std::to_string(beams)), lms3dMostBeams);
+      lms3dMakeText("alpha.count * beta.count is " + std::to_string(beams)), lms3dMaximumBeams);
   }
 }
 } // namespace
@@ -74,7 +74,7 @@ void lms3dCheckPose(const LMS3D::Pose& pose)
   const LMS3D::Vector3& position = pose.position;
   for (double coordinate : { position.x, position.y, position.z })
   {
-    Require(IsWithin(coordinate, -FarthestPosition, FarthestPosition),
+    Require(IsWithin(coordinate, -MaximumCoordinate, MaximumCoordinate),
       "a coordinate of the position", coordinate, "within 1e6 m of the origin");
   }
   const LMS3D::Vector3& orientation = pose.orientation;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dORBSettings.h"
+#include "Options/lms3dORBSettings.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -26,7 +26,7 @@ Names GetNamesOfArguments(const std::vector<std::string>& arguments)
 
 std::string GetConfigurationFile(const std::vector<std::string>& arguments)
 {
-  // Names and values in turn, where a value may look like a name.
+  // Names and values alternate. A value may look like a name.
   for (std::size_t i = 0; i < arguments.size(); i += 2)
   {
     if (arguments[i] == "-ORBconfigFile")
@@ -38,7 +38,7 @@ std::string GetConfigurationFile(const std::vector<std::string>& arguments)
   return file ? file : "/etc/omniORB.cfg";
 }
 
-// Lines of "name = value"; of a file that is not there none.
+// The names of lines "name = value". Empty if the file does not exist.
 Names GetNamesOfFile(const std::string& file)
 {
   Names names;
@@ -55,20 +55,20 @@ Names GetNamesOfFile(const std::string& file)
   return names;
 }
 
-Names GetChosenNames(const lms3dServerOptions& options)
+Names GetNamesOfAdministrator(const lms3dServerOptions& options)
 {
-  Names chosen = GetNamesOfFile(GetConfigurationFile(options.ORBArguments));
-  chosen.merge(GetNamesOfArguments(options.ORBArguments));
-  return chosen;
+  Names names = GetNamesOfFile(GetConfigurationFile(options.ORBArguments));
+  names.merge(GetNamesOfArguments(options.ORBArguments));
+  return names;
 }
 
-bool IsChosen(const std::string& name, const Names& chosen)
+bool IsSetByAdministrator(const std::string& name, const Names& names)
 {
-  return chosen.count(name) != 0 || std::getenv(("ORB" + name).c_str());
+  return names.count(name) != 0 || std::getenv(("ORB" + name).c_str());
 }
 
-// What our own options say wins over the ORB's environment and configuration file.
-Names GetNamesOfOptions(const lms3dServerOptions& options)
+// The server's own options overrule the ORB's environment and configuration file.
+Names GetNamesOfOwnOptions(const lms3dServerOptions& options)
 {
   Names names;
   if (!options.TLSKey.empty())
@@ -86,7 +86,7 @@ void AddTLS(lms3dORBSettings& settings, const lms3dServerOptions& options)
 {
   settings.insert(settings.end(),
     { { "sslCAFile", options.TLSAuthorities }, { "sslKeyFile", options.TLSKey },
-      // Without a password omniORB silently loads no key, even one that needs none.
+      // Without a password omniORB loads no key, not even an unencrypted one, and reports no error.
       { "sslKeyPassword", "none" } });
 }
 
@@ -106,21 +106,22 @@ lms3dORBSettings lms3dGetORBSettings(const lms3dServerOptions& options)
 {
   lms3dORBSettings settings = {
     { "endPoint", options.Endpoint },
-    // A client that takes no answer, a listener or a naming service that gives none.
+    // Milliseconds: for a client that does not read its answer, and for a listener or a naming
+    // service that does not answer.
     { "serverCallTimeOutPeriod", "5000" },
     { "clientCallTimeOutPeriod", "5000" },
-    // The server's end waits for a listener's call; a lost packet is repeated after a second.
+    // When the server ends, it waits for a listener's call. TCP repeats a lost packet after a second.
     { "clientConnectTimeOutPeriod", options.Callbacks ? "500" : "2000" },
-    // One that asks without reading.
+    // A client that sends requests without reading answers occupies four threads at most.
     { "maxServerThreadPerConnection", "4" },
-    // Beyond this many connections all share a pool of threads, which clients that send half a
-    // message can fill; below it they only have a thread of their own, which costs little.
+    // Above this number of connections all share a pool of threads, and clients that send half a
+    // message can fill the pool. Below it each connection has its own thread, which costs little.
     { "threadPerConnectionUpperLimit", "2000" },
     { "threadPerConnectionLowerLimit", "1900" },
-    // Seconds after which a connection that is idle, or stuck in half a message, is closed.
+    // Seconds after which a connection that is idle or stuck in half a message is closed.
     { "inConScanPeriod", "30" },
     { "unixTransportPermission", "600" },
-    // Our log has the time already.
+    // lms3dLog() writes the time already.
     { "traceTime", "0" },
   };
   AddConnectRules(settings, options);
@@ -129,25 +130,26 @@ lms3dORBSettings lms3dGetORBSettings(const lms3dServerOptions& options)
     AddTLS(settings, options);
   }
 
-  const Names chosen = GetChosenNames(options);
-  const Names own = GetNamesOfOptions(options);
-  const auto isChosen = [&chosen, &own](const lms3dORBSettings::value_type& setting)
-  { return own.count(setting.first) == 0 && IsChosen(setting.first, chosen); };
-  settings.erase(std::remove_if(settings.begin(), settings.end(), isChosen), settings.end());
+  const Names administrator = GetNamesOfAdministrator(options);
+  const Names own = GetNamesOfOwnOptions(options);
+  const auto isOverruled = [&administrator, &own](const lms3dORBSettings::value_type& setting)
+  { return own.count(setting.first) == 0 && IsSetByAdministrator(setting.first, administrator); };
+  settings.erase(std::remove_if(settings.begin(), settings.end(), isOverruled), settings.end());
   return settings;
 }
 
 void lms3dCheckEndpointSources(const lms3dServerOptions& options)
 {
-  const Names chosen = GetChosenNames(options);
+  const Names administrator = GetNamesOfAdministrator(options);
   for (const char* name :
     { "endPoint", "endPointNoListen", "endPointNoPublish", "endPointPublish" })
   {
-    if (!options.AllowRemote && IsChosen(name, chosen))
+    if (!options.AllowRemote && IsSetByAdministrator(name, administrator))
     {
       throw std::invalid_argument(std::string(name) +
-        ": the ORB's arguments, environment or configuration file would have the server listen " +
-        "where --endpoint does not say. Use --endpoint, or add --allow-remote");
+        ": the ORB's arguments, environment or configuration file name an endpoint. Use "
+        "--endpoint, " +
+        "or add --allow-remote");
     }
   }
 }

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dServerOptions.h"
+#include "Options/lms3dServerOptions.h"
 
-#include "lms3dOptionSources.h"
-#include "lms3dOptionValues.h"
+#include "Options/lms3dConfigurationFile.h"
+#include "Options/lms3dOptionTable.h"
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -13,140 +15,122 @@
 
 namespace
 {
-using Words = lms3dOptionSetting::Words;
+using Words = std::vector<std::string>;
 
-// 0, however it is written, has a meaning of its own.
-double GetRate(const std::string& text)
-{
-  constexpr double Fastest = 10000.0;
-  return lms3dGetNumber(text, 0.0, Fastest) == 0.0 ? 0.0 : lms3dGetNumber(text, 0.001, Fastest);
-}
-
-struct Option
-{
-  const char* Name;
-  /// Words that follow.
-  std::size_t Count;
-  const char* Values;
-  const char* Help;
-  void (*Set)(lms3dServerOptions&, const Words&);
-};
-
-// The order is that of the help text.
-const Option Options[] = {
-  { "scenes", 1, "FOLDER", "the folder whose VRML files clients may choose from; needed",
-    [](lms3dServerOptions& o, const Words& w) { o.Scenes = w[0]; } },
-  { "scene", 1, "NAME", "the scene to begin with (default: the first of the folder)",
-    [](lms3dServerOptions& o, const Words& w) { o.Scene = w[0]; } },
-  { "up-axis", 1, "file|y", "file: scenes are z-up as they are (default); y: turn them to z-up",
-    [](lms3dServerOptions& o, const Words& w) { o.IsYUp = lms3dGetChoice(w[0], "file", "y"); } },
-  { "position", 3, "X Y Z", "where the sensor is, metres (default 0 0 0)",
-    [](lms3dServerOptions& o, const Words& w) { o.Position = lms3dGetVector(w); } },
-  { "orientation", 3, "X Y Z", "its angles about the axes, degrees (default 0 0 0)",
-    [](lms3dServerOptions& o, const Words& w) { o.Orientation = lms3dGetVector(w); } },
-  { "rate", 1, "HZ",
-    "scans a second, 0.001 to 10000 (default 10); 0: as fast as it goes, on all cores",
-    [](lms3dServerOptions& o, const Words& w) { o.Rate = GetRate(w[0]); } },
-  { "map-error", 1, "M", "the bound of the local map's error, metres (default 0.01)",
-    [](lms3dServerOptions& o, const Words& w) { o.MapError = lms3dGetNumber(w[0], 0.0, 1e6); } },
-  { "no-map", 0, "", "make no local maps until a client asks for them",
-    [](lms3dServerOptions& o, const Words&) { o.MakeMap = false; } },
-  { "threads", 1, "N", "threads that scan (default 0: all cores)",
-    [](lms3dServerOptions& o, const Words& w) { o.Threads = lms3dGetCount(w[0], 0, 1024); } },
-  { "keep", 1, "N", "how many scans clients find (default 4, within 1 GiB); more for slow networks",
-    [](lms3dServerOptions& o, const Words& w) { o.Keep = lms3dGetCount(w[0], 1, 1000); } },
-  { "endpoint", 1, "URI",
-    "where to listen, e.g. giop:tcp:127.0.0.1:2810 (default: a free port of 127.0.0.1)",
-    [](lms3dServerOptions& o, const Words& w) { o.Endpoint = w[0]; } },
-  { "allow-remote", 0, "", "take an endpoint that other machines can reach",
-    [](lms3dServerOptions& o, const Words&) { o.AllowRemote = true; } },
-  { "tls-key", 1, "FILE", "certificate and private key, PEM: for endpoints giop:ssl:HOST:PORT",
-    [](lms3dServerOptions& o, const Words& w) { o.TLSKey = w[0]; } },
-  { "tls-authorities", 1, "FILE", "the certificates that clients must be signed by, PEM",
-    [](lms3dServerOptions& o, const Words& w) { o.TLSAuthorities = w[0]; } },
-  { "ior", 1, "FILE", "write the object's reference to a file, removed at the end",
-    [](lms3dServerOptions& o, const Words& w) { o.IORFile = w[0]; } },
-  { "naming", 0, "", "register with the naming service that the ORB knows (-ORBInitRef)",
-    [](lms3dServerOptions& o, const Words&) { o.Naming = true; } },
-  { "naming-service", 1, "URI", "register with this one, e.g. corbaloc::127.0.0.1:2809/NameService",
-    [](lms3dServerOptions& o, const Words& w)
-    {
-      o.Naming = true;
-      o.NamingService = w[0];
-    } },
-  { "name", 1, "NAME", "under this name (default LMS3D.Scanner: id LMS3D, kind Scanner)",
-    [](lms3dServerOptions& o, const Words& w) { o.Name = w[0]; } },
-  { "read-only", 0, "", "clients may look but change nothing",
-    [](lms3dServerOptions& o, const Words&) { o.ReadOnly = true; } },
-  { "callbacks", 0, "", "clients may subscribe listeners, to which the server connects",
-    [](lms3dServerOptions& o, const Words&) { o.Callbacks = true; } },
-  { "connect-to", 1, "ADDRESS/MASK",
-    "where the server may connect to beside this machine, for listeners and the naming service",
-    [](lms3dServerOptions& o, const Words& w) { o.ConnectTo.push_back(w[0]); } },
-  { "config", 1, "FILE",
-    "options from a file, one a line: \"rate = 5\", \"position = 0.3 -0.2 1\", \"read-only\"; "
-    "lines that begin with # are comments; values of the command line win",
-    [](lms3dServerOptions&, const Words&) {} },
-  { "help", 0, "", "this text", [](lms3dServerOptions& o, const Words&) { o.Help = true; } },
-  { "version", 0, "", "the version of LMS3D",
-    [](lms3dServerOptions& o, const Words&) { o.Version = true; } },
-};
-
-constexpr const char* Usage = R"(Usage: lms3d-server --scenes FOLDER [OPTIONS] [-ORBNAME VALUE ...]
-
-Scans in an endless loop and serves the scans by CORBA, as Plugins/CORBA/LMS3DScanner.idl describes.
-When it is ready it prints a corbaloc and an IOR, a line each. SIGTERM, SIGINT and SIGHUP end it, with
-code 0.
-
+constexpr const char* Description =
+  R"(Scans in an endless loop and serves the scans by CORBA, as LMS3DScanner.idl describes. When it is
+ready it prints a corbaloc and an IOR, one per line. SIGTERM, SIGINT and SIGHUP end it with code 0.
 )";
 
-constexpr const char* UsageOfRest = R"(
-Options of omniORB (-ORBtraceLevel 10) go to the ORB; what they, its environment and its own
-configuration file set is kept, but for what the options above say. Endpoints are named by --endpoint
-alone, unless --allow-remote is given.
+constexpr const char* Footer =
+  R"(Options of omniORB (-ORBtraceLevel 10) go to the ORB. Their settings, and those of omniORB's
+environment variables and configuration file, are kept unless an option above sets the same. Only
+--endpoint names endpoints, unless --allow-remote is given.
 
 Exit code: 0 ended by a signal, 1 failed while starting, 2 wrong options
 )";
 
-const Option& FindOption(const std::string& name)
+// The options that a configuration file must not have.
+void AddCommandLineOptions(CLI::App& app, lms3dServerOptions& options, Words& files)
 {
-  const auto* option = std::find_if(std::begin(Options), std::end(Options),
-    [&name](const Option& candidate) { return name == candidate.Name; });
-  if (option == std::end(Options))
+  app
+    .add_option("--config", files,
+      "read options from a file, one per line: \"rate = 5\",\n"
+      "\"position = 0.3 -0.2 1\", \"read-only\"; # begins a comment line.\n"
+      "The command line overrules the file")
+    ->option_text("FILE")
+    ->type_name("FILE")
+    ->expected(1)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_flag("--help", options.Help, "print this text");
+  app.add_flag("--version", options.Version, "print the version of LMS3D");
+}
+
+// Throws std::invalid_argument.
+void Parse(CLI::App& app, Words words)
+{
+  for (std::string& word : words)
   {
-    throw std::invalid_argument("there is no such option; --help lists them");
+    // CLI11 accepts "-0.5" as a value, but takes "-.5" for an option.
+    if (word.rfind("-.", 0) == 0)
+    {
+      word.insert(1, "0");
+    }
   }
-  return *option;
-}
-
-std::size_t GetCount(const std::string& name)
-{
-  return FindOption(name).Count;
-}
-
-void Set(lms3dServerOptions& options, const lms3dOptionSetting& setting)
-{
+  // CLI11's order.
+  std::reverse(words.begin(), words.end());
   try
   {
-    FindOption(setting.Name).Set(options, setting.Values);
+    app.parse(words);
   }
-  catch (const std::invalid_argument& problem)
+  catch (const CLI::Error& problem)
   {
-    throw std::invalid_argument(setting.Origin + ": " + problem.what());
+    throw std::invalid_argument(problem.what());
   }
 }
 
-void Check(const lms3dServerOptions& options)
+// A line of a file as words of a command line. A single value is the rest of the line, because the
+// name of a file may contain blanks.
+Words MakeWords(const CLI::App& app, const std::string& line)
 {
-  if (options.Scenes.empty() && !options.Help && !options.Version)
+  const std::size_t equals = line.find('=');
+  const std::string name = "--" + lms3dTrim(line.substr(0, equals));
+  if (equals == std::string::npos)
   {
-    throw std::invalid_argument("--scenes: name the folder that has the scenes");
+    return { name };
   }
-  if (!options.AllowRemote && !lms3dIsLocalEndpoint(options.Endpoint))
+  const std::string values = lms3dTrim(line.substr(equals + 1));
+  const CLI::Option* const option = app.get_option_no_throw(name);
+  if (option && option->get_expected_max() == 0)
   {
-    throw std::invalid_argument("--endpoint: other machines could reach \"" + options.Endpoint +
-      "\", and whoever can may move the sensor. Add --allow-remote if they shall");
+    throw std::invalid_argument("it takes no value");
   }
+  if (!option || option->get_expected_max() == 1)
+  {
+    return { name + '=' + values };
+  }
+  std::istringstream stream(values);
+  Words words = { name };
+  for (std::string word; stream >> word;)
+  {
+    words.push_back(word);
+  }
+  return words;
+}
+
+void ReadFile(const std::string& file, lms3dServerOptions& options)
+{
+  CLI::App app;
+  lms3dAddServerOptions(app, options);
+  lms3dReadConfigurationFile(
+    file, [&app](const std::string& line) { Parse(app, MakeWords(app, line)); });
+}
+
+// Moves each name that begins with -ORB, and its value, out of the arguments.
+Words TakeORBArguments(Words& arguments)
+{
+  Words taken;
+  Words left;
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+  {
+    if (arguments[i].rfind("-ORB", 0) != 0)
+    {
+      left.push_back(arguments[i]);
+      continue;
+    }
+    if (i + 1 == arguments.size())
+    {
+      throw std::invalid_argument(arguments[i] + ": a value must follow");
+    }
+    taken.insert(taken.end(), { arguments[i], arguments[i + 1] });
+    ++i;
+  }
+  arguments.swap(left);
+  return taken;
+}
+
+void CheckTLS(const lms3dServerOptions& options)
+{
   if (options.TLSKey.empty() != options.TLSAuthorities.empty())
   {
     throw std::invalid_argument("--tls-key and --tls-authorities: one needs the other");
@@ -160,49 +144,63 @@ void Check(const lms3dServerOptions& options)
           "giop:ssl:HOST:PORT");
   }
 }
+
+void Check(const lms3dServerOptions& options)
+{
+  if (options.Scenes.empty() && !options.Help && !options.Version)
+  {
+    throw std::invalid_argument("--scenes: name the folder of the scenes");
+  }
+  if (!options.AllowRemote && !lms3dIsLocalEndpoint(options.Endpoint))
+  {
+    throw std::invalid_argument("--endpoint: other machines could reach \"" + options.Endpoint +
+      "\" and move the sensor. To permit that, add --allow-remote");
+  }
+  CheckTLS(options);
+}
 } // namespace
 
 lms3dServerOptions lms3dReadServerOptions(const std::vector<std::string>& arguments)
 {
   lms3dServerOptions options;
-  const lms3dCommandLine line = lms3dReadCommandLine(arguments, GetCount);
-  for (const lms3dOptionSetting& setting : line.Settings)
+  Words words = arguments;
+  options.ORBArguments = TakeORBArguments(words);
+
+  CLI::App app;
+  Words files;
+  lms3dAddServerOptions(app, options);
+  AddCommandLineOptions(app, options, files);
+  // The first pass finds the files, whose values the second one overrules.
+  Parse(app, words);
+  lms3dServerOptions fromFiles;
+  for (const std::string& file : files)
   {
-    if (setting.Name == "config")
-    {
-      for (const lms3dOptionSetting& fileSetting : lms3dReadOptionFile(setting.Values[0], GetCount))
-      {
-        Set(options, fileSetting);
-      }
-    }
+    ReadFile(file, fromFiles);
   }
-  for (const lms3dOptionSetting& setting : line.Settings)
-  {
-    Set(options, setting);
-  }
-  options.ORBArguments = line.ORBArguments;
+  fromFiles.ORBArguments = options.ORBArguments;
+  options = fromFiles;
+  Parse(app, words);
   Check(options);
   return options;
 }
 
 std::string lms3dGetServerHelp()
 {
-  std::ostringstream help;
-  help << Usage;
-  for (const Option& option : Options)
-  {
-    help << "  --" << option.Name << (option.Count ? " " : "") << option.Values << "\n      "
-         << option.Help << "\n";
-  }
-  help << UsageOfRest;
-  return help.str();
+  lms3dServerOptions options;
+  Words files;
+  CLI::App app(Description, "lms3d-server --scenes FOLDER [-ORBNAME VALUE ...]");
+  lms3dAddServerOptions(app, options);
+  AddCommandLineOptions(app, options, files);
+  app.get_formatter()->column_width(32);
+  app.footer(Footer);
+  return app.help();
 }
 
 bool lms3dIsLocalEndpoint(const std::string& endpoint)
 {
-  // The library's regular expressions call themselves for each letter.
-  constexpr std::size_t Longest = 1000;
+  // The library's regular expressions recurse for each letter.
+  constexpr std::size_t MaximumLength = 1000;
   static const std::regex local(
     R"(giop:unix:.*|giop:(tcp|ssl):(127(\.\d{1,3}){3}|localhost|\[::1\]):\d*)");
-  return endpoint.size() <= Longest && std::regex_match(endpoint, local);
+  return endpoint.size() <= MaximumLength && std::regex_match(endpoint, local);
 }

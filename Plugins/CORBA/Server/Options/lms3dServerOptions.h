@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What lms3d-server is started with: the command line and the configuration file.
+ * @brief The options of lms3d-server, from its command line and its configuration files.
  */
 #ifndef lms3dServerOptions_h
 #define lms3dServerOptions_h
@@ -11,17 +11,22 @@
 #include <string>
 #include <vector>
 
-/// lms3dGetServerHelp() tells what each is for.
+/// The values of all options. lms3dGetServerHelp() describes each of them.
 struct lms3dServerOptions
 {
   std::string Scenes;
   std::string Scene;
   bool IsYUp = false;
+  /// Metres, world coordinates.
   std::array<double, 3> Position = { 0.0, 0.0, 0.0 };
+  /// Degrees about x, y and z, as vtkProp3D applies them.
   std::array<double, 3> Orientation = { 0.0, 0.0, 0.0 };
+  /// Scans per second. 0: without pauses.
   double Rate = 10.0;
+  /// Metres.
   double MapError = 0.01;
   bool MakeMap = true;
+  /// 0: all cores.
   int Threads = 0;
   int Keep = 4;
 
@@ -36,21 +41,26 @@ struct lms3dServerOptions
 
   bool ReadOnly = false;
   bool Callbacks = false;
+  /// Each "ADDRESS/MASK".
   std::vector<std::string> ConnectTo;
 
   bool Help = false;
   bool Version = false;
-  /// Names that begin with -ORB and their values, for the ORB.
+  /// Options of omniORB: a name that begins with -ORB, its value, the next name and so on.
   std::vector<std::string> ORBArguments;
 };
 
-/// Reads the configuration file that --config names, then the other arguments, which win. Throws
-/// std::invalid_argument with what is wrong and where.
+/**
+ * Reads the files that --config names, then the command line, whose values overrule the files'.
+ * `arguments` are without the program's name. Throws std::invalid_argument with the option or the
+ * line of a file, the wrong value and what is expected.
+ */
 lms3dServerOptions lms3dReadServerOptions(const std::vector<std::string>& arguments);
 
+/// The text of --help.
 std::string lms3dGetServerHelp();
 
-/// True where nobody from another machine can reach "giop:TRANSPORT:HOST:PORT".
+/// True if no other machine can connect to `endpoint`, "giop:TRANSPORT:HOST:PORT".
 bool lms3dIsLocalEndpoint(const std::string& endpoint);
 
 #endif

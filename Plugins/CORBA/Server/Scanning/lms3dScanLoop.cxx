@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dScanLoop.h"
+#include "Scanning/lms3dScanLoop.h"
 
-#include "lms3dLog.h"
+#include "Common/lms3dLog.h"
 
 #include <algorithm>
 #include <exception>
@@ -10,7 +10,7 @@
 
 namespace
 {
-// A loop without a pause must not spin where every scan fails.
+// If every scan fails, a loop without pauses must not spin.
 constexpr std::chrono::milliseconds PauseAfterProblem(100);
 
 std::uint64_t NanosecondsSince1970()
@@ -97,7 +97,7 @@ void lms3dScanLoop::MakeScan()
   this->Store.Publish(std::move(snapshot));
 }
 
-// One who is late by a period or more starts afresh, in place of a burst of scans.
+// After a delay of a period or more, counts from now on instead of catching up with a burst of scans.
 lms3dScanLoop::Clock::time_point lms3dScanLoop::GetNext(Clock::time_point due)
 {
   const Clock::time_point next = due + this->Period;

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The paper's endless loop: scans one after the other, at a set rate.
+ * @brief The paper's endless loop: makes scan after scan, at a given rate, in a thread of its own.
  */
 #ifndef lms3dScanLoop_h
 #define lms3dScanLoop_h
 
-#include "lms3dScanPipeline.h"
-#include "lms3dSettingsBoard.h"
-#include "lms3dSnapshotStore.h"
+#include "Scanning/lms3dScanPipeline.h"
+#include "Scanning/lms3dSettingsBoard.h"
+#include "Scanning/lms3dSnapshotStore.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -18,10 +18,13 @@
 #include <string>
 #include <thread>
 
+/// Reads the settings of each scan from a board and publishes the scan in a store. The getters may
+/// be called from any thread.
 class lms3dScanLoop
 {
 public:
-  /// `rate` in scans a second, 0: as fast as it goes. Board and store must outlive the loop.
+  /// `rate` in scans per second; 0: without pauses. `threads` as NumberOfThreads of the filters.
+  /// Board and store must outlive the loop.
   lms3dScanLoop(
     const lms3dSettingsBoard& board, lms3dSnapshotStore& store, double rate, int threads);
   ~lms3dScanLoop();
@@ -29,14 +32,14 @@ public:
   void operator=(const lms3dScanLoop&) = delete;
 
   void Start();
-  /// Ends the scan that is being made, too.
+  /// Aborts the current scan and waits for the thread.
   void Stop();
 
-  /// Nanoseconds since 1970; see ScanHeader.
+  /// The start of the server, nanoseconds since 1970; see ScanHeader.
   std::uint64_t GetIncarnation() const { return this->Incarnation; }
-  /// See Status.
+  /// Scans that began at least one period late; see Status.
   std::uint64_t GetNumberOfLateScans() const { return this->LateScans; }
-  /// Why the newest settings give no scan; empty where they do.
+  /// Why the last scan failed. Empty if it succeeded.
   std::string GetProblem() const;
 
 private:
@@ -45,9 +48,9 @@ private:
   void Run();
   void MakeScan();
   void SetProblem(const std::string& problem);
-  /// When the next scan is due, after one that was due at `due`.
+  /// The time of the next scan, after a scan that was due at `due`.
   Clock::time_point GetNext(Clock::time_point due);
-  /// False where the loop is to end.
+  /// Returns false if the loop is to end.
   bool SleepUntil(Clock::time_point time);
 
   const lms3dSettingsBoard& Board;

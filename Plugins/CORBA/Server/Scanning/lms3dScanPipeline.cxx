@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dScanPipeline.h"
+#include "Scanning/lms3dScanPipeline.h"
 
-#include "lms3dAbort.h"
-#include "lms3dChecksum.h"
-#include "lms3dVTKProblems.h"
+#include "Common/lms3dChecksum.h"
+#include "Scanning/lms3dAlgorithmObservers.h"
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 
@@ -22,8 +21,8 @@
 
 namespace
 {
-// Neither rounds to 0, which is no return, nor to infinity.
-float Narrow(double range)
+// Neither to 0, which means no return, nor to infinity.
+float ToFloat(double range)
 {
   using Limits = std::numeric_limits<float>;
   return static_cast<float>(std::clamp<double>(range, Limits::min(), Limits::max()));
@@ -33,10 +32,10 @@ std::vector<float> GetRanges(vtkImageData* image)
 {
   auto* ranges = vtkDoubleArray::SafeDownCast(image->GetPointData()->GetArray("Range"));
   const double* first = ranges->GetPointer(0);
-  std::vector<float> narrow(static_cast<std::size_t>(ranges->GetNumberOfValues()));
-  std::transform(first, first + narrow.size(), narrow.begin(),
-    [](double range) { return std::isnan(range) ? 0.0f : Narrow(range); });
-  return narrow;
+  std::vector<float> floats(static_cast<std::size_t>(ranges->GetNumberOfValues()));
+  std::transform(first, first + floats.size(), floats.begin(),
+    [](double range) { return std::isnan(range) ? 0.0f : ToFloat(range); });
+  return floats;
 }
 
 std::vector<double> GetCoordinates(vtkPolyData* map)
@@ -124,20 +123,20 @@ void lms3dScanPipeline::Configure(const lms3dScanSettings& settings)
 
 bool lms3dScanPipeline::Update(vtkAlgorithm* algorithm, double& seconds) const
 {
-  lms3dVTKProblems problems(algorithm);
+  lms3dAlgorithmMessages messages(algorithm);
   const auto start = std::chrono::steady_clock::now();
   algorithm->Update();
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const std::string error = problems.TakeError();
+  const std::string error = messages.TakeError();
   if (!error.empty())
   {
     throw std::runtime_error(error);
   }
-  // An aborted filter leaves outputs without arrays.
+  // The outputs of an aborted filter have no arrays.
   return !this->Stopped;
 }
 
-// The endless loop measures again although nothing of its input may have changed.
+// Modified(), because the loop scans again even if nothing has changed.
 bool lms3dScanPipeline::Scan(lms3dSnapshot& snapshot)
 {
   this->Scanner->Modified();

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Makes scans and their maps with the VTK filters.
+ * @brief Makes scans and local maps with the VTK filters.
  */
 #ifndef lms3dScanPipeline_h
 #define lms3dScanPipeline_h
 
-#include "lms3dSettingsBoard.h"
-#include "lms3dSnapshot.h"
+#include "Scanning/lms3dSettingsBoard.h"
+#include "Scanning/lms3dSnapshotStore.h"
 
 #include <vtkNew.h>
 
@@ -19,27 +19,28 @@ class vtkAlgorithm;
 class vtkLMS3DScanFilter;
 class vtkLMS3DSurfaceReconstructionFilter;
 
-/// For one thread at a time. The acceleration structure of a scene is kept from scan to scan.
+/// Run() is for one thread at a time. While the scene stays the same, so does its acceleration
+/// structure.
 class lms3dScanPipeline
 {
 public:
-  /// `threads` as NumberOfThreads of the filters.
+  /// `threads` as NumberOfThreads of the filters: 0 for all cores.
   explicit lms3dScanPipeline(int threads);
   ~lms3dScanPipeline();
   lms3dScanPipeline(const lms3dScanPipeline&) = delete;
   void operator=(const lms3dScanPipeline&) = delete;
 
-  /// Header and numbers of a scan, without its number, incarnation and times; null where Stop() ended
-  /// it. Throws std::runtime_error where a filter fails.
+  /// Returns a scan without number, incarnation and times, which the caller fills in. Returns null if
+  /// Stop() aborted the scan. Throws std::runtime_error if a filter fails.
   std::shared_ptr<lms3dSnapshot> Run(const lms3dScanSettings& settings);
 
-  /// From any thread: ends the scan that is being made.
+  /// Aborts the current scan and all later ones. Any thread.
   void Stop() { this->Stopped = true; }
 
 private:
   void Configure(const lms3dScanSettings& settings);
   ///@{
-  /// False where Stop() ended it.
+  /// Return false if Stop() aborted the work.
   bool Update(vtkAlgorithm* algorithm, double& seconds) const;
   bool Scan(lms3dSnapshot& snapshot);
   bool MakeMap(lms3dSnapshot& snapshot);

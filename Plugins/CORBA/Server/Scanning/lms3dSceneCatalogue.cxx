@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dSceneCatalogue.h"
+#include "Scanning/lms3dSceneCatalogue.h"
 
-#include "lms3dLog.h"
+#include "Common/lms3dLog.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,8 +13,8 @@
 namespace
 {
 // The bounds of SceneName and SceneNames in LMS3DScanner.idl.
-constexpr std::size_t LongestName = 128;
-constexpr std::size_t MostScenes = 4096;
+constexpr std::size_t MaximumNameLength = 128;
+constexpr std::size_t MaximumScenes = 4096;
 
 bool IsScene(const std::filesystem::path& file)
 {
@@ -24,7 +24,7 @@ bool IsScene(const std::filesystem::path& file)
   return extension == ".wrl" || extension == ".vrml" || extension == ".wrz";
 }
 
-// What every ORB passes on as it is, whatever character set it prefers.
+// Printable ASCII, which every ORB transmits unchanged in any character set.
 bool IsPlain(const std::string& name)
 {
   return std::all_of(name.begin(), name.end(),
@@ -59,11 +59,11 @@ lms3dSceneCatalogue::lms3dSceneCatalogue(const std::filesystem::path& folder)
 void lms3dSceneCatalogue::Add(const std::filesystem::path& file)
 {
   const std::string name = file.filename().string();
-  if (name.size() > LongestName || !IsPlain(name))
+  if (name.size() > MaximumNameLength || !IsPlain(name))
   {
-    lms3dLog("a scene is left out, for its name is longer than 128 characters or not plain ASCII");
+    lms3dLog("a scene is left out: its name is longer than 128 characters or not plain ASCII");
   }
-  else if (this->Files.size() == MostScenes)
+  else if (this->Files.size() == MaximumScenes)
   {
     lms3dLog("the scene " + name + " is left out: there are more than 4,096");
   }

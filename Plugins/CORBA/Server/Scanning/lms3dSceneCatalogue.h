@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The scenes that clients may choose, by name.
+ * @brief The scenes that clients may select, by name.
  */
 #ifndef lms3dSceneCatalogue_h
 #define lms3dSceneCatalogue_h
@@ -13,19 +13,20 @@
 #include <vector>
 
 /**
- * The VRML files that are in a folder, not below it, when the catalogue is made. A scene's name is its
- * file's. A client's text is only ever looked up here, so no path can be made of it.
+ * The VRML files in a folder, without its subfolders, at the time of construction. A scene has the
+ * name of its file. A client's text is only compared with these names, so no path can be made from
+ * it. Immutable, so all methods may be called from any thread.
  */
 class lms3dSceneCatalogue
 {
 public:
-  /// Throws std::runtime_error where the folder cannot be read or has no scene.
+  /// Throws std::runtime_error if the folder cannot be read or has no scene.
   explicit lms3dSceneCatalogue(const std::filesystem::path& folder);
 
-  /// In alphabetical order, at least one.
+  /// At least one name, in alphabetical order.
   std::vector<std::string> GetNames() const;
 
-  /// Null where there is no such scene.
+  /// The absolute path of a scene's file, owned by the catalogue. Null if there is no such scene.
   const std::filesystem::path* Find(const std::string& name) const;
 
 private:

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dServedScene.h"
+#include "Scanning/lms3dServedScene.h"
 
-#include "lms3dLog.h"
-#include "lms3dVTKProblems.h"
+#include "Common/lms3dLog.h"
 #include "vtkVRMLImporterSource.h"
 
 #include <vtkNew.h>
@@ -12,7 +11,7 @@
 
 namespace
 {
-std::string WithoutFolder(std::string text, const std::filesystem::path& file)
+std::string RemoveFolder(std::string text, const std::filesystem::path& file)
 {
   const std::string folder = file.parent_path().string() + "/";
   for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
@@ -47,19 +46,19 @@ lms3dServedScenePointer lms3dReadScene(const std::string& name, const std::files
   bool isYUp, const lms3dStopTest& isStopped)
 {
   vtkNew<vtkVRMLImporterSource> reader;
-  lms3dVTKProblems problems(reader);
+  lms3dAlgorithmMessages messages(reader);
   reader->SetFileName(file.c_str());
   reader->SetUpAxis(isYUp ? vtkVRMLImporterSource::Y : vtkVRMLImporterSource::AS_IN_FILE);
   lms3dAbortIf(reader, isStopped);
   reader->Update();
-  // An aborted reader has no surface, which is no fault of the file.
+  // An aborted reader has no surface, but the file is not at fault.
   if (isStopped())
   {
     throw lms3dReadingStopped();
   }
 
-  const std::string error = WithoutFolder(problems.TakeError(), file);
-  const std::string warning = WithoutFolder(problems.TakeWarning(), file);
+  const std::string error = RemoveFolder(messages.TakeError(), file);
+  const std::string warning = RemoveFolder(messages.TakeWarning(), file);
   if (reader->GetOutput()->GetNumberOfPolys() == 0)
   {
     throw std::runtime_error(error.empty() ? "the file has no surface" : error);

@@ -8,7 +8,7 @@
 #define lms3dServedScene_h
 
 #include "LMS3DScanner.hh"
-#include "lms3dAbort.h"
+#include "Scanning/lms3dAlgorithmObservers.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -18,21 +18,24 @@
 #include <memory>
 #include <string>
 
+/// Does not change after it was read.
 struct lms3dServedScene
 {
   LMS3D::Scene Description;
+  /// Metres, world coordinates.
   vtkSmartPointer<vtkPolyData> Surface;
 };
 
 using lms3dServedScenePointer = std::shared_ptr<const lms3dServedScene>;
 
-/// The server ended before the scene was read.
+/// Thrown if the server ends before the scene is read.
 class lms3dReadingStopped : public std::exception
 {
 };
 
-/// Reads a VRML file; `isYUp` turns it so that z is up. Throws std::runtime_error where the file has
-/// no surface, in words that tell a client nothing of the server's folders, and lms3dReadingStopped.
+/// Reads a VRML file. `isYUp` rotates a scene whose y axis is up so that its z axis is up. Throws
+/// std::runtime_error if the file has no surface, and lms3dReadingStopped if `isStopped` returns
+/// true. Messages for clients do not contain the server's folders.
 lms3dServedScenePointer lms3dReadScene(const std::string& name, const std::filesystem::path& file,
   bool isYUp, const lms3dStopTest& isStopped);
 

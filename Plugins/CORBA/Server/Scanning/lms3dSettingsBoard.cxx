@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dSettingsBoard.h"
+#include "Scanning/lms3dSettingsBoard.h"
 
 #include <utility>
 
@@ -31,7 +31,7 @@ std::uint64_t lms3dSettingsBoard::SetConfiguration(const LMS3D::Configuration& c
 
 std::uint64_t lms3dSettingsBoard::SetScene(lms3dServedScenePointer scene)
 {
-  // Swapped, so that the scene before is freed after the lock.
+  // Swapped, so that the previous scene is freed after unlocking.
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Settings.Scene.swap(scene);
   return ++this->Settings.Generation;

@@ -2,25 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What the next scan is to be made with.
+ * @brief The settings of the next scan.
  */
 #ifndef lms3dSettingsBoard_h
 #define lms3dSettingsBoard_h
 
-#include "lms3dServedScene.h"
+#include "Scanning/lms3dServedScene.h"
 
 #include <cstdint>
 #include <mutex>
 
 struct lms3dScanSettings
 {
+  /// Metres and degrees, as LMS3DScanner.idl defines them.
   LMS3D::Pose Pose;
   LMS3D::Configuration Configuration;
+  /// Never null.
   lms3dServedScenePointer Scene;
+  /// Counts the changes of settings, from 1.
   std::uint64_t Generation = 1;
 };
 
-/// Clients write on it, the scanner reads it before each scan. Each change makes a new generation.
+/// Clients write the settings, and the scanner reads them before each scan. Each change makes a new
+/// generation. All methods may be called from any thread.
 class lms3dSettingsBoard
 {
 public:
@@ -29,7 +33,7 @@ public:
   lms3dScanSettings Get() const;
 
   ///@{
-  /// Returns the new generation.
+  /// Replaces one setting and returns the new generation. The settings must be valid.
   std::uint64_t SetPose(const LMS3D::Pose& pose);
   std::uint64_t SetConfiguration(const LMS3D::Configuration& configuration);
   std::uint64_t SetScene(lms3dServedScenePointer scene);

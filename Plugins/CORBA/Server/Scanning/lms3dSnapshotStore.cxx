@@ -1,25 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dSnapshotStore.h"
+#include "Scanning/lms3dSnapshotStore.h"
 
 #include <utility>
 #include <vector>
 
-lms3dSnapshotStore::lms3dSnapshotStore(std::size_t keep, std::size_t mostBytes)
+lms3dSnapshotStore::lms3dSnapshotStore(std::size_t keep, std::size_t maximumBytes)
   : Keep(keep)
-  , MostBytes(mostBytes)
+  , MaximumBytes(maximumBytes)
 {
 }
 
 void lms3dSnapshotStore::Publish(lms3dSnapshotPointer snapshot)
 {
-  // Declared before the lock, so that the memory is given back after it.
+  // Declared before the lock, so that the memory is freed after unlocking.
   std::vector<lms3dSnapshotPointer> displaced;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Bytes += snapshot->GetBytes();
     this->Snapshots.push_back(std::move(snapshot));
-    while (this->HasTooMuch())
+    while (this->IsOverLimit())
     {
       this->Bytes -= this->Snapshots.front()->GetBytes();
       displaced.push_back(std::move(this->Snapshots.front()));
@@ -29,10 +29,10 @@ void lms3dSnapshotStore::Publish(lms3dSnapshotPointer snapshot)
   this->Changed.notify_all();
 }
 
-bool lms3dSnapshotStore::HasTooMuch() const
+bool lms3dSnapshotStore::IsOverLimit() const
 {
   const std::size_t number = this->Snapshots.size();
-  return number > this->Keep || (number > 1 && this->Bytes > this->MostBytes);
+  return number > this->Keep || (number > 1 && this->Bytes > this->MaximumBytes);
 }
 
 lms3dSnapshotPointer lms3dSnapshotStore::GetNewest() const

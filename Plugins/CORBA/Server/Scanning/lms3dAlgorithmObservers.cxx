@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dVTKProblems.h"
+#include "Scanning/lms3dAlgorithmObservers.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
@@ -12,7 +12,24 @@
 
 namespace
 {
-// VTK's text is "ERROR: In FILE, line N\nCLASS (ADDRESS): what".
+class Abort : public vtkCommand
+{
+public:
+  static Abort* New() { return new Abort; }
+  vtkTypeMacro(Abort, vtkCommand);
+
+  void Execute(vtkObject* algorithm, unsigned long, void*) override
+  {
+    if (this->IsStopped())
+    {
+      static_cast<vtkAlgorithm*>(algorithm)->SetAbortExecute(1);
+    }
+  }
+
+  lms3dStopTest IsStopped;
+};
+
+// VTK's text is "ERROR: In FILE, line N\nCLASS (ADDRESS): message".
 std::string GetMessage(const char* text)
 {
   const std::string all(text ? text : "");
@@ -43,18 +60,25 @@ public:
 };
 } // namespace
 
-struct lms3dVTKProblems::Observers
+void lms3dAbortIf(vtkAlgorithm* algorithm, const lms3dStopTest& isStopped)
+{
+  vtkNew<Abort> abort;
+  abort->IsStopped = isStopped;
+  algorithm->AddObserver(vtkCommand::ProgressEvent, abort);
+}
+
+struct lms3dAlgorithmMessages::Observers
 {
   vtkSmartPointer<vtkAlgorithm> Algorithm;
   vtkNew<FirstMessage> Error;
   vtkNew<FirstMessage> Warning;
 };
 
-lms3dVTKProblems::lms3dVTKProblems(vtkAlgorithm* algorithm)
+lms3dAlgorithmMessages::lms3dAlgorithmMessages(vtkAlgorithm* algorithm)
   : Internals(new Observers)
 {
   this->Internals->Algorithm = algorithm;
-  // The executive has an error of its own to add.
+  // The executive reports errors too.
   for (vtkObject* object :
     { static_cast<vtkObject*>(algorithm), static_cast<vtkObject*>(algorithm->GetExecutive()) })
   {
@@ -63,7 +87,7 @@ lms3dVTKProblems::lms3dVTKProblems(vtkAlgorithm* algorithm)
   }
 }
 
-lms3dVTKProblems::~lms3dVTKProblems()
+lms3dAlgorithmMessages::~lms3dAlgorithmMessages()
 {
   for (vtkObject* object : { static_cast<vtkObject*>(this->Internals->Algorithm),
          static_cast<vtkObject*>(this->Internals->Algorithm->GetExecutive()) })
@@ -71,15 +95,14 @@ lms3dVTKProblems::~lms3dVTKProblems()
     object->RemoveObserver(this->Internals->Error);
     object->RemoveObserver(this->Internals->Warning);
   }
-  delete this->Internals;
 }
 
-std::string lms3dVTKProblems::TakeError()
+std::string lms3dAlgorithmMessages::TakeError()
 {
   return std::exchange(this->Internals->Error->Text, std::string());
 }
 
-std::string lms3dVTKProblems::TakeWarning()
+std::string lms3dAlgorithmMessages::TakeWarning()
 {
   return std::exchange(this->Internals->Warning->Text, std::string());
 }
