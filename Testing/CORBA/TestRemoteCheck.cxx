@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ClientORB.h"
-#include "ServerProcess.h"
-#include "Common/lms3dChecksum.h"
 #include "Client/lms3dRemoteCheck.h"
+#include "ClientORB.h"
+#include "Common/lms3dChecksum.h"
+#include "ServerProcess.h"
 
 #include <gtest/gtest.h>
 

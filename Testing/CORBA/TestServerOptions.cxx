@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Options/lms3dORBSettings.h"
 #include "Announcement/lms3dObjectAddresses.h"
 #include "Announcement/lms3dReferenceFile.h"
-#include "Scanning/lms3dSceneCatalogue.h"
+#include "Options/lms3dORBSettings.h"
 #include "Options/lms3dServerOptions.h"
+#include "Scanning/lms3dSceneCatalogue.h"
 
 #include <gtest/gtest.h>
 
@@ -121,31 +121,71 @@ TEST_F(ServerOptions, ARateOfZeroMayBeWrittenAsOneLikes)
 TEST_F(ServerOptions, SayWhatIsWrongAndWhere)
 {
   EXPECT_TRUE(Speaks(GetProblem({}), "--scenes"));
-  EXPECT_TRUE(Speaks(GetProblem({ "--scene" }), "--scene: it takes 1 values, not 0"));
-  EXPECT_TRUE(Speaks(GetProblem({ "--speed", "3" }), "--speed: there is no such option"));
-  EXPECT_TRUE(Speaks(GetProblem({ "room.wrl" }), "room.wrl: there is no such option"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--scene" }), "--scene: 1 required NAME missing"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--speed" }), "was not expected: --speed"));
+  EXPECT_TRUE(Speaks(GetProblem({ "room.wrl" }), "was not expected: room.wrl"));
   EXPECT_TRUE(Speaks(GetProblem({ "--rate", "fast" }), "\"fast\" is not a number from 0"));
   EXPECT_TRUE(Speaks(GetProblem({ "--rate", "nan" }), "nan"));
   EXPECT_TRUE(Speaks(GetProblem({ "--rate", "-1" }), "-1"));
   EXPECT_TRUE(Speaks(GetProblem({ "--rate", "5x" }), "5x"));
   EXPECT_TRUE(Speaks(GetProblem({ "--keep", "0" }), "from 1 to 1000"));
   EXPECT_TRUE(Speaks(GetProblem({ "--keep", "2.5" }), "2.5"));
-  EXPECT_TRUE(Speaks(GetProblem({ "--position", "0", "1" }), "it takes 3 values, not 2"));
+  EXPECT_TRUE(
+    Speaks(GetProblem({ "--position", "0", "1" }), "--position: 3 values must follow: X Y Z"));
   EXPECT_TRUE(Speaks(GetProblem({ "--position", "0", "inf", "1" }), "inf"));
   EXPECT_TRUE(Speaks(GetProblem({ "--up-axis", "x" }), "neither file nor y"));
-  EXPECT_TRUE(Speaks(GetProblem({ "-ORBtraceLevel" }), "it takes 1 values"));
+  EXPECT_TRUE(Speaks(GetProblem({ "-ORBtraceLevel" }), "-ORBtraceLevel: a value must follow"));
   EXPECT_TRUE(Speaks(GetProblem({ "--config", "/no/such/file" }), "cannot be read"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--read-only=yes" }), "read-only"));
   EXPECT_TRUE(
     Speaks(GetProblem({ "--scenes", "Data", "--tls-key", "k.pem" }), "one needs the other"));
 
   const std::string file = this->Write("bad.conf", "rate = 5\nport = 3\n");
-  EXPECT_TRUE(
-    Speaks(GetProblem({ "--config", file }), file + ":2: \"port = 3\": there is no such"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--config", file }),
+    file + ":2: \"port = 3\": The following argument was not expected"));
   EXPECT_TRUE(Speaks(GetProblem({ "--config", this->Folder.string() }), "cannot be read"));
   const std::string flag = this->Write("flag.conf", "read-only = yes\n");
-  EXPECT_TRUE(Speaks(GetProblem({ "--config", flag }), "it takes 0 values, not 1"));
+  EXPECT_TRUE(
+    Speaks(GetProblem({ "--config", flag }), flag + ":1: \"read-only = yes\": it takes no value"));
   const std::string nested = this->Write("nested.conf", "config = " + file + "\n");
-  EXPECT_TRUE(Speaks(GetProblem({ "--config", nested }), "names no other"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--config", nested }), "was not expected: --config"));
+}
+
+TEST_F(ServerOptions, ValuesMayBeNegative)
+{
+  const lms3dServerOptions options = lms3dReadServerOptions({ "--scenes", "Data", "--position",
+    "-1", "0", "-.5", "--orientation", "10", "-20", "-3e1", "-ORBtraceLevel", "-1" });
+  EXPECT_EQ(options.Position, (std::array<double, 3>{ -1.0, 0.0, -0.5 }));
+  EXPECT_EQ(options.Orientation, (std::array<double, 3>{ 10.0, -20.0, -30.0 }));
+  EXPECT_EQ(options.ORBArguments, (std::vector<std::string>{ "-ORBtraceLevel", "-1" }));
+}
+
+TEST_F(ServerOptions, OfRepeatedOptionsTheLastHoldsUnlessTheyAdd)
+{
+  const std::string file = this->Write("twice.conf",
+    "scenes = Data\nposition = 1 2 3\nposition = 4 5 6\nconnect-to = a/b\nconnect-to = c/d\n");
+  const lms3dServerOptions options = lms3dReadServerOptions({ "--config", file, "--keep", "2",
+    "--keep", "3", "--read-only", "--read-only", "--connect-to", "e/f", "--connect-to", "[::1]" });
+  EXPECT_EQ(options.Position, (std::array<double, 3>{ 4.0, 5.0, 6.0 }));
+  EXPECT_EQ(options.Keep, 3);
+  EXPECT_TRUE(options.ReadOnly);
+  EXPECT_EQ(options.ConnectTo, (std::vector<std::string>{ "a/b", "c/d", "e/f", "[::1]" }));
+  EXPECT_TRUE(
+    Speaks(GetProblem({ "--scenes", "Data", "--position", "1", "2", "3", "--position", "4", "5" }),
+      "3 values must follow"));
+}
+
+TEST_F(ServerOptions, NumbersHaveLimitsInFilesToo)
+{
+  EXPECT_TRUE(Speaks(GetProblem({ "--map-error", "1e308" }), "\"1e308\" is not a number from 0"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--map-error", "1e309" }), "\"1e309\" is not a number from 0"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--keep", "0x10" }), "\"0x10\" is not a whole number"));
+  for (const char* line : { "position = nan 0 0", "position = 1 2", "rate =", "rate", "keep = 0",
+         "[server]", "a b = 3", "help" })
+  {
+    const std::string file = this->Write("bad.conf", std::string("# bad\n") + line + "\n");
+    EXPECT_TRUE(Speaks(GetProblem({ "--config", file }), file + ":2: \"" + line + "\": ")) << line;
+  }
 }
 
 TEST_F(ServerOptions, OtherMachinesNeedAWord)
@@ -250,7 +290,7 @@ TEST_F(ServerOptions, TheCatalogueHasTheFoldersScenesAlone)
   EXPECT_EQ(catalogue.Find("b.wrl"), nullptr);
   EXPECT_EQ(catalogue.Find("below.wrl/e.wrl"), nullptr);
 
-  // Later files are not for clients.
+  // Clients cannot select files that appear later.
   this->Write("late.wrl", "");
   EXPECT_EQ(catalogue.Find("late.wrl"), nullptr);
 }
@@ -269,7 +309,7 @@ TEST_F(ServerOptions, TheReferenceFileIsThereAsLongAsTheServer)
     std::string line;
     std::getline(std::ifstream(file), line);
     EXPECT_EQ(line, "IOR:00");
-    // Others may read it as they may read what the user writes otherwise.
+    // It has the permissions of the user's other files.
     const std::string usual = this->Write("usual", "");
     EXPECT_EQ(
       std::filesystem::status(file).permissions(), std::filesystem::status(usual).permissions());

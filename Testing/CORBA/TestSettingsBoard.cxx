@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Object/lms3dScannerServant.h"
-#include "Scanning/lms3dSettingsBoard.h"
 #include "Object/lms3dSettingsCheck.h"
+#include "Scanning/lms3dSettingsBoard.h"
 
 #include <gtest/gtest.h>
 

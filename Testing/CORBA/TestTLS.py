@@ -11,7 +11,7 @@ from server_process import Server, run_client
 
 
 def openssl(*arguments, folder):
-    """A command of openssl, as Documentation/corba.md has them."""
+    """A command of openssl, as in Documentation/corba-security.md."""
     subprocess.run(["openssl", *arguments], cwd=folder, check=True, capture_output=True)
 
 

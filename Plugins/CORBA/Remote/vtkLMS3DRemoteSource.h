@@ -34,7 +34,7 @@
  * scan that violates the interface is not shown.
  *
  * omniORB's configuration file and environment variables apply here too. If they name certificates,
- * the source uses TLS (Documentation/corba.md).
+ * the source uses TLS (Documentation/corba-security.md).
  *
  * All clients share one sensor. SendPose() moves it, unless the server forbids that.
  *

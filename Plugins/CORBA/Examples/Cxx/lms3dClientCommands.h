@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What lms3d-client can do.
+ * @brief The commands of lms3d-client.
  */
 #ifndef lms3dClientCommands_h
 #define lms3dClientCommands_h
@@ -13,14 +13,17 @@
 #include <string>
 #include <vector>
 
+/// The text of --help.
 std::string lms3dGetClientHelp();
 
-/// What is to be done with a scanner. Throws CORBA::Exception and std::runtime_error.
+/// A command with its arguments. Throws CORBA::Exception and std::runtime_error.
 using lms3dClientCommand = std::function<void(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr)>;
 
-/// Needs no scanner. Empty where there is no such command, or not with so many words. Throws
-/// std::invalid_argument for a word that cannot be taken, std::runtime_error for a file that cannot
-/// be written.
+/**
+ * Reads a command and its arguments without contacting a scanner. Returns an empty function if the command
+ * does not exist or takes another number of arguments. Throws std::invalid_argument for an invalid number,
+ * and std::runtime_error for a file that cannot be written.
+ */
 lms3dClientCommand lms3dReadClientCommand(
   const std::string& name, const std::vector<std::string>& words);
 

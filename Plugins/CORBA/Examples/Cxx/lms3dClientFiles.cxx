@@ -19,8 +19,8 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// Where a link leads.
-fs::path GetPlace(const std::string& file)
+// An absolute path without links.
+fs::path GetTarget(const std::string& file)
 {
   return fs::weakly_canonical(fs::absolute(file));
 }
@@ -32,15 +32,15 @@ fs::path GetPlace(const std::string& file)
 
 void CheckFile(const std::string& file)
 {
-  const fs::path place = GetPlace(file);
-  const fs::path folder = place.parent_path();
-  if (place.extension() != ".vtp")
+  const fs::path target = GetTarget(file);
+  const fs::path folder = target.parent_path();
+  if (target.extension() != ".vtp")
   {
-    Fail(file, "the ending must be .vtp");
+    Fail(file, "its name must end in .vtp");
   }
-  if (fs::is_directory(place))
+  if (fs::is_directory(target))
   {
-    Fail(file, "that is a folder");
+    Fail(file, "it is a folder");
   }
   if (!fs::is_directory(folder))
   {
@@ -48,11 +48,11 @@ void CheckFile(const std::string& file)
   }
   if (access(folder.c_str(), W_OK) != 0)
   {
-    Fail(file, "no right to write there");
+    Fail(file, "its folder is not writable");
   }
 }
 
-/// A name beside a file that becomes it, or vanishes.
+/// A file in the same folder that replaces the final one or is removed.
 class TemporaryFile
 {
 public:
@@ -72,7 +72,7 @@ public:
   TemporaryFile(const TemporaryFile&) = delete;
   void operator=(const TemporaryFile&) = delete;
 
-  void Become() const { fs::rename(this->Path, this->Final); }
+  void Rename() const { fs::rename(this->Path, this->Final); }
 
   const fs::path Path;
 
@@ -80,8 +80,8 @@ private:
   const fs::path Final;
 };
 
-// In memory: VTK 9.2 crashes where a file system takes no more. By default it appends binary data,
-// which is no XML.
+// Writes to memory, because VTK 9.2 crashes if the file system is full. Binary mode, because the
+// default, appended data, is not valid XML.
 std::string GetText(vtkPolyData* data)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
@@ -95,20 +95,20 @@ std::string GetText(vtkPolyData* data)
 
 void lms3dCheckFiles(const std::vector<std::string>& files)
 {
-  std::set<fs::path> places;
+  std::set<fs::path> targets;
   for (const std::string& file : files)
   {
     CheckFile(file);
-    if (!places.insert(GetPlace(file)).second)
+    if (!targets.insert(GetTarget(file)).second)
     {
-      Fail(file, "choose two names");
+      Fail(file, "both files have this name");
     }
   }
 }
 
 void lms3dWriteFile(vtkPolyData* data, const std::string& file)
 {
-  const TemporaryFile temporary(GetPlace(file));
+  const TemporaryFile temporary(GetTarget(file));
   std::ofstream stream(temporary.Path, std::ios::binary);
   stream << GetText(data);
   stream.close();
@@ -116,5 +116,5 @@ void lms3dWriteFile(vtkPolyData* data, const std::string& file)
   {
     Fail(file, std::generic_category().message(errno));
   }
-  temporary.Become();
+  temporary.Rename();
 }

@@ -12,11 +12,12 @@
 
 class vtkPolyData;
 
-/// Throws std::runtime_error where one of these cannot become a VTK file: before the work begins.
+/// Throws std::runtime_error if one of the files cannot become a VTK file, or two names mean the same
+/// file. Call it before the work begins.
 void lms3dCheckFiles(const std::vector<std::string>& files);
 
-/// Writes beside the file and renames then, so that it is there as a whole, or as it was before.
-/// Throws std::runtime_error where that fails.
+/// Writes a temporary file and renames it, so that `file` is complete or unchanged. Throws
+/// std::runtime_error if that fails.
 void lms3dWriteFile(vtkPolyData* data, const std::string& file);
 
 #endif

@@ -11,13 +11,13 @@
 
 namespace
 {
-// How soon the end of a server is noticed.
-constexpr std::chrono::seconds Quiet(1);
+// Without a call for this time, the client checks that the server is still there.
+constexpr std::chrono::seconds CheckPeriod(1);
 
-// In a row: the server leaves a listener out after three scans that it cannot tell.
-constexpr int MostMissed = 5;
+// In a row. The server drops a listener after three failed calls.
+constexpr int MaximumMissed = 5;
 
-/// The ORB calls scanReady() on a thread of its own.
+/// The ORB calls scanReady() in a thread of its own.
 class Listener : public POA_LMS3D::ScanListener
 {
 public:
@@ -25,33 +25,33 @@ public:
   {
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      this->News = std::make_unique<LMS3D::ScanHeader>(header);
+      this->Newest = std::make_unique<LMS3D::ScanHeader>(header);
     }
     this->Changed.notify_one();
   }
 
-  /// Null where it stays quiet.
+  /// Returns null if no call comes within a second.
   std::unique_ptr<LMS3D::ScanHeader> Wait()
   {
     std::unique_lock<std::mutex> lock(this->Mutex);
-    this->Changed.wait_for(lock, Quiet, [this] { return this->News != nullptr; });
-    return std::move(this->News);
+    this->Changed.wait_for(lock, CheckPeriod, [this] { return this->Newest != nullptr; });
+    return std::move(this->Newest);
   }
 
 private:
   std::mutex Mutex;
   std::condition_variable Changed;
-  std::unique_ptr<LMS3D::ScanHeader> News;
+  std::unique_ptr<LMS3D::ScanHeader> Newest;
 };
 
-/// A server that is gone tells nobody of it, so who hears nothing asks.
+/// If no call comes, asks the server for its status, because a server that has ended cannot announce that.
 class Subscription
 {
 public:
   Subscription(LMS3D::LaserScanner_ptr scanner, LMS3D::ScanListener_ptr listener)
     : Scanner(LMS3D::LaserScanner::_duplicate(scanner))
     , Status(scanner->getStatus())
-    , Told(this->Status->newest)
+    , LastNumber(this->Status->newest)
     , Number(scanner->subscribe(listener))
   {
   }
@@ -63,14 +63,14 @@ public:
     for (; !header; header = listener.Wait())
     {
       missed = this->IsScanMissed() ? missed + 1 : 0;
-      if (missed == MostMissed)
+      if (missed == MaximumMissed)
       {
         throw std::runtime_error(
-          "the server has scans but does not tell this listener; it connects "
-          "to 127.0.0.1 and to what --connect-to adds");
+          "the server makes scans but does not call this listener. It connects "
+          "only to 127.0.0.1 and to the addresses of its option --connect-to");
       }
     }
-    this->Told = header->number;
+    this->LastNumber = header->number;
     return *header;
   }
 
@@ -82,14 +82,14 @@ private:
     const LMS3D::Status_var now = this->Scanner->getStatus();
     if (now->incarnation != this->Status->incarnation)
     {
-      throw std::runtime_error("the server was started anew, and does not know this listener");
+      throw std::runtime_error("the server was restarted, so the subscription is lost");
     }
-    return now->newest > this->Told;
+    return now->newest > this->LastNumber;
   }
 
   const LMS3D::LaserScanner_var Scanner;
   const LMS3D::Status_var Status;
-  CORBA::ULongLong Told;
+  CORBA::ULongLong LastNumber;
   const CORBA::ULong Number;
 };
 } // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief An object of the client that the server tells of scans.
+ * @brief A listener, which the server calls for each scan.
  */
 #ifndef lms3dClientListener_h
 #define lms3dClientListener_h
@@ -11,9 +11,9 @@
 
 #include <functional>
 
-/// Subscribes, hands `count` headers to `use`, and unsubscribes. Throws CORBA::SystemException
-/// where the server is gone meanwhile, std::runtime_error where it does not know, or does not
-/// reach, the listener.
+/// Subscribes a listener, passes `count` headers to `use` in the calling thread, and unsubscribes. Throws
+/// CORBA::SystemException if the server ends meanwhile, std::runtime_error if the server has lost the listener
+/// or cannot reach it.
 void lms3dListenToScanner(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner,
   CORBA::ULongLong count, const std::function<void(const LMS3D::ScanHeader&)>& use);
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-// lms3d-client: looks at a scanner, saves what it sees, and moves it.
+// lms3d-client: shows and saves the scans of a server, and moves its sensor.
+#include "Client/lms3dScannerReference.h"
+#include "Common/lms3dORBLog.h"
 #include "lms3dClientCommands.h"
 #include "lms3dExceptionText.h"
-#include "Common/lms3dORBLog.h"
-#include "Client/lms3dScannerReference.h"
 
 #include <algorithm>
 #include <exception>
@@ -18,7 +18,7 @@ namespace
 constexpr int ExitFailure = 1;
 constexpr int ExitUsage = 2;
 
-// Longer than the server lets anybody wait, so that a server that hangs is noticed.
+// Longer than the server's longest wait, so that only a server that hangs exceeds it.
 const char* ORBOptions[][2] = { { "clientCallTimeOutPeriod", "15000" },
   { "clientConnectTimeOutPeriod", "3000" }, { "endPoint", "giop:tcp:127.0.0.1:" },
   { nullptr, nullptr } };
@@ -28,7 +28,7 @@ void PrintLine(const std::string& line)
   std::cerr << line << '\n';
 }
 
-// Empty where they are none. A mistake in them is told before any scanner is asked.
+// Returns an empty function for a wrong command. Throws for wrong arguments, before contacting a scanner.
 lms3dClientCommand ReadCommand(const std::vector<std::string>& arguments)
 {
   if (arguments.size() < 2)

@@ -4,7 +4,7 @@
 
 namespace
 {
-// Of those that users meet.
+// Explains the most frequent exceptions.
 const char* GetMeaning(const CORBA::SystemException& problem)
 {
   if (CORBA::TIMEOUT::_downcast(&problem))
@@ -24,7 +24,7 @@ std::string lms3dDescribe(const CORBA::Exception& problem)
   std::string text = problem._name();
   if (const auto* system = CORBA::SystemException::_downcast(&problem))
   {
-    // Of codes that are not the ORB's own it knows none.
+    // Null for codes that omniORB does not define.
     const char* const detail = system->NP_minorString();
     text.append(detail ? std::string(", ") + detail : "").append(GetMeaning(*system));
   }

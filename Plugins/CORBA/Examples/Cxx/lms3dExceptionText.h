@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Exceptions of CORBA and of the scanner in words.
+ * @brief Messages of CORBA's and the scanner's exceptions.
  */
 #ifndef lms3dExceptionText_h
 #define lms3dExceptionText_h
@@ -11,7 +11,7 @@
 
 #include <string>
 
-/// An exception's name and what it tells.
+/// The name of the exception and its explanation.
 std::string lms3dDescribe(const CORBA::Exception& problem);
 
 #endif

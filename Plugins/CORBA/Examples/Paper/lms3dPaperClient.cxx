@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-// lms3d-paper-client REFERENCE: fetches a scan by the paper's interface and prints its nearest return.
+// lms3d-paper-client REFERENCE: fetches a scan with the paper's interface and prints its nearest return.
 #include "LMS3D.hh"
 
 #include <iostream>
@@ -32,7 +32,7 @@ int main(int argc, char* argv[])
 {
   try
   {
-    // Milliseconds; without it a server that hangs holds the client for ever.
+    // Milliseconds. Without it the client would wait forever for a server that hangs.
     const char* options[][2] = { { "clientCallTimeOutPeriod", "20000" }, { nullptr, nullptr } };
     const CORBA::ORB_var orb = CORBA::ORB_init(argc, argv, "omniORB4", options);
     const CORBA::Object_var object = orb->string_to_object(argc > 1 ? argv[1] : "");

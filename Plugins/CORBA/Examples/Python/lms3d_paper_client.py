@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fetches a scan by the paper's interface with nothing but Python's standard library.
+"""Fetches a scan with the paper's interface and Python's standard library alone.
 
 It reads the file that `lms3d-server --ior FILE` writes, and prints range (metres), alpha and beta
-(degrees) of each beam, a line each. What it knows of CORBA is in giop.py.
+(degrees) of each beam, one beam per line. giop.py implements the part of CORBA that it needs.
 """
 
 import argparse
@@ -19,7 +19,7 @@ def main():
     """Fetch and print a scan."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("ior", type=pathlib.Path, help="the file of lms3d-server --ior")
-    parser.add_argument("--big-endian", action="store_true", help="ask in that order of bytes")
+    parser.add_argument("--big-endian", action="store_true", help="send requests in this byte order")
     options = parser.parse_args()
     try:
         reference = options.ior.read_text().strip()

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Moves a scanner, takes scans and local maps from it, and watches it, by omniORBpy.
+"""Moves a scanner, fetches its scans and local maps, and watches it, with omniORBpy.
 
-Needs the package jeteve-omniorb, and beside it the stubs that omniidl makes; see ../README.md.
+Needs the package jeteve-omniorb and stubs from its omniidl; see Documentation/corba.md.
 """
 
 import argparse
@@ -17,34 +17,34 @@ from omniORB import CORBA
 
 import LMS3D
 
-# Longer than the server lets anybody wait, so that a server that hangs is noticed.
+# Longer than the server's longest wait, so that only a server that hangs exceeds it.
 ORB_OPTIONS = ["-ORBclientCallTimeOutPeriod", "15000"]
 WAIT_MILLISECONDS = 10_000
-# Where too many others wait already.
+# The interval of checks if the server has no place for another waiting call.
 PAUSE_SECONDS = 0.5
-# Beams, points or triangles in a message, of 2 MiB at most: 1.2 MB of points.
+# Beams, points or triangles per message. 50,000 points are 1.2 MB; a message has 2 MiB at most.
 PART = 50_000
-TRIES = 5
+MAXIMUM_TRIES = 5
 
 
 def connect(reference):
-    """The scanner that an IOR or a corbaloc names."""
+    """Return the scanner of an IOR or a corbaloc."""
     orb = CORBA.ORB_init(ORB_OPTIONS)
     scanner = orb.string_to_object(reference)._narrow(LMS3D.LaserScanner)
     if scanner is None:
-        raise ValueError(f"what is at {reference} is no scanner of LMS3D")
+        raise ValueError(f"the object at {reference} is not a scanner of LMS3D")
     return scanner
 
 
 def move(scanner, position):
-    """Move the sensor and return the generation of the scans from there."""
+    """Move the sensor and return the generation of its scans."""
     pose = scanner.getPose()
     pose.position = LMS3D.Vector3(*position)
     return scanner.setPose(pose)
 
 
 def get_parts(operation, number, count):
-    """All elements of scan `number` that an operation gives in parts."""
+    """Return all elements of scan `number` from an operation that returns parts."""
     elements = []
     for first in range(0, count, PART):
         elements += operation(number, first, min(PART, count - first))
@@ -52,9 +52,9 @@ def get_parts(operation, number, count):
 
 
 def wait_once(scanner, after, generation):
-    """The header of the next scan, or NoScanYet.
+    """Return the header of the next scan, or raise NoScanYet.
 
-    Where too many others wait already, the client does so by itself and then looks.
+    If the server has no place for another waiting call, pause and then check the newest scan.
     """
     try:
         return scanner.waitForScan(after, generation, WAIT_MILLISECONDS)
@@ -67,7 +67,7 @@ def wait_once(scanner, after, generation):
 
 
 def wait_for_scan(scanner, after=0, generation=0):
-    """The header of the next scan, as long as the server lives: it may be a long time off."""
+    """Return the header of the next scan. Wait as long as the server lives and makes scans."""
     while True:
         try:
             return wait_once(scanner, after, generation)
@@ -76,15 +76,15 @@ def wait_for_scan(scanner, after=0, generation=0):
             if status.problem:
                 raise ValueError(f"the server has no scan: {status.problem}") from None
             if status.newest < after or status.generation < generation:
-                raise ValueError("the server was started anew") from None
+                raise ValueError("the server was restarted") from None
 
 
 def take_scan(scanner, generation=0):
-    """The newest scan of a generation: header, ranges, the map's coordinates and point numbers.
+    """Return the newest scan of a generation: header, ranges, the map's coordinates and triangles.
 
-    The server keeps the newest few scans only: who is slow may find a part gone, and tries again.
+    The server drops old scans, so a slow client may have to try again.
     """
-    for attempt in range(1, TRIES + 1):
+    for attempt in range(1, MAXIMUM_TRIES + 1):
         header = wait_for_scan(scanner, generation=generation)
         try:
             return (header,
@@ -92,12 +92,12 @@ def take_scan(scanner, generation=0):
                     get_parts(scanner.getMapPoints, header.number, header.mapPoints),
                     get_parts(scanner.getMapTriangles, header.number, header.mapTriangles))
         except LMS3D.ScanGone:
-            if attempt == TRIES:
+            if attempt == MAXIMUM_TRIES:
                 raise
 
 
 def get_angles(axis):
-    """The angles of an axis in degrees, as LMS3DScanner.idl describes them."""
+    """Return the angles of an axis in degrees, as LMS3DScanner.idl defines them."""
     is_circle = abs(axis.stop - axis.start - 360) <= 1e-6
     steps = max(1, axis.count if is_circle else axis.count - 1)
     return [axis.start + (axis.stop - axis.start) * i / steps for i in range(axis.count)]
@@ -115,7 +115,7 @@ def print_beams(header, ranges):
 def write_map(path, coordinates, numbers):
     """Write a local map as a Wavefront OBJ file, which counts points from 1.
 
-    It is written beside the path and renamed then, so that it is there as a whole or not at all.
+    Write a temporary file and rename it, so that the map is complete or not there.
     """
     temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
     try:
@@ -133,14 +133,14 @@ def write_map(path, coordinates, numbers):
 
 
 def fetch(scanner, _):
-    """Print range, alpha and beta of each beam, by the paper's interface."""
+    """Print range, alpha and beta of each beam, with the paper's interface."""
     triples = scanner.fetch()
     for i in range(0, len(triples), 3):
         print(*triples[i:i + 3], sep="\t")
 
 
 def scan(scanner, options):
-    """Print the same of a scan from a position, and save its local map."""
+    """Print the same for a scan from a given position, and save its local map."""
     generation = move(scanner, options.position) if options.position else 0
     header, ranges, coordinates, numbers = take_scan(scanner, generation)
     if options.position and header.generation != generation:
@@ -151,7 +151,7 @@ def scan(scanner, options):
 
 
 def watch(scanner, options):
-    """Print a line for each scan as soon as it is there."""
+    """Print a line for each scan as soon as it is made."""
     last = 0
     for _ in range(options.count):
         header = wait_for_scan(scanner, after=last)
@@ -161,7 +161,7 @@ def watch(scanner, options):
 
 
 def parse_arguments():
-    """The scanner, the command and what belongs to it."""
+    """Parse the scanner, the command and its options."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("scanner", help="an IOR or a corbaloc")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")

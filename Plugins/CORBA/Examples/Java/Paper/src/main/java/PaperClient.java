@@ -8,8 +8,8 @@ import org.omg.CORBA.ORB;
 import org.omg.CORBA.SystemException;
 
 /**
- * Fetches a scan by the paper's interface and prints range (metres), alpha and beta (degrees) of each
- * beam, a line each. It is made from LMS3D.idl alone.
+ * Fetches a scan with the paper's interface and prints range (metres), alpha and beta (degrees) of
+ * each beam, one beam per line. It is compiled from LMS3D.idl alone.
  */
 public final class PaperClient {
   private PaperClient() {}
@@ -34,7 +34,7 @@ public final class PaperClient {
     Properties properties = new Properties();
     properties.put("org.omg.CORBA.ORBClass", "org.jacorb.orb.ORB");
     properties.put("org.omg.CORBA.ORBSingletonClass", "org.jacorb.orb.ORBSingleton");
-    // Milliseconds, more than the server lets anybody wait: one that hangs is noticed.
+    // Milliseconds; longer than the server's longest wait, so only a server that hangs exceeds it.
     properties.put("jacorb.connection.client.pending_reply_timeout", "15000");
     return ORB.init((String[]) null, properties);
   }

@@ -14,8 +14,8 @@ import org.omg.CORBA.SystemException;
 import org.omg.CORBA.UserException;
 
 /**
- * Moves the sensor, waits for a scan that was made wholly from there, and prints range (metres), alpha
- * and beta (degrees) of each beam, a line each.
+ * Moves the sensor, waits for a scan that was made wholly from there, and prints range (metres),
+ * alpha and beta (degrees) of each beam, one beam per line.
  */
 public final class ScannerClient {
   private static final int WAIT_MILLISECONDS = 10_000;
@@ -49,12 +49,12 @@ public final class ScannerClient {
     Properties properties = new Properties();
     properties.put("org.omg.CORBA.ORBClass", "org.jacorb.orb.ORB");
     properties.put("org.omg.CORBA.ORBSingletonClass", "org.jacorb.orb.ORBSingleton");
-    // Milliseconds, more than the server lets anybody wait: one that hangs is noticed.
+    // Milliseconds; longer than the server's longest wait, so only a server that hangs exceeds it.
     properties.put("jacorb.connection.client.pending_reply_timeout", "15000");
     return ORB.init((String[]) null, properties);
   }
 
-  /** Returns the generation of the scans from there, the first of which is made then. */
+  /** Waits for the first scan from there, and returns the generation of its scans. */
   private static long move(LaserScanner scanner, Vector3 position) throws UserException {
     Pose pose = scanner.getPose();
     pose.position = position;
@@ -75,7 +75,7 @@ public final class ScannerClient {
     System.out.print(text);
   }
 
-  /** An angle of an axis, as LMS3DScanner.idl describes it. */
+  /** Returns an angle of an axis as LMS3DScanner.idl defines it. */
   private static double getAngle(Axis axis, int i) {
     boolean isCircle = Math.abs(axis.stop - axis.start - 360.0) <= 1e-6;
     int steps = Math.max(1, isCircle ? axis.count : axis.count - 1);
