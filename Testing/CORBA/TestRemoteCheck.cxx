@@ -30,7 +30,7 @@ void Check(lms3dRemoteScan& scan)
   lms3dCheckArrays(scan);
 }
 
-/// A liar makes its checksums fit.
+/// A malicious server adapts its checksums.
 void CheckWithNewChecksums(lms3dRemoteScan& scan)
 {
   scan.Header.rangesChecksum = lms3dGetRangesChecksum(scan.Ranges);

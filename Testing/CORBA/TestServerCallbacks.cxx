@@ -52,7 +52,7 @@ TEST(ServerCallbacks, TellOfEachScanUntilUnsubscribed)
   ActiveListener listener;
   const CORBA::ULong subscription = scanner->subscribe(listener.GetReference());
   EXPECT_TRUE(listener->WaitFor(5));
-  EXPECT_GT(listener->GetLeastStep(), 0);
+  EXPECT_GT(listener->GetMinimumStep(), 0);
   scanner->unsubscribe(subscription);
   EXPECT_THROW(scanner->unsubscribe(subscription), LMS3D::InvalidArgument);
   // One call may be in progress.
@@ -74,7 +74,7 @@ TEST(ServerCallbacks, SilentListenersDelayNoOtherAndAreDropped)
   EXPECT_TRUE(HasListeners(scanner, 1));
   // If they were called one after the other, the silent ones would take five seconds per scan.
   EXPECT_GT(good->GetCount(), 5);
-  EXPECT_LT(good->GetGreatestStep(), 20);
+  EXPECT_LT(good->GetMaximumStep(), 20);
   EXPECT_EQ(server.Terminate(SIGTERM), 0);
 }
 

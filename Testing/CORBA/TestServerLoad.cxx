@@ -212,7 +212,8 @@ TEST(ServerLoad, NothingTearsWhileThePoseMoves)
 TEST(ServerLoad, MemoryStaysFlat)
 {
   constexpr int Threads = 4;
-  // The allocator keeps some answers of 1.5 MB per thread. A leak of each answer would make gigabytes.
+  // The allocator keeps some answers of 1.5 MB per thread. A leak of each answer would make
+  // gigabytes.
   constexpr long Tolerance = 16 << 20;
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());

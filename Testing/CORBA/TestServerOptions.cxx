@@ -243,7 +243,7 @@ TEST_F(ServerOptions, OwnOptionsWinOverTheAdministratorsORBSettings)
   EXPECT_NE(Find(settings, "clientTransportRule"), "not set");
 }
 
-TEST_F(ServerOptions, NobodyElseNamesEndpoints)
+TEST_F(ServerOptions, OnlyTheOptionNamesEndpoints)
 {
   lms3dServerOptions options;
   EXPECT_NO_THROW(lms3dCheckEndpointSources(options));

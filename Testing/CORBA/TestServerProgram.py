@@ -263,7 +263,7 @@ class ClientTest(unittest.TestCase):
 
     def test_failures(self):
         """A message and an exit code. Wrong arguments are reported without a server."""
-        nobody = "corbaloc:iiop:1.2@127.0.0.1:1/LMS3D"
+        unused = "corbaloc:iiop:1.2@127.0.0.1:1/LMS3D"
         for arguments, code, word in (
                 ((self.server.corbaloc, "scene", "../room.wrl"), 1, "NoSuchScene"),
                 ((self.server.corbaloc, "pose", "nan", "0", "0"), 1, "position is nan"),
@@ -272,10 +272,10 @@ class ClientTest(unittest.TestCase):
                 ((self.server.corbaloc, "watch", "2x"), 2, 'COUNT: "2x" is not a whole number'),
                 ((self.server.corbaloc, "listen", "-1"), 2, 'COUNT: "-1" is not a whole number'),
                 ((self.server.corbaloc, "jump"), 2, "Usage"), ((), 2, "Usage"),
-                ((nobody, "status"), 1, "TRANSIENT"),
-                ((nobody, "jump"), 2, "Usage"), ((nobody, "status", "now"), 2, "Usage"),
-                ((nobody, "pose", "1", "x", "2"), 2, 'Y: "x" is not a number'),
-                ((nobody, "save", "scan.stl"), 1, "its name must end in .vtp"),
+                ((unused, "status"), 1, "TRANSIENT"),
+                ((unused, "jump"), 2, "Usage"), ((unused, "status", "now"), 2, "Usage"),
+                ((unused, "pose", "1", "x", "2"), 2, 'Y: "x" is not a number'),
+                ((unused, "save", "scan.stl"), 1, "its name must end in .vtp"),
                 (("nonsense", "status"), 1, "is neither a corbaloc")):
             finished = run_client(*arguments)
             self.assertEqual(finished.returncode, code, arguments)

@@ -96,7 +96,7 @@ TEST_F(ServerScenes, FiveClientsSelectAtMostAndDoNotDelayTheEnd)
   EXPECT_EQ(cut, Maximum);
 }
 
-// With headers, fifty-five names exceed the smallest message limit that omniORB allows.
+// Fifty-five names, and the headers, almost fill the smallest message that omniORB allows.
 TEST_F(ServerScenes, AListThatDoesNotFitIsRefusedInWords)
 {
   const auto add = [this](int first, int last)

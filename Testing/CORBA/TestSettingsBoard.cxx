@@ -84,7 +84,7 @@ TEST(SettingsBoard, ManyWritersAndAReader)
   EXPECT_EQ(board.Get().Generation, 2001u);
 }
 
-// What clients find between a server's start and its first scan.
+// The results of calls between a server's start and its first scan.
 TEST(ScannerServant, BeforeTheFirstScan)
 {
   const lms3dSceneCatalogue catalogue(LMS3D_DATA_DIR);

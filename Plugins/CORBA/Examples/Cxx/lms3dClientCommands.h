@@ -20,9 +20,9 @@ std::string lms3dGetClientHelp();
 using lms3dClientCommand = std::function<void(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr)>;
 
 /**
- * Reads a command and its arguments without contacting a scanner. Returns an empty function if the command
- * does not exist or takes another number of arguments. Throws std::invalid_argument for an invalid number,
- * and std::runtime_error for a file that cannot be written.
+ * Reads a command and its arguments without contacting a scanner. Returns an empty function if the
+ * command does not exist or takes another number of arguments. Throws std::invalid_argument for an
+ * invalid number, and std::runtime_error for a file that cannot be written.
  */
 lms3dClientCommand lms3dReadClientCommand(
   const std::string& name, const std::vector<std::string>& words);

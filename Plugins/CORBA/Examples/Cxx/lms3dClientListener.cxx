@@ -44,7 +44,8 @@ private:
   std::unique_ptr<LMS3D::ScanHeader> Newest;
 };
 
-/// If no call comes, asks the server for its status, because a server that has ended cannot announce that.
+/// If no call comes, asks the server for its status, because a server that has ended cannot
+/// announce that.
 class Subscription
 {
 public:

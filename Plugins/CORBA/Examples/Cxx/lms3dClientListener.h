@@ -11,9 +11,9 @@
 
 #include <functional>
 
-/// Subscribes a listener, passes `count` headers to `use` in the calling thread, and unsubscribes. Throws
-/// CORBA::SystemException if the server ends meanwhile, std::runtime_error if the server has lost the listener
-/// or cannot reach it.
+/// Subscribes a listener, passes `count` headers to `use` in the calling thread, and unsubscribes.
+/// Throws CORBA::SystemException if the server ends meanwhile, std::runtime_error if the server has
+/// lost the listener or cannot reach it.
 void lms3dListenToScanner(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner,
   CORBA::ULongLong count, const std::function<void(const LMS3D::ScanHeader&)>& use);
 

@@ -28,7 +28,8 @@ void PrintLine(const std::string& line)
   std::cerr << line << '\n';
 }
 
-// Returns an empty function for a wrong command. Throws for wrong arguments, before contacting a scanner.
+// Returns an empty function for a wrong command. Throws for wrong arguments, before contacting a
+// scanner.
 lms3dClientCommand ReadCommand(const std::vector<std::string>& arguments)
 {
   if (arguments.size() < 2)

@@ -23,8 +23,8 @@ ready it prints a corbaloc and an IOR, one per line. SIGTERM, SIGINT and SIGHUP 
 )";
 
 constexpr const char* Footer =
-  R"(Options of omniORB (-ORBtraceLevel 10) go to the ORB. Their settings, and those of omniORB's
-environment variables and configuration file, are kept unless an option above sets the same. Only
+  R"(Options of omniORB (-ORBtraceLevel 10) go to the ORB. They, omniORB's environment
+variables and its configuration file apply unless an option above sets the same. Only
 --endpoint names endpoints, unless --allow-remote is given.
 
 Exit code: 0 ended by a signal, 1 failed while starting, 2 wrong options
