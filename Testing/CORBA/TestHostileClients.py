@@ -143,7 +143,7 @@ class HostileTest(unittest.TestCase):
     def test_clients_that_vanish_while_they_wait(self):
         """Too many waiting calls. When their clients vanish, others get their places soon."""
         never = 2 ** 64 - 1
-        crowd, most = 40, 32
+        crowd, maximum = 40, 32
         with contextlib.ExitStack() as stack:
             sockets = []
             for _ in range(crowd):
@@ -153,7 +153,7 @@ class HostileTest(unittest.TestCase):
                 sockets.append(client.connection)
             # Refused calls are answered at once.
             self.assertTrue(wait_until(
-                lambda: len(select.select(sockets, [], [], 0)[0]) == crowd - most))
+                lambda: len(select.select(sockets, [], [], 0)[0]) == crowd - maximum))
             with self.server.connect() as client:
                 self.assertIn("LimitExceeded", refuse(client, "waitForScan", wait(never, 1)))
         start = time.monotonic()
@@ -164,7 +164,7 @@ class HostileTest(unittest.TestCase):
         self.check_recovery()
 
     def test_four_hundred_flipped_bits(self):
-        """A valid request, byte by byte."""
+        """A valid request with one wrong bit at a time."""
         for bit in range(0, 400):
             data = bytearray(_fetch)
             data[bit // 8 % len(data)] ^= 1 << bit % 8

@@ -87,7 +87,7 @@ class NamingTest(unittest.TestCase):
             self.assertEqual(code, 0)
             # Without a limit, a call may take five seconds.
             self.assertLess(seconds, 4)
-            self.assertIn("the naming service keeps a stale name", server.read_log())
+            self.assertIn("the name stays in the naming service", server.read_log())
 
     def test_serves_without_it(self):
         """The log says so, and the server works otherwise."""

@@ -201,7 +201,7 @@ class TestCommand(unittest.TestCase):
     def test_no_server_answers(self):
         with Server() as server:
             url = server.corbaloc
-        for place, words in ((url, "no server answers there"), ("nonsense", "no corbaloc")):
+        for place, words in ((url, "no server answers there"), ("nonsense", "neither a corbaloc")):
             with self.subTest(place):
                 done = run_view("--server", place)
                 self.assertEqual(done.returncode, 1)

@@ -53,7 +53,7 @@ void LogLimited(const std::string& line)
   }
   else if (number == MaximumLinesPerSecond + 1)
   {
-    Log("omniORB: the other lines of this second are left out");
+    Log("omniORB: more lines in this second; these lines are left out");
   }
 }
 

@@ -23,9 +23,9 @@ ready it prints a corbaloc and an IOR, one per line. SIGTERM, SIGINT and SIGHUP 
 )";
 
 constexpr const char* Footer =
-  R"(Options of omniORB (-ORBtraceLevel 10) go to the ORB. They, omniORB's environment
-variables and its configuration file apply unless an option above sets the same. Only
---endpoint names endpoints, unless --allow-remote is given.
+  R"(Options of omniORB (-ORBtraceLevel 10) go to the ORB. They, omniORB's environment variables and its
+configuration file apply unless an option above sets the same. Only --endpoint names endpoints,
+unless --allow-remote is given.
 
 Exit code: 0 ended by a signal, 1 failed while starting, 2 wrong options
 )";
@@ -98,6 +98,8 @@ Words MakeWords(const CLI::App& app, const std::string& line)
   return words;
 }
 
+// CLI11's own reader of files would split file names at blanks, ignore repeated options and report no
+// line numbers.
 void ReadFile(const std::string& file, lms3dServerOptions& options)
 {
   CLI::App app;
