@@ -51,9 +51,8 @@ std::string ReadFile(const std::string& name)
   if (!IsURL(text))
   {
     throw std::runtime_error(Quote(name) +
-      " is neither a corbaloc, corbaname or IOR, nor a file with one. The server writes such a "
-      "file "
-      "with --ior");
+      " is neither a corbaloc, corbaname or IOR, nor a file with one, which the server writes with "
+      "--ior");
   }
   return text;
 }
