@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -57,8 +58,9 @@ void lms3dReadConfigurationFile(
     }
     catch (const std::invalid_argument& problem)
     {
-      throw std::invalid_argument(
-        file + ":" + std::to_string(number) + ": \"" + line + "\": " + problem.what());
+      std::ostringstream message;
+      message << file << ':' << number << ": \"" << line << "\": " << problem.what();
+      throw std::invalid_argument(message.str());
     }
   }
 }

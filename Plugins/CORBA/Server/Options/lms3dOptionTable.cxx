@@ -34,7 +34,7 @@ Number ReadNumber(const std::string& text, Number minimum, Number maximum)
   return number;
 }
 
-// 0, however it is written, has a meaning of its own.
+// 0 has a meaning of its own, in any notation.
 double ReadRate(const std::string& text)
 {
   constexpr double MinimumRate = 0.001;

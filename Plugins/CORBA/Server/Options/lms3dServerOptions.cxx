@@ -57,7 +57,7 @@ void Parse(CLI::App& app, Words words)
       word.insert(1, "0");
     }
   }
-  // CLI11's order.
+  // CLI11 expects the words in reverse order.
   std::reverse(words.begin(), words.end());
   try
   {

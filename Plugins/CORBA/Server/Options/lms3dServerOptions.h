@@ -16,7 +16,6 @@ struct lms3dServerOptions
 {
   std::string Scenes;
   std::string Scene;
-  bool IsYUp = false;
   /// Metres, world coordinates.
   std::array<double, 3> Position = { 0.0, 0.0, 0.0 };
   /// Degrees about x, y and z, as vtkProp3D applies them.
@@ -25,29 +24,29 @@ struct lms3dServerOptions
   double Rate = 10.0;
   /// Metres.
   double MapError = 0.01;
-  bool MakeMap = true;
   /// 0: all cores.
   int Threads = 0;
   int Keep = 4;
 
   std::string Endpoint = "giop:tcp:127.0.0.1:";
-  bool AllowRemote = false;
   std::string TLSKey;
   std::string TLSAuthorities;
   std::string IORFile;
-  bool Naming = false;
   std::string NamingService;
   std::string Name = "LMS3D.Scanner";
-
-  bool ReadOnly = false;
-  bool Callbacks = false;
   /// Each "ADDRESS/MASK".
   std::vector<std::string> ConnectTo;
-
-  bool Help = false;
-  bool Version = false;
   /// Options of omniORB: a name that begins with -ORB, its value, the next name and so on.
   std::vector<std::string> ORBArguments;
+
+  bool IsYUp = false;
+  bool MakeMap = true;
+  bool AllowRemote = false;
+  bool Naming = false;
+  bool ReadOnly = false;
+  bool Callbacks = false;
+  bool Help = false;
+  bool Version = false;
 };
 
 /**
