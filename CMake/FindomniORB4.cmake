@@ -34,18 +34,22 @@ if (omniORB4_FOUND AND NOT TARGET omniORB4::omniORB4)
     INTERFACE_LINK_LIBRARIES omniORB4::omniORB4)
 endif ()
 
-# Paths are relative to the current source folder. The files may include each other.
+# Relative file names start at the current source folder. The files may include one another.
 function (omniorb4_add_idl_library target)
   set(generated)
+  set(dependencies)
   foreach (file IN LISTS ARGN)
+    get_filename_component(path "${file}" ABSOLUTE)
+    list(APPEND dependencies "${path}")
+  endforeach ()
+  foreach (file IN LISTS dependencies)
     get_filename_component(name "${file}" NAME_WE)
     set(outputs "${CMAKE_CURRENT_BINARY_DIR}/${name}.hh" "${CMAKE_CURRENT_BINARY_DIR}/${name}SK.cc")
-    list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE dependencies)
     add_custom_command(
       OUTPUT ${outputs}
-      COMMAND "${omniORB4_OMNIIDL}" -bcxx -Wbuse-quotes "-C${CMAKE_CURRENT_BINARY_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}"
+      COMMAND "${omniORB4_OMNIIDL}" -bcxx -Wbuse-quotes "-C${CMAKE_CURRENT_BINARY_DIR}" "${file}"
       DEPENDS ${dependencies}
-      COMMENT "omniidl ${file}"
+      COMMENT "omniidl ${name}.idl"
       VERBATIM)
     list(APPEND generated ${outputs})
   endforeach ()

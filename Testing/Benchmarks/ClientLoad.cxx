@@ -23,7 +23,7 @@ double GetSeconds()
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-// What processes need before their first call.
+// Time that processes need before their first call.
 double GetStartingSeconds(int count)
 {
   return 1.0 + 0.05 * count;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Many clients at once, each a process of its own, and how long their calls took.
+ * @brief Runs many clients at once, each in its own process, and measures their calls.
  */
 #ifndef ClientLoad_h
 #define ClientLoad_h
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// Of numbers in any order; not a number where there are none.
+/// Quantiles of numbers in any order. NaN if there are none.
 struct Quantiles
 {
   explicit Quantiles(std::vector<double> values);
@@ -20,13 +20,13 @@ struct Quantiles
   double Worst;
 };
 
-/// Starts this program `count` times with `arguments`, each of which has to call RunClient(). The
-/// milliseconds of all calls of all clients. Throws std::runtime_error where one of them fails.
+/// Starts this program `count` times with `arguments`, which must make it call RunClient(). Returns the
+/// milliseconds of all calls of all clients. Throws std::runtime_error if a client fails.
 std::vector<double> RunClients(
   int count, const std::vector<std::string>& arguments, double seconds);
 
-/// In such a process: makes calls from the time on that all clients have been told, and prints how long
-/// each took.
+/// For these processes: repeats `call` for `seconds` from the common start time on, and prints the time
+/// of each call.
 void RunClient(
   const std::string& start, const std::string& seconds, const std::function<void()>& call);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief lms3dCorbaBenchmark: what the paper's fetch() costs, and what its clients cost the scanner.
+ * @brief lms3dCorbaBenchmark: the time of the paper's fetch(), and how its clients slow down the scanner.
  */
 #include "ClientLoad.h"
 #include "Punctuality.h"
@@ -10,8 +10,8 @@
 #include "Table.h"
 #include "Timer.h"
 
+#include "Client/lms3dScannerReference.h"
 #include "ServerProcess.h"
-#include "lms3dScannerReference.h"
 
 #include <chrono>
 #include <cstddef>
@@ -56,7 +56,7 @@ void FetchByCorba(const std::string& url, const std::string& start, const std::s
       const LMS3D::Data_var data = scanner->fetch();
       if (data->length() != Floats)
       {
-        throw std::runtime_error("the scan has another size");
+        throw std::runtime_error("the scan has an unexpected size");
       }
     });
 }
@@ -95,7 +95,7 @@ public:
       "1.0", "-", "-", "-", "-" });
   }
 
-  /// The bare server's come first of each number of clients.
+  /// Add the raw server's calls first for each number of clients.
   void AddCalls(
     const char* what, int clients, const std::vector<double>& times, const Punctuality& loop)
   {
@@ -112,7 +112,7 @@ public:
 
   void AddIdle(const Punctuality& loop)
   {
-    this->Finish({ "nobody", "0", "-", "-", "-", "-", "-", "-", "-" }, loop);
+    this->Finish({ "none", "0", "-", "-", "-", "-", "-", "-", "-" }, loop);
   }
 
   void Print(const std::string& file)
@@ -188,7 +188,7 @@ Options ReadOptions(const std::vector<std::string>& words)
     }
     else
     {
-      throw std::invalid_argument("cannot understand \"" + words[i] + "\"");
+      throw std::invalid_argument("unknown argument \"" + words[i] + "\"");
     }
   }
   return options;

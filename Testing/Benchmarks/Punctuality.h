@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief How well a server keeps its rate.
+ * @brief Measures how well a server keeps its rate.
  */
 #ifndef Punctuality_h
 #define Punctuality_h
@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-/// Sees every scan of a server while it lives.
+/// Watches every scan of a server in a thread of its own, as long as this object lives.
 class Punctuality
 {
 public:
@@ -23,15 +23,15 @@ public:
   Punctuality(const Punctuality&) = delete;
   void operator=(const Punctuality&) = delete;
 
-  /// Ends the watching.
+  /// Ends the thread. Call it before the getters.
   void Stop();
 
   double GetScansPerSecond() const;
 
   /**
-   * Milliseconds that each scan began after its time, which is a period after that of the one before;
-   * anew from the scan's begin where it was a whole period late, as the server does it. The most
-   * punctual scan counts as punctual.
+   * Milliseconds between the due time of each scan and its begin. A scan is due one period after the due
+   * time of the scan before. As in the server, a scan that begins a whole period late is a new start. The
+   * earliest scan, relative to its due time, counts as punctual. `rate` is in scans per second.
    */
   std::vector<double> GetLateness(double rate) const;
 

@@ -24,7 +24,7 @@ int Require(int result)
 {
   if (result < 0)
   {
-    throw std::runtime_error("a socket of 127.0.0.1 fails");
+    throw std::runtime_error("a socket of 127.0.0.1 failed");
   }
   return result;
 }
@@ -84,7 +84,7 @@ void RawServer::Accept()
   }
 }
 
-// Until the client hangs up.
+// Serves until the client closes the connection.
 void RawServer::Serve(int connection) const
 {
   bool isWell = true;
@@ -116,6 +116,6 @@ void RawClient::Fetch()
       static_cast<ssize_t>(this->Answer.size());
   if (!isThere)
   {
-    throw std::runtime_error("the bare server's answer is cut");
+    throw std::runtime_error("the raw server's answer is incomplete");
   }
 }

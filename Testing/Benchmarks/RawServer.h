@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A bare TCP server: the least that a fetch over the network can cost.
+ * @brief A plain TCP server: the minimum time of a fetch over the network.
  */
 #ifndef RawServer_h
 #define RawServer_h
@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-/// Answers each byte of a client with as many bytes as a scan has, from memory; a thread for each
-/// client, as the CORBA server has.
+/// Answers each byte of a client with `answerSize` bytes from memory, in a thread per client like the
+/// CORBA server.
 class RawServer
 {
 public:
@@ -21,7 +21,7 @@ public:
   RawServer(const RawServer&) = delete;
   void operator=(const RawServer&) = delete;
 
-  /// Of 127.0.0.1.
+  /// The port at 127.0.0.1.
   int GetPort() const;
 
 private:
@@ -34,7 +34,7 @@ private:
   std::thread Acceptor;
 };
 
-/// One call after the other to a RawServer.
+/// A connection to a RawServer, for one call after the other.
 class RawClient
 {
 public:
@@ -43,7 +43,7 @@ public:
   RawClient(const RawClient&) = delete;
   void operator=(const RawClient&) = delete;
 
-  /// Throws std::runtime_error where the answer is cut.
+  /// Throws std::runtime_error if the connection ends before the whole answer arrived.
   void Fetch();
 
 private:

@@ -51,13 +51,13 @@ int Counter::GetCount() const
   return static_cast<int>(this->Numbers.size());
 }
 
-CORBA::LongLong Counter::GetLeastStep() const
+CORBA::LongLong Counter::GetMinimumStep() const
 {
   const std::vector<CORBA::LongLong> steps = this->GetSteps();
   return *std::min_element(steps.begin(), steps.end());
 }
 
-CORBA::LongLong Counter::GetGreatestStep() const
+CORBA::LongLong Counter::GetMaximumStep() const
 {
   const std::vector<CORBA::LongLong> steps = this->GetSteps();
   return *std::max_element(steps.begin(), steps.end());
@@ -68,7 +68,7 @@ std::vector<CORBA::LongLong> Counter::GetSteps() const
   const std::lock_guard<std::mutex> lock(this->Mutex);
   std::vector<CORBA::LongLong> steps(this->Numbers.begin(), this->Numbers.end());
   std::adjacent_difference(steps.begin(), steps.end(), steps.begin());
-  // It begins with the first number itself.
+  // The first difference is the first number itself.
   steps.erase(steps.begin());
   return steps;
 }
@@ -95,7 +95,7 @@ SilentPort::SilentPort(bool isFull, const char* address)
   EXPECT_EQ(bind(this->Socket, name, size), 0);
   EXPECT_EQ(listen(this->Socket, isFull ? 0 : 8), 0);
   EXPECT_EQ(getsockname(this->Socket, name, &size), 0);
-  // The kernel lets some in beyond what was asked for.
+  // The kernel accepts some connections more than the backlog.
   while (isFull && this->Fillers.size() < 4)
   {
     this->Fillers.push_back(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0));
@@ -123,7 +123,7 @@ bool SilentPort::IsConnectedTo(int milliseconds) const
 
 LMS3D::ScanListener_var MakeReference(const std::string& address)
 {
-  const std::string uri = "corbaloc:iiop:1.2@" + address + "/nobody";
+  const std::string uri = "corbaloc:iiop:1.2@" + address + "/Nothing";
   const CORBA::Object_var object = GetClientORB()->string_to_object(uri.c_str());
   return LMS3D::ScanListener::_unchecked_narrow(object);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Listeners of all kinds, for tests: those that listen and those that only seem to.
+ * @brief Listeners for tests: some that answer, and some that do not.
  */
 #ifndef ClientListener_h
 #define ClientListener_h
@@ -16,7 +16,7 @@
 
 #include <netinet/in.h>
 
-/// Counts the scans that it is told of.
+/// Counts the calls of scanReady().
 class Counter : public POA_LMS3D::ScanListener
 {
 public:
@@ -24,9 +24,11 @@ public:
 
   bool WaitFor(int count);
   int GetCount() const;
-  /// Of the scans' numbers from one call to the next, the least and the greatest.
-  CORBA::LongLong GetLeastStep() const;
-  CORBA::LongLong GetGreatestStep() const;
+  ///@{
+  /// The smallest and largest difference of scan numbers from one call to the next.
+  CORBA::LongLong GetMinimumStep() const;
+  CORBA::LongLong GetMaximumStep() const;
+  ///@}
 
 private:
   std::vector<CORBA::LongLong> GetSteps() const;
@@ -36,7 +38,7 @@ private:
   std::vector<CORBA::ULongLong> Numbers;
 };
 
-/// A listener that is there while this lives.
+/// A listener that exists as long as this object.
 class ActiveListener
 {
 public:
@@ -54,17 +56,17 @@ private:
   PortableServer::ObjectId_var Id;
 };
 
-/// A port of this machine where nobody answers.
+/// A port of this machine that never answers.
 class SilentPort
 {
 public:
-  /// Where `isFull`, connections do not come about, else they do and nothing follows.
+  /// If `isFull`, connections are not accepted. Otherwise they are accepted but never answered.
   explicit SilentPort(bool isFull = false, const char* address = "127.0.0.1");
   ~SilentPort();
   SilentPort(const SilentPort&) = delete;
   void operator=(const SilentPort&) = delete;
 
-  /// A reference to an object here.
+  /// A reference to an object at this port.
   LMS3D::ScanListener_var GetReference() const;
   bool IsConnectedTo(int milliseconds) const;
 
@@ -74,10 +76,10 @@ private:
   std::vector<int> Fillers;
 };
 
-/// A reference to an object that nobody has, "127.0.0.1:2810".
+/// A reference to an object that does not exist, at an address such as "127.0.0.1:2810".
 LMS3D::ScanListener_var MakeReference(const std::string& address);
 
-/// Whether the server comes to have so many listeners.
+/// Waits until the server has `count` listeners. Returns false if that takes too long.
 bool HasListeners(LMS3D::LaserScanner_ptr scanner, CORBA::ULong count);
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClientORB.h"
 
-#include "lms3dScannerReference.h"
+#include "Client/lms3dScannerReference.h"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,14 @@
 
 namespace
 {
-constexpr CORBA::ULong Patience = 10000;
+// Milliseconds.
+constexpr CORBA::ULong MaximumWait = 10000;
 
 const char* Options[][2] = { { "clientCallTimeOutPeriod", "60000" },
   { "endPoint", "giop:tcp:127.0.0.1:" }, { nullptr, nullptr } };
 
-// Connections for more waiting threads than a server takes, also where vtkLMS3DRemoteSource makes the ORB
-// first.
+// Enough connections for more waiting calls than a server permits. An environment variable, because
+// vtkLMS3DRemoteSource may create the ORB first.
 const int IsConnectionLimitSet = setenv("ORBmaxGIOPConnectionPerServer", "100", 0);
 
 CORBA::ORB_ptr MakeORB()
@@ -41,7 +42,7 @@ LMS3D::ScanHeader WaitFor(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong gene
 {
   try
   {
-    const LMS3D::ScanHeader_var header = scanner->waitForScan(0, generation, Patience);
+    const LMS3D::ScanHeader_var header = scanner->waitForScan(0, generation, MaximumWait);
     return header.in();
   }
   catch (const LMS3D::NoScanYet& problem)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The one ORB of the test program, and what tests do with it.
+ * @brief The ORB of the test program, and common calls of tests.
  */
 #ifndef ClientORB_h
 #define ClientORB_h
@@ -15,7 +15,7 @@ CORBA::ORB_ptr GetClientORB();
 
 LMS3D::LaserScanner_var Connect(const std::string& reference);
 
-/// Waits for the first scan of a generation, or for any. A test failure where none comes.
+/// Waits for the first scan of a generation, by default any. Fails the test if none comes.
 LMS3D::ScanHeader WaitFor(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation = 0);
 
 /// A pose without rotation.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The example clients as programs of their own, and what they print and save.
+ * @brief Runs the example clients as programs, and reads their results.
  */
 #ifndef ClientProgram_h
 #define ClientProgram_h
@@ -17,21 +17,21 @@ struct Client
 {
   std::vector<std::string> Program;
   std::vector<std::string> Command;
-  /// The reference is the file of an IOR.
+  /// The client expects the path of a file with an IOR.
   bool TakesFile = false;
 };
 
 struct Outcome
 {
   int Code;
-  /// Both outputs: a client that succeeds writes its result and nothing else.
+  /// Standard output and standard error. A successful client prints only its result.
   std::string Text;
 };
 
 Outcome RunClient(
   const Client& client, const std::string& reference, const std::vector<std::string>& values = {});
 
-/// Three numbers a line. Empty, with a test failure, where there is anything else.
+/// Reads three numbers per line. If there is other text, fails the test and returns nothing.
 std::vector<float> ReadTable(const Outcome& outcome);
 
 struct Map
@@ -40,10 +40,10 @@ struct Map
   std::vector<std::uint32_t> Triangles;
 };
 
-/// From a Wavefront OBJ file, which counts points from 1.
+/// Reads a Wavefront OBJ file, which counts points from 1.
 Map ReadMap(const std::filesystem::path& path);
 
-/// A name for a file of the test's own, which is removed at its end.
+/// The name of a temporary file. The destructor removes the file.
 class TemporaryFile
 {
 public:

@@ -34,7 +34,7 @@ CrowdOfWaiters::~CrowdOfWaiters()
   }
 }
 
-// As soon as one's time is over, one that was refused takes its place.
+// When a call times out, one that was refused takes its place.
 void CrowdOfWaiters::Wait()
 {
   constexpr CORBA::ULongLong Never = ~CORBA::ULongLong(0);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Clients that take all room for clients that wait.
+ * @brief Clients that occupy all places for waiting calls.
  */
 #ifndef CrowdOfWaiters_h
 #define CrowdOfWaiters_h
@@ -14,11 +14,12 @@
 #include <thread>
 #include <vector>
 
-/// Waits for a scan that never comes, as often at once as a server lets anybody, until its end.
+/// Waits for a scan that never comes, with as many calls as the server permits, until its
+/// destruction.
 class CrowdOfWaiters
 {
 public:
-  /// A test failure where the server refuses nobody.
+  /// Fails the test if the server refuses no call.
   explicit CrowdOfWaiters(const std::string& reference);
   ~CrowdOfWaiters();
   CrowdOfWaiters(const CrowdOfWaiters&) = delete;

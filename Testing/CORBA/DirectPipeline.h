@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What the filters give without any server between.
+ * @brief The results of the filters without a server.
  */
 #ifndef DirectPipeline_h
 #define DirectPipeline_h

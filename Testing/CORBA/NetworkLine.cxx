@@ -122,7 +122,7 @@ void NetworkLine::Accept()
   this->Connections.push_back(connection);
 }
 
-// What has come by now; false where one of the two ends is gone.
+// Forwards what has arrived. Returns false if one of the two ends is closed.
 bool NetworkLine::Forward(const Connection& connection, int from, int to)
 {
   if (!IsReadable(from))

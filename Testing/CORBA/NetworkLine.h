@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A line to a server that is as slow as a test needs, and breaks when it says.
+ * @brief A connection to a server that is as slow as a test needs, and breaks on demand.
  */
 #ifndef NetworkLine_h
 #define NetworkLine_h
@@ -18,20 +18,20 @@
 class NetworkLine
 {
 public:
-  /// To the server of a corbaloc. At most so many bytes a second come from there.
+  /// Leads to the server of a corbaloc, which can send up to `bytesPerSecond`.
   explicit NetworkLine(const std::string& corbaloc,
     std::size_t bytesPerSecond = std::numeric_limits<std::size_t>::max());
   ~NetworkLine();
   NetworkLine(const NetworkLine&) = delete;
   void operator=(const NetworkLine&) = delete;
 
-  /// The server at this end of the line.
+  /// The server's corbaloc at this end of the line.
   const std::string& GetCorbaloc() const { return this->Corbaloc; }
 
-  /// How many have come from the server.
+  /// The number of bytes that came from the server.
   std::size_t GetBytes() const { return this->Bytes; }
 
-  /// The next message to the server that has this word in it is lost, and its connection with it.
+  /// Drops the next message to the server that contains `word`, and closes its connection.
   void BreakAt(const std::string& word);
   bool IsBroken() const;
 

@@ -16,11 +16,11 @@
 
 namespace
 {
-// Seconds; ThreadSanitizer makes everything ten times as slow.
+// Until the server ends. ThreadSanitizer makes everything ten times as slow.
 #ifdef __SANITIZE_THREAD__
-constexpr double LongestEnd = 10.0;
+constexpr double MaximumSeconds = 10.0;
 #else
-constexpr double LongestEnd = 1.5;
+constexpr double MaximumSeconds = 1.5;
 #endif
 
 std::vector<std::string> Complete(const std::vector<std::string>& arguments)
@@ -52,7 +52,7 @@ ServerProcess::ServerProcess(const std::vector<std::string>& arguments)
   this->Process = fork();
   if (this->Process == 0)
   {
-    // Nor does it outlive a test program that crashes.
+    // So that it does not outlive a test program that crashes.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     dup2(output[1], STDOUT_FILENO);
     close(output[0]);
@@ -101,7 +101,7 @@ void ServerProcess::ExpectPromptEnd()
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(this->Terminate(SIGTERM), 0);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(seconds.count(), LongestEnd);
+  EXPECT_LT(seconds.count(), MaximumSeconds);
 }
 
 long ServerProcess::GetResidentMemory() const

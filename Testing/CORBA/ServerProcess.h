@@ -13,20 +13,20 @@
 
 #include <sys/types.h>
 
-/// The threads of the filters, of servers and beside them; 0: all cores. TBB's library is not made for
-/// ThreadSanitizer.
+/// NumberOfThreads of the filters, in servers and in the tests. 0: all cores. TBB's library is not
+/// made for ThreadSanitizer.
 #ifdef __SANITIZE_THREAD__
 constexpr int FilterThreads = 1;
 #else
 constexpr int FilterThreads = 0;
 #endif
 
-/// Runs until Terminate(), or is killed at the end of the test.
+/// A server that runs until Terminate(). The destructor kills it.
 class ServerProcess
 {
 public:
-  /// Starts it on Data/room.wrl, unless `arguments` say otherwise, and waits until it is ready. A test
-  /// failure where it does not become so.
+  /// Starts the server with Data/room.wrl, unless `arguments` name another scene, and waits until it
+  /// is ready. Fails the test if it does not become ready.
   explicit ServerProcess(const std::vector<std::string>& arguments = {});
   ~ServerProcess();
   ServerProcess(const ServerProcess&) = delete;
@@ -36,10 +36,10 @@ public:
   const std::string& GetIOR() const { return this->IOR; }
   pid_t GetProcess() const { return this->Process; }
 
-  /// The exit code after a signal, -1 where the signal itself ended it.
+  /// Sends a signal. Returns the exit code, or -1 if the signal killed the process.
   int Terminate(int signal);
 
-  /// SIGTERM ends it soon, with code 0; else a test failure.
+  /// Fails the test unless SIGTERM ends the server soon, with code 0.
   void ExpectPromptEnd();
 
   /// Bytes.
@@ -53,7 +53,7 @@ private:
   std::string IOR;
 };
 
-/// A port of 127.0.0.1 that nobody has at the moment.
+/// A port of 127.0.0.1 that is free at the moment.
 int FindFreePort();
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The clients in other languages, as programs of their own.
+// The example clients in other languages, run as programs.
 #include "ClientORB.h"
 #include "ClientProgram.h"
 #include "CrowdOfWaiters.h"
@@ -31,11 +31,6 @@ Client GetJavaClient(const std::string& name)
   std::string jar = MadeClients;
   jar.append("/Java/").append(name).append("/").append(name).append(".jar");
   return { { "java", "-jar", jar }, {} };
-}
-
-Client GetTclClient(const std::string& script)
-{
-  return { { "tclsh", Clients + "/Tcl/" + script }, {} };
 }
 
 Client GetGIOPClient(const Words& option)
@@ -70,7 +65,7 @@ class PaperClient : public testing::TestWithParam<Client>
 TEST_P(PaperClient, PrintsTheDirectPipelinesTriples)
 {
   const TemporaryFile file("lms3d-ior");
-  // Leaves the machine to the client.
+  // A low rate leaves the cores to the client.
   ServerProcess server({ "--ior", file.Path.string(), "--rate", "0.5" });
   const std::string reference = GetParam().TakesFile ? file.Path.string() : server.GetIOR();
   const std::vector<float> triples = ReadTable(RunClient(GetParam(), reference));
@@ -91,12 +86,11 @@ TEST_P(PaperClient, TellsThatThereIsNoServer)
 }
 
 INSTANTIATE_TEST_SUITE_P(Java, PaperClient, testing::Values(GetJavaClient("paper-client")));
-INSTANTIATE_TEST_SUITE_P(Tcl, PaperClient, testing::Values(GetTclClient("lms3d_paper_client.tcl")));
 INSTANTIATE_TEST_SUITE_P(
   GIOP, PaperClient, testing::Values(GetGIOPClient({}), GetGIOPClient({ "--big-endian" })));
 INSTANTIATE_TEST_SUITE_P(OmniORBpy, PaperClient, testing::Values(GetOmniORBpyClient({ "fetch" })));
 
-/// Those that move the sensor.
+/// Clients that move the sensor.
 class ScannerClient : public testing::TestWithParam<Client>
 {
 };
@@ -136,7 +130,7 @@ TEST_P(ScannerClient, TellsThatItMayNotMoveTheSensor)
 
 TEST_P(ScannerClient, PrintsNoScanFromWhereAnotherClientMovedTheSensor)
 {
-  // A scan every two seconds, and a pose of another client's thousands of times between two.
+  // A scan every two seconds, and thousands of poses of another client between two scans.
   ServerProcess server({ "--rate", "0.5" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   std::atomic<bool> isOver(false);
@@ -167,11 +161,9 @@ TEST_P(ScannerClient, GivesUpOnAServerThatHangs)
 
 INSTANTIATE_TEST_SUITE_P(Java, ScannerClient, testing::Values(GetJavaClient("scanner-client")));
 INSTANTIATE_TEST_SUITE_P(
-  Tcl, ScannerClient, testing::Values(GetTclClient("lms3d_scanner_client.tcl")));
-INSTANTIATE_TEST_SUITE_P(
   OmniORBpy, ScannerClient, testing::Values(GetOmniORBpyClient({ "scan", "--position" })));
 
-/// Those that print a line for each scan.
+/// Clients that print a line for each scan.
 class WatchingClient : public testing::TestWithParam<Client>
 {
 };
@@ -218,7 +210,7 @@ import sys, lms3d_scanner_client as client
 client.wait_for_scan(client.connect(sys.argv[1]), after=1000000)
 )";
 
-// As where it connects again and the server's numbers begin at 1 again.
+// A client that reconnects to a restarted server, whose numbers begin at 1 again, has such a number.
 TEST(OmniORBpyClient, DoesNotWaitForANumberThatAServerWillNotReach)
 {
   ServerProcess server;
@@ -229,7 +221,7 @@ TEST(OmniORBpyClient, DoesNotWaitForANumberThatAServerWillNotReach)
     {} };
   const Outcome outcome = RunClient(client, server.GetCorbaloc());
   EXPECT_EQ(outcome.Code, 1);
-  EXPECT_NE(outcome.Text.find("ValueError: the server was started anew"), std::string::npos)
+  EXPECT_NE(outcome.Text.find("ValueError: the server was restarted"), std::string::npos)
     << outcome.Text;
 }
 

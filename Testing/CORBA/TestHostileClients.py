@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clients that send garbage, half a message or nothing, stall or vanish: nobody else notices."""
+"""Clients that send garbage, half a message or nothing, stall or vanish do not disturb others."""
 
 import contextlib
 import os
@@ -17,8 +17,8 @@ import giop
 from server_process import BEAMS, CLIENT, Server, allow_many_files, wait_until
 
 CONNECTIONS = 1000
-# Sanitizers keep memory of their own for each thread, and what was freed.
-MOST_GROWTH = int(os.environ.get("LMS3D_MOST_GROWTH_MIB", "64")) << 20
+# In MiB. Sanitizers need memory for each thread and keep freed memory.
+MAXIMUM_GROWTH = int(os.environ.get("LMS3D_MAXIMUM_GROWTH_MIB", "64")) << 20
 
 _header = giop.message(giop.REQUEST, b"")[:8]
 _fetch = giop.request(b"LMS3D", "fetch")
@@ -50,7 +50,7 @@ LONG_ARGUMENTS = (_is_a, _fragments())
 
 
 def garbage(number):
-    """The same for each number."""
+    """The same bytes for each number."""
     generator = random.Random(number)
     kinds = (generator.randbytes(generator.randrange(1, 3000)), b"GET / HTTP/1.1\r\n\r\n",
              b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03" + generator.randbytes(500),
@@ -64,7 +64,7 @@ def wait(after, timeout):
 
 
 def refuse(client, operation, arguments):
-    """The exception that a call gets; empty where it succeeds."""
+    """The exception of a call. Empty if it succeeds."""
     try:
         client.call(operation, arguments)
         return ""
@@ -73,7 +73,7 @@ def refuse(client, operation, arguments):
 
 
 class HostileTest(unittest.TestCase):
-    """A server for each test, and a client that must be served whatever happens."""
+    """A server for each test, and a client that must be served in spite of the others."""
 
     @classmethod
     def setUpClass(cls):
@@ -85,39 +85,39 @@ class HostileTest(unittest.TestCase):
         self.memory = self.server.measure_memory()
 
     def check_service(self, seconds=10):
-        """A newcomer gets a whole scan."""
+        """A new client gets a complete scan."""
         start = time.monotonic()
         with self.server.connect() as client:
             self.assertEqual(len(client.fetch()), 3 * BEAMS)
         self.assertLess(time.monotonic() - start, seconds)
 
     def check_recovery(self):
-        """Connections are closed, memory is not kept, and the end is in order."""
+        """Connections are closed, memory is freed, and the server ends properly."""
         self.assertTrue(wait_until(lambda: self.server.count_files() <= self.files + 2))
         self.check_service()
-        self.assertLess(self.server.measure_memory() - self.memory, MOST_GROWTH)
+        self.assertLess(self.server.measure_memory() - self.memory, MAXIMUM_GROWTH)
         self.assertEqual(self.server.stop()[0], 0)
 
     def connect_all(self, data_of):
-        """A thousand connections, each with its bytes sent."""
+        """A thousand connections that have sent their bytes."""
         stack = self.enterContext(contextlib.ExitStack())
         host, port, _ = giop.parse_corbaloc(self.server.corbaloc)
         for number in range(CONNECTIONS):
             connection = stack.enter_context(socket.create_connection((host, port), 20))
-            # The server may have closed it already, as garbage deserves.
+            # The server may have closed the connection already.
             with contextlib.suppress(ConnectionError):
                 connection.sendall(data_of(number))
         return stack
 
     def test_thousand_that_send_garbage(self):
-        """Random bytes, other protocols, requests with a broken inside."""
+        """Random bytes, other protocols, corrupted requests."""
         with self.connect_all(garbage):
             self.check_service()
         self.check_recovery()
         self.assertIn("lines are left out", self.server.read_log())
 
     def test_thousand_that_send_half_a_message(self):
-        """Headers cut anywhere, and headers that promise up to 2 GB."""
+        """Truncated headers, and headers that announce up to 2 GB."""
         with self.connect_all(lambda number: HALF_MESSAGES[number % len(HALF_MESSAGES)]):
             self.check_service()
         self.check_recovery()
@@ -126,11 +126,11 @@ class HostileTest(unittest.TestCase):
         """Idle connections cost a thread each, and little memory."""
         with self.connect_all(lambda _: b""):
             self.check_service()
-            self.assertLess(self.server.measure_memory() - self.memory, MOST_GROWTH)
+            self.assertLess(self.server.measure_memory() - self.memory, MAXIMUM_GROWTH)
         self.check_recovery()
 
     def test_half_an_argument_of_two_megabytes(self):
-        """The ORB would make room for it, and never give that back."""
+        """Without the gate, the ORB would allocate memory for it and never free it."""
         for _ in range(5):
             with contextlib.ExitStack() as stack:
                 for number in range(40):
@@ -141,9 +141,9 @@ class HostileTest(unittest.TestCase):
         self.check_recovery()
 
     def test_clients_that_vanish_while_they_wait(self):
-        """More than may wait: others get their places soon, not when the wait would have ended."""
+        """Too many waiting calls. When their clients vanish, others get their places soon."""
         never = 2 ** 64 - 1
-        crowd, most = 40, 32
+        crowd, maximum = 40, 32
         with contextlib.ExitStack() as stack:
             sockets = []
             for _ in range(crowd):
@@ -151,9 +151,9 @@ class HostileTest(unittest.TestCase):
                 client.connection.sendall(
                     giop.request(client.key, "waitForScan", start_arguments=wait(never, 10000)))
                 sockets.append(client.connection)
-            # Those who are refused are answered at once.
+            # Refused calls are answered at once.
             self.assertTrue(wait_until(
-                lambda: len(select.select(sockets, [], [], 0)[0]) == crowd - most))
+                lambda: len(select.select(sockets, [], [], 0)[0]) == crowd - maximum))
             with self.server.connect() as client:
                 self.assertIn("LimitExceeded", refuse(client, "waitForScan", wait(never, 1)))
         start = time.monotonic()
@@ -164,7 +164,7 @@ class HostileTest(unittest.TestCase):
         self.check_recovery()
 
     def test_four_hundred_flipped_bits(self):
-        """Of a good request, one at a time."""
+        """A valid request with one wrong bit at a time."""
         for bit in range(0, 400):
             data = bytearray(_fetch)
             data[bit // 8 % len(data)] ^= 1 << bit % 8
@@ -177,7 +177,7 @@ class HostileTest(unittest.TestCase):
         self.check_recovery()
 
     def test_clients_that_vanish_in_mid_call(self):
-        """Three hundred that ask and reset the connection, before the answer or in the middle of it."""
+        """Three hundred clients that reset the connection before or during the answer."""
         for number in range(300):
             with self.server.connect() as client:
                 client.connection.sendall(_fetch)
@@ -189,7 +189,7 @@ class HostileTest(unittest.TestCase):
         self.check_recovery()
 
     def test_clients_that_are_killed_in_mid_call(self):
-        """Real ones, while they wait for a scan."""
+        """Real clients that wait for a scan are killed."""
         watching = [subprocess.Popen([CLIENT, self.server.reference, "watch"],
                                      stdout=subprocess.DEVNULL) for _ in range(20)]
         time.sleep(1)
@@ -201,11 +201,11 @@ class HostileTest(unittest.TestCase):
 
 
 class StallTest(unittest.TestCase):
-    """Connections that are stuck are closed by the server itself, after the period that the
-    administrator sets, here two seconds."""
+    """The server closes stuck connections after the period that the administrator sets, here two
+    seconds."""
 
     def test_clients_that_do_not_read(self):
-        """Each asks forty times and takes nothing: few threads, and the end comes all the same."""
+        """Clients that send forty requests and read nothing occupy few threads and do not delay the end."""
         with contextlib.ExitStack() as stack:
             server = stack.enter_context(Server())
             for _ in range(8):
@@ -220,7 +220,7 @@ class StallTest(unittest.TestCase):
         self.assertLess(seconds, 8)
 
     def test_half_a_message_times_out(self):
-        """It is no call yet, so another period holds for it."""
+        """An incomplete request is no call yet, so another period applies."""
         with Server("-ORBinConScanPeriod", "2", "-ORBscanGranularity", "1") as server:
             with server.connect() as client:
                 client.connection.sendall(_fetch[:-1])
@@ -232,7 +232,7 @@ class StallTest(unittest.TestCase):
 
 
 class ArgumentTest(unittest.TestCase):
-    """Good messages with bad contents."""
+    """Valid messages with invalid contents."""
 
     @classmethod
     def setUpClass(cls):
@@ -247,7 +247,7 @@ class ArgumentTest(unittest.TestCase):
             self.assertEqual(len(client.fetch()), 3 * BEAMS)
 
     def test_names_of_scenes(self):
-        """Paths, and what is longer than the IDL allows, in fact or in pretence."""
+        """Paths, and strings whose real or announced length exceeds the IDL's bound."""
         for name in (b"../room.wrl", b"/etc/passwd", b"..", b"room.wrl\n", b"%2e%2e/room.wrl"):
             self.fail_with(giop.UserException, "NoSuchScene", "selectScene",
                            lambda e, name=name: e.string(name))
@@ -257,12 +257,12 @@ class ArgumentTest(unittest.TestCase):
                        lambda e: e.number("I", 0xFFFFFFFF))
 
     def test_a_name_with_a_zero(self):
-        """Whatever the ORB makes of it, it is no path."""
+        """The ORB may decode it in any way, but it is not a path."""
         self.fail_with((giop.UserException, giop.SystemException), "NoSuchScene|MARSHAL|BAD_PARAM",
                        "selectScene", lambda e: e.string(b"room\0/../../etc/passwd"))
 
     def test_arguments_of_two_megabytes(self):
-        """Are refused before they are read, in fragments too, and the connection goes on."""
+        """They are refused before they are read, also in fragments, and the connection stays."""
         with self.server.connect() as client:
             for message in LONG_ARGUMENTS:
                 client.connection.sendall(message)
@@ -272,7 +272,7 @@ class ArgumentTest(unittest.TestCase):
             self.assertEqual(len(client.fetch()), 3 * BEAMS)
 
     def test_a_fourth_wait_on_one_connection(self):
-        """Is refused, so that the server still sees the end of the connection."""
+        """The call is refused, so that the server still notices the end of the connection."""
         with self.server.connect() as client:
             for number in range(4):
                 client.connection.sendall(giop.request(
@@ -282,12 +282,12 @@ class ArgumentTest(unittest.TestCase):
                 client.read_reply()
 
     def test_missing_arguments(self):
-        """A pose without its end, an operation that is none."""
+        """A truncated pose, and an operation that does not exist."""
         self.fail_with(giop.SystemException, "MARSHAL", "setPose", lambda e: e.number("d", 1.0))
         self.fail_with(giop.SystemException, "BAD_OPERATION", "format", None)
 
     def test_a_method_that_is_none(self):
-        """An enumeration beyond its end."""
+        """A value beyond the end of an enumeration."""
         def configuration(encoder):
             for start, stop, count in ((-90, 90, 5), (0, 360, 5)):
                 encoder.number("d", start).number("d", stop).number("I", count)

@@ -12,12 +12,12 @@ import unittest
 
 from server_process import Server, find_free_port, run_client, wait_until
 
-# The system's, or the one that "./run test" unpacks.
+# The system's program, or the one that "./run test" unpacks.
 OMNINAMES = shutil.which("omniNames") or os.environ["LMS3D_OMNINAMES"]
 
 
 def is_open(port):
-    """Whether somebody listens."""
+    """Whether a program listens at the port."""
     with socket.socket() as connection:
         return connection.connect_ex(("127.0.0.1", port)) == 0
 
@@ -37,11 +37,11 @@ class NamingTest(unittest.TestCase):
         self.service = f"corbaloc:iiop:1.2@127.0.0.1:{self.port}/NameService"
 
     def look_up(self, name):
-        """The client's answer by way of the naming service."""
+        """The output of a client that uses the naming service."""
         return run_client(f"corbaname:iiop:1.2@127.0.0.1:{self.port}#{name}", "status")
 
     def test_is_there_as_long_as_the_server(self):
-        """And is gone after it."""
+        """The name is bound while the server runs."""
         with Server("--naming-service", self.service) as server:
             self.assertIn("registered with the naming service as LMS3D.Scanner", server.read_log())
             self.assertIn("scene room.wrl", self.look_up("LMS3D.Scanner").stdout)
@@ -49,13 +49,13 @@ class NamingTest(unittest.TestCase):
         self.assertIn("names no object", self.look_up("LMS3D.Scanner").stderr)
 
     def test_the_orbs_own_service_and_another_name(self):
-        """As -ORBInitRef names it."""
+        """The service is named by -ORBInitRef."""
         with Server("--naming", "--name", "Robot.Laser", "-ORBInitRef",
                     f"NameService={self.service}"):
             self.assertIn("scene room.wrl", self.look_up("Robot.Laser").stdout)
 
     def test_ways_to_write_a_name(self):
-        """With characters that a URL cannot have, with the service's key, and wrongly."""
+        """Names with escaped characters, with the service's key, and wrong ones."""
         with Server("--naming-service", self.service, "--name", "My robot.Laser#2"):
             self.assertIn("scene room.wrl", self.look_up("My%20robot.Laser%232").stdout)
             self.assertIn("scene room.wrl", run_client(
@@ -67,7 +67,7 @@ class NamingTest(unittest.TestCase):
                 self.assertIn("names no object", finished.stderr)
 
     def test_a_server_that_was_killed_is_replaced(self):
-        """Its stale name is taken over, and kept by the one who took it."""
+        """A new server replaces the stale name, and the name stays."""
         with Server("--naming-service", self.service) as first:
             first.process.kill()
             first.process.wait()
@@ -79,18 +79,18 @@ class NamingTest(unittest.TestCase):
                     self.assertIn("scene room.wrl", self.look_up("LMS3D.Scanner").stdout)
 
     def test_ends_although_it_hangs(self):
-        """And says what was left."""
+        """The server ends soon and logs that the name stays."""
         with Server("--naming-service", self.service) as server:
             self.names.send_signal(signal.SIGSTOP)
             os.waitpid(self.names.pid, os.WUNTRACED)
             code, seconds = server.stop()
             self.assertEqual(code, 0)
-            # A call may take five seconds otherwise.
+            # Without a limit, a call may take five seconds.
             self.assertLess(seconds, 4)
-            self.assertIn("the naming service keeps a stale name", server.read_log())
+            self.assertIn("the name stays in the naming service", server.read_log())
 
     def test_serves_without_it(self):
-        """The log says so, and everything else works."""
+        """The log says so, and the server works otherwise."""
         with Server("--naming-service", "corbaloc:iiop:1.2@127.0.0.1:1/NameService") as server:
             self.assertIn("not registered with the naming service", server.read_log())
             self.assertIn("scene room.wrl", run_client(server.corbaloc, "status").stdout)

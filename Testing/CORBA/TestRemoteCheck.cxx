@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Client/lms3dRemoteCheck.h"
 #include "ClientORB.h"
+#include "Common/lms3dChecksum.h"
 #include "ServerProcess.h"
-#include "lms3dChecksum.h"
-#include "lms3dRemoteCheck.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ void Check(lms3dRemoteScan& scan)
   lms3dCheckArrays(scan);
 }
 
-/// A liar makes its checksums fit.
+/// A malicious server adapts its checksums.
 void CheckWithNewChecksums(lms3dRemoteScan& scan)
 {
   scan.Header.rangesChecksum = lms3dGetRangesChecksum(scan.Ranges);

@@ -23,7 +23,7 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-// Far below any Timeout; ThreadSanitizer makes everything ten times as slow.
+// Far below each Timeout. ThreadSanitizer makes everything ten times as slow.
 #ifdef __SANITIZE_THREAD__
 constexpr double AtOnce = 2.0;
 #else
@@ -52,7 +52,7 @@ std::string GetTemporaryFile()
     .string();
 }
 
-/// Stopped, not ended: its system still takes connections.
+/// A process that is stopped. The system still accepts connections for it.
 class Hanging
 {
 public:
@@ -118,7 +118,7 @@ TEST(RemoteFaults, ServerIsStartedAnewElsewhere)
   EXPECT_TRUE(source.UpdateUntil([&] { return source.GetNumber("Incarnation") > incarnation; }));
 }
 
-TEST(RemoteFaults, NobodyAnswers)
+TEST(RemoteFaults, NoServerAnswers)
 {
   const int port = FindFreePort();
   WatchingSource source(GetCorbaloc(port));
@@ -245,14 +245,14 @@ TEST(RemoteFaults, ServerHangsForAWhile)
   EXPECT_EQ(source->GetProblem(), "");
 }
 
-TEST(RemoteFaults, DestructionWaitsForNobody)
+TEST(RemoteFaults, DestructionNeverWaits)
 {
   ServerProcess server;
   WatchingSource source(server.GetCorbaloc());
   source->SetTimeout(4.0);
   source->Update();
   const Hanging hanging(server);
-  // The thread is in the middle of a call then.
+  // By then the thread is in the middle of a call.
   EXPECT_TRUE(source.UpdateUntil([&] { return !source->GetNeedsUpdate(); }));
   const Clock::time_point start = Clock::now();
   source.Destroy();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Sources behind lines that are slow, break or lead to nobody.
+// Sources behind connections that are slow, break, or lead to no server.
 #include "ClientORB.h"
 #include "NetworkLine.h"
 #include "ServerProcess.h"
@@ -34,7 +34,7 @@ void MakeLarge(const ServerProcess& server)
   WaitFor(scanner, scanner->setConfiguration(configuration));
 }
 
-/// Takes connections, as a system does for a program that hangs, and never answers.
+/// Accepts connections and never answers, as a system does for a program that hangs.
 class Silence
 {
 public:
@@ -87,7 +87,7 @@ TEST(RemoteLine, AFetchEndsWithItsSource)
   {
     WatchingSource source(line.GetCorbaloc());
     source->SetTimeout(60.0);
-    // Which starts the source, and waits for nothing.
+    // Starts the source without waiting.
     source->SendPose();
     for (int i = 0; i < 2000 && line.GetBytes() < ScanBytes / 5; ++i)
     {

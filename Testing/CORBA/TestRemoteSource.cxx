@@ -22,7 +22,7 @@
 
 namespace
 {
-// Misses, a turned sensor, and a grid that begins elsewhere.
+// Misses, a rotated sensor, and a grid that does not begin at 0.
 void MakeUnusual(LMS3D::LaserScanner_ptr scanner)
 {
   LMS3D::Configuration configuration = GetCoarseGrid();
@@ -106,7 +106,7 @@ TEST(RemoteSource, ScanIsTakenByTheReconstruction)
   reconstruction->SetInputConnection(source->GetOutputPort());
   reconstruction->Update();
   const vtkIdType made = reconstruction->GetOutput()->GetNumberOfPolys();
-  // The one of the server is made of ranges in double.
+  // The server makes its map from ranges in double precision.
   EXPECT_NEAR(static_cast<double>(made), static_cast<double>(source.GetMap()->GetNumberOfPolys()),
     0.02 * static_cast<double>(made));
   EXPECT_GT(made, 1000);

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A source behind TLS, which omniORB's environment or its configuration file asks for."""
+"""A source with TLS, which omniORB's environment or its configuration file sets."""
 
 import os
 import subprocess
@@ -40,11 +40,11 @@ class RemoteTLSTest(unittest.TestCase):
                               timeout=60, check=False)
 
     def assert_seen(self, finished):
-        """A whole scan, and not a word beside."""
+        """A complete scan, and no other output."""
         self.assertEqual((finished.stdout, finished.stderr), (f"{BEAMS}\n", ""))
 
     def test_by_environment(self):
-        """Each setting a variable."""
+        """One variable per setting."""
         self.assert_seen(self.look(ORBsslCAFile=f"{self.folder}/lab.pem",
                                    ORBsslKeyFile=f"{self.folder}/window.both.pem",
                                    ORBsslKeyPassword="none"))

@@ -74,7 +74,7 @@ def read_picture(path):
 
 
 class TestWindow(unittest.TestCase):
-    """The window, as its user drives it."""
+    """The window, controlled like a user does."""
 
     def setUp(self):
         self.folder = self.enterContext(tempfile.TemporaryDirectory())
@@ -82,16 +82,16 @@ class TestWindow(unittest.TestCase):
         self.url = f"file:{self.folder}/server.ior"
 
     def open(self):
-        """A scanner and the window on it."""
+        """A scanner and its window."""
         scanner = RemoteScanner(self.url)
         viewer = RemoteViewer(scanner, SIZE, "test", step=0.5)
         viewer.refresh()
-        # VTK 9.2 crashes where a second window follows one that was destroyed.
+        # VTK 9.2 crashes if a second window is made after one was destroyed.
         _windows.append(viewer)
         return scanner, viewer
 
     def assert_soon(self, viewer, condition):
-        """While the window works, the condition becomes true."""
+        """Run the window until the condition is true."""
 
         def work():
             viewer.interactor.ProcessEvents()
@@ -100,7 +100,7 @@ class TestWindow(unittest.TestCase):
         self.assertTrue(wait_until(work))
 
     def press(self, viewer, key):
-        """As the keyboard does."""
+        """Press a key."""
         viewer.interactor.SetKeySym(key)
         viewer.interactor.InvokeEvent("KeyPressEvent")
 
@@ -156,7 +156,7 @@ class TestWindow(unittest.TestCase):
             self.assertEqual(scanner.problem, "")
 
     def test_a_restart_between_two_calls(self):
-        """The scan that the new server has already is taken, not its next."""
+        """The window shows the scan that the new server already has, without waiting for the next."""
         place = ("--endpoint", f"giop:tcp:127.0.0.1:{find_free_port()}")
         with Server(*place, "--rate", "50") as server:
             follower = subprocess.Popen([sys.executable, "-c", _FOLLOW, server.corbaloc],
@@ -183,7 +183,7 @@ class TestWindow(unittest.TestCase):
 
 
 class TestCommand(unittest.TestCase):
-    """What a shell shows."""
+    """The output in a shell."""
 
     def test_picture(self):
         with tempfile.TemporaryDirectory() as folder, Server() as server:
@@ -198,10 +198,10 @@ class TestCommand(unittest.TestCase):
             green = right[coloured[1]]
             self.assertGreater(np.mean(green.argmax(axis=1) == 1), 0.9)
 
-    def test_nobody_answers(self):
+    def test_no_server_answers(self):
         with Server() as server:
             url = server.corbaloc
-        for place, words in ((url, "no server answers there"), ("nonsense", "no corbaloc")):
+        for place, words in ((url, "no server answers there"), ("nonsense", "neither a corbaloc")):
             with self.subTest(place):
                 done = run_view("--server", place)
                 self.assertEqual(done.returncode, 1)
@@ -214,7 +214,7 @@ class TestCommand(unittest.TestCase):
                 self.assertEqual(run_view(*arguments).returncode, 2)
 
     def test_without_corba(self):
-        """The module is not there, as where LMS3D was built without."""
+        """The module does not exist, as in a build of LMS3D without CORBA."""
         hidden = "import sys; sys.modules['lms3d.vtkLMS3DRemote'] = None; from lms3d.cli import main; " \
             "sys.exit(main(['view', '--server', 'x']))"
         done = subprocess.run([sys.executable, "-c", hidden], capture_output=True, text=True,

@@ -34,7 +34,7 @@ def start_paraview(folder):
 
 
 class Observer:
-    """Sees where a server's sensor is."""
+    """Reads the position of a server's sensor."""
 
     def __init__(self, reference):
         self.source = lms3d.vtkLMS3DRemoteSource()

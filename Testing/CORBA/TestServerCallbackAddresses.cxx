@@ -16,12 +16,12 @@ TEST(ServerCallbackAddresses, AListenerThatIsGoneIsForgotten)
 {
   ServerProcess server({ "--callbacks" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
-  // A port that nobody listens to.
+  // A port without a listening socket.
   scanner->subscribe(MakeReference("127.0.0.1:1"));
   EXPECT_TRUE(HasListeners(scanner, 0));
 }
 
-TEST(ServerCallbackAddresses, NobodyElseIsConnectedTo)
+TEST(ServerCallbackAddresses, NoOtherAddressIsConnectedTo)
 {
   ServerProcess server({ "--callbacks" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
@@ -40,7 +40,7 @@ TEST(ServerCallbackAddresses, ThoseThatAreAllowedAre)
   EXPECT_TRUE(other.IsConnectedTo(10000));
 }
 
-TEST(ServerCallbackAddresses, WithoutCallbacksNobodyIsConnectedTo)
+TEST(ServerCallbackAddresses, WithoutCallbacksNoAddressIsConnectedTo)
 {
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());

@@ -14,7 +14,7 @@
 
 namespace
 {
-/// Listeners that nobody reaches, each at a port of its own.
+/// Unreachable listeners, each at a port of its own.
 class SilentListeners
 {
 public:
@@ -52,17 +52,17 @@ TEST(ServerCallbacks, TellOfEachScanUntilUnsubscribed)
   ActiveListener listener;
   const CORBA::ULong subscription = scanner->subscribe(listener.GetReference());
   EXPECT_TRUE(listener->WaitFor(5));
-  EXPECT_GT(listener->GetLeastStep(), 0);
+  EXPECT_GT(listener->GetMinimumStep(), 0);
   scanner->unsubscribe(subscription);
   EXPECT_THROW(scanner->unsubscribe(subscription), LMS3D::InvalidArgument);
-  // One may be on its way.
+  // One call may be in progress.
   const int count = listener->GetCount();
   const LMS3D::ScanHeader_var later = scanner->waitForScan(WaitFor(scanner).number + 3, 0, 5000);
   EXPECT_LE(listener->GetCount(), count + 1);
   EXPECT_EQ(server.Terminate(SIGTERM), 0);
 }
 
-TEST(ServerCallbacks, SilentListenersDelayNobodyAndAreLeftOut)
+TEST(ServerCallbacks, SilentListenersDelayNoOtherAndAreDropped)
 {
   ServerProcess server({ "--callbacks" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
@@ -72,9 +72,9 @@ TEST(ServerCallbacks, SilentListenersDelayNobodyAndAreLeftOut)
   const SilentListeners silent(scanner);
   EXPECT_TRUE(HasListeners(scanner, 1 + SilentListeners::Number));
   EXPECT_TRUE(HasListeners(scanner, 1));
-  // One after the other, the silent ones would take five seconds for each scan.
+  // If they were called one after the other, the silent ones would take five seconds per scan.
   EXPECT_GT(good->GetCount(), 5);
-  EXPECT_LT(good->GetGreatestStep(), 20);
+  EXPECT_LT(good->GetMaximumStep(), 20);
   EXPECT_EQ(server.Terminate(SIGTERM), 0);
 }
 
@@ -83,12 +83,12 @@ TEST(ServerCallbacks, SilentListenersDoNotDelayTheEnd)
   ServerProcess server({ "--callbacks" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   const SilentListeners silent(scanner);
-  // One scan later they are being told.
+  // One scan later the server calls them.
   const LMS3D::ScanHeader_var next = scanner->waitForScan(WaitFor(scanner).number, 0, 5000);
   server.ExpectPromptEnd();
 }
 
-// What a client is told while the end waits for a listener that does not answer.
+// The exceptions of calls while the end waits for a listener that does not answer.
 TEST(ServerCallbacks, CallsAtTheEndMayBeTriedAgain)
 {
   ServerProcess server({ "--callbacks" });
@@ -116,7 +116,7 @@ TEST(ServerCallbacks, CallsAtTheEndMayBeTriedAgain)
   EXPECT_EQ(answer, "TRANSIENT");
 }
 
-TEST(ServerCallbacks, NobodyGuessesAnothersSubscription)
+TEST(ServerCallbacks, SubscriptionsCannotBeGuessed)
 {
   ServerProcess server({ "--callbacks" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
@@ -131,7 +131,7 @@ TEST(ServerCallbacks, NobodyGuessesAnothersSubscription)
   EXPECT_TRUE(HasListeners(scanner, 2));
 }
 
-// A rate at which none is told often enough to be left out.
+// At this rate no listener fails often enough to be dropped.
 TEST(ServerCallbacks, TakeFourOfAClientSixteenInAllAndNoNil)
 {
   ServerProcess server({ "--callbacks", "--rate", "0.001" });

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Client/lms3dRemoteScan.h"
 #include "ClientORB.h"
 #include "DirectPipeline.h"
 #include "ServerProcess.h"
-#include "lms3dRemoteScan.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST(ServerLimits, AScanOverTheMessageLimitComesInParts)
   EXPECT_EQ(remote.Ranges, direct.Ranges);
 }
 
-// The greatest part that the server names does go into a message.
+// The largest part that the server names fits into a message.
 TEST(ServerLimits, AMapOverTheMessageLimitComesInParts)
 {
   ServerProcess server({ "--map-error", "0", "--rate", "2", "--keep", "50" });

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Client/lms3dRemoteScan.h"
 #include "ClientORB.h"
+#include "Common/lms3dChecksum.h"
 #include "DirectPipeline.h"
 #include "ServerProcess.h"
-#include "lms3dChecksum.h"
-#include "lms3dRemoteScan.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ CORBA::ULong CountWaiting(LMS3D::LaserScanner_ptr scanner)
   return status->waiting;
 }
 
-/// Threads that are joined at the end.
+/// Joins the threads in its destructor.
 class Crowd
 {
 public:
@@ -53,7 +53,7 @@ private:
   std::vector<std::thread> Threads;
 };
 
-// False where the server is gone.
+// Returns false if the server is gone.
 bool Call(const std::function<void()>& call, std::atomic<int>& good)
 {
   try
@@ -133,7 +133,7 @@ TEST(ServerLoad, EndsBySIGINTToo)
   EXPECT_EQ(server.Terminate(SIGINT), 0);
 }
 
-// Wherever it is: while it casts, while it makes the map, or after that.
+// The signal arrives during the casting, the map, or afterwards.
 TEST(ServerLoad, EndsInTheMiddleOfALargeScan)
 {
   for (const int milliseconds : { 10, 50, 200 })
@@ -150,7 +150,7 @@ TEST(ServerLoad, EndsInTheMiddleOfALargeScan)
   }
 }
 
-// Two poses in turn: each answer is all of the one or all of the other.
+// Poses alternate between two. Each answer belongs wholly to one of them.
 TEST(ServerLoad, NothingTearsWhileThePoseMoves)
 {
   const LMS3D::Pose poses[2] = { At(0.3, -0.2, 1.0), At(-1.0, 0.5, 1.4) };
@@ -212,7 +212,8 @@ TEST(ServerLoad, NothingTearsWhileThePoseMoves)
 TEST(ServerLoad, MemoryStaysFlat)
 {
   constexpr int Threads = 4;
-  // The allocator keeps some answers of 1.5 MB for each thread; a leak of one would make gigabytes.
+  // The allocator keeps some answers of 1.5 MB per thread. A leak of each answer would make
+  // gigabytes.
   constexpr long Tolerance = 16 << 20;
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());

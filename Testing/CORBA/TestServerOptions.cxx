@@ -1,44 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dORBSettings.h"
-#include "lms3dObjectAddresses.h"
-#include "lms3dReferenceFile.h"
-#include "lms3dSceneCatalogue.h"
-#include "lms3dServerOptions.h"
+#include "FolderTest.h"
+#include "Options/lms3dServerOptions.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <array>
 #include <stdexcept>
-#include <thread>
 #include <vector>
-
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace
 {
-/// A folder of its own for each test.
-class ServerOptions : public testing::Test
-{
-protected:
-  void SetUp() override { std::filesystem::create_directories(this->Folder); }
-  void TearDown() override { std::filesystem::remove_all(this->Folder); }
-
-  std::string Write(const std::string& name, const std::string& text) const
-  {
-    std::string file = (this->Folder / name).string();
-    std::ofstream(file) << text;
-    return file;
-  }
-
-  const std::filesystem::path Folder =
-    std::filesystem::path(testing::TempDir()) / ("lms3d-options-" + std::to_string(getpid()));
-};
+using ServerOptions = FolderTest;
 
 std::string GetProblem(const std::vector<std::string>& arguments)
 {
@@ -51,13 +24,6 @@ std::string GetProblem(const std::vector<std::string>& arguments)
   {
     return problem.what();
   }
-}
-
-std::string Find(const lms3dORBSettings& settings, const std::string& name)
-{
-  const auto setting = std::find_if(settings.begin(), settings.end(),
-    [&name](const auto& candidate) { return candidate.first == name; });
-  return setting == settings.end() ? "not set" : setting->second;
 }
 
 bool Speaks(const std::string& text, const std::string& word)
@@ -75,14 +41,6 @@ TEST_F(ServerOptions, DefaultsAreSafe)
   EXPECT_EQ(options.Keep, 4);
   EXPECT_FALSE(options.Callbacks);
   EXPECT_FALSE(options.Naming);
-
-  const lms3dORBSettings settings = lms3dGetORBSettings(options);
-  EXPECT_EQ(Find(settings, "endPoint"), "giop:tcp:127.0.0.1:");
-  EXPECT_EQ(Find(settings, "serverCallTimeOutPeriod"), "5000");
-  EXPECT_EQ(Find(settings, "inConScanPeriod"), "30");
-  EXPECT_EQ(Find(settings, "giopMaxMsgSize"), "not set");
-  EXPECT_EQ(
-    settings.back(), std::make_pair(std::string("clientTransportRule"), std::string("* none")));
 }
 
 TEST_F(ServerOptions, TheCommandLineWinsOverTheFile)
@@ -121,31 +79,71 @@ TEST_F(ServerOptions, ARateOfZeroMayBeWrittenAsOneLikes)
 TEST_F(ServerOptions, SayWhatIsWrongAndWhere)
 {
   EXPECT_TRUE(Speaks(GetProblem({}), "--scenes"));
-  EXPECT_TRUE(Speaks(GetProblem({ "--scene" }), "--scene: it takes 1 values, not 0"));
-  EXPECT_TRUE(Speaks(GetProblem({ "--speed", "3" }), "--speed: there is no such option"));
-  EXPECT_TRUE(Speaks(GetProblem({ "room.wrl" }), "room.wrl: there is no such option"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--scene" }), "--scene: 1 required NAME missing"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--speed" }), "was not expected: --speed"));
+  EXPECT_TRUE(Speaks(GetProblem({ "room.wrl" }), "was not expected: room.wrl"));
   EXPECT_TRUE(Speaks(GetProblem({ "--rate", "fast" }), "\"fast\" is not a number from 0"));
   EXPECT_TRUE(Speaks(GetProblem({ "--rate", "nan" }), "nan"));
   EXPECT_TRUE(Speaks(GetProblem({ "--rate", "-1" }), "-1"));
   EXPECT_TRUE(Speaks(GetProblem({ "--rate", "5x" }), "5x"));
   EXPECT_TRUE(Speaks(GetProblem({ "--keep", "0" }), "from 1 to 1000"));
   EXPECT_TRUE(Speaks(GetProblem({ "--keep", "2.5" }), "2.5"));
-  EXPECT_TRUE(Speaks(GetProblem({ "--position", "0", "1" }), "it takes 3 values, not 2"));
+  EXPECT_TRUE(
+    Speaks(GetProblem({ "--position", "0", "1" }), "--position: 3 values must follow: X Y Z"));
   EXPECT_TRUE(Speaks(GetProblem({ "--position", "0", "inf", "1" }), "inf"));
   EXPECT_TRUE(Speaks(GetProblem({ "--up-axis", "x" }), "neither file nor y"));
-  EXPECT_TRUE(Speaks(GetProblem({ "-ORBtraceLevel" }), "it takes 1 values"));
+  EXPECT_TRUE(Speaks(GetProblem({ "-ORBtraceLevel" }), "-ORBtraceLevel: a value must follow"));
   EXPECT_TRUE(Speaks(GetProblem({ "--config", "/no/such/file" }), "cannot be read"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--read-only=yes" }), "read-only"));
   EXPECT_TRUE(
     Speaks(GetProblem({ "--scenes", "Data", "--tls-key", "k.pem" }), "one needs the other"));
 
   const std::string file = this->Write("bad.conf", "rate = 5\nport = 3\n");
-  EXPECT_TRUE(
-    Speaks(GetProblem({ "--config", file }), file + ":2: \"port = 3\": there is no such"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--config", file }),
+    file + ":2: \"port = 3\": The following argument was not expected"));
   EXPECT_TRUE(Speaks(GetProblem({ "--config", this->Folder.string() }), "cannot be read"));
   const std::string flag = this->Write("flag.conf", "read-only = yes\n");
-  EXPECT_TRUE(Speaks(GetProblem({ "--config", flag }), "it takes 0 values, not 1"));
+  EXPECT_TRUE(
+    Speaks(GetProblem({ "--config", flag }), flag + ":1: \"read-only = yes\": it takes no value"));
   const std::string nested = this->Write("nested.conf", "config = " + file + "\n");
-  EXPECT_TRUE(Speaks(GetProblem({ "--config", nested }), "names no other"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--config", nested }), "was not expected: --config"));
+}
+
+TEST_F(ServerOptions, ValuesMayBeNegative)
+{
+  const lms3dServerOptions options = lms3dReadServerOptions({ "--scenes", "Data", "--position",
+    "-1", "0", "-.5", "--orientation", "10", "-20", "-3e1", "-ORBtraceLevel", "-1" });
+  EXPECT_EQ(options.Position, (std::array<double, 3>{ -1.0, 0.0, -0.5 }));
+  EXPECT_EQ(options.Orientation, (std::array<double, 3>{ 10.0, -20.0, -30.0 }));
+  EXPECT_EQ(options.ORBArguments, (std::vector<std::string>{ "-ORBtraceLevel", "-1" }));
+}
+
+TEST_F(ServerOptions, OfRepeatedOptionsTheLastHoldsUnlessTheyAdd)
+{
+  const std::string file = this->Write("twice.conf",
+    "scenes = Data\nposition = 1 2 3\nposition = 4 5 6\nconnect-to = a/b\nconnect-to = c/d\n");
+  const lms3dServerOptions options = lms3dReadServerOptions({ "--config", file, "--keep", "2",
+    "--keep", "3", "--read-only", "--read-only", "--connect-to", "e/f", "--connect-to", "[::1]" });
+  EXPECT_EQ(options.Position, (std::array<double, 3>{ 4.0, 5.0, 6.0 }));
+  EXPECT_EQ(options.Keep, 3);
+  EXPECT_TRUE(options.ReadOnly);
+  EXPECT_EQ(options.ConnectTo, (std::vector<std::string>{ "a/b", "c/d", "e/f", "[::1]" }));
+  EXPECT_TRUE(
+    Speaks(GetProblem({ "--scenes", "Data", "--position", "1", "2", "3", "--position", "4", "5" }),
+      "3 values must follow"));
+}
+
+TEST_F(ServerOptions, NumbersHaveLimitsInFilesToo)
+{
+  EXPECT_TRUE(Speaks(GetProblem({ "--map-error", "1e308" }), "\"1e308\" is not a number from 0"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--map-error", "1e309" }), "\"1e309\" is not a number from 0"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--keep", "0x10" }), "\"0x10\" is not a whole number"));
+  for (const char* line : { "position = nan 0 0", "position = 1 2", "rate =", "rate", "keep = 0",
+         "[server]", "a b = 3", "help" })
+  {
+    const std::string file = this->Write("bad.conf", std::string("# bad\n") + line + "\n");
+    EXPECT_TRUE(Speaks(GetProblem({ "--config", file }), file + ":2: \"" + line + "\": ")) << line;
+  }
 }
 
 TEST_F(ServerOptions, OtherMachinesNeedAWord)
@@ -165,58 +163,6 @@ TEST_F(ServerOptions, OtherMachinesNeedAWord)
   }
 }
 
-TEST_F(ServerOptions, TheAdministratorsORBSettingsAreKept)
-{
-  lms3dServerOptions options;
-  options.ORBArguments = { "-ORBendPoint", "giop:tcp:10.0.0.1:2810", "-ORBconfigFile",
-    this->Write("omniORB.cfg", "# inConScanPeriod = 1\nmaxServerThreadPerConnection = 7\n") };
-  setenv("ORBserverCallTimeOutPeriod", "1000", 1);
-  const lms3dORBSettings settings = lms3dGetORBSettings(options);
-  unsetenv("ORBserverCallTimeOutPeriod");
-  EXPECT_EQ(Find(settings, "endPoint"), "not set");
-  EXPECT_EQ(Find(settings, "maxServerThreadPerConnection"), "not set");
-  EXPECT_EQ(Find(settings, "serverCallTimeOutPeriod"), "not set");
-  EXPECT_EQ(Find(settings, "inConScanPeriod"), "30");
-}
-
-TEST_F(ServerOptions, AnORBSettingMayHaveTheNameOfAnotherAsItsValue)
-{
-  lms3dServerOptions options;
-  options.ORBArguments = { "-ORBtraceFile", "-ORBconfigFile" };
-  EXPECT_EQ(Find(lms3dGetORBSettings(options), "inConScanPeriod"), "30");
-  const std::string file = this->Write("omniORB.cfg", "inConScanPeriod = 1\n");
-  options.ORBArguments.insert(options.ORBArguments.end(), { "-ORBconfigFile", file });
-  EXPECT_EQ(Find(lms3dGetORBSettings(options), "inConScanPeriod"), "not set");
-}
-
-TEST_F(ServerOptions, OwnOptionsWinOverTheAdministratorsORBSettings)
-{
-  lms3dServerOptions options;
-  options.TLSKey = "key.pem";
-  options.ConnectTo = { "10.0.0.1/255.255.255.255" };
-  setenv("ORBsslKeyFile", "other.pem", 1);
-  setenv("ORBclientTransportRule", "* tcp", 1);
-  const lms3dORBSettings settings = lms3dGetORBSettings(options);
-  unsetenv("ORBsslKeyFile");
-  unsetenv("ORBclientTransportRule");
-  EXPECT_EQ(Find(settings, "sslKeyFile"), "key.pem");
-  EXPECT_NE(Find(settings, "clientTransportRule"), "not set");
-}
-
-TEST_F(ServerOptions, NobodyElseNamesEndpoints)
-{
-  lms3dServerOptions options;
-  EXPECT_NO_THROW(lms3dCheckEndpointSources(options));
-  setenv("ORBendPoint", "giop:tcp:0.0.0.0:", 1);
-  EXPECT_THROW(lms3dCheckEndpointSources(options), std::invalid_argument);
-  options.AllowRemote = true;
-  EXPECT_NO_THROW(lms3dCheckEndpointSources(options));
-  unsetenv("ORBendPoint");
-  options.AllowRemote = false;
-  options.ORBArguments = { "-ORBendPointPublish", "127.0.0.1" };
-  EXPECT_THROW(lms3dCheckEndpointSources(options), std::invalid_argument);
-}
-
 TEST_F(ServerOptions, TLSAndItsEndpointGoTogether)
 {
   EXPECT_TRUE(
@@ -230,107 +176,4 @@ TEST_F(ServerOptions, ALongEndpointIsRefused)
 {
   const std::string endpoint = "giop:unix:/" + std::string(200000, 'x');
   EXPECT_TRUE(Speaks(GetProblem({ "--scenes", "Data", "--endpoint", endpoint }), "other machines"));
-}
-
-TEST_F(ServerOptions, TheCatalogueHasTheFoldersScenesAlone)
-{
-  std::filesystem::create_directories(this->Folder / "below.wrl");
-  this->Write("b.WRL", "");
-  this->Write("a.vrml", "");
-  this->Write("c.wrz", "");
-  this->Write("notes.txt", "");
-  this->Write("d.wrl.bak", "");
-  this->Write("below.wrl/e.wrl", "");
-  this->Write(std::string(130, 'x') + ".wrl", "");
-  this->Write("\xc3\xa9.wrl", "");
-  const lms3dSceneCatalogue catalogue(this->Folder);
-  EXPECT_EQ(catalogue.GetNames(), (std::vector<std::string>{ "a.vrml", "b.WRL", "c.wrz" }));
-  ASSERT_NE(catalogue.Find("b.WRL"), nullptr);
-  EXPECT_EQ(*catalogue.Find("b.WRL"), this->Folder / "b.WRL");
-  EXPECT_EQ(catalogue.Find("b.wrl"), nullptr);
-  EXPECT_EQ(catalogue.Find("below.wrl/e.wrl"), nullptr);
-
-  // Later files are not for clients.
-  this->Write("late.wrl", "");
-  EXPECT_EQ(catalogue.Find("late.wrl"), nullptr);
-}
-
-TEST_F(ServerOptions, ACatalogueNeedsScenes)
-{
-  EXPECT_THROW(lms3dSceneCatalogue("/no/such/folder"), std::runtime_error);
-  EXPECT_THROW(lms3dSceneCatalogue(this->Folder), std::runtime_error);
-}
-
-TEST_F(ServerOptions, TheReferenceFileIsThereAsLongAsTheServer)
-{
-  const std::string file = (this->Folder / "scanner.ior").string();
-  {
-    const lms3dReferenceFile reference(file, "IOR:00");
-    std::string line;
-    std::getline(std::ifstream(file), line);
-    EXPECT_EQ(line, "IOR:00");
-    // Others may read it as they may read what the user writes otherwise.
-    const std::string usual = this->Write("usual", "");
-    EXPECT_EQ(
-      std::filesystem::status(file).permissions(), std::filesystem::status(usual).permissions());
-  }
-  EXPECT_FALSE(std::filesystem::exists(file));
-  {
-    const lms3dReferenceFile reference(file, "IOR:00");
-    this->Write("scanner.ior", "IOR:11\n");
-  }
-  EXPECT_TRUE(std::filesystem::exists(file)) << "another server's file was removed";
-  EXPECT_THROW(lms3dReferenceFile("/no/such/folder/x.ior", "IOR:00"), std::runtime_error);
-}
-
-TEST_F(ServerOptions, TheReferenceFileReplacesFilesAlone)
-{
-  const std::string pipe = (this->Folder / "pipe").string();
-  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const std::string link = (this->Folder / "link").string();
-  std::filesystem::create_symlink("/dev/null", link);
-  for (const std::string& name : { pipe, link, this->Folder.string() })
-  {
-    EXPECT_THROW(lms3dReferenceFile(name, "IOR:00"), std::runtime_error) << name;
-  }
-  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
-  EXPECT_TRUE(std::filesystem::is_symlink(link));
-}
-
-TEST_F(ServerOptions, ServersMayWriteTheSameReferenceFileAtOnce)
-{
-  const std::string file = (this->Folder / "scanner.ior").string();
-  constexpr int Servers = 8;
-  std::vector<std::thread> servers;
-  servers.reserve(Servers);
-  for (int i = 0; i < Servers; ++i)
-  {
-    servers.emplace_back(
-      [&file, i]
-      {
-        for (int j = 0; j < 200; ++j)
-        {
-          EXPECT_NO_THROW(lms3dReferenceFile(file, "IOR:" + std::to_string(i)));
-        }
-      });
-  }
-  for (std::thread& server : servers)
-  {
-    server.join();
-  }
-  const lms3dReferenceFile last(file, "IOR:last");
-  std::string line;
-  std::getline(std::ifstream(file), line);
-  EXPECT_EQ(line, "IOR:last");
-  const std::filesystem::directory_iterator files(this->Folder);
-  EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "a temporary file was left";
-}
-
-TEST(ObjectAddresses, CorbalocsNameTheirVersion)
-{
-  EXPECT_EQ(lms3dGetCorbaloc({ "giop:unix:/run/x", "giop:tcp:127.0.0.1:2810" }, "LMS3D"),
-    "corbaloc:iiop:1.2@127.0.0.1:2810/LMS3D");
-  EXPECT_EQ(
-    lms3dGetCorbaloc({ "giop:ssl:[::1]:2810" }, "LMS3D"), "corbaloc:ssliop:1.2@[::1]:2810/LMS3D");
-  EXPECT_EQ(lms3dGetCorbaloc({ "giop:unix:/run/x" }, "LMS3D"), "");
 }

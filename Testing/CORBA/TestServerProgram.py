@@ -19,13 +19,13 @@ from server_process import (
 
 
 def run_server(*arguments):
-    """A server that does not come up."""
+    """The result of a server that does not start."""
     return subprocess.run([SERVER, *arguments], capture_output=True, text=True, timeout=30,
                           check=False)
 
 
 def write_scene_of_many_nodes(path):
-    """A small file that takes seconds to read: each transform has the one before it twice."""
+    """A small file that takes seconds to read: each transform contains the one before it twice."""
     lines = ["#VRML V2.0 utf8", "Shape { geometry Box { } }", "DEF N0 Group { }"]
     lines += [f"DEF N{i} Transform {{ rotation 0 0 1 {i} children [ USE N{i - 1} USE N{i - 1} ] }}"
               for i in range(1, 24)]
@@ -33,7 +33,7 @@ def write_scene_of_many_nodes(path):
 
 
 def ask(client):
-    """What one call is told."""
+    """The result of one call."""
     try:
         client.call("getPose")
         return "answer"
@@ -41,29 +41,29 @@ def ask(client):
         return str(problem)
 
 
-def call_on(corbaloc, is_over, told):
-    """A client that connects again whenever its connection ends."""
+def call_on(corbaloc, is_over, results):
+    """A client that reconnects each time its connection ends."""
     while not is_over.is_set():
         with contextlib.suppress(OSError), giop.Client(corbaloc) as client:
             while True:
-                told.add(ask(client))
+                results.add(ask(client))
 
 
 class StartTest(unittest.TestCase):
-    """Options, files, and what goes wrong with them."""
+    """Options, files and their errors."""
 
     def setUp(self):
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def test_help(self):
-        """Every option is in it."""
+        """The text has every option."""
         finished = run_server("--help")
         self.assertEqual(finished.returncode, 0)
         for option in ("--scenes", "--rate", "--read-only", "--callbacks", "--tls-key", "--config"):
             self.assertIn(option, finished.stdout)
 
     def test_wrong_options(self):
-        """Code 2, and which one it was."""
+        """Code 2, and a message that names the option."""
         for arguments, word in (((), "--scenes"), (("--scenes", DATA, "--rate", "x"), "--rate"),
                                 (("--scenes", DATA, "--endpoint", "giop:tcp::2810"), "--allow-remote")):
             finished = run_server(*arguments)
@@ -71,7 +71,7 @@ class StartTest(unittest.TestCase):
             self.assertIn(word, finished.stderr)
 
     def test_what_cannot_start(self):
-        """Code 1, and why."""
+        """Code 1, and a message with the reason."""
         with Server() as server:
             taken = server.corbaloc.split("@")[1].split("/")[0]
             finished = run_server("--scenes", DATA, "--endpoint", f"giop:tcp:{taken}")
@@ -94,7 +94,7 @@ class StartTest(unittest.TestCase):
             self.assertIn(word, finished.stderr)
 
     def test_files(self):
-        """The configuration file holds, and the IOR file is there while the server is."""
+        """The configuration file is used, and the file of --ior exists as long as the server."""
         reference = self.folder / "scanner.ior"
         configuration = self.folder / "server.conf"
         configuration.write_text(f"ior = {reference}\nrate = 50\nposition = 0.5 0.5 1\nread-only\n")
@@ -109,7 +109,7 @@ class StartTest(unittest.TestCase):
             self.assertIn("SIGINT: ending", server.read_log())
 
     def test_end_of_its_terminal(self):
-        """Nothing is left behind, unless it was started by nohup, after which it goes on."""
+        """The server ends and removes its file. Under nohup it goes on."""
         reference = self.folder / "scanner.ior"
         with Server("--ior", reference) as server:
             self.assertEqual(server.stop(signal.SIGHUP)[0], 0)
@@ -123,7 +123,7 @@ class StartTest(unittest.TestCase):
             self.assertEqual(server.stop()[0], 0)
 
     def test_few_open_files(self):
-        """The log tells that clients will have no room."""
+        """The log warns of too few connections."""
         finished = subprocess.run(
             ["sh", "-c", 'ulimit -n 256; exec "$0" "$@"', SERVER, "--scenes", DATA, "--scene", "x"],
             capture_output=True, text=True, timeout=30, check=False)
@@ -131,7 +131,7 @@ class StartTest(unittest.TestCase):
         self.assertIn("allows 256 open files", finished.stderr)
 
     def test_end_while_the_scene_is_read(self):
-        """Code 0 at once, and nobody is told of a server that never was."""
+        """Code 0 at once, and no address is announced."""
         scene, reference = self.folder / "large.wrl", self.folder / "scanner.ior"
         write_scene_of_many_nodes(scene)
         with subprocess.Popen([SERVER, "--scenes", self.folder, "--ior", reference],
@@ -148,12 +148,12 @@ class StartTest(unittest.TestCase):
         self.assertEqual(list(self.folder.iterdir()), [scene])
 
     def test_clients_that_call_while_it_starts_and_ends(self):
-        """They are told nothing but to try again."""
+        """They get either an answer or an exception that permits another try."""
         address = f"127.0.0.1:{find_free_port()}"
-        told = set()
+        results = set()
         is_over = threading.Event()
         clients = [threading.Thread(
-            target=call_on, args=(f"corbaloc:iiop:1.2@{address}/LMS3D", is_over, told))
+            target=call_on, args=(f"corbaloc:iiop:1.2@{address}/LMS3D", is_over, results))
             for _ in range(4)]
         for client in clients:
             client.start()
@@ -164,11 +164,11 @@ class StartTest(unittest.TestCase):
         is_over.set()
         for client in clients:
             client.join()
-        self.assertLessEqual(told, {"answer", "IDL:omg.org/CORBA/TRANSIENT:1.0"})
-        self.assertIn("answer", told)
+        self.assertLessEqual(results, {"answer", "IDL:omg.org/CORBA/TRANSIENT:1.0"})
+        self.assertIn("answer", results)
 
     def test_remote_is_logged(self):
-        """Who lets other machines in is told, also on a machine without a network."""
+        """The log warns of an endpoint that other machines can reach."""
         with Server("--allow-remote", "-ORBendPointPublish", "giop:tcp:192.0.2.1:2810") as server:
             self.assertIn("other machines can reach", server.read_log())
         with Server("--endpoint", "giop:tcp:0.0.0.0:", "--allow-remote") as server:
@@ -186,7 +186,7 @@ class ClientTest(unittest.TestCase):
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def run_client(self, *arguments):
-        """What it prints, if all went well."""
+        """The output of a successful client."""
         finished = run_client(self.server.corbaloc, *arguments)
         self.assertEqual(finished.returncode, 0, finished.stderr)
         self.assertEqual(finished.stderr, "")
@@ -207,13 +207,13 @@ class ClientTest(unittest.TestCase):
         self.assertEqual(len(self.run_client("listen", "3").splitlines()), 3)
 
     def test_fetch_prints_all_digits(self):
-        """Read again, they are the floats that were sent."""
+        """Parsing the output yields the floats that were sent."""
         words = "\t".join(self.run_client("fetch").splitlines()[1:]).split("\t")
         with self.server.connect() as client:
             self.assertEqual(array.array("f", map(float, words)), array.array("f", client.fetch()))
 
     def test_help(self):
-        """Asked for, it is what the client prints; also without a server."""
+        """The client prints it, with or without a server."""
         for arguments in (("--help",), (self.server.corbaloc, "--help")):
             finished = run_client(*arguments)
             self.assertEqual(finished.returncode, 0)
@@ -221,7 +221,7 @@ class ClientTest(unittest.TestCase):
             self.assertEqual(finished.stderr, "")
 
     def test_changes(self):
-        """The scan that is printed is the first from there."""
+        """The client prints the first scan after the change."""
         self.assertIn("from 1 0.5 1.2:", self.run_client("pose", "1", "0.5", "1.2"))
         self.assertIn("of teapot.wrl", self.run_client("scene", "teapot.wrl"))
 
@@ -234,12 +234,12 @@ class ClientTest(unittest.TestCase):
         self.assertEqual(sorted(self.folder.iterdir()), [surface, scan])
 
     def test_what_cannot_be_saved(self):
-        """Nothing is left behind, and what was there before stays."""
+        """No temporary file is left, and an existing file stays unchanged."""
         scan = self.folder / "scan.vtp"
         scan.write_text("before")
         for names, words in ((("/no/such/folder/x.vtp",), "no folder"), ((self.folder,), ".vtp"),
                              ((scan, self.folder / "map.stl"), ".vtp"),
-                             ((scan, f"{self.folder}/../{self.folder.name}/scan.vtp"), "two names")):
+                             ((scan, f"{self.folder}/../{self.folder.name}/scan.vtp"), "both files")):
             finished = run_client(self.server.corbaloc, "save", *names)
             self.assertEqual(finished.returncode, 1)
             self.assertRegex(finished.stderr, f"cannot write.*{words}")
@@ -247,7 +247,7 @@ class ClientTest(unittest.TestCase):
             self.assertEqual(scan.read_text(), "before")
 
     def test_a_file_is_replaced_as_a_whole(self):
-        """Where the system takes no more in the middle, the one from before stays."""
+        """If the file cannot be written completely, the existing one stays unchanged."""
         scan = self.folder / "scan.vtp"
         scan.write_text("before")
         # Python ignores the signal of this limit, and so does the client then.
@@ -262,8 +262,8 @@ class ClientTest(unittest.TestCase):
         self.assertIn(b'NumberOfPoints="%d"' % BEAMS, scan.read_bytes())
 
     def test_failures(self):
-        """Words for a human being, and a code for scripts; wrong words need no server."""
-        nobody = "corbaloc:iiop:1.2@127.0.0.1:1/LMS3D"
+        """A message and an exit code. Wrong arguments are reported without a server."""
+        unused = "corbaloc:iiop:1.2@127.0.0.1:1/LMS3D"
         for arguments, code, word in (
                 ((self.server.corbaloc, "scene", "../room.wrl"), 1, "NoSuchScene"),
                 ((self.server.corbaloc, "pose", "nan", "0", "0"), 1, "position is nan"),
@@ -272,11 +272,11 @@ class ClientTest(unittest.TestCase):
                 ((self.server.corbaloc, "watch", "2x"), 2, 'COUNT: "2x" is not a whole number'),
                 ((self.server.corbaloc, "listen", "-1"), 2, 'COUNT: "-1" is not a whole number'),
                 ((self.server.corbaloc, "jump"), 2, "Usage"), ((), 2, "Usage"),
-                ((nobody, "status"), 1, "TRANSIENT"),
-                ((nobody, "jump"), 2, "Usage"), ((nobody, "status", "now"), 2, "Usage"),
-                ((nobody, "pose", "1", "x", "2"), 2, 'Y: "x" is not a number'),
-                ((nobody, "save", "scan.stl"), 1, "the ending must be .vtp"),
-                (("nonsense", "status"), 1, "is no corbaloc")):
+                ((unused, "status"), 1, "TRANSIENT"),
+                ((unused, "jump"), 2, "Usage"), ((unused, "status", "now"), 2, "Usage"),
+                ((unused, "pose", "1", "x", "2"), 2, 'Y: "x" is not a number'),
+                ((unused, "save", "scan.stl"), 1, "its name must end in .vtp"),
+                (("nonsense", "status"), 1, "is neither a corbaloc")):
             finished = run_client(*arguments)
             self.assertEqual(finished.returncode, code, arguments)
             self.assertIn(word, finished.stderr)
@@ -302,14 +302,14 @@ class PatienceTest(unittest.TestCase):
         self.assertRegex(message, f"^lms3d-client: .*{words}.*\n$")
 
     def test_scans_that_are_far_apart(self):
-        """Farther than any call waits."""
+        """Scans whose interval exceeds the timeout of every call."""
         with Server("--rate", "0.15") as server:
             finished = run_client(server.corbaloc, "watch", "2")
             self.assertEqual(finished.returncode, 0, finished.stderr)
             self.assertEqual(len(finished.stdout.splitlines()), 2)
 
     def test_the_end_of_the_server(self):
-        """By order or not, with nothing to tell for a long time or much."""
+        """By SIGTERM or SIGKILL, with many or few scans."""
         for rate in ("10", "0.01"):
             for number in (signal.SIGTERM, signal.SIGKILL):
                 with self.subTest(rate=rate, number=number):
@@ -322,10 +322,10 @@ class PatienceTest(unittest.TestCase):
                             self.assert_ends(client, "no server answers there")
 
     def test_a_listener_that_cannot_be_reached(self):
-        """It publishes a port at which nobody listens."""
+        """A listener that publishes an unused port."""
         with Server("--callbacks") as server:
             client = self.start(server, "listen", "-ORBendPointPublish", "giop:tcp:127.0.0.1:1")
-            self.assert_ends(client, "does not tell this listener")
+            self.assert_ends(client, "does not call this listener")
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@
 
 namespace
 {
-// Each transform has the one before it twice, so that a small file takes seconds to read.
+// Each transform contains the one before it twice, so a small file takes seconds to read.
 void WriteSceneOfManyNodes(const std::filesystem::path& path)
 {
   std::ofstream file(path);
@@ -29,7 +29,7 @@ void WriteSceneOfManyNodes(const std::filesystem::path& path)
   }
 }
 
-/// A folder of its own, with a scene that is read at once and one that takes its time.
+/// A folder of its own, with a scene that is read at once and one that takes seconds.
 class ServerScenes : public testing::Test
 {
 protected:
@@ -47,11 +47,11 @@ protected:
 };
 } // namespace
 
-// The one whose scene is read, and those who wait for their turn.
+// One call reads its scene, and the others wait for their turn.
 TEST_F(ServerScenes, FiveClientsSelectAtMostAndDoNotDelayTheEnd)
 {
   constexpr int Clients = 8;
-  constexpr int Most = 5;
+  constexpr int Maximum = 5;
   ServerProcess server({ "--scenes", this->Folder.string() });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   std::atomic<int> refused(0);
@@ -69,7 +69,7 @@ TEST_F(ServerScenes, FiveClientsSelectAtMostAndDoNotDelayTheEnd)
         }
         catch (const LMS3D::LimitExceeded& problem)
         {
-          refused += problem.limit == Most ? 1 : 1000;
+          refused += problem.limit == Maximum ? 1 : 1000;
         }
         catch (const CORBA::TRANSIENT&)
         {
@@ -81,22 +81,22 @@ TEST_F(ServerScenes, FiveClientsSelectAtMostAndDoNotDelayTheEnd)
         }
       });
   }
-  for (int i = 0; i < 100 && refused < Clients - Most; ++i)
+  for (int i = 0; i < 100 && refused < Clients - Maximum; ++i)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
-  // Others are served meanwhile.
+  // Other calls are answered meanwhile.
   EXPECT_STREQ(WaitFor(scanner).scene.in(), "room.wrl");
   server.ExpectPromptEnd();
   for (std::thread& client : clients)
   {
     client.join();
   }
-  EXPECT_EQ(refused, Clients - Most);
-  EXPECT_EQ(cut, Most);
+  EXPECT_EQ(refused, Clients - Maximum);
+  EXPECT_EQ(cut, Maximum);
 }
 
-// Fifty-five names fill the smallest message that omniORB allows, but for the rest of it.
+// Fifty-five names, and the headers, almost fill the smallest message that omniORB allows.
 TEST_F(ServerScenes, AListThatDoesNotFitIsRefusedInWords)
 {
   const auto add = [this](int first, int last)

@@ -22,7 +22,7 @@ struct BadConfiguration
 {
   const char* Name;
   void (*Change)(LMS3D::Configuration&);
-  /// What the reason must speak of.
+  /// A part of the expected reason.
   const char* Word;
 };
 
@@ -61,7 +61,7 @@ const BadConfiguration BadConfigurations[] = {
   { "ErrorNaN", [](Settings& c) { c.mapError = NaN; }, "mapError" },
 };
 
-// The next scan and the settings are those from before.
+// Settings and scan are unchanged.
 void ExpectUnchanged(LMS3D::LaserScanner_ptr scanner, const LMS3D::Status& before)
 {
   const LMS3D::Status_var after = scanner->getStatus();
@@ -88,7 +88,7 @@ TEST(ServerSettings, GenerationTellsTheFirstScanFromAPose)
   }
 }
 
-TEST(ServerSettings, ConfigurationIsTakenUpAndToldBack)
+TEST(ServerSettings, ConfigurationIsUsedAndReturned)
 {
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
@@ -158,7 +158,7 @@ TEST(ServerSettings, RefusesMoreBeamsThanFit)
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   const LMS3D::Status_var before = scanner->getStatus();
   LMS3D::Configuration configuration = GetCoarseGrid();
-  // Products that would be 0, and 1, in 32 bits.
+  // Their product would be 0 or 1 in 32 bits.
   const CORBA::ULong counts[][2] = { { 65536, 65536 }, { 4294967295u, 4294967295u },
     { 4000001, 1 } };
   for (const auto& count : counts)
@@ -178,7 +178,7 @@ TEST(ServerSettings, RefusesMoreBeamsThanFit)
   ExpectUnchanged(scanner, before);
 }
 
-TEST(ServerSettings, RefusesPosesThatAreNone)
+TEST(ServerSettings, RefusesInvalidPoses)
 {
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
@@ -193,7 +193,7 @@ TEST(ServerSettings, RefusesPosesThatAreNone)
   ExpectUnchanged(scanner, before);
 }
 
-TEST(ServerSettings, KnowsNoScenesBesideTheCatalogue)
+TEST(ServerSettings, HasOnlyTheScenesOfTheCatalogue)
 {
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
@@ -215,7 +215,7 @@ TEST(ServerSettings, KnowsNoScenesBesideTheCatalogue)
   ExpectUnchanged(scanner, before);
 }
 
-TEST(ServerSettings, KeepsTheSceneWhereTheNextIsBroken)
+TEST(ServerSettings, KeepsTheSceneIfTheNextIsBroken)
 {
   const std::filesystem::path folder =
     std::filesystem::path(testing::TempDir()) / ("lms3d-scenes-" + std::to_string(getpid()));

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Client/lms3dRemoteData.h"
 #include "ClientORB.h"
+#include "Common/lms3dChecksum.h"
 #include "DirectPipeline.h"
 #include "ServerProcess.h"
-#include "lms3dChecksum.h"
-#include "lms3dRemoteData.h"
 
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -21,7 +21,7 @@
 
 namespace
 {
-// Scans are not dropped while a test looks at them, however busy the machine is.
+// Enough scans that none is dropped during a test, even on a busy machine.
 const std::vector<std::string> Patience = { "--keep", "100" };
 
 template <typename Sequence>
@@ -36,7 +36,7 @@ DirectPipeline MakeDirect(const LMS3D::ScanHeader& header)
   return DirectPipeline(header.scene.in(), header.sensorPose, header.settings);
 }
 
-// Of a grid with misses, with a full circle that begins elsewhere, from a turned sensor.
+// A grid with misses, a full circle that does not begin at 0, and a rotated sensor.
 LMS3D::Configuration GetUnusualGrid()
 {
   LMS3D::Configuration configuration = GetCoarseGrid();
@@ -47,7 +47,7 @@ LMS3D::Configuration GetUnusualGrid()
   return configuration;
 }
 
-// From a turned sensor, with beams that do not return.
+// A rotated sensor, and beams without a return.
 LMS3D::ScanHeader ScanUnusually(LMS3D::LaserScanner_ptr scanner)
 {
   LMS3D::Pose pose = At(0.4, -0.3, 0.9);
@@ -150,8 +150,8 @@ TEST(ServerValues, AScanWithoutReturnsIsAScan)
   EXPECT_EQ(server.Terminate(SIGTERM), 0);
 }
 
-// Floats cannot tell such ranges from 0, which means that nothing was hit.
-TEST(ServerValues, ReturnsNearerThanFloatsTellAreReturns)
+// As floats such ranges would be 0, which means that nothing was hit.
+TEST(ServerValues, ReturnsBelowTheSmallestFloatAreReturns)
 {
   const std::filesystem::path folder =
     std::filesystem::path(testing::TempDir()) / ("lms3d-floor-" + std::to_string(getpid()));

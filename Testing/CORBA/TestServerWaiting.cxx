@@ -53,8 +53,8 @@ TEST(ServerWaiting, EndsAfterTheTimeThatIsAskedFor)
   EXPECT_THROW(scanner->waitForScan(0, Never, 0), LMS3D::NoScanYet);
 }
 
-// 49 days, were they granted.
-TEST(ServerWaiting, NobodyWaitsForLongerThanTenSeconds)
+// The timeout is 49 days.
+TEST(ServerWaiting, NoCallWaitsLongerThanTenSeconds)
 {
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
@@ -91,7 +91,7 @@ TEST(ServerWaiting, NoMoreThanThirtyTwoWait)
         }
       });
   }
-  // Nor do those who are refused count for a moment.
+  // Refused calls do not occupy a place either.
   for (int i = 0; i < 200; ++i)
   {
     const LMS3D::Status_var status = scanner->getStatus();
@@ -122,14 +122,14 @@ TEST(ServerWaiting, ScansThatWereDroppedAreGone)
   {
     EXPECT_GT(problem.oldest, first.number);
     EXPECT_GE(problem.newest, later->number);
-    // More where a scan came between the two.
+    // More if a scan was made between the two calls.
     EXPECT_GE(problem.newest, problem.oldest + 3);
   }
   EXPECT_THROW(scanner->getMapPoints(later->number + 1000000, 0, 1), LMS3D::ScanGone);
   EXPECT_THROW(scanner->getMapTriangles(0, 0, 1), LMS3D::ScanGone);
 }
 
-TEST(ServerWaiting, AClientFollowsAServerThatIsStartedAnew)
+TEST(ServerWaiting, AClientFollowsAServerThatRestarts)
 {
   const std::string endpoint = "giop:tcp:127.0.0.1:" + std::to_string(FindFreePort());
   auto server = std::make_unique<ServerProcess>(Words{ "--endpoint", endpoint });

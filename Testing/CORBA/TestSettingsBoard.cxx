@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dScannerServant.h"
-#include "lms3dSettingsBoard.h"
-#include "lms3dSettingsCheck.h"
+#include "Object/lms3dScannerServant.h"
+#include "Object/lms3dSettingsCheck.h"
+#include "Scanning/lms3dSettingsBoard.h"
 
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ TEST(SettingsBoard, ManyWritersAndAReader)
   EXPECT_EQ(board.Get().Generation, 2001u);
 }
 
-// What clients find between a server's start and its first scan.
+// The results of calls between a server's start and its first scan.
 TEST(ScannerServant, BeforeTheFirstScan)
 {
   const lms3dSceneCatalogue catalogue(LMS3D_DATA_DIR);

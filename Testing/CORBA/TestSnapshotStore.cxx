@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dChecksum.h"
-#include "lms3dSnapshotStore.h"
+#include "Common/lms3dChecksum.h"
+#include "Scanning/lms3dSnapshotStore.h"
 
 #include <gtest/gtest.h>
 
@@ -88,7 +88,7 @@ TEST(SnapshotStore, CountsRangesAndMap)
   EXPECT_EQ(snapshot.GetBytes(), 5u * 4u + 6u * 8u + 9u * 4u);
 }
 
-TEST(SnapshotStore, ASnapshotLivesAsLongAsSomebodyReadsIt)
+TEST(SnapshotStore, ASnapshotLivesAsLongAsItsReaders)
 {
   lms3dSnapshotStore store(1);
   store.Publish(MakeSnapshot(1));
@@ -143,7 +143,7 @@ TEST(SnapshotStore, StopEndsAllWaiting)
   EXPECT_NE(store.GetNewest(), nullptr);
 }
 
-// Each reader finds whole scans, and never one that is older than the one before.
+// Each reader gets complete scans, and never an older one than before.
 TEST(SnapshotStore, NothingTearsUnderEightReaders)
 {
   constexpr std::uint64_t Scans = 2000;

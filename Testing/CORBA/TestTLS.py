@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The server behind TLS, with certificates of its own making."""
+"""The server with TLS, with certificates of the test."""
 
 import subprocess
 import tempfile
@@ -11,12 +11,12 @@ from server_process import Server, run_client
 
 
 def openssl(*arguments, folder):
-    """A command of openssl, as Documentation/corba.md has them."""
+    """A command of openssl, as in Documentation/corba-security.md."""
     subprocess.run(["openssl", *arguments], cwd=folder, check=True, capture_output=True)
 
 
 def make_authority(folder, name):
-    """name.pem and name.key of somebody who signs certificates."""
+    """name.pem and name.key of an authority."""
     openssl("req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", f"/CN={name}",
             "-keyout", f"{name}.key", "-out", f"{name}.pem", folder=folder)
 
@@ -58,15 +58,15 @@ class TLSTest(unittest.TestCase):
         self.assertIn("scene room.wrl", self.ask("robot").stdout)
 
     def test_a_foreign_certificate(self):
-        """Signed by somebody else: refused, and others still served."""
+        """A certificate of another authority is refused, and other clients are still served."""
         finished = self.ask("intruder")
         self.assertEqual(finished.returncode, 1)
-        # While connecting, or at the first call: that is when TLS 1.3 tells a client.
+        # While connecting, or at the first call: TLS 1.3 reports it then.
         self.assertRegex(finished.stderr, "TRANSIENT|COMM_FAILURE")
         self.assertIn("scene room.wrl", self.ask("robot").stdout)
 
     def test_a_foreign_server(self):
-        """A client that trusts others only does not talk to this server."""
+        """A client that trusts another authority does not connect to this server."""
         self.assertEqual(self.ask("robot", authority="stranger").returncode, 1)
 
     def test_no_certificate(self):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the server sends, read without any ORB."""
+"""The bytes that the server sends, read without an ORB."""
 
 import struct
 import unittest
@@ -10,7 +10,7 @@ from server_process import BEAMS, Server
 
 
 def read_header(reply):
-    """Of LMS3D::ScanHeader what the tests look at, field by field as the IDL has them."""
+    """The fields of LMS3D::ScanHeader that the tests need, in the order of the IDL."""
     header = dict(zip(("number", "incarnation", "generation", "start", "end"), reply.numbers("Q", 5)))
     header["scene"] = reply.string()
     header["pose"] = reply.numbers("d", 6)
@@ -31,7 +31,7 @@ class WireTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        # Scans are not dropped while a test looks at them, however busy the machine is.
+        # Enough scans that none is dropped during a test, even on a busy machine.
         cls.server = cls.enterClassContext(Server("--keep", "100"))
 
     def test_fetch(self):

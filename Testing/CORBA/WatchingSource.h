@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A vtkLMS3DRemoteSource as a window uses it.
+ * @brief A vtkLMS3DRemoteSource, used as by a window.
  */
 #ifndef WatchingSource_h
 #define WatchingSource_h
 
-#include "vtkLMS3DRemoteSource.h"
+#include "Remote/vtkLMS3DRemoteSource.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkTestErrorObserver.h>
@@ -28,20 +28,20 @@ public:
   vtkPolyData* GetScan() const { return this->Source->GetOutput(); }
   vtkPolyData* GetMap() const { return this->Source->GetLocalMap(); }
 
-  /// Field data of the scan; 0 where there is none.
+  /// A number of the scan's field data. 0 if it does not exist.
   std::uint64_t GetNumber(const char* name) const;
 
-  /// Where the sensor was, metres.
+  /// The x coordinate of the scan's sensor, metres.
   double GetSensorX() const;
 
-  /// Updates as a window does, whenever there is something new, until the condition holds. False where
-  /// it does not within so many seconds.
+  /// Updates whenever there is something new, until the condition holds. Returns false if it does not
+  /// hold within `seconds`.
   bool UpdateUntil(const std::function<bool()>& condition, int seconds = 10);
 
   /// All warnings since the last call.
   std::string TakeWarnings();
 
-  /// Lets go of the source.
+  /// Destroys the source.
   void Destroy() { this->Source = nullptr; }
 
 private:

@@ -23,13 +23,13 @@ BEAMS = 361 * 360
 
 
 def allow_many_files():
-    """Room for a thousand connections of this process."""
+    """Permit a thousand connections of this process."""
     hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
     resource.setrlimit(resource.RLIMIT_NOFILE, (hard, hard))
 
 
 def find_free_port():
-    """A port of 127.0.0.1 that nobody has, below those that connections get by chance."""
+    """A free port of 127.0.0.1, below the ports that the system chooses for connections."""
     with socket.socket() as listener:
         while True:
             port = random.randrange(20000, 32000)
@@ -72,12 +72,12 @@ class Server:
         return code, time.monotonic() - start
 
     def read_log(self):
-        """All that it has logged."""
+        """The log up to now."""
         self.log.seek(0)
         return self.log.read()
 
     def connect(self):
-        """A connection made by hand."""
+        """A connection without an ORB."""
         return giop.Client(self.corbaloc)
 
     def count_files(self):
@@ -95,7 +95,7 @@ class Server:
 
 
 def find_free_port():
-    """A port of 127.0.0.1 that nobody has at the moment."""
+    """A port of 127.0.0.1 that is free at the moment."""
     with socket.socket() as listener:
         listener.bind(("127.0.0.1", 0))
         return listener.getsockname()[1]
@@ -113,6 +113,6 @@ def wait_until(condition, seconds=20):
 
 
 def run_client(*arguments, program=CLIENT, **options):
-    """The finished lms3d-client."""
+    """The result of lms3d-client."""
     return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=60,
                           check=False, **options)

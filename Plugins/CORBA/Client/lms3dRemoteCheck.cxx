@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dRemoteCheck.h"
+#include "Client/lms3dRemoteCheck.h"
 
-#include "lms3dChecksum.h"
+#include "Common/lms3dChecksum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,15 @@
 
 namespace
 {
-constexpr std::uint64_t MostBeams = 4000000;
-constexpr std::uint64_t MostMapPoints = 16000000;
+constexpr std::uint64_t MaximumBeams = 4000000;
+constexpr std::uint64_t MaximumMapPoints = 16000000;
 
-void Require(bool isGood, const LMS3D::ScanHeader& header, const char* what)
+void Require(bool isValid, const LMS3D::ScanHeader& header, const char* reason)
 {
-  if (!isGood)
+  if (!isValid)
   {
-    throw std::runtime_error("the server's scan " + std::to_string(header.number) + " has " + what);
+    throw std::runtime_error(
+      "scan " + std::to_string(header.number) + " of the server is invalid: " + reason);
   }
 }
 
@@ -29,7 +30,7 @@ bool IsFinite(const LMS3D::Vector3& vector)
   return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
-bool IsProper(const LMS3D::Axis& axis)
+bool IsValid(const LMS3D::Axis& axis)
 {
   return axis.count > 0 && std::isfinite(axis.start) && std::isfinite(axis.stop) &&
     (axis.start < axis.stop || axis.count == 1);
@@ -47,35 +48,36 @@ void lms3dCheckHeader(const LMS3D::ScanHeader& header)
   const LMS3D::Axis& alpha = header.settings.alpha;
   const LMS3D::Axis& beta = header.settings.beta;
   const std::uint64_t beams = static_cast<std::uint64_t>(alpha.count) * beta.count;
-  Require(IsProper(alpha) && IsProper(beta), header, "bad angles");
-  Require(beams == header.beams && beams <= MostBeams, header, "a bad number of beams");
-  Require(header.returns <= header.beams, header, "more returns than beams");
+  Require(IsValid(alpha) && IsValid(beta), header, "its angles are not finite or do not increase");
+  Require(beams == header.beams && beams <= MaximumBeams, header,
+    "its number of beams does not match its grid or exceeds 4,000,000");
+  Require(header.returns <= header.beams, header, "it has more returns than beams");
   Require(IsFinite(header.sensorPose.position) && IsFinite(header.sensorPose.orientation), header,
-    "a bad pose");
-  Require(header.mapPoints <= MostMapPoints && header.mapTriangles <= 2 * MostMapPoints, header,
-    "a map that is too large");
+    "its pose is not finite");
+  Require(header.mapPoints <= MaximumMapPoints && header.mapTriangles <= 2 * MaximumMapPoints,
+    header, "its map is too large");
 }
 
 void lms3dCheckArrays(const lms3dRemoteScan& scan)
 {
   const LMS3D::ScanHeader& header = scan.Header;
   Require(lms3dGetRangesChecksum(scan.Ranges) == header.rangesChecksum, header,
-    "ranges that do not fit their checksum");
+    "its ranges do not match their checksum");
   Require(lms3dGetMapChecksum(scan.MapPoints, scan.MapTriangles) == header.mapChecksum, header,
-    "a map that does not fit its checksum");
+    "its map does not match its checksum");
 
   const std::vector<float>& ranges = scan.Ranges;
   const auto returns =
     std::count_if(ranges.begin(), ranges.end(), [](float range) { return range > 0.0F; });
   const auto misses = std::count(ranges.begin(), ranges.end(), 0.0F);
   Require(AreFinite(ranges) && static_cast<std::size_t>(returns + misses) == ranges.size(), header,
-    "ranges that are no distances");
+    "some ranges are negative or not finite");
   Require(static_cast<std::uint64_t>(returns) == header.returns, header,
-    "another number of returns than it says");
+    "its header has another number of returns than its ranges");
 
   const std::vector<std::uint32_t>& corners = scan.MapTriangles;
-  Require(AreFinite(scan.MapPoints), header, "a map with points that are no numbers");
+  Require(AreFinite(scan.MapPoints), header, "some points of its map are not finite");
   Require(std::all_of(corners.begin(), corners.end(),
             [&header](std::uint32_t corner) { return corner < header.mapPoints; }),
-    header, "a map with triangles of points that it lacks");
+    header, "some triangles of its map refer to points that do not exist");
 }

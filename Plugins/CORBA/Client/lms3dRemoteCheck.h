@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What a server sends, before anybody uses it.
+ * @brief Validates what a server sends.
  */
 #ifndef lms3dRemoteCheck_h
 #define lms3dRemoteCheck_h
 
-#include "lms3dRemoteScan.h"
+#include "Client/lms3dRemoteScan.h"
 
 ///@{
 /**
- * Throw std::runtime_error where the numbers are not those that LMS3DScanner.idl allows, so that no
- * server can make its clients run out of memory or bounds: the header before anything is fetched for
- * it, then the arrays, their checksums included. A local map may have 16,000,000 points and twice as
- * many triangles.
+ * Throw std::runtime_error if the values are not as LMS3DScanner.idl demands, so that a server
+ * cannot make a client run out of memory or read out of bounds. Check the header before fetching
+ * the arrays of its scan, then the arrays; their checksums are compared too. The limit of a local
+ * map is 16,000,000 points and twice as many triangles.
  */
 void lms3dCheckHeader(const LMS3D::ScanHeader& header);
 void lms3dCheckArrays(const lms3dRemoteScan& scan);

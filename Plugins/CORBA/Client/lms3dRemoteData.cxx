@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dRemoteData.h"
+#include "Client/lms3dRemoteData.h"
 
+#include "Common/lms3dGridGeometry.h"
 #include "Device/lms3dScanFieldData.h"
-#include "lms3dGridGeometry.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -64,7 +64,7 @@ void AddNumber(const char* name, CORBA::ULongLong number, vtkFieldData* fieldDat
   fieldData->AddArray(array);
 }
 
-void AddOrigin(const LMS3D::ScanHeader& header, vtkFieldData* fieldData)
+void AddHeader(const LMS3D::ScanHeader& header, vtkFieldData* fieldData)
 {
   AddNumber("ScanNumber", header.number, fieldData);
   AddNumber("Incarnation", header.incarnation, fieldData);
@@ -77,7 +77,7 @@ void AddOrigin(const LMS3D::ScanHeader& header, vtkFieldData* fieldData)
   fieldData->AddArray(scene);
 }
 
-/// Where the returns go: a slot for each in every array.
+/// The arrays of a scan, with a tuple for each return.
 struct Returns
 {
   explicit Returns(vtkIdType count)
@@ -110,7 +110,7 @@ struct Returns
   const vtkNew<vtkTypeInt32Array> Vertices;
 };
 
-// By raw pointers: ParaView's VTK is slow to be called.
+// Raw pointers, because calls of ParaView's VTK for each value are slow.
 void FillReturns(const std::vector<float>& ranges, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const Returns& returns)
 {
@@ -163,7 +163,7 @@ void lms3dFillScan(const lms3dRemoteScan& remote, vtkPolyData* scan)
   FillReturns(remote.Ranges, geometry, pose, returns);
   returns.MoveTo(scan);
   lms3dAddFieldData(geometry, pose, scan);
-  AddOrigin(remote.Header, scan->GetFieldData());
+  AddHeader(remote.Header, scan->GetFieldData());
 }
 
 void lms3dFillMap(const lms3dRemoteScan& remote, vtkPolyData* map)
@@ -176,5 +176,5 @@ void lms3dFillMap(const lms3dRemoteScan& remote, vtkPolyData* map)
   std::copy(remote.MapTriangles.begin(), remote.MapTriangles.end(), corners->GetPointer(0));
   map->SetPolys(MakeCells(corners, 3));
   map->GetPointData()->SetScalars(MakeRanges(remote.MapPoints, remote.Header.sensorPose.position));
-  AddOrigin(remote.Header, map->GetFieldData());
+  AddHeader(remote.Header, map->GetFieldData());
 }

@@ -2,21 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A server's scan and map as VTK data.
+ * @brief Converts a server's scan and local map to VTK data.
  */
 #ifndef lms3dRemoteData_h
 #define lms3dRemoteData_h
 
-#include "lms3dRemoteScan.h"
+#include "Client/lms3dRemoteScan.h"
 
 class vtkPolyData;
 
-/// Output 0 of vtkLMS3DScanFilter without `CellId`, which does not travel. Ranges are those that came,
-/// floats; points lie at them. Further field data, one uint64 each: `ScanNumber`, `Incarnation`,
-/// `Generation`, `StartTime` and `EndTime` of the header; and the name of the `Scene`.
+/**
+ * Fills an empty vtkPolyData with the points, arrays and field data of output 0 of
+ * vtkLMS3DScanFilter (metres, world coordinates), without `CellId`, which the server does not send.
+ * Ranges have the precision of floats, and the points lie at these ranges. Adds to the field data,
+ * one uint64 each, `ScanNumber`, `Incarnation`, `Generation`, `StartTime` and `EndTime` of the
+ * header, and the string `Scene`. The scan must have passed lms3dCheckHeader() and
+ * lms3dCheckArrays().
+ */
 void lms3dFillScan(const lms3dRemoteScan& remote, vtkPolyData* scan);
 
-/// The local map's triangles, with `Range` (float64, metres) at its points and this further field data.
+/// Fills an empty vtkPolyData with the triangles of the local map (metres, world coordinates), with
+/// `Range` (float64, metres) at its points and the same additional field data. The same
+/// precondition holds.
 void lms3dFillMap(const lms3dRemoteScan& remote, vtkPolyData* map);
 
 #endif

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dRemoteScan.h"
+#include "Client/lms3dRemoteScan.h"
 
-#include "lms3dMessageLimit.h"
-#include "lms3dRemoteCheck.h"
+#include "Client/lms3dRemoteCheck.h"
+#include "Common/lms3dMessageLimit.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace
 {
@@ -15,25 +16,26 @@ void RequireLength(CORBA::ULong length, CORBA::ULong expected)
 {
   if (length != expected)
   {
-    throw std::runtime_error("the server sends " + std::to_string(length) +
-      " numbers in place of " + std::to_string(expected));
+    throw std::runtime_error("the server sends " + std::to_string(length) + " numbers instead of " +
+      std::to_string(expected));
   }
 }
 
-// `ask(first, count)` is one message's items, of `width` elements each. The server's limit may be
-// lower than the client's, which it then tells.
-template <typename Sequence, typename Element, typename Ask>
+// `fetch(first, count)` returns the items of one message, each of `width` elements. If the server's
+// limit is lower than the client's, its exception contains the limit.
+template <typename Sequence, typename Element, typename Fetch>
 void FetchAll(CORBA::ULong total, CORBA::ULong width, const std::function<void()>& beforePart,
-  const Ask& ask, std::vector<Element>& elements)
+  const Fetch& fetch, std::vector<Element>& elements)
 {
-  CORBA::ULongLong most = lms3dGetMostElements(width * sizeof(Element));
+  CORBA::ULongLong maximum = lms3dGetMaximumElements(width * sizeof(Element));
   for (CORBA::ULong first = 0; first < total;)
   {
-    const auto count = static_cast<CORBA::ULong>(std::min<CORBA::ULongLong>(most, total - first));
+    const auto count =
+      static_cast<CORBA::ULong>(std::min<CORBA::ULongLong>(maximum, total - first));
     beforePart();
     try
     {
-      const typename Sequence::_var_type part = ask(first, count);
+      const typename Sequence::_var_type part = fetch(first, count);
       RequireLength(part->length(), count * width);
       elements.insert(elements.end(), part->get_buffer(), part->get_buffer() + part->length());
       first += count;
@@ -44,7 +46,7 @@ void FetchAll(CORBA::ULong total, CORBA::ULong width, const std::function<void()
       {
         throw;
       }
-      most = limit.limit;
+      maximum = limit.limit;
     }
   }
 }
@@ -74,4 +76,23 @@ lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::Sca
     scan.MapTriangles);
   lms3dCheckArrays(scan);
   return scan;
+}
+
+LMS3D::ScanHeader* lms3dWaitForScan(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong after,
+  CORBA::ULongLong generation, CORBA::ULong timeout, std::chrono::milliseconds pause)
+{
+  try
+  {
+    return scanner->waitForScan(after, generation, timeout);
+  }
+  catch (const LMS3D::LimitExceeded&)
+  {
+    std::this_thread::sleep_for(pause);
+  }
+  LMS3D::ScanHeader_var header = scanner->getHeader();
+  if (header->number <= after || header->generation < generation)
+  {
+    throw LMS3D::NoScanYet(header->number);
+  }
+  return header._retn();
 }

@@ -2,35 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A scan of a server, fetched as a whole.
+ * @brief Waits for scans of a server and fetches them.
  */
 #ifndef lms3dRemoteScan_h
 #define lms3dRemoteScan_h
 
-#include "LMS3DScanner.hh"
+#include "Common/lms3dScanData.h"
 
-#include <cstdint>
+#include <chrono>
 #include <functional>
-#include <vector>
 
-struct lms3dRemoteScan
-{
-  LMS3D::ScanHeader Header;
-  /// Metres, 0 without a return; turn * alpha.count + beam.
-  std::vector<float> Ranges;
-  /// x, y, z of each point of the local map, metres, world coordinates.
-  std::vector<double> MapPoints;
-  /// Three point numbers of each triangle.
-  std::vector<std::uint32_t> MapTriangles;
-};
+using lms3dRemoteScan = lms3dScanData;
 
 /**
- * Fetches the scan of a header, and its map, in as many messages as it takes. Throws LMS3D::ScanGone
- * where the server has dropped it meanwhile, std::runtime_error where what it sends is not as it has to
- * be (lms3dRemoteCheck.h). `beforePart` is called before each message, and ends the fetch by throwing.
+ * Fetches the scan of a header and its map, in as many messages as necessary, and checks them
+ * (lms3dRemoteCheck.h). Calls `beforePart` before each message; an exception from it ends the
+ * fetch. Throws LMS3D::ScanGone if the server has dropped the scan meanwhile, std::runtime_error if
+ * the data are invalid, and CORBA::SystemException.
  */
 lms3dRemoteScan lms3dFetchScan(
   LMS3D::LaserScanner_ptr scanner, const LMS3D::ScanHeader& header,
   const std::function<void()>& beforePart = [] {});
+
+/**
+ * Calls waitForScan(), with a timeout in milliseconds. If the server has no place for another
+ * waiting call, pauses and then checks the newest scan. The caller owns the result. Throws
+ * LMS3D::NoScanYet if there is no such scan, and CORBA::SystemException.
+ */
+LMS3D::ScanHeader* lms3dWaitForScan(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong after,
+  CORBA::ULongLong generation, CORBA::ULong timeout, std::chrono::milliseconds pause);
 
 #endif

@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dScannerReference.h"
+#include "Client/lms3dScannerReference.h"
 
-#include "lms3dCorbaname.h"
+#include <omniORB4/Naming.hh>
+#include <omniORB4/omniURI.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <fstream>
 #include <stdexcept>
 
 namespace
 {
-// What the ORB takes itself.
+// The ORB resolves these itself.
 bool IsURL(const std::string& text)
 {
   constexpr std::array<const char*, 3> schemes = { "IOR:", "corbaloc:", "corbaname:" };
@@ -20,14 +22,14 @@ bool IsURL(const std::string& text)
     [&text](const char* scheme) { return text.rfind(scheme, 0) == 0; });
 }
 
-// The beginning of a word is enough to tell the user what it is.
+// The beginning of a long text is enough for the user to recognize it.
 std::string Quote(const std::string& text)
 {
-  constexpr std::size_t Longest = 200;
-  return '"' + text.substr(0, Longest) + (text.size() > Longest ? "...\"" : "\"");
+  constexpr std::size_t MaximumLength = 200;
+  return '"' + text.substr(0, MaximumLength) + (text.size() > MaximumLength ? "...\"" : "\"");
 }
 
-// Of a URL "file:PATH" or "file://PATH", or a name without any scheme.
+// The path of "file:PATH", "file://PATH" or "PATH".
 std::string GetFileName(const std::string& text)
 {
   const std::string scheme = "file:";
@@ -42,28 +44,89 @@ std::string ReadFile(const std::string& name)
 {
   std::ifstream file(name);
   std::string text;
-  // A word is read, not a line: whatever is in the file, no more than a reference can have.
-  constexpr int Longest = 65536;
-  file.width(Longest);
+  // Reads one word, up to the maximum length of a reference, from a file of any content.
+  constexpr int MaximumLength = 65536;
+  file.width(MaximumLength);
   file >> text;
   if (!IsURL(text))
   {
     throw std::runtime_error(Quote(name) +
-      " is no corbaloc, corbaname or IOR, and no file with one: a server writes a file with --ior");
+      " is neither a corbaloc, corbaname or IOR, nor a file with one, which the server writes with "
+      "--ior");
   }
   return text;
+}
+
+const std::string CorbanameScheme = "corbaname:";
+
+bool IsHexadecimal(char character)
+{
+  return std::isxdigit(static_cast<unsigned char>(character)) != 0;
+}
+
+// "%20" is a space, as in all URLs. Throws CORBA::BAD_PARAM for other uses of "%".
+std::string Unescape(const std::string& text)
+{
+  constexpr int Base = 16;
+  std::string plain;
+  plain.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    plain.push_back(text[i]);
+    if (text[i] == '%')
+    {
+      const std::string digits = text.substr(i + 1, 2);
+      if (digits.size() < 2 || !std::all_of(digits.begin(), digits.end(), IsHexadecimal))
+      {
+        throw CORBA::BAD_PARAM();
+      }
+      plain.back() = static_cast<char>(std::stoi(digits, nullptr, Base));
+      i += digits.size();
+    }
+  }
+  return plain;
+}
+
+CORBA::Object_ptr Resolve(CosNaming::NamingContext_ptr context, const std::string& name)
+{
+  try
+  {
+    const CosNaming::Name_var path = omni::omniURI::stringToName(name.c_str());
+    return context->resolve(path);
+  }
+  catch (const CORBA::UserException&)
+  {
+    throw CORBA::BAD_PARAM();
+  }
+}
+
+// The ORB can resolve a corbaname too, but without a limit of the naming service's time. The
+// service is written as in a corbaloc, followed by '#' and the name.
+CORBA::Object_ptr FindByName(CORBA::ORB_ptr orb, const std::string& corbaname, CORBA::ULong timeout)
+{
+  const std::size_t end = std::min(corbaname.find('#'), corbaname.size());
+  std::string service =
+    "corbaloc:" + corbaname.substr(CorbanameScheme.size(), end - CorbanameScheme.size());
+  service.append(service.find('/') == std::string::npos ? "/NameService" : "");
+  const CORBA::Object_var object = orb->string_to_object(service.c_str());
+  const CosNaming::NamingContext_var context = CosNaming::NamingContext::_unchecked_narrow(object);
+  if (timeout != 0)
+  {
+    omniORB::setClientCallTimeout(context, timeout);
+  }
+  return Resolve(context, Unescape(corbaname.substr(std::min(end + 1, corbaname.size()))));
 }
 
 CORBA::Object_ptr FindObject(CORBA::ORB_ptr orb, const std::string& url, CORBA::ULong timeout)
 {
   try
   {
-    return lms3dIsCorbaname(url) ? lms3dFindByName(orb, url, timeout)
-                                 : orb->string_to_object(url.c_str());
+    return url.rfind(CorbanameScheme, 0) == 0 ? FindByName(orb, url, timeout)
+                                              : orb->string_to_object(url.c_str());
   }
   catch (const CORBA::BAD_PARAM&)
   {
-    throw std::runtime_error(Quote(url) + " names no object; the server prints one that does");
+    throw std::runtime_error(Quote(url) + " names no object. The server prints a valid reference");
   }
 }
 
@@ -85,7 +148,7 @@ LMS3D::LaserScanner_ptr lms3dFindScanner(
   LMS3D::LaserScanner_ptr scanner = LMS3D::LaserScanner::_narrow(object);
   if (CORBA::is_nil(scanner))
   {
-    throw std::runtime_error("what is at " + Quote(reference) + " is no scanner of LMS3D");
+    throw std::runtime_error("the object at " + Quote(reference) + " is not a scanner of LMS3D");
   }
   LimitCalls(scanner, timeout);
   return scanner;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief From what a user writes to the scanner's object.
+ * @brief Finds the scanner's object from a reference that a user writes.
  */
 #ifndef lms3dScannerReference_h
 #define lms3dScannerReference_h
@@ -11,10 +11,13 @@
 
 #include <string>
 
-/// `reference` is an IOR, a corbaloc, a corbaname, or the name of a file that has one of these, with
-/// "file:" before it or without. Throws std::runtime_error where it leads to no scanner,
-/// CORBA::SystemException where nobody answers. Calls to the scanner, this one's included, and to the
-/// naming service take no longer than so many milliseconds each; with 0 as long as the ORB lets them.
+/**
+ * `reference` is an IOR, a corbaloc, a corbaname, or the path of a file that contains one of these,
+ * with or without "file:" before the path. `timeout` limits each call to the scanner, also later
+ * ones, and to the naming service, in milliseconds; 0 leaves the ORB's own limit. The caller owns
+ * the result. Throws std::runtime_error if the reference names no scanner, and
+ * CORBA::SystemException if no server answers.
+ */
 LMS3D::LaserScanner_ptr lms3dFindScanner(
   CORBA::ORB_ptr orb, const std::string& reference, CORBA::ULong timeout = 0);
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dChecksum.h"
+#include "Common/lms3dChecksum.h"
 
 #include <zlib.h>
 
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
-#error "The checksums are those of little-endian numbers: swap bytes here for a big-endian machine"
+#error "The checksums are of little-endian numbers: swap bytes here on a big-endian machine"
 #endif
 
 namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The checksums of LMS3DScanner.idl.
+ * @brief The checksums that LMS3DScanner.idl defines.
  */
 #ifndef lms3dChecksum_h
 #define lms3dChecksum_h
@@ -11,7 +11,8 @@
 #include <vector>
 
 ///@{
-/// CRC-32 of the numbers as little-endian bytes.
+/// CRC-32, as zlib computes it, of the numbers as little-endian bytes: of the ranges, or of the
+/// points followed by the triangles.
 std::uint32_t lms3dGetRangesChecksum(const std::vector<float>& ranges);
 std::uint32_t lms3dGetMapChecksum(
   const std::vector<double>& points, const std::vector<std::uint32_t>& triangles);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dGridGeometry.h"
+#include "Common/lms3dGridGeometry.h"
 
 lms3dScanGeometry lms3dGetGeometry(const LMS3D::Configuration& settings)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief From the IDL's numbers to the geometry of the device.
+ * @brief Converts structures of the IDL to the geometry of the device.
  */
 #ifndef lms3dGridGeometry_h
 #define lms3dGridGeometry_h
@@ -11,7 +11,7 @@
 #include "LMS3DScanner.hh"
 
 ///@{
-/// As the filter makes them, to the bit.
+/// Equal to the geometry and the pose of vtkLMS3DScanFilter to the bit.
 lms3dScanGeometry lms3dGetGeometry(const LMS3D::Configuration& settings);
 lms3dPose lms3dGetPose(const LMS3D::Pose& pose);
 ///@}

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief How much fits into a message of the ORB.
+ * @brief The size of a message.
  */
 #ifndef lms3dMessageLimit_h
 #define lms3dMessageLimit_h
@@ -11,11 +11,12 @@
 
 #include <cstddef>
 
-/// How many elements of so many bytes fit, beside a header and everything else.
-inline CORBA::ULongLong lms3dGetMostElements(std::size_t size)
+/// The number of elements of `size` bytes that fit into a message of the ORB beside all headers.
+/// The limit is omniORB's giopMaxMsgSize.
+inline CORBA::ULongLong lms3dGetMaximumElements(std::size_t size)
 {
-  constexpr CORBA::ULong Envelope = 2048;
-  return (omniORB::giopMaxMsgSize() - Envelope) / size;
+  constexpr CORBA::ULong HeaderBytes = 2048;
+  return (omniORB::giopMaxMsgSize() - HeaderBytes) / size;
 }
 
 #endif

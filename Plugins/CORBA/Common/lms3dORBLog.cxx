@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dORBLog.h"
+#include "Common/lms3dORBLog.h"
 
 #include <omniORB4/CORBA.h>
 #include <omniORB4/linkHacks.h>
@@ -9,19 +9,19 @@
 #include <chrono>
 #include <mutex>
 
-// Nothing else refers to the transport, which the linker would drop.
+// Without a reference the linker would drop the transport.
 OMNI_FORCE_LINK(omnisslTP);
 
 namespace
 {
-// The ORB takes a plain function, so these are the process's.
+// Global, because the ORB accepts only a plain function.
 void (*Log)(const std::string&) = nullptr;
 bool IsTLSWanted = false;
 
-// The ORB has a line for each broken message: who sends many must not fill the disk.
-constexpr int MostLinesASecond = 20;
+// The ORB logs each broken message. A client that sends many must not fill the disk.
+constexpr int MaximumLinesPerSecond = 20;
 
-// Which line of its second one is that is written now, counted from 1.
+// Counts a line, and returns the number of lines of the current second.
 int CountLine()
 {
   using Clock = std::chrono::steady_clock;
@@ -47,13 +47,13 @@ bool IsWanted(const std::string& line)
 void LogLimited(const std::string& line)
 {
   const int number = CountLine();
-  if (number <= MostLinesASecond)
+  if (number <= MaximumLinesPerSecond)
   {
     Log(line);
   }
-  else if (number == MostLinesASecond + 1)
+  else if (number == MaximumLinesPerSecond + 1)
   {
-    Log("omniORB: the rest of this second's lines are left out");
+    Log("omniORB: more lines in this second; these lines are left out");
   }
 }
 
@@ -61,7 +61,7 @@ void LogLine(const char* text)
 {
   std::string line(text);
   line.erase(line.find_last_not_of('\n') + 1);
-  // Who raises the level looks for something, and wants all of it.
+  // An administrator who raises the level needs all lines.
   if (omniORB::traceLevel > 1)
   {
     Log(line);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What the ORB has to say, with its transport for TLS.
+ * @brief The ORB's log lines, and its transport for TLS.
  */
 #ifndef lms3dORBLog_h
 #define lms3dORBLog_h
@@ -11,9 +11,11 @@
 #include <vector>
 
 /**
- * Sends the ORB's lines to `log`; to be called before ORB_init(). The transport for TLS, which a
- * program that calls this has, complains at every start that has no certificates: unless a setting
- * speaks of TLS that is left out.
+ * Sends the ORB's log lines to `log`, which is called from any thread; at most 20 lines per second,
+ * unless the ORB's traceLevel is above 1. Call once per process, before ORB_init().
+ *
+ * Linking this function also links omniORB's transport for TLS. The transport warns at each start
+ * without certificates. The warning is dropped unless one of `settings` contains "ssl".
  */
 void lms3dSetORBLog(void (*log)(const std::string& line), const std::vector<std::string>& settings);
 

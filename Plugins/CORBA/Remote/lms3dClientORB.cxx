@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dClientORB.h"
+#include "Remote/lms3dClientORB.h"
 
-#include "lms3dORBLog.h"
+#include "Common/lms3dORBLog.h"
 
 #include <iostream>
 

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The ORB of this process, as a client uses it.
+ * @brief The ORB of this process, for clients.
  */
 #ifndef lms3dClientORB_h
 #define lms3dClientORB_h
 
 #include <omniORB4/CORBA.h>
 
-/// Made by the first call and never destroyed: there is one in a process, and others may use it too.
-/// Throws CORBA::SystemException.
+/// The first call creates the ORB. It is never destroyed, because a process has only one, and other
+/// code may use it too. The caller does not own the result. Any thread. Throws
+/// CORBA::SystemException.
 CORBA::ORB_ptr lms3dGetClientORB();
 
 #endif

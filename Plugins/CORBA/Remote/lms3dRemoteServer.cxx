@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dRemoteServer.h"
+#include "Remote/lms3dRemoteServer.h"
 
-#include "lms3dClientORB.h"
-#include "lms3dScannerReference.h"
-#include "lms3dWaitForScan.h"
+#include "Client/lms3dScannerReference.h"
+#include "Remote/lms3dClientORB.h"
 
 #include <utility>
 
@@ -12,8 +11,8 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-// One may be unlucky.
-constexpr int MostGoneInARow = 10;
+// A few dropped scans in a row are no problem.
+constexpr int MaximumDroppedInARow = 10;
 
 constexpr const char* NoServer = "no server answers there";
 } // namespace
@@ -23,15 +22,15 @@ lms3dRemoteServer::lms3dRemoteServer(
   : Timeout(timeout)
   , IsStopped(std::move(isStopped))
 {
-  this->Scanner = this->Ask<LMS3D::LaserScanner_ptr>(
+  this->Scanner = this->Invoke<LMS3D::LaserScanner_ptr>(
     [&url, timeout] {
       return lms3dFindScanner(lms3dGetClientORB(), url, static_cast<CORBA::ULong>(timeout.count()));
     });
 }
 
-// The result of a call, with what the server and the ORB object to in words.
+// Calls, and converts the exceptions of the server and of the ORB to messages.
 template <typename Result, typename Call>
-Result lms3dRemoteServer::Ask(const Call& call) const
+Result lms3dRemoteServer::Invoke(const Call& call) const
 {
   try
   {
@@ -39,15 +38,15 @@ Result lms3dRemoteServer::Ask(const Call& call) const
   }
   catch (const LMS3D::InvalidArgument& refusal)
   {
-    throw lms3dRemoteRefusal("the server cannot take that: " + std::string(refusal.reason));
+    throw lms3dRemoteRefusal("the server rejects the value: " + std::string(refusal.reason));
   }
   catch (const LMS3D::NotPermitted& refusal)
   {
-    throw lms3dRemoteRefusal("the server does not permit that: " + std::string(refusal.reason));
+    throw lms3dRemoteRefusal("the server does not permit this: " + std::string(refusal.reason));
   }
   catch (const LMS3D::LimitExceeded& refusal)
   {
-    throw lms3dRemoteRefusal("the server limits that: " + std::string(refusal.reason));
+    throw lms3dRemoteRefusal("the server's limit is reached: " + std::string(refusal.reason));
   }
   catch (const CORBA::TIMEOUT&)
   {
@@ -73,13 +72,13 @@ Result lms3dRemoteServer::Ask(const Call& call) const
 
 LMS3D::ScanHeader_var lms3dRemoteServer::WaitForHeader(std::uint32_t milliseconds)
 {
-  return this->Ask<LMS3D::ScanHeader*>(
+  return this->Invoke<LMS3D::ScanHeader*>(
     [this, milliseconds]() -> LMS3D::ScanHeader*
     {
       try
       {
-        return lms3dWaitForScan(
-          this->Scanner, this->Seen, 0, milliseconds, std::chrono::milliseconds(milliseconds));
+        return lms3dWaitForScan(this->Scanner, this->LastNumber, 0, milliseconds,
+          std::chrono::milliseconds(milliseconds));
       }
       catch (const LMS3D::NoScanYet&)
       {
@@ -96,14 +95,14 @@ lms3dRemoteScanPointer lms3dRemoteServer::WaitForScan(std::uint32_t milliseconds
     return nullptr;
   }
   this->CheckRun(header->incarnation);
-  this->Seen = header->number;
-  auto scan = this->Ask<lms3dRemoteScanPointer>([this, &header] { return this->Fetch(header); });
-  this->GoneInARow = scan ? 0 : this->GoneInARow + 1;
-  if (this->GoneInARow == MostGoneInARow)
+  this->LastNumber = header->number;
+  auto scan = this->Invoke<lms3dRemoteScanPointer>([this, &header] { return this->Fetch(header); });
+  this->DroppedInARow = scan ? 0 : this->DroppedInARow + 1;
+  if (this->DroppedInARow == MaximumDroppedInARow)
   {
     throw std::runtime_error(
-      "scans are made faster than they can be fetched; start the server with a "
-      "lower --rate or with more to --keep");
+      "the server drops scans before they are fetched; start it with a lower --rate or "
+      "a higher --keep");
   }
   return scan;
 }
@@ -143,19 +142,20 @@ void lms3dRemoteServer::LimitCalls(std::chrono::milliseconds timeout) const
   omniORB::setClientCallTimeout(this->Scanner, static_cast<CORBA::ULong>(timeout.count()));
 }
 
-// The ORB connects again by itself, but the next run counts from 1 again, scans and generations.
+// The ORB reconnects automatically, but a new run of the server counts scans and generations from 1
+// again.
 void lms3dRemoteServer::CheckRun(std::uint64_t incarnation)
 {
   if (this->Incarnation != 0 && this->Incarnation != incarnation)
   {
-    throw std::runtime_error("the server was started anew");
+    throw std::runtime_error("the server was restarted");
   }
   this->Incarnation = incarnation;
 }
 
 std::string lms3dRemoteServer::GetProblem()
 {
-  return this->Ask<std::string>(
+  return this->Invoke<std::string>(
     [this]
     {
       const LMS3D::Status_var status = this->Scanner->getStatus();
@@ -166,5 +166,5 @@ std::string lms3dRemoteServer::GetProblem()
 
 std::uint64_t lms3dRemoteServer::SetPose(const LMS3D::Pose& pose)
 {
-  return this->Ask<CORBA::ULongLong>([this, &pose] { return this->Scanner->setPose(pose); });
+  return this->Invoke<CORBA::ULongLong>([this, &pose] { return this->Scanner->setPose(pose); });
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A server, as one thread talks to it.
+ * @brief A connection to a server, for one thread.
  */
 #ifndef lms3dRemoteServer_h
 #define lms3dRemoteServer_h
 
-#include "lms3dRemoteScan.h"
+#include "Client/lms3dRemoteScan.h"
 
 #include <chrono>
 #include <cstdint>
@@ -18,37 +18,39 @@
 
 using lms3dRemoteScanPointer = std::shared_ptr<const lms3dRemoteScan>;
 
-/// The server's answer: no.
+/// The server is there, but refuses the request.
 class lms3dRemoteRefusal : public std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
 /**
- * One run of a server. Every method talks to it, and throws lms3dRemoteRefusal where the server refuses
- * and std::runtime_error where it is gone or takes too long, after which this is not to be used again.
+ * One run of a server. Every method sends requests. It throws lms3dRemoteRefusal if the server
+ * refuses one, and std::runtime_error if the server is gone, has restarted or takes too long; do
+ * not use the object afterwards. For one thread.
  */
 class lms3dRemoteServer
 {
 public:
-  /// `timeout` is what a call may take, and the whole of a scan, between whose parts `isStopped` is asked
-  /// whether anybody still wants it.
+  /// `timeout` limits each call, and all parts of a scan together. `isStopped` is called before
+  /// each part and ends the fetch by returning true.
   lms3dRemoteServer(
     const std::string& url, std::chrono::milliseconds timeout, std::function<bool()> isStopped);
 
-  /// The newest scan that this has not returned before, whole and checked; null where there is none
-  /// within `milliseconds`, or where it was gone before all of it was fetched.
+  /// Returns the newest scan that was not returned before, complete and checked. Returns null if
+  /// there is none within `milliseconds`, or if the server dropped it before all parts were
+  /// fetched.
   lms3dRemoteScanPointer WaitForScan(std::uint32_t milliseconds);
 
-  /// Why the server has no scans, in its own words; empty where it has.
+  /// The server's reason for having no scans. Empty if it has scans.
   std::string GetProblem();
 
-  /// The generation of the scans from there.
+  /// Moves the sensor and returns the generation of its scans.
   std::uint64_t SetPose(const LMS3D::Pose& pose);
 
 private:
   template <typename Result, typename Call>
-  Result Ask(const Call& call) const;
+  Result Invoke(const Call& call) const;
   LMS3D::ScanHeader_var WaitForHeader(std::uint32_t milliseconds);
   lms3dRemoteScanPointer Fetch(const LMS3D::ScanHeader& header) const;
   void LimitCalls(std::chrono::milliseconds timeout) const;
@@ -57,10 +59,11 @@ private:
   const std::chrono::milliseconds Timeout;
   const std::function<bool()> IsStopped;
   LMS3D::LaserScanner_var Scanner;
-  /// 0 before the server has told it.
+  /// 0 before the first answer.
   std::uint64_t Incarnation = 0;
-  std::uint64_t Seen = 0;
-  int GoneInARow = 0;
+  /// The number of the last scan.
+  std::uint64_t LastNumber = 0;
+  int DroppedInARow = 0;
 };
 
 #endif

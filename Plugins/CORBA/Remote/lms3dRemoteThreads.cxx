@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dRemoteThreads.h"
+#include "Remote/lms3dRemoteThreads.h"
 
-#include "lms3dRemoteWatch.h"
+#include "Remote/lms3dRemoteWatch.h"
 
 #include <chrono>
 #include <utility>

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dRemoteWatch.h"
+#include "Remote/lms3dRemoteWatch.h"
 
 #include <exception>
 #include <utility>
 
 namespace
 {
-// How long a pose may wait to be sent, and how long Stop() takes with a server that answers.
-constexpr std::uint32_t LongestWait = 200;
+// Milliseconds until a pose is sent, and until Run() returns if the server answers.
+constexpr std::uint32_t MaximumWait = 200;
 
-// How soon a server that has come back is noticed.
+// Time until a restarted server is noticed.
 constexpr std::chrono::milliseconds RetryInterval(500);
 
 bool IsSameScan(const lms3dRemoteScan& a, const lms3dRemoteScan& b)
@@ -35,37 +35,37 @@ void lms3dRemoteWatch::Run()
     }
     catch (const std::exception& problem)
     {
-      this->Report(this->News.Problem, problem.what());
+      this->ReportProblem(problem.what());
       this->Pause();
     }
     catch (const CORBA::Exception& exception)
     {
-      this->Report(this->News.Problem, std::string("CORBA does not work: ") + exception._name());
+      this->ReportProblem(std::string("CORBA failed: ") + exception._name());
       this->Pause();
     }
   }
 }
 
-// Until something fails.
+// Runs until a request fails.
 void lms3dRemoteWatch::Follow()
 {
   lms3dRemoteServer server(this->Url, this->Timeout, [this] { return this->IsStopped(); });
   this->AnsweredPose = 0;
   while (!this->IsStopped())
   {
-    this->SendWaitingPose(server);
-    if (lms3dRemoteScanPointer scan = server.WaitForScan(LongestWait))
+    this->SendPendingPose(server);
+    if (lms3dRemoteScanPointer scan = server.WaitForScan(MaximumWait))
     {
       this->Publish(std::move(scan));
     }
     else
     {
-      this->Report(this->News.Problem, server.GetProblem());
+      this->ReportProblem(server.GetProblem());
     }
   }
 }
 
-void lms3dRemoteWatch::SendWaitingPose(lms3dRemoteServer& server)
+void lms3dRemoteWatch::SendPendingPose(lms3dRemoteServer& server)
 {
   LMS3D::Pose pose{};
   std::uint64_t number = 0;
@@ -106,12 +106,12 @@ void lms3dRemoteWatch::TakeRefusal(std::uint64_t number, const std::string& refu
 
 void lms3dRemoteWatch::Publish(lms3dRemoteScanPointer scan)
 {
-  this->Report(this->News.Problem, "");
-  // Freed after the lock.
+  this->ReportProblem("");
+  // Freed after unlocking.
   lms3dRemoteScanPointer displaced;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    // After a pause the newest may be the one from before.
+    // After reconnecting, the newest scan may be the same as before.
     if (this->News.Scan && IsSameScan(*this->News.Scan, *scan))
     {
       return;
@@ -125,15 +125,15 @@ void lms3dRemoteWatch::Publish(lms3dRemoteScanPointer scan)
   this->Changed.notify_all();
 }
 
-void lms3dRemoteWatch::Report(std::string& place, const std::string& text)
+void lms3dRemoteWatch::ReportProblem(const std::string& problem)
 {
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    if (place == text)
+    if (this->News.Problem == problem)
     {
       return;
     }
-    place = text;
+    this->News.Problem = problem;
     ++this->News.Count;
   }
   this->Changed.notify_all();

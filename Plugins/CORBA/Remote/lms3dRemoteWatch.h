@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Follows a server, in a thread of its own.
+ * @brief Follows a server in a thread of its own.
  */
 #ifndef lms3dRemoteWatch_h
 #define lms3dRemoteWatch_h
 
-#include "lms3dRemoteServer.h"
+#include "Remote/lms3dRemoteServer.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -15,54 +15,56 @@
 #include <mutex>
 #include <string>
 
-/// What is known of a server.
+/// The state of a server, as far as a client has received it.
 struct lms3dRemoteNews
 {
-  /// Grows with each change of the others; 0 as long as there was none.
+  /// Grows with each change of the other members. 0 before the first change.
   std::uint64_t Count = 0;
-  /// The newest scan; null before the first.
+  /// The newest scan. Null before the first.
   lms3dRemoteScanPointer Scan;
-  /// Why there are no newer ones; empty while they come.
+  /// Why no newer scans come. Empty while they come.
   std::string Problem;
-  /// Why the last pose was not taken; empty where it was, or may yet be.
+  /// Why the server refused the last pose. Empty if it accepted the pose or has not answered yet.
   std::string Refusal;
-  /// The last pose was neither refused, nor is the scan from there.
+  /// True until the last pose is refused or the first scan from it arrives.
   bool IsPosePending = false;
 };
 
 /**
- * One thread runs this and talks to the server; all others look at the news and never wait for the
- * network. The server may come and go: whatever fails is a problem, and is tried again.
+ * One thread calls Run() and sends the requests. Other threads read the news and never wait for the
+ * network. If a request fails, e.g. because the server is restarting, the failure is reported as a
+ * problem and tried again. All methods but Run() may be called from any thread.
  */
 class lms3dRemoteWatch
 {
 public:
-  /// `timeout` is what a call may take.
+  /// `timeout` limits each call, and all parts of a scan together.
   lms3dRemoteWatch(std::string url, std::chrono::milliseconds timeout);
 
-  /// Follows the server until Stop(), which may be as late as the timeout.
+  /// Follows the server until Stop(). May return a timeout later.
   void Run();
 
   /// Returns at once.
   void Stop();
 
+  /// The Count of the news.
   std::uint64_t GetCount() const;
   lms3dRemoteNews GetNews() const;
 
-  /// The first scan or problem, for which it waits up to the timeout; later ones at once.
+  /// Waits for the first scan or problem, up to the timeout. Returns at once afterwards.
   lms3dRemoteNews WaitForNews() const;
 
-  /// To be sent soon, and again to a server that is gone before a scan comes from there. Only the newest
-  /// counts.
+  /// Sends the newest pose soon. If the server ends before a scan from there arrives, sends it
+  /// again after the restart.
   void SendPose(const LMS3D::Pose& pose);
 
 private:
   bool IsStopped() const;
   void Follow();
-  void SendWaitingPose(lms3dRemoteServer& server);
+  void SendPendingPose(lms3dRemoteServer& server);
   void TakeRefusal(std::uint64_t number, const std::string& refusal);
   void Publish(lms3dRemoteScanPointer scan);
-  void Report(std::string& place, const std::string& text);
+  void ReportProblem(const std::string& problem);
   void Pause() const;
 
   const std::string Url;
@@ -73,13 +75,15 @@ private:
   bool Stopped = false;
   lms3dRemoteNews News;
   LMS3D::Pose Pose{};
-  /// Of the newest pose, from 1.
+  /// Number of the newest pose, from 1.
   std::uint64_t PoseNumber = 0;
 
-  /// Of the thread alone: the last pose that this run of the server has answered, and its scans'
-  /// generation.
+  ///@{
+  /// Only for the thread of Run(): the last pose that this run of the server has answered, and the
+  /// generation of its scans.
   std::uint64_t AnsweredPose = 0;
   std::uint64_t PoseGeneration = 0;
+  ///@}
 };
 
 #endif

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkLMS3DRemoteSource.h"
+#include "Remote/vtkLMS3DRemoteSource.h"
 
-#include "lms3dRemoteData.h"
-#include "lms3dRemoteThreads.h"
-#include "lms3dRemoteWatch.h"
+#include "Client/lms3dRemoteData.h"
+#include "Remote/lms3dRemoteThreads.h"
+#include "Remote/lms3dRemoteWatch.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -25,7 +25,7 @@ std::chrono::milliseconds Milliseconds(double seconds)
   return std::chrono::milliseconds(static_cast<int>(1000.0 * seconds));
 }
 
-// The others of several processes are asked for pieces that a scan does not have.
+// In parallel, only the first process requests a piece that a scan has.
 bool IsFirstPiece(vtkInformation* output)
 {
   const auto piece = vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER();
@@ -40,14 +40,14 @@ LMS3D::Vector3 MakeVector(const double values[3])
 
 struct vtkLMS3DRemoteSource::Internals
 {
-  ~Internals() { this->Leave(); }
+  ~Internals() { this->Disconnect(); }
 
-  /// The one for these properties, started where there is none.
+  /// The watch for these properties. Starts one if necessary.
   lms3dRemoteWatch& GetWatch(const std::string& url, double timeout)
   {
     if (!this->Watch || this->Url != url || this->Timeout != timeout)
     {
-      this->Leave();
+      this->Disconnect();
       this->Url = url;
       this->Timeout = timeout;
       this->Watch = std::make_shared<lms3dRemoteWatch>(url, Milliseconds(timeout));
@@ -56,8 +56,8 @@ struct vtkLMS3DRemoteSource::Internals
     return *this->Watch;
   }
 
-  /// Follows nobody from now on, and forgets what was shown and told.
-  void Leave()
+  /// Stops following a server, and resets what was shown.
+  void Disconnect()
   {
     if (this->Watch)
     {
@@ -73,7 +73,7 @@ struct vtkLMS3DRemoteSource::Internals
   /// The count of the news that the last update showed.
   std::uint64_t Shown = 0;
   std::string WarnedOf;
-  /// As of the last update, or SendPose() after it.
+  /// The state at the last update or SendPose().
   bool IsPosePending = false;
 
 private:
@@ -99,7 +99,7 @@ void vtkLMS3DRemoteSource::SendPose()
 {
   if (this->URL.empty())
   {
-    vtkErrorMacro("There is no server to send the pose to; set URL.");
+    vtkErrorMacro("No server: set URL before sending a pose.");
     return;
   }
   this->Internal->GetWatch(this->URL, this->Timeout)
@@ -143,8 +143,8 @@ int vtkLMS3DRemoteSource::RequestData(
   }
   if (this->URL.empty())
   {
-    this->Internal->Leave();
-    vtkErrorMacro("There is no server to ask; set URL, for example to what the server prints.");
+    this->Internal->Disconnect();
+    vtkErrorMacro("No server: set URL, for example to the line that the server prints.");
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;
   }
@@ -160,19 +160,19 @@ int vtkLMS3DRemoteSource::RequestData(
   return 1;
 }
 
-// Once of each thing.
+// Warns once of each problem.
 void vtkLMS3DRemoteSource::Warn(const lms3dRemoteNews& news)
 {
   std::string problem = news.Problem.empty() ? news.Refusal : news.Problem;
   if (problem.empty() && !news.Scan)
   {
-    problem = "no scan came within the Timeout";
+    problem = "no scan arrived within the Timeout";
   }
   if (!problem.empty() && problem != this->Internal->WarnedOf)
   {
     vtkWarningMacro(<< this->URL << ": " << problem << ". "
                     << (news.Scan ? "The last scan is shown."
-                                  : "The output is empty until one comes."));
+                                  : "The output is empty until a scan arrives."));
   }
   this->Internal->WarnedOf = problem;
 }

@@ -5,44 +5,46 @@
  * @brief   shows the scans of a running LMS3D server
  *
  * vtkLMS3DRemoteSource follows an lms3d-server, or any other server of the CORBA interface
- * LMS3D::LaserScanner (Plugins/CORBA/LMS3DScanner.idl), and outputs its newest scan. A thread of its
- * own fetches the scans; updates only take what it has fetched and never wait for the network, but
- * for the first one. So the source suits a window that is drawn again while scans come:
+ * LMS3D::LaserScanner (Plugins/CORBA/IDL/LMS3DScanner.idl), and outputs its newest scan. A thread
+ * of its own fetches the scans. Updates only take what the thread has fetched and never wait for
+ * the network, except for the first scan. A window that shows the source calls this some times per
+ * second:
  *
  *     if (source->GetNeedsUpdate()) { window->Render(); }
  *
- * asked some times a second is all it takes; in ParaView its live sources do so.
+ * In ParaView, live sources do the same.
  *
- * Output 0, the scan, is the vtkPolyData that vtkLMS3DScanFilter has as its first output: points in
- * world coordinates (float64) with the arrays `Range` (float64, metres), `Alpha`, `Beta` (float32,
- * degrees) and `BeamId` (int32) and the field data `AlphaAngles`, `BetaAngles` and `SensorToWorld`. So
- * vtkLMS3DSurfaceReconstructionFilter takes it. Servers send ranges in single precision, with an error
- * of up to 6e-8 of the range; points are computed from them in double, as that filter does. There is
+ * Output 0, the scan, is a vtkPolyData like the first output of vtkLMS3DScanFilter: points in world
+ * coordinates (float64) with the arrays `Range` (float64, metres), `Alpha`, `Beta` (float32,
+ * degrees) and `BeamId` (int32) and the field data `AlphaAngles`, `BetaAngles` and `SensorToWorld`.
+ * So vtkLMS3DSurfaceReconstructionFilter accepts it. Servers send ranges in single precision, with
+ * an error of up to 6e-8 of the range; points are computed from them in double precision. There is
  * no `CellId`.
  *
- * Output 1, the local map, is a vtkPolyData of triangles in world coordinates, counter-clockwise seen
- * from the sensor; without any where the server makes no maps.
+ * Output 1, the local map, is a vtkPolyData of triangles in world coordinates, counter-clockwise
+ * seen from the sensor. It is empty if the server makes no maps.
  *
- * Both have as field data (one uint64 each) `ScanNumber`, `Incarnation` (of the server's start),
- * `Generation` (of the settings), `StartTime` and `EndTime` (nanoseconds since 1970, the server's
- * clock), and the name of the `Scene`.
+ * The field data of both outputs have (one uint64 each) `ScanNumber`, `Incarnation` (of the
+ * server's start), `Generation` (of the settings), `StartTime` and `EndTime` (nanoseconds since
+ * 1970, the server's clock), and the name of the `Scene`.
  *
- * A server may stop, hang, and be started anew: the last scan stays, with a warning, and the source
- * goes on by itself within a second after the server does, with `file:` as its URL also at another
- * address. What a server sends is checked before it is used, its checksums included: a scan that is
- * not as the interface demands is not shown.
+ * If a server stops, hangs or restarts, the last scan stays, with a warning, and the source goes on
+ * within a second after the server does. With a `file:` URL it also finds a server that restarts at
+ * another address. What a server sends is checked before it is used, including the checksums. A
+ * scan that violates the interface is not shown.
  *
- * omniORB's configuration file and environment variables hold for it too, so that it speaks TLS where
- * these name certificates (Documentation/corba.md).
+ * omniORB's configuration file and environment variables apply here too. If they name certificates,
+ * the source uses TLS (Documentation/corba-security.md).
  *
- * There is one sensor for all clients. SendPose() moves it, unless the server was started so that
- * clients may not.
+ * All clients share one sensor. SendPose() moves it, unless the server forbids that.
  *
- * The output is empty, with a warning, as long as no server answers; without a URL with an error and
- * the error code vtkErrorCode::UserError. Of several processes only the first talks to the server.
+ * As long as no server answers, the output is empty, with a warning. Without a URL, an update fails
+ * with an error and the error code vtkErrorCode::UserError. In parallel, only the first process
+ * connects to the server.
  *
- * Destruction never waits: a thread that waits for an answer just then ends by itself, at the latest
- * after Timeout, or two where it waits for a naming service, for which only the end of the process waits.
+ * The destructor never waits. A thread that is waiting for an answer ends on its own after Timeout
+ * at the latest, or twice that if it waits for a naming service. Only the end of the process waits
+ * for it.
  *
  * @sa
  * vtkLMS3DScanFilter vtkLMS3DSurfaceReconstructionFilter
@@ -67,12 +69,11 @@ public:
 
   ///@{
   /**
-   * Where the server is, empty by default; what the server prints when it starts:
-   * - `corbaloc:iiop:1.2@HOST:PORT/LMS3D`, which stays the same when the server is started anew at the
-   *   same port;
-   * - `IOR:` and its digits;
-   * - `corbaname:iiop:1.2@HOST:PORT#LMS3D.Scanner`, to ask the naming service at that address;
-   * - `file:PATH`, a file with one of these (the server's option --ior), read by each attempt anew.
+   * The address of the server, as the server prints it when it starts. Empty by default. One of:
+   * - `corbaloc:iiop:1.2@HOST:PORT/LMS3D`, which stays valid if the server restarts at the same port;
+   * - `IOR:` followed by digits;
+   * - `corbaname:iiop:1.2@HOST:PORT#LMS3D.Scanner`, a name in the naming service at that address;
+   * - `file:PATH`, a file with one of these (the server's option --ior), read again by each attempt.
    */
   vtkSetStdStringFromCharMacro(URL);
   vtkGetCharFromStdStringMacro(URL);
@@ -80,9 +81,9 @@ public:
 
   ///@{
   /**
-   * How long the server may take for an answer, be it a whole scan in many parts, and a naming service
-   * for its own, and how long the first update waits for a scan at most, seconds. 0.5 to 60; the
-   * default is 2.
+   * The time limit, in seconds, of an answer of the server, of all parts of a scan together, of an
+   * answer of a naming service, and of the first update's wait for a scan. 0.5 to 60; the default
+   * is 2.
    */
   vtkSetClampMacro(Timeout, double, 0.5, 60.0);
   vtkGetMacro(Timeout, double);
@@ -91,8 +92,9 @@ public:
   ///@{
   /**
    * The pose that SendPose() sends: the sensor's position in the server's scene, metres, and its
-   * orientation, degrees, as those of vtkLMS3DScanFilter. Finite numbers, positions up to 1e6; the
-   * default is 0 for all. They do not follow the server: SensorToWorld tells the pose of a scan.
+   * orientation, degrees, as in vtkLMS3DScanFilter. Finite numbers; coordinates up to 1e6. The
+   * default is 0 for all. These properties do not follow the server: SensorToWorld is the pose of a
+   * scan.
    */
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);
@@ -101,28 +103,29 @@ public:
   ///@}
 
   /**
-   * Sends Position and Orientation to the server, which takes them up with its next scan. Returns at
-   * once; the pose is sent within 0.2 seconds, or as soon as the server answers, and again where the
-   * server is gone before a scan came from there. Only the newest pose counts. An update warns of one
-   * that the server refuses.
+   * Sends Position and Orientation to the server, which uses them from its next scan on. Returns at
+   * once. The thread sends the pose within 0.2 seconds, or as soon as the server answers. If the
+   * server ends before a scan from there arrives, the pose is sent again after its restart. Only
+   * the newest pose counts. If the server refuses it, the next update warns.
    */
   void SendPose();
 
   /**
-   * True from SendPose() on, until an update has the first scan from there or warns that the server
-   * refuses.
+   * True from SendPose() on, until an update has the first scan from that pose or warns that the
+   * server refuses it.
    */
   bool IsPosePending() const;
 
   /**
-   * True, and the source is modified, where there is something newer than the last update showed.
-   * Waits for nothing. False before the first update or SendPose(), and after an update without a URL.
+   * If there is something newer than the last update showed, marks the source as modified and
+   * returns true. Never waits. Returns false before the first update or SendPose(), and after an
+   * update without a URL.
    */
   bool GetNeedsUpdate();
 
   /**
-   * Why no newer scans come, or why the last pose was not taken, in words for the user; empty where
-   * all is well. Asks nobody.
+   * Why no newer scans come, or why the server refused the last pose, as a message for the user.
+   * Empty if there is no problem. Never waits.
    */
   std::string GetProblem() const;
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dServer.h"
 
-#include "lms3dLog.h"
-#include "lms3dObjectAddresses.h"
-#include "lms3dRequestGate.h"
-#include "lms3dSettingsCheck.h"
+#include "Announcement/lms3dObjectAddresses.h"
+#include "Common/lms3dLog.h"
+#include "Connections/lms3dRequestGate.h"
+#include "Object/lms3dSettingsCheck.h"
 
 #include <iostream>
 #include <stdexcept>
@@ -14,7 +14,7 @@ namespace
 {
 constexpr const char* ObjectKey = "LMS3D";
 
-lms3dScanSettings GetFirstSettings(const lms3dServerOptions& options,
+lms3dScanSettings MakeFirstSettings(const lms3dServerOptions& options,
   const lms3dSceneCatalogue& catalogue, const lms3dStopTest& isStopped)
 {
   lms3dScanSettings settings;
@@ -58,8 +58,9 @@ void LogAddresses(const std::vector<std::string>& addresses)
     lms3dLog("listening on " + address);
     if (!lms3dIsLocalEndpoint(address) && !UsesTLS(address))
     {
-      lms3dLog("warning: other machines can reach this, and whoever does may look and, unless "
-               "--read-only is given, move the sensor");
+      lms3dLog(
+        "warning: other machines can reach this address without TLS. All their users can read "
+        "scans and, unless --read-only is given, move the sensor");
     }
   }
 }
@@ -68,7 +69,7 @@ void LogAddresses(const std::vector<std::string>& addresses)
 lms3dServer::lms3dServer(const lms3dServerOptions& options, const lms3dStopTest& isStopped)
   : Options(options)
   , Catalogue(options.Scenes)
-  , Board(GetFirstSettings(options, this->Catalogue, isStopped))
+  , Board(MakeFirstSettings(options, this->Catalogue, isStopped))
   , Store(static_cast<std::size_t>(options.Keep))
   , Loop(this->Board, this->Store, options.Rate, options.Threads)
   , Listeners(this->Store)
@@ -88,7 +89,7 @@ void lms3dServer::Start(CORBA::ORB_ptr orb)
     this->Listeners.Start();
   }
   lms3dRequestGate::Install();
-  // omniORB's own object adapter, whose objects have keys that clients can write in a corbaloc.
+  // The object keys of this adapter are plain text, so clients can write them in a corbaloc.
   const CORBA::Object_var object = orb->resolve_initial_references("omniINSPOA");
   const PortableServer::POA_var adapter = PortableServer::POA::_narrow(object);
   const PortableServer::Servant_var<lms3dScannerServant> servant =
@@ -126,7 +127,8 @@ void lms3dServer::Announce(CORBA::ORB_ptr orb, CORBA::Object_ptr scanner)
   std::cout << reference.in() << std::endl;
 }
 
-// The name goes while calls still work, waiting clients and listeners before the ORB waits for them.
+// Unbinding the name needs a working ORB. Waiting calls and listeners end before the ORB waits for
+// them.
 void lms3dServer::Stop()
 {
   this->ReferenceFile.reset();

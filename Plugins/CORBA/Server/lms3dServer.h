@@ -2,37 +2,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A running server: the scanner, its CORBA object and all that makes it known.
+ * @brief A running server: the scanner, its CORBA object, and the announcement of its address.
  */
 #ifndef lms3dServer_h
 #define lms3dServer_h
 
-#include "lms3dListeners.h"
-#include "lms3dNameRegistration.h"
-#include "lms3dReferenceFile.h"
-#include "lms3dScanLoop.h"
-#include "lms3dScannerServant.h"
-#include "lms3dSceneCatalogue.h"
-#include "lms3dServerOptions.h"
-#include "lms3dSettingsBoard.h"
-#include "lms3dSnapshotStore.h"
+#include "Announcement/lms3dNameRegistration.h"
+#include "Announcement/lms3dReferenceFile.h"
+#include "Connections/lms3dListeners.h"
+#include "Object/lms3dScannerServant.h"
+#include "Options/lms3dServerOptions.h"
+#include "Scanning/lms3dScanLoop.h"
+#include "Scanning/lms3dSceneCatalogue.h"
+#include "Scanning/lms3dSettingsBoard.h"
+#include "Scanning/lms3dSnapshotStore.h"
 
 #include <memory>
 #include <string>
 
+/// For one thread. Clients may call the object from Start() on until the ORB is destroyed, so this
+/// object must outlive the ORB.
 class lms3dServer
 {
 public:
-  /// Reads the scene. Throws std::runtime_error where that fails, and lms3dReadingStopped.
+  /// Reads the scene. Throws std::runtime_error if that fails, and lms3dReadingStopped if `isStopped`
+  /// returns true meanwhile.
   lms3dServer(const lms3dServerOptions& options, const lms3dStopTest& isStopped);
   ~lms3dServer();
   lms3dServer(const lms3dServer&) = delete;
   void operator=(const lms3dServer&) = delete;
 
-  /// Scans and answers from now on. Prints a corbaloc, where there is one, and an IOR.
+  /// Starts to scan and to answer. Prints a corbaloc, if the address has one, and an IOR.
   void Start(CORBA::ORB_ptr orb);
 
-  /// Ends waiting clients, listeners, names and the loop; the ORB may be destroyed after it.
+  /// Removes the names, and ends waiting calls, listeners and the loop. The ORB may be destroyed
+  /// afterwards.
   void Stop();
 
 private:

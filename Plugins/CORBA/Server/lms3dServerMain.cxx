@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lms3dLog.h"
-#include "lms3dORBLog.h"
-#include "lms3dORBSettings.h"
+#include "Common/lms3dLog.h"
+#include "Common/lms3dORBLog.h"
+#include "Common/lms3dVersion.h"
+#include "Options/lms3dORBSettings.h"
+#include "Options/lms3dServerOptions.h"
 #include "lms3dServer.h"
-#include "lms3dServerOptions.h"
 #include "lms3dStopSignal.h"
-#include "lms3dVersion.h"
 
 #include <omniORB4/minorCode.h>
 
@@ -27,14 +27,14 @@ namespace
 constexpr int ExitFailure = 1;
 constexpr int ExitUsage = 2;
 
-// As long as an answer may take; see lms3dGetORBSettings().
-constexpr std::chrono::seconds LongestEnd(5);
+// As long as a client may take to read an answer; see lms3dGetORBSettings().
+constexpr std::chrono::seconds MaximumEnd(5);
 
-// Where files run out, omniORB accepts nobody any more and spins.
+// If file descriptors run out, omniORB accepts no more connections and spins.
 void AllowManyConnections()
 {
-  // A thread for each of 2,000 connections is what lms3dGetORBSettings() allows.
-  constexpr rlim_t Enough = 2100;
+  // lms3dGetORBSettings() allows 2,000 connections with a thread of their own.
+  constexpr rlim_t MinimumFiles = 2100;
   rlimit limit = {};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0)
   {
@@ -42,19 +42,19 @@ void AllowManyConnections()
   }
   limit.rlim_cur = limit.rlim_max;
   setrlimit(RLIMIT_NOFILE, &limit);
-  if (limit.rlim_max < Enough)
+  if (limit.rlim_max < MinimumFiles)
   {
     lms3dLog("warning: the system allows " + std::to_string(limit.rlim_max) +
-      " open files, and each connection is one. Where they run out, newcomers wait until idle " +
-      "connections are closed; ulimit -n " + std::to_string(Enough) + " makes room");
+      " open files, and each connection is one. If they run out, new clients wait until idle " +
+      "connections are closed. To allow more: ulimit -n " + std::to_string(MinimumFiles));
   }
 }
 
 CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
 {
-  std::vector<std::string> spoken = options.ORBArguments;
-  spoken.push_back(options.Endpoint);
-  lms3dSetORBLog(lms3dLog, spoken);
+  std::vector<std::string> logSettings = options.ORBArguments;
+  logSettings.push_back(options.Endpoint);
+  lms3dSetORBLog(lms3dLog, logSettings);
 
   const lms3dORBSettings settings = lms3dGetORBSettings(options);
   std::vector<const char*> table;
@@ -78,8 +78,8 @@ CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
   return CORBA::ORB_init(count, pointers.data(), "omniORB4", reinterpret_cast<Table>(table.data()));
 }
 
-// The ORB would wait for a client that asks on and on and takes no answer, many times as long as for
-// one answer.
+// The ORB would wait for each answer to a client that sends requests without reading the answers.
+// The exit without destroy() limits that.
 void Destroy(CORBA::ORB_ptr orb, int exitCode)
 {
   std::promise<void> destroyed;
@@ -89,7 +89,7 @@ void Destroy(CORBA::ORB_ptr orb, int exitCode)
       orb->destroy();
       destroyed.set_value();
     });
-  if (destroyed.get_future().wait_for(LongestEnd) == std::future_status::timeout)
+  if (destroyed.get_future().wait_for(MaximumEnd) == std::future_status::timeout)
   {
     lms3dLog("ended; a client did not take its answers");
     std::_Exit(exitCode);
@@ -97,7 +97,8 @@ void Destroy(CORBA::ORB_ptr orb, int exitCode)
   worker.join();
 }
 
-// Clients may call the server's object until the ORB is gone, also where the start fails on the way.
+// Destroys the ORB before the server, because clients may call the server's object until then, even
+// if the start fails half-way.
 class RunningServer
 {
 public:
@@ -127,7 +128,7 @@ void Serve(const lms3dServerOptions& options)
   AllowManyConnections();
   try
   {
-    RunningServer server(options, [&signal] { return signal.HasCome(); });
+    RunningServer server(options, [&signal] { return signal.IsPending(); });
     server.Start();
     lms3dLog(signal.Wait() + ": ending");
   }
@@ -140,12 +141,12 @@ void Serve(const lms3dServerOptions& options)
 
 std::string Describe(const CORBA::SystemException& problem)
 {
-  // Null for codes that are not the ORB's own.
+  // Null for codes that omniORB does not define.
   const char* const detail = problem.NP_minorString();
   return problem._name() + (detail ? std::string(", ") + detail : "");
 }
 
-// What the ORB's own lines in the log leave open.
+// Explains what the ORB's own lines of the log do not.
 std::string GetHint(const CORBA::SystemException& problem, const lms3dServerOptions& options)
 {
   const bool isEndpoint = problem.minor() == omni::INITIALIZE_TransportError;

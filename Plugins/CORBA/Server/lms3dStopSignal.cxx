@@ -6,7 +6,7 @@
 
 namespace
 {
-// As nohup has it. Linux would keep it for Wait() all the same.
+// Under nohup. Linux would keep a blocked signal for Wait() although it is ignored.
 bool IsIgnored(int signal)
 {
   struct sigaction action = {};
@@ -27,13 +27,13 @@ lms3dStopSignal::lms3dStopSignal()
   pthread_sigmask(SIG_BLOCK, &this->Signals, nullptr);
 }
 
-// Nobody but Wait() takes the signals, so until then they are pending.
-bool lms3dStopSignal::HasCome() const
+// Only Wait() removes a signal, so it is pending until then.
+bool lms3dStopSignal::IsPending() const
 {
-  sigset_t come;
-  sigpending(&come);
-  sigandset(&come, &come, &this->Signals);
-  return sigisemptyset(&come) == 0;
+  sigset_t pending;
+  sigpending(&pending);
+  sigandset(&pending, &pending, &this->Signals);
+  return sigisemptyset(&pending) == 0;
 }
 
 std::string lms3dStopSignal::Wait() const

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Waits for SIGTERM, SIGINT, or SIGHUP, which a terminal that is closed sends.
+ * @brief Waits for SIGTERM, SIGINT or SIGHUP. A terminal sends SIGHUP when it is closed.
  */
 #ifndef lms3dStopSignal_h
 #define lms3dStopSignal_h
@@ -11,8 +11,8 @@
 
 #include <csignal>
 
-/// Takes the signals away from the threads that are made after it, so that they interrupt nobody and
-/// wait for Wait(); to be made before all threads.
+/// Blocks the signals in all threads that start later, so that they stay pending for Wait(). Create
+/// it before all other threads. If SIGHUP is ignored, as under nohup, it stays ignored.
 class lms3dStopSignal
 {
 public:
@@ -20,10 +20,10 @@ public:
   lms3dStopSignal(const lms3dStopSignal&) = delete;
   void operator=(const lms3dStopSignal&) = delete;
 
-  /// True from the moment on that a signal has come.
-  bool HasCome() const;
+  /// True if a signal has arrived. Any thread.
+  bool IsPending() const;
 
-  /// Returns the signal's name when it has come, or if it has already.
+  /// Waits for a signal and returns its name. One thread only.
   std::string Wait() const;
 
 private:

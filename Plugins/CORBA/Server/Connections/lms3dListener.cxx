@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Connections/lms3dListener.h"
+
+#include "Common/lms3dLog.h"
+
+namespace
+{
+// In a row.
+constexpr int MaximumFailures = 3;
+
+// The end of the server waits as long. The ORB's time to connect, one setting for all objects, must
+// not be longer; see lms3dGetORBSettings().
+constexpr CORBA::ULong CallMilliseconds = 500;
+} // namespace
+
+lms3dListener::lms3dListener(LMS3D::ScanListener_ptr reference, const std::string& address)
+  : Reference(LMS3D::ScanListener::_duplicate(reference))
+  , Address(address)
+{
+  omniORB::setClientCallTimeout(reference, CallMilliseconds);
+  this->Thread = std::thread([this] { this->Run(); });
+}
+
+lms3dListener::~lms3dListener()
+{
+  this->Stop();
+  this->Thread.join();
+}
+
+void lms3dListener::Notify(const LMS3D::ScanHeader& header)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Newest = header;
+    this->IsPending = true;
+  }
+  this->Changed.notify_one();
+}
+
+void lms3dListener::Stop()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Stopped = true;
+  }
+  this->Changed.notify_one();
+}
+
+bool lms3dListener::HasFailed() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Failed;
+}
+
+void lms3dListener::Run()
+{
+  int failures = 0;
+  LMS3D::ScanHeader header;
+  while (failures < MaximumFailures && this->WaitForHeader(header))
+  {
+    failures = this->Call(header) ? 0 : failures + 1;
+  }
+  if (failures == MaximumFailures)
+  {
+    lms3dLog("the listener at " + this->Address + " cannot be reached and is dropped");
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Failed = true;
+  }
+}
+
+bool lms3dListener::WaitForHeader(LMS3D::ScanHeader& header)
+{
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  this->Changed.wait(lock, [this] { return this->IsPending || this->Stopped; });
+  header = this->Newest;
+  this->IsPending = false;
+  return !this->Stopped;
+}
+
+bool lms3dListener::Call(const LMS3D::ScanHeader& header) const
+{
+  try
+  {
+    this->Reference->scanReady(header);
+    return true;
+  }
+  catch (const CORBA::Exception&)
+  {
+    return false;
+  }
+  catch (const omniORB::fatalException& problem)
+  {
+    lms3dLog(std::string("the ORB failed: ") + problem.errmsg());
+    return false;
+  }
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Results of operations in the IDL's types, within the size of a message.
+ */
+#ifndef lms3dMessages_h
+#define lms3dMessages_h
+
+#include "Common/lms3dMessageLimit.h"
+#include "LMS3DScanner.hh"
+#include "Scanning/lms3dSceneCatalogue.h"
+#include "Scanning/lms3dSnapshotStore.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// A copy of `text` within the bound of LMS3D::Text, in printable ASCII, which every ORB accepts.
+CORBA::String_var lms3dMakeText(const std::string& text);
+
+/// The names of all scenes. The caller owns the result. Throws CORBA::IMP_LIMIT if they do not fit
+/// into a message.
+LMS3D::SceneNames* lms3dMakeSceneNames(const lms3dSceneCatalogue& catalogue);
+
+/// The result of the paper's fetch(): range (metres), alpha and beta (degrees) of each beam. The
+/// caller owns it. Throws CORBA::IMP_LIMIT if it does not fit into a message.
+LMS3D::Data* lms3dMakePolarData(const lms3dSnapshot& snapshot);
+
+/**
+ * A sequence of `count` items from item `first` on, each of `width` elements of `all`. The caller
+ * owns the result. Throws LMS3D::InvalidArgument if `all` has fewer items, LMS3D::LimitExceeded if
+ * they do not fit into a message.
+ */
+template <typename Sequence, typename Element>
+Sequence* lms3dMakePart(
+  const std::vector<Element>& all, CORBA::ULong width, CORBA::ULong first, CORBA::ULong count)
+{
+  const CORBA::ULongLong items = all.size() / width;
+  if (CORBA::ULongLong(first) + count > items)
+  {
+    throw LMS3D::InvalidArgument(lms3dMakeText("there are " + std::to_string(items) +
+      " items, but first + count is " + std::to_string(CORBA::ULongLong(first) + count)));
+  }
+  const CORBA::ULongLong maximum = lms3dGetMaximumElements(width * sizeof(Element));
+  if (count > maximum)
+  {
+    throw LMS3D::LimitExceeded(
+      lms3dMakeText(std::to_string(count) + " do not fit into a message; fetch parts"), maximum);
+  }
+  // Filling a sequence element by element takes several times as long.
+  const CORBA::ULong length = width * count;
+  Element* buffer = Sequence::allocbuf(length);
+  std::copy_n(all.begin() + std::size_t(width) * first, length, buffer);
+  return new Sequence(length, length, buffer, true);
+}
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/lms3dORBSettings.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+namespace
+{
+using Names = std::set<std::string>;
+
+constexpr const char* Prefix = "-ORB";
+
+Names GetNamesOfArguments(const std::vector<std::string>& arguments)
+{
+  Names names;
+  for (std::size_t i = 0; i < arguments.size(); i += 2)
+  {
+    names.insert(arguments[i].substr(std::string(Prefix).size()));
+  }
+  return names;
+}
+
+std::string GetConfigurationFile(const std::vector<std::string>& arguments)
+{
+  // Names and values alternate. A value may look like a name.
+  for (std::size_t i = 0; i < arguments.size(); i += 2)
+  {
+    if (arguments[i] == "-ORBconfigFile")
+    {
+      return arguments[i + 1];
+    }
+  }
+  const char* const file = std::getenv("OMNIORB_CONFIG");
+  return file ? file : "/etc/omniORB.cfg";
+}
+
+// The names of lines "name = value". Empty if the file does not exist.
+Names GetNamesOfFile(const std::string& file)
+{
+  Names names;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);)
+  {
+    const std::size_t first = line.find_first_not_of(" \t");
+    const std::size_t end = line.find_first_of(" \t=", first);
+    if (first != std::string::npos && line[first] != '#' && end != std::string::npos)
+    {
+      names.insert(line.substr(first, end - first));
+    }
+  }
+  return names;
+}
+
+Names GetNamesOfAdministrator(const lms3dServerOptions& options)
+{
+  Names names = GetNamesOfFile(GetConfigurationFile(options.ORBArguments));
+  names.merge(GetNamesOfArguments(options.ORBArguments));
+  return names;
+}
+
+bool IsSetByAdministrator(const std::string& name, const Names& names)
+{
+  return names.count(name) != 0 || std::getenv(("ORB" + name).c_str());
+}
+
+// The server's own options overrule the ORB's environment and configuration file.
+Names GetNamesOfOwnOptions(const lms3dServerOptions& options)
+{
+  Names names;
+  if (!options.TLSKey.empty())
+  {
+    names.merge(Names{ "sslCAFile", "sslKeyFile", "sslKeyPassword" });
+  }
+  if (!options.ConnectTo.empty())
+  {
+    names.insert("clientTransportRule");
+  }
+  return names;
+}
+
+void AddTLS(lms3dORBSettings& settings, const lms3dServerOptions& options)
+{
+  settings.insert(settings.end(),
+    { { "sslCAFile", options.TLSAuthorities }, { "sslKeyFile", options.TLSKey },
+      // Without a password omniORB loads no key, not even an unencrypted one, and reports no error.
+      { "sslKeyPassword", "none" } });
+}
+
+void AddConnectRules(lms3dORBSettings& settings, const lms3dServerOptions& options)
+{
+  const std::string transports = " unix,ssl,tcp";
+  settings.emplace_back("clientTransportRule", "127.0.0.1/255.255.255.255" + transports);
+  for (const std::string& address : options.ConnectTo)
+  {
+    settings.emplace_back("clientTransportRule", address + transports);
+  }
+  settings.emplace_back("clientTransportRule", "* none");
+}
+} // namespace
+
+lms3dORBSettings lms3dGetORBSettings(const lms3dServerOptions& options)
+{
+  lms3dORBSettings settings = {
+    { "endPoint", options.Endpoint },
+    // Milliseconds: for a client that does not read its answer, and for a listener or a naming
+    // service that does not answer.
+    { "serverCallTimeOutPeriod", "5000" },
+    { "clientCallTimeOutPeriod", "5000" },
+    // When the server ends, it waits for a listener's call. TCP repeats a lost packet after a second.
+    { "clientConnectTimeOutPeriod", options.Callbacks ? "500" : "2000" },
+    // A client that sends requests without reading answers occupies four threads at most.
+    { "maxServerThreadPerConnection", "4" },
+    // Above this number of connections all share a pool of threads, and clients that send half a
+    // message can fill the pool. Below it each connection has its own thread, which costs little.
+    { "threadPerConnectionUpperLimit", "2000" },
+    { "threadPerConnectionLowerLimit", "1900" },
+    // Seconds after which a connection that is idle or stuck in half a message is closed.
+    { "inConScanPeriod", "30" },
+    { "unixTransportPermission", "600" },
+    // lms3dLog() writes the time already.
+    { "traceTime", "0" },
+  };
+  AddConnectRules(settings, options);
+  if (!options.TLSKey.empty())
+  {
+    AddTLS(settings, options);
+  }
+
+  const Names administrator = GetNamesOfAdministrator(options);
+  const Names own = GetNamesOfOwnOptions(options);
+  const auto isOverruled = [&administrator, &own](const lms3dORBSettings::value_type& setting)
+  { return own.count(setting.first) == 0 && IsSetByAdministrator(setting.first, administrator); };
+  settings.erase(std::remove_if(settings.begin(), settings.end(), isOverruled), settings.end());
+  return settings;
+}
+
+void lms3dCheckEndpointSources(const lms3dServerOptions& options)
+{
+  const Names administrator = GetNamesOfAdministrator(options);
+  for (const char* name :
+    { "endPoint", "endPointNoListen", "endPointNoPublish", "endPointPublish" })
+  {
+    if (!options.AllowRemote && IsSetByAdministrator(name, administrator))
+    {
+      throw std::invalid_argument(std::string(name) +
+        ": the ORB's arguments, environment or configuration file name an endpoint. Use "
+        "--endpoint, " +
+        "or add --allow-remote");
+    }
+  }
+}

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/lms3dOptionTable.h"
+
+#include "Options/lms3dServerOptions.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cstddef>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <type_traits>
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+template <typename Number>
+Number ReadNumber(const std::string& text, Number minimum, Number maximum)
+{
+  Number number{};
+  const char* const end = text.data() + text.size();
+  const std::from_chars_result result = std::from_chars(text.data(), end, number);
+  // NaN fails both comparisons.
+  if (result.ec != std::errc() || result.ptr != end || !(number >= minimum && number <= maximum))
+  {
+    std::ostringstream message;
+    message << '"' << text << "\" is not a " << (std::is_integral<Number>() ? "whole " : "")
+            << "number from " << minimum << " to " << maximum;
+    throw std::invalid_argument(message.str());
+  }
+  return number;
+}
+
+// 0 has a meaning of its own, in any notation.
+double ReadRate(const std::string& text)
+{
+  constexpr double MinimumRate = 0.001;
+  constexpr double MaximumRate = 10000.0;
+  const bool isZero = ReadNumber(text, 0.0, MaximumRate) == 0.0;
+  return isZero ? 0.0 : ReadNumber(text, MinimumRate, MaximumRate);
+}
+
+std::array<double, 3> ReadVector(const Words& words)
+{
+  constexpr double Maximum = 1e6;
+  return { ReadNumber(words.at(0), -Maximum, Maximum), ReadNumber(words.at(1), -Maximum, Maximum),
+    ReadNumber(words.at(2), -Maximum, Maximum) };
+}
+
+bool ReadIsYUp(const std::string& text)
+{
+  if (text != "file" && text != "y")
+  {
+    throw std::invalid_argument('"' + text + "\" is neither file nor y");
+  }
+  return text == "y";
+}
+
+struct Option
+{
+  const char* Name;
+  /// Number of values. A flag has none.
+  int Count;
+  const char* Values;
+  const char* Help;
+  void (*Set)(lms3dServerOptions&, const Words&);
+};
+
+// The order is that of the help text.
+const Option Options[] = {
+  { "--scenes", 1, "FOLDER", "folder of VRML files from which clients choose; required",
+    [](lms3dServerOptions& o, const Words& w) { o.Scenes = w[0]; } },
+  { "--scene", 1, "NAME", "first scene (default: the first of the folder)",
+    [](lms3dServerOptions& o, const Words& w) { o.Scene = w[0]; } },
+  { "--up-axis", 1, "file|y", "file: z is up in the files (default); y: turn them so that z is up",
+    [](lms3dServerOptions& o, const Words& w) { o.IsYUp = ReadIsYUp(w[0]); } },
+  { "--position", 3, "X Y Z", "position of the sensor, metres (default 0 0 0)",
+    [](lms3dServerOptions& o, const Words& w) { o.Position = ReadVector(w); } },
+  { "--orientation", 3, "X Y Z", "its angles about the axes, degrees (default 0 0 0)",
+    [](lms3dServerOptions& o, const Words& w) { o.Orientation = ReadVector(w); } },
+  { "--rate", 1, "HZ", "scans per second, 0.001 to 10000 (default 10); 0: no pauses, all cores",
+    [](lms3dServerOptions& o, const Words& w) { o.Rate = ReadRate(w[0]); } },
+  { "--map-error", 1, "M", "error bound of the local map, metres (default 0.01)",
+    [](lms3dServerOptions& o, const Words& w) { o.MapError = ReadNumber(w[0], 0.0, 1e6); } },
+  { "--no-map", 0, "", "make no local maps until a client switches them on",
+    [](lms3dServerOptions& o, const Words&) { o.MakeMap = false; } },
+  { "--threads", 1, "N", "threads of the filters (default 0: all cores)",
+    [](lms3dServerOptions& o, const Words& w) { o.Threads = ReadNumber(w[0], 0, 1024); } },
+  { "--keep", 1, "N", "scans to keep (default 4, within 1 GiB); more for slow networks",
+    [](lms3dServerOptions& o, const Words& w) { o.Keep = ReadNumber(w[0], 1, 1000); } },
+  { "--endpoint", 1, "URI",
+    "where to listen, e.g. giop:tcp:127.0.0.1:2810\n(default: a free port of 127.0.0.1)",
+    [](lms3dServerOptions& o, const Words& w) { o.Endpoint = w[0]; } },
+  { "--allow-remote", 0, "", "accept an endpoint that other machines can reach",
+    [](lms3dServerOptions& o, const Words&) { o.AllowRemote = true; } },
+  { "--tls-key", 1, "FILE", "certificate and private key, PEM, for endpoints giop:ssl:HOST:PORT",
+    [](lms3dServerOptions& o, const Words& w) { o.TLSKey = w[0]; } },
+  { "--tls-authorities", 1, "FILE", "authorities that must have signed clients' certificates, PEM",
+    [](lms3dServerOptions& o, const Words& w) { o.TLSAuthorities = w[0]; } },
+  { "--ior", 1, "FILE", "write the object's reference to a file, and remove it at the end",
+    [](lms3dServerOptions& o, const Words& w) { o.IORFile = w[0]; } },
+  { "--naming", 0, "", "register with the ORB's own naming service (-ORBInitRef)",
+    [](lms3dServerOptions& o, const Words&) { o.Naming = true; } },
+  { "--naming-service", 1, "URI",
+    "register with this one, e.g. corbaloc::127.0.0.1:2809/NameService",
+    [](lms3dServerOptions& o, const Words& w)
+    {
+      o.Naming = true;
+      o.NamingService = w[0];
+    } },
+  { "--name", 1, "NAME", "register under this name (default LMS3D.Scanner: id LMS3D, kind Scanner)",
+    [](lms3dServerOptions& o, const Words& w) { o.Name = w[0]; } },
+  { "--read-only", 0, "", "clients may read but change nothing",
+    [](lms3dServerOptions& o, const Words&) { o.ReadOnly = true; } },
+  { "--callbacks", 0, "", "clients may subscribe listeners, to which the server connects",
+    [](lms3dServerOptions& o, const Words&) { o.Callbacks = true; } },
+  { "--connect-to", 1, "ADDRESS/MASK",
+    "hosts beside this one to which the server may connect,\n"
+    "for listeners and the naming service; can be repeated",
+    [](lms3dServerOptions& o, const Words& w) { o.ConnectTo.push_back(w[0]); } },
+};
+
+void AddFlag(CLI::App& app, const Option& option, lms3dServerOptions& options)
+{
+  app
+    .add_flag_callback(
+      option.Name, [&option, &options] { option.Set(options, {}); }, option.Help)
+    ->disable_flag_override()
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+// Sets the option once for each time that it was given, so that the last value remains.
+void SetEach(const Option& option, const Words& words, lms3dServerOptions& options)
+{
+  const auto count = static_cast<std::size_t>(option.Count);
+  if (words.size() % count != 0)
+  {
+    throw std::invalid_argument(std::to_string(count) + " values must follow: " + option.Values);
+  }
+  for (auto first = words.begin(); first != words.end(); first += option.Count)
+  {
+    option.Set(options, { first, first + option.Count });
+  }
+}
+
+void AddValues(CLI::App& app, const Option& option, lms3dServerOptions& options)
+{
+  const auto set = [&option, &options](const Words& words)
+  {
+    try
+    {
+      SetEach(option, words, options);
+      return true;
+    }
+    catch (const std::invalid_argument& problem)
+    {
+      throw CLI::ValidationError(option.Name, problem.what());
+    }
+  };
+  app.add_option(option.Name, set, option.Help)
+    ->option_text(option.Values)
+    ->type_name(option.Values)
+    ->expected(option.Count)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+} // namespace
+
+void lms3dAddServerOptions(CLI::App& app, lms3dServerOptions& options)
+{
+  app.set_help_flag();
+  for (const Option& option : Options)
+  {
+    option.Count == 0 ? AddFlag(app, option, options) : AddValues(app, option, options);
+  }
+}

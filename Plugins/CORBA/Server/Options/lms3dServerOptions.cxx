@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/lms3dServerOptions.h"
+
+#include "Options/lms3dConfigurationFile.h"
+#include "Options/lms3dOptionTable.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+constexpr const char* Description =
+  R"(Scans in an endless loop and serves the scans by CORBA, as LMS3DScanner.idl describes. When it is
+ready it prints a corbaloc and an IOR, one per line. SIGTERM, SIGINT and SIGHUP end it with code 0.
+)";
+
+constexpr const char* Footer =
+  R"(Options of omniORB (-ORBtraceLevel 10) go to the ORB. They, omniORB's environment variables and its
+configuration file apply unless an option above sets the same. Only --endpoint names endpoints,
+unless --allow-remote is given.
+
+Exit code: 0 ended by a signal, 1 failed while starting, 2 wrong options
+)";
+
+// The options that a configuration file must not have.
+void AddCommandLineOptions(CLI::App& app, lms3dServerOptions& options, Words& files)
+{
+  app
+    .add_option("--config", files,
+      "read options from a file, one per line: \"rate = 5\",\n"
+      "\"position = 0.3 -0.2 1\", \"read-only\"; # begins a comment line.\n"
+      "The command line overrules the file")
+    ->option_text("FILE")
+    ->type_name("FILE")
+    ->expected(1)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_flag("--help", options.Help, "print this text");
+  app.add_flag("--version", options.Version, "print the version of LMS3D");
+}
+
+// Throws std::invalid_argument.
+void Parse(CLI::App& app, Words words)
+{
+  for (std::string& word : words)
+  {
+    // CLI11 accepts "-0.5" as a value, but takes "-.5" for an option.
+    if (word.rfind("-.", 0) == 0)
+    {
+      word.insert(1, "0");
+    }
+  }
+  // CLI11 expects the words in reverse order.
+  std::reverse(words.begin(), words.end());
+  try
+  {
+    app.parse(words);
+  }
+  catch (const CLI::Error& problem)
+  {
+    throw std::invalid_argument(problem.what());
+  }
+}
+
+// A line of a file as words of a command line. A single value is the rest of the line, because the
+// name of a file may contain blanks.
+Words MakeWords(const CLI::App& app, const std::string& line)
+{
+  const std::size_t equals = line.find('=');
+  const std::string name = "--" + lms3dTrim(line.substr(0, equals));
+  if (equals == std::string::npos)
+  {
+    return { name };
+  }
+  const std::string values = lms3dTrim(line.substr(equals + 1));
+  const CLI::Option* const option = app.get_option_no_throw(name);
+  if (option && option->get_expected_max() == 0)
+  {
+    throw std::invalid_argument("it takes no value");
+  }
+  if (!option || option->get_expected_max() == 1)
+  {
+    return { name + '=' + values };
+  }
+  std::istringstream stream(values);
+  Words words = { name };
+  for (std::string word; stream >> word;)
+  {
+    words.push_back(word);
+  }
+  return words;
+}
+
+// CLI11's own reader of files would split file names at blanks, ignore repeated options and report no
+// line numbers.
+void ReadFile(const std::string& file, lms3dServerOptions& options)
+{
+  CLI::App app;
+  lms3dAddServerOptions(app, options);
+  lms3dReadConfigurationFile(
+    file, [&app](const std::string& line) { Parse(app, MakeWords(app, line)); });
+}
+
+// Moves each name that begins with -ORB, and its value, out of the arguments.
+Words TakeORBArguments(Words& arguments)
+{
+  Words taken;
+  Words left;
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+  {
+    if (arguments[i].rfind("-ORB", 0) != 0)
+    {
+      left.push_back(arguments[i]);
+      continue;
+    }
+    if (i + 1 == arguments.size())
+    {
+      throw std::invalid_argument(arguments[i] + ": a value must follow");
+    }
+    taken.insert(taken.end(), { arguments[i], arguments[i + 1] });
+    ++i;
+  }
+  arguments.swap(left);
+  return taken;
+}
+
+void CheckTLS(const lms3dServerOptions& options)
+{
+  if (options.TLSKey.empty() != options.TLSAuthorities.empty())
+  {
+    throw std::invalid_argument("--tls-key and --tls-authorities: one needs the other");
+  }
+  constexpr const char* TLSPrefix = "giop:ssl:";
+  if ((options.Endpoint.rfind(TLSPrefix, 0) == 0) == options.TLSKey.empty())
+  {
+    throw std::invalid_argument(options.TLSKey.empty()
+        ? "--endpoint: giop:ssl:HOST:PORT needs --tls-key and --tls-authorities"
+        : "--tls-key: \"" + options.Endpoint + "\" would be served without TLS; give --endpoint " +
+          "giop:ssl:HOST:PORT");
+  }
+}
+
+void Check(const lms3dServerOptions& options)
+{
+  if (options.Scenes.empty() && !options.Help && !options.Version)
+  {
+    throw std::invalid_argument("--scenes: name the folder of the scenes");
+  }
+  if (!options.AllowRemote && !lms3dIsLocalEndpoint(options.Endpoint))
+  {
+    throw std::invalid_argument("--endpoint: other machines could reach \"" + options.Endpoint +
+      "\" and move the sensor. To permit that, add --allow-remote");
+  }
+  CheckTLS(options);
+}
+} // namespace
+
+lms3dServerOptions lms3dReadServerOptions(const std::vector<std::string>& arguments)
+{
+  lms3dServerOptions options;
+  Words words = arguments;
+  options.ORBArguments = TakeORBArguments(words);
+
+  CLI::App app;
+  Words files;
+  lms3dAddServerOptions(app, options);
+  AddCommandLineOptions(app, options, files);
+  // The first pass finds the files, whose values the second one overrules.
+  Parse(app, words);
+  lms3dServerOptions fromFiles;
+  for (const std::string& file : files)
+  {
+    ReadFile(file, fromFiles);
+  }
+  fromFiles.ORBArguments = options.ORBArguments;
+  options = fromFiles;
+  Parse(app, words);
+  Check(options);
+  return options;
+}
+
+std::string lms3dGetServerHelp()
+{
+  lms3dServerOptions options;
+  Words files;
+  CLI::App app(Description, "lms3d-server --scenes FOLDER [-ORBNAME VALUE ...]");
+  lms3dAddServerOptions(app, options);
+  AddCommandLineOptions(app, options, files);
+  app.get_formatter()->column_width(32);
+  app.footer(Footer);
+  return app.help();
+}
+
+bool lms3dIsLocalEndpoint(const std::string& endpoint)
+{
+  // The library's regular expressions recurse for each letter.
+  constexpr std::size_t MaximumLength = 1000;
+  static const std::regex local(
+    R"(giop:unix:.*|giop:(tcp|ssl):(127(\.\d{1,3}){3}|localhost|\[::1\]):\d*)");
+  return endpoint.size() <= MaximumLength && std::regex_match(endpoint, local);
+}

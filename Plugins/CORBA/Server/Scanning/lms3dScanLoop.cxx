@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scanning/lms3dScanLoop.h"
+
+#include "Common/lms3dLog.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace
+{
+// If every scan fails, a loop without pauses must not spin.
+constexpr std::chrono::milliseconds PauseAfterProblem(100);
+
+std::uint64_t NanosecondsSince1970()
+{
+  using namespace std::chrono;
+  return static_cast<std::uint64_t>(
+    duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count());
+}
+
+std::chrono::steady_clock::duration GetPeriod(double rate)
+{
+  using Duration = std::chrono::steady_clock::duration;
+  return rate > 0.0
+    ? std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1.0 / rate))
+    : Duration::zero();
+}
+} // namespace
+
+lms3dScanLoop::lms3dScanLoop(
+  const lms3dSettingsBoard& board, lms3dSnapshotStore& store, double rate, int threads)
+  : Board(board)
+  , Store(store)
+  , Period(GetPeriod(rate))
+  , Incarnation(NanosecondsSince1970())
+  , Pipeline(threads)
+{
+}
+
+lms3dScanLoop::~lms3dScanLoop()
+{
+  this->Stop();
+}
+
+void lms3dScanLoop::Start()
+{
+  this->Thread = std::thread([this] { this->Run(); });
+}
+
+void lms3dScanLoop::Stop()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Stopped = true;
+  }
+  this->Pipeline.Stop();
+  this->Woken.notify_all();
+  if (this->Thread.joinable())
+  {
+    this->Thread.join();
+  }
+}
+
+void lms3dScanLoop::Run()
+{
+  Clock::time_point due = Clock::now();
+  while (this->SleepUntil(due))
+  {
+    try
+    {
+      this->MakeScan();
+      this->SetProblem("");
+    }
+    catch (const std::exception& problem)
+    {
+      this->SetProblem(problem.what());
+      due = std::max(due, Clock::now() + PauseAfterProblem - this->Period);
+    }
+    due = this->GetNext(due);
+  }
+}
+
+void lms3dScanLoop::MakeScan()
+{
+  const std::uint64_t start = NanosecondsSince1970();
+  std::shared_ptr<lms3dSnapshot> snapshot = this->Pipeline.Run(this->Board.Get());
+  if (!snapshot)
+  {
+    return;
+  }
+  snapshot->Header.number = ++this->Number;
+  snapshot->Header.incarnation = this->Incarnation;
+  snapshot->Header.startTime = start;
+  snapshot->Header.endTime = NanosecondsSince1970();
+  this->Store.Publish(std::move(snapshot));
+}
+
+// After a delay of a period or more, counts from now on instead of catching up with a burst of scans.
+lms3dScanLoop::Clock::time_point lms3dScanLoop::GetNext(Clock::time_point due)
+{
+  const Clock::time_point next = due + this->Period;
+  const Clock::time_point now = Clock::now();
+  if (this->Period == Clock::duration::zero() || now - next < this->Period)
+  {
+    return next;
+  }
+  ++this->LateScans;
+  return now;
+}
+
+bool lms3dScanLoop::SleepUntil(Clock::time_point time)
+{
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  this->Woken.wait_until(lock, time, [this] { return this->Stopped; });
+  return !this->Stopped;
+}
+
+std::string lms3dScanLoop::GetProblem() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Problem;
+}
+
+void lms3dScanLoop::SetProblem(const std::string& problem)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->Problem == problem || this->Stopped)
+    {
+      return;
+    }
+    this->Problem = problem;
+  }
+  lms3dLog(problem.empty() ? "scanning again" : "no scan: " + problem);
+}

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The paper's endless loop: makes scan after scan, at a given rate, in a thread of its own.
+ */
+#ifndef lms3dScanLoop_h
+#define lms3dScanLoop_h
+
+#include "Scanning/lms3dScanPipeline.h"
+#include "Scanning/lms3dSettingsBoard.h"
+#include "Scanning/lms3dSnapshotStore.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+
+/// Reads the settings of each scan from a board and publishes the scan in a store. The getters may
+/// be called from any thread.
+class lms3dScanLoop
+{
+public:
+  /// `rate` in scans per second; 0: without pauses. `threads` as NumberOfThreads of the filters.
+  /// Board and store must outlive the loop.
+  lms3dScanLoop(
+    const lms3dSettingsBoard& board, lms3dSnapshotStore& store, double rate, int threads);
+  ~lms3dScanLoop();
+  lms3dScanLoop(const lms3dScanLoop&) = delete;
+  void operator=(const lms3dScanLoop&) = delete;
+
+  void Start();
+  /// Aborts the current scan and waits for the thread.
+  void Stop();
+
+  /// The start of the server, nanoseconds since 1970; see ScanHeader.
+  std::uint64_t GetIncarnation() const { return this->Incarnation; }
+  /// Scans that began at least one period late; see Status.
+  std::uint64_t GetNumberOfLateScans() const { return this->LateScans; }
+  /// Why the last scan failed. Empty if it succeeded.
+  std::string GetProblem() const;
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void Run();
+  void MakeScan();
+  void SetProblem(const std::string& problem);
+  /// The time of the next scan, after a scan that was due at `due`.
+  Clock::time_point GetNext(Clock::time_point due);
+  /// Returns false if the loop is to end.
+  bool SleepUntil(Clock::time_point time);
+
+  const lms3dSettingsBoard& Board;
+  lms3dSnapshotStore& Store;
+  const Clock::duration Period;
+  const std::uint64_t Incarnation;
+  lms3dScanPipeline Pipeline;
+  std::uint64_t Number = 0;
+  std::atomic<std::uint64_t> LateScans{ 0 };
+  mutable std::mutex Mutex;
+  std::condition_variable Woken;
+  bool Stopped = false;
+  std::string Problem;
+  std::thread Thread;
+};
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Makes scans and local maps with the VTK filters.
+ */
+#ifndef lms3dScanPipeline_h
+#define lms3dScanPipeline_h
+
+#include "Scanning/lms3dSettingsBoard.h"
+#include "Scanning/lms3dSnapshotStore.h"
+
+#include <vtkNew.h>
+
+#include <atomic>
+#include <memory>
+
+class vtkAlgorithm;
+class vtkLMS3DScanFilter;
+class vtkLMS3DSurfaceReconstructionFilter;
+
+/// Run() is for one thread at a time. While the scene stays the same, so does its acceleration
+/// structure.
+class lms3dScanPipeline
+{
+public:
+  /// `threads` as NumberOfThreads of the filters: 0 for all cores.
+  explicit lms3dScanPipeline(int threads);
+  ~lms3dScanPipeline();
+  lms3dScanPipeline(const lms3dScanPipeline&) = delete;
+  void operator=(const lms3dScanPipeline&) = delete;
+
+  /// Returns a scan without number, incarnation and times, which the caller fills in. Returns null if
+  /// Stop() aborted the scan. Throws std::runtime_error if a filter fails.
+  std::shared_ptr<lms3dSnapshot> Run(const lms3dScanSettings& settings);
+
+  /// Aborts the current scan and all later ones. Any thread.
+  void Stop() { this->Stopped = true; }
+
+private:
+  void Configure(const lms3dScanSettings& settings);
+  ///@{
+  /// Return false if Stop() aborted the work.
+  bool Update(vtkAlgorithm* algorithm, double& seconds) const;
+  bool Scan(lms3dSnapshot& snapshot);
+  bool MakeMap(lms3dSnapshot& snapshot);
+  ///@}
+
+  vtkNew<vtkLMS3DScanFilter> Scanner;
+  vtkNew<vtkLMS3DSurfaceReconstructionFilter> Mapper;
+  lms3dServedScenePointer Scene;
+  std::atomic<bool> Stopped{ false };
+};
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A scene in memory.
+ */
+#ifndef lms3dServedScene_h
+#define lms3dServedScene_h
+
+#include "LMS3DScanner.hh"
+#include "Scanning/lms3dAlgorithmObservers.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+/// Does not change after it was read.
+struct lms3dServedScene
+{
+  LMS3D::Scene Description;
+  /// Metres, world coordinates.
+  vtkSmartPointer<vtkPolyData> Surface;
+};
+
+using lms3dServedScenePointer = std::shared_ptr<const lms3dServedScene>;
+
+/// Thrown if the server ends before the scene is read.
+class lms3dReadingStopped : public std::exception
+{
+};
+
+/// Reads a VRML file. `isYUp` rotates a scene whose y axis is up so that its z axis is up. Throws
+/// std::runtime_error if the file has no surface, and lms3dReadingStopped if `isStopped` returns
+/// true. Messages for clients do not contain the server's folders.
+lms3dServedScenePointer lms3dReadScene(const std::string& name, const std::filesystem::path& file,
+  bool isYUp, const lms3dStopTest& isStopped);
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The settings of the next scan.
+ */
+#ifndef lms3dSettingsBoard_h
+#define lms3dSettingsBoard_h
+
+#include "Scanning/lms3dServedScene.h"
+
+#include <cstdint>
+#include <mutex>
+
+struct lms3dScanSettings
+{
+  /// Metres and degrees, as LMS3DScanner.idl defines them.
+  LMS3D::Pose Pose;
+  LMS3D::Configuration Configuration;
+  /// Never null.
+  lms3dServedScenePointer Scene;
+  /// Counts the changes of settings, from 1.
+  std::uint64_t Generation = 1;
+};
+
+/// Clients write the settings, and the scanner reads them before each scan. Each change makes a new
+/// generation. All methods may be called from any thread.
+class lms3dSettingsBoard
+{
+public:
+  explicit lms3dSettingsBoard(lms3dScanSettings settings);
+
+  lms3dScanSettings Get() const;
+
+  ///@{
+  /// Replaces one setting and returns the new generation. The settings must be valid.
+  std::uint64_t SetPose(const LMS3D::Pose& pose);
+  std::uint64_t SetConfiguration(const LMS3D::Configuration& configuration);
+  std::uint64_t SetScene(lms3dServedScenePointer scene);
+  ///@}
+
+private:
+  mutable std::mutex Mutex;
+  lms3dScanSettings Settings;
+};
+
+#endif
