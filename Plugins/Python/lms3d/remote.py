@@ -23,8 +23,8 @@ class RemoteScanner:
         try:
             from . import vtkLMS3DRemoteSource  # loads the ORB
         except ImportError as error:
-            raise Problem("cannot show a server: this LMS3D was built without CORBA; install omniORB "
-                          "and build again") from error
+            raise Problem("cannot show a server: this LMS3D was built without CORBA; install "
+                          "omniORB and build again") from error
         self.source = vtkLMS3DRemoteSource()
         self.source.SetURL(url)
         self._wait_for_first()

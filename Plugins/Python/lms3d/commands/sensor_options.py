@@ -153,8 +153,8 @@ def add_map(parser):
     """Add the options of the local map."""
     error = vtkLMS3DSurfaceReconstructionFilter().GetMaximumError()
     parser.add_argument("--maximum-error", type=bound, metavar="M", default=error,
-                        help="bound on the distance of every return from the map, metres; the map has "
-                        "as few triangles as the bound allows, 0 makes every return a vertex "
+                        help="bound on the distance of every return from the map, metres; the map "
+                        "has as few triangles as the bound allows, 0 makes every return a vertex "
                         f"(default: {error:g})")
     add_depth_step(parser)
 
