@@ -21,7 +21,7 @@ The file ending chooses the format. A .vtp file keeps everything in full precisi
 .stl file has coordinates in single precision only. A .csv file has the columns
 x,y,z,Range,Alpha,Beta,BeamId,CellId.
 
-With --trajectory there is one scan for each pose, and with --map also one local map. The output
+With --trajectory there is one scan for each pose, and with --map also one local map. Each output
 is a .pvd file, which lists the files of all steps and their times; ParaView plays it. The poses
 are in the scene's coordinates, after --up-axis. Without the point array Orientation the sensor
 looks along the polyline; without a polyline its orientation is --orientation.
