@@ -194,7 +194,7 @@ class TestLosses(CommandLineTest):
         lines = result.stderr.splitlines()
         self.assertEqual(lines[0], f"lms3d: warning: {path} is incomplete: 2 of its parts are lost")
         self.assertEqual(lines[1], f'lms3d: error: {path}:3: an Inline is lost: "walls.wrl" '
-                                   "is not there or is no regular file")
+                                   "does not exist or is not a regular file")
         self.assertIn(f"lms3d: warning: {path}:4: Box has no field", lines[3])
 
     def test_many_losses_are_a_few_lines(self):
@@ -216,7 +216,7 @@ class TestLosses(CommandLineTest):
             "scene    scene.wrl: 16 triangles, axes as in the file, z is up",
             "x        -9 to 9 m", "y        -9 to 9 m", "z        -1 to 1 m",
             "shapes   3", "  Floor: 2 with 4 triangles", "  (no name): 1 with 12 triangles",
-            "messages 1", f"  error: {path}:3: USE Unknown: no node before has this name"])
+            "messages 1", f"  error: {path}:3: USE Unknown: no earlier node has this name"])
 
     def test_scene_root(self):
         scenes = self.folder / "scenes"
