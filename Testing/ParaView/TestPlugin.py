@@ -184,7 +184,7 @@ class TestProxies(unittest.TestCase):
             for name in set(proxy.ListProperties()) - NEEDED:
                 with self.subTest(make.__name__, property=name):
                     default = getattr(fresh, f"Get{name}")()
-                    default = "" if default is None else default  # ParaView has an empty name for None
+                    default = "" if default is None else default  # ParaView has no None
                     shown = proxy.SMProxy.GetProperty(name)
                     self.assertEqual(values_of(shown), list(np.atleast_1d(default)))
 
