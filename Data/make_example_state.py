@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Make example.pvsm: the room scanned, with its local map, for ParaView's File > Load State.
+"""Make example.pvsm: a scan of the room and its local map, for ParaView's File > Load State.
 
     pvpython Data/make_example_state.py PLUGIN
 
-where PLUGIN is the file LMS3D.so. The state names its scene as room.wrl alone, so ParaView finds it
-when it is started in this folder.
+PLUGIN is the file LMS3D.so. The state names its scene as room.wrl, without a folder, so ParaView
+finds it if it is started in this folder.
 """
 
 import os
@@ -28,7 +28,7 @@ layout.AssignView(0, view)
 shown = simple.Show(local_map, view)
 simple.ColorBy(shown, None)
 shown.DiffuseColor = shown.AmbientColor = [0.2, 0.7, 0.3]
-shown.BackfaceRepresentation = "Cull Backface"  # away with the ceiling
+shown.BackfaceRepresentation = "Cull Backface"  # hides the ceiling
 points = simple.Show(scan, view)
 points.Visibility = 0
 view.CameraPosition = [-3.5, -9.8, 15.1]

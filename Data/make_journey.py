@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Make journey.vtp: a robot drives through room.wrl, out by the doorway and into the smaller room.
+"""Make journey.vtp: a robot drives through room.wrl and the doorway into the smaller room.
 
     python3 Data/make_journey.py
 
-A polyline of 17 poses, the sensor 1 m above the floor, 0.5 m farther east each second: what LMS3D
-Scan and `lms3d scan --trajectory` take as a trajectory.
+The file holds a polyline of 17 poses: the sensor is 1 m above the floor and moves 0.5 m to the east
+each second. LMS3D Scan and `lms3d scan --trajectory` accept it as a trajectory.
 """
 
 from pathlib import Path
@@ -14,7 +14,7 @@ from pathlib import Path
 POSES = 17
 START_X, STEP, HEIGHT = -2.5, 0.5, 1.0
 
-# On the way to the doorway, from x = -2.5 to 2.5, the robot bends to the north.
+# From x = -2.5 to 2.5, on the way to the doorway, the robot turns to the north.
 SOUTH, NORTH, BEND = -1.2, 0.75, 5.0
 
 FILE = """\

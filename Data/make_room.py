@@ -6,9 +6,9 @@
 The main room, 8 x 6 x 3 m, is centred on the origin with its floor at z = 0.
 A window niche is let into its north wall (+y), and a doorway in its east wall
 (+x) leads to a smaller room. Both rooms are one closed surface that faces
-inwards, so every beam from inside returns. The furniture stands a little out
-of line, as in a room that is lived in; each piece is closed and faces
-outwards. The sensor stands near (0.3, -0.2, 1.0), where the floor is free.
+inwards, so every beam from inside returns. The furniture is not aligned with
+the walls, as in a real room; each piece is closed and faces outwards. The
+sensor's position is near (0.3, -0.2, 1.0), where the floor is free.
 """
 
 from math import atan, cos, pi, radians, sin, sqrt
@@ -64,13 +64,13 @@ def box(width, depth, height, at=(0, 0, 0), lean=0):
 
 
 def turned_profile(sides, profile):
-    """A round body with so many sides through (radius, height) pairs, bottom to top."""
+    """A round body of `sides` sides, through (radius, height) pairs from bottom to top."""
     angles = [2 * pi * i / sides for i in range(sides)]
     return loft([[(r * cos(a), r * sin(a), z) for a in angles] for r, z in profile])
 
 
 def ball(radius):
-    """A sphere of 80 triangles on the floor: an icosahedron on a corner, its faces cut in four."""
+    """A sphere of 80 triangles on the floor: an icosahedron with each face cut in four."""
     low = radians(90) - atan(2)
     belts = [(36 * (i % 2) + 72 * (i // 2), low if i % 2 else -low) for i in range(10)]
     points = [(0, 0, -1), (0, 0, 1)]
@@ -166,21 +166,21 @@ def table():
 
 
 def chair():
-    """A chair that looks along -y, with a back that leans."""
+    """A chair that faces -y, with an inclined back."""
     legs = [box(0.04, 0.04, 0.43, (x, y, 0)) for x in (-0.19, 0.19) for y in (-0.18, 0.18)]
     back = box(0.42, 0.03, 0.46, (0, 0.185, 0.47), lean=0.08)
     return joined(box(0.44, 0.42, 0.04, (0, 0, 0.43)), back, *legs)
 
 
 def shelf():
-    """A bookcase 1.3 m wide, open to +y, its boards set by hand."""
+    """A bookcase 1.3 m wide, open to +y, with boards at irregular heights."""
     sides = [box(0.03, 0.34, 1.95, (x, 0, 0)) for x in (-0.635, 0.635)]
     boards = [box(1.24, 0.32, 0.03, (0, 0.01, z)) for z in (0.06, 0.47, 0.83, 1.24, 1.88)]
     return joined(box(1.24, 0.02, 1.95, (0, -0.16, 0)), *sides, *boards)
 
 
 def books():
-    """What stands in the bookcase: two rows of books and a pile."""
+    """The contents of the bookcase: two rows of books and a pile."""
     return joined(
         box(0.56, 0.21, 0.27, (-0.32, -0.03, 1.27)),
         box(0.38, 0.19, 0.24, (0.41, -0.04, 0.86)),
@@ -218,8 +218,8 @@ def lamp_shade():
 
 
 def furnish():
-    """The scene: name, colour, mesh, turn in degrees and place of each piece."""
-    places = (
+    """The pieces of the scene, made from name, colour, mesh, turn in degrees and position."""
+    pieces = (
         ("Room", WHITE, rooms(), 0, (0, 0, 0)),
         ("Table", OAK, table(), 6, (-2.3, 1.55, 0)),
         ("ChairAtTable", BEECH, chair(), 171, (-2.16, 0.97, 0)),
@@ -232,7 +232,7 @@ def furnish():
         ("Column", STONE, turned_profile(8, [(0.21, 0), (0.21, 3)]), 10, (2.15, -1.7, 0)),
         ("Barrel", WALNUT, barrel(), 7, (3.42, -2.38, 0)),
         ("Ball", RED, ball(0.26), 21, (0.95, 1.62, 0)),
-        # The pole is thinner than the step between two turns; it lies in the turn beta = 245.
+        # The pole is thinner than the gap between two turns. It lies in the turn beta = 245.
         ("LampStand", STEEL, lamp_stand(), 0, (-0.883, 2.338, 0)),
         ("LampShade", LINEN, lamp_shade(), 11, (-0.883, 2.338, 0)),
         ("BoxLarge", CARDBOARD, box(0.8, 0.6, 0.55), 4, (2.55, 2.45, 0)),
@@ -243,7 +243,7 @@ def furnish():
         ("Crate", PINE, box(0.75, 0.7, 0.8), -12, (6.1, 1.75, 0)),
         ("CrateOnTop", CARDBOARD, box(0.42, 0.36, 0.34), 15, (6.05, 1.8, 0.8)),
     )
-    return [Piece(name, colour, *turned(mesh, turn), at) for name, colour, mesh, turn, at in places]
+    return [Piece(name, colour, *turned(mesh, turn), at) for name, colour, mesh, turn, at in pieces]
 
 
 def main():

@@ -3,15 +3,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tessellate Newell's teapot from its bicubic Bezier patches.
 
-The control points are those M. Newell measured in 1975 (M. Newell, "The
-Utilization of Procedure Models in Digital Image Synthesis", University of
-Utah, 1975), as listed by F. Crow, "The Origins of the Teapot", IEEE Computer
+M. Newell measured the control points in 1975 (M. Newell, "The Utilization of
+Procedure Models in Digital Image Synthesis", University of Utah, 1975). They
+are listed by F. Crow, "The Origins of the Teapot", IEEE Computer
 Graphics and Applications 7(1), 1987. Newell's pot has 28 patches and no
 bottom; the four patches of the bottom are the addition in common use.
 
-Body, lid and bottom are round, so a row of control points is told by its
-radius and height; handle and spout are mirrored tubes, so a row is told by
-two points of the plane y = 0 and a half width. Each part is an open surface,
+Body, lid and bottom are round, so radius and height define a row of control
+points. Handle and spout are mirrored tubes, so two points of the plane y = 0
+and half the width define a row. Each part is an open surface,
 faces turned outwards. One unit of the patches is 5 cm; the pot stands on
 z = 0, spout towards +x.
 """
@@ -30,8 +30,8 @@ SUBDIVISIONS = 7
 K = 0.56
 KNOB_K = 0.5625
 
-# Profiles (radius, height[, K]) from the top of the pot to its foot; every
-# third row ends one patch and begins the next.
+# Profiles (radius, height[, K]) from the top of the pot to its foot. Every
+# third row is shared by two patches.
 BODY = (
     (1.4, 2.4), (1.3375, 2.53125), (1.4375, 2.53125),  # rim
     (1.5, 2.4), (1.75, 1.875), (2.0, 1.35),
@@ -43,7 +43,7 @@ LID = (
 )
 BOTTOM = ((1.5, 0.15), (1.5, 0.075), (1.425, 0.0), (0.0, 0.0))
 
-# Tubes ((x, z) of one side, (x, z) of the other, half width) along their way.
+# Tubes: ((x, z) of one side, (x, z) of the other, half of the width) of each row.
 HANDLE = (
     ((-1.6, 2.025), (-1.5, 2.25), 0.3),
     ((-2.3, 2.025), (-2.5, 2.25), 0.3),
@@ -73,14 +73,14 @@ def ring(radius, height, k=K):
 
 
 def loop(first, second, width):
-    """Control points round a tube, as two halves."""
+    """Control points around a tube, as two halves."""
     (x0, z0), (x1, z1) = first, second
     there = [(x0, 0.0, z0), (x0, width, z0), (x1, width, z1), (x1, 0.0, z1)]
     return [there, [(x, -y, z) for x, y, z in reversed(there)]]
 
 
 def patches(rows):
-    """The 4 x 4 control nets of a part, from its rows of control points round it."""
+    """The 4 x 4 control nets of a part, from its rows of control points."""
     nets = []
     for start in range(0, len(rows) - 1, 3):
         nets.extend(zip(*rows[start : start + 4]))
@@ -110,7 +110,7 @@ def cells(n):
 
 
 def tessellate(rows, n):
-    """Points and triangles of a part: patches welded, collapsed triangles left out."""
+    """Points and triangles of a part: patches are joined, degenerate triangles are skipped."""
     index, faces = {}, []
     for net in patches(rows):
         places = product(range(n + 1), repeat=2)

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Write a scene of coloured meshes as a VRML97 file that is pleasant to read.
+"""Write a scene of coloured meshes as a readable VRML97 file.
 
-The text keeps to the part of VRML97 that every reader agrees on: explicit
-values, one Shape a piece, no more than one translation above it.
+The file uses a part of VRML97 that all readers support: explicit values, one
+Shape for each piece, and at most one translation above it.
 """
 
 import argparse
@@ -14,7 +14,7 @@ FACES_PER_LINE = 4
 
 
 class Piece(NamedTuple):
-    """One Shape: a mesh in metres, seen from the side its faces turn counterclockwise."""
+    """One Shape: a mesh in metres, with faces counterclockwise from its visible side."""
 
     name: str
     colour: tuple
@@ -25,7 +25,7 @@ class Piece(NamedTuple):
 
 
 def numbers(values, decimals):
-    """The values as text, rounded; a negative zero loses its sign."""
+    """The values as text, rounded; a negative zero becomes 0."""
     return " ".join(f"{round(value, decimals) + 0.0:.{decimals}f}" for value in values)
 
 
@@ -60,7 +60,7 @@ DEF {piece.name} Shape {{
 
 
 def node(piece, decimals):
-    """The piece where it stands: its Shape, in a Transform if it is moved."""
+    """The piece at its position: its Shape, in a Transform if it has a translation."""
     text = shape(piece, decimals)
     if not any(piece.translation):
         return text
@@ -70,7 +70,7 @@ def node(piece, decimals):
 
 
 def triangle_count(pieces):
-    """Triangles of all pieces, once every face is cut into triangles."""
+    """The number of triangles after all faces are cut into triangles."""
     return sum(len(face) - 2 for piece in pieces for face in piece.faces)
 
 
@@ -82,7 +82,7 @@ def scene(title, notes, pieces, decimals):
 
 
 def output_parser(description, default_name):
-    """A command line with the argument OUTPUT; by default the file lies beside this one."""
+    """A command line with the argument OUTPUT; by default the file is beside this script."""
     parser = argparse.ArgumentParser(description=description)
     default = Path(__file__).resolve().with_name(default_name)
     parser.add_argument("output", nargs="?", type=Path, default=default, metavar="OUTPUT",
@@ -91,5 +91,5 @@ def output_parser(description, default_name):
 
 
 def save(path, text):
-    """Write the text with the same bytes on every platform."""
+    """Write the text, with the same bytes on every platform."""
     path.write_bytes(text.encode("utf-8"))

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Make images/paraview.png, ParaView's window with Data/example.pvsm and the sensor in hand, and
-images/paraview_journey.png, the same with a sensor on its way.
+"""Make images/paraview.png, ParaView's window with Data/example.pvsm and the sensor's box, and
+images/paraview_journey.png, the same with a moving sensor.
 
     xvfb-run -a -s "-noreset -screen 0 1152x762x24" ./run python Documentation/make_paraview_screenshot.py
 
-ParaView runs this script as well, by its option --script, to fill the window. Pillow (python3-pil)
-takes the picture; Debian installs it along with ParaView.
+ParaView also runs this script, by its option --script, to fill the window. Pillow (python3-pil)
+takes the picture; Debian installs it with ParaView.
 """
 
 import os
@@ -18,17 +18,17 @@ import time
 from pathlib import Path
 
 READY, PICTURE = "LMS3D_SCREENSHOT_READY", "LMS3D_SCREENSHOT"
-PATIENCE, SETTLING = 60.0, 3.0
+TIMEOUT, SETTLING_TIME = 60.0, 3.0  # seconds
 
 
 def load_example(simple):
-    """A sensor that stands still, as File > Load State shows it."""
+    """A sensor at a fixed position, as File > Load State shows it."""
     simple.LoadState("example.pvsm")
     return simple.FindSource("LMS3DScan1")
 
 
 def show_journey(simple):
-    """The sensor in the doorway, all its way, and the map, seen from above and without its ceiling."""
+    """The sensor in the doorway, its trajectory, and the map from above without the ceiling."""
     room = simple.VRMLReader(registrationName="room.wrl", FileName="room.wrl")
     journey = simple.XMLPolyDataReader(registrationName="journey.vtp", FileName=["journey.vtp"])
     view = simple.GetActiveViewOrCreate("RenderView")
@@ -49,7 +49,7 @@ PICTURES = {"paraview": load_example, "paraview_journey": show_journey}
 
 
 def fill_window():
-    """Inside ParaView: the pipeline, with the scan chosen."""
+    """Inside ParaView: show the pipeline and select the scan."""
     from paraview import simple
 
     scan = PICTURES[os.environ[PICTURE]](simple)
@@ -60,7 +60,7 @@ def fill_window():
 
 
 def start_paraview(script, name, folder):
-    """ParaView with the plugin, a fresh configuration and small letters, so that the panel fits."""
+    """ParaView with the plugin, a new configuration, and small letters so that the panel fits."""
     root = script.parents[1]
     (plugin,) = root.glob("build/lib*/**/plugins/LMS3D/LMS3D.so")
     environment = dict(
@@ -74,17 +74,17 @@ def start_paraview(script, name, folder):
 
 
 def wait_for(file, process):
-    """Until the file is there; an error where ParaView ends or takes too long."""
-    end = time.monotonic() + PATIENCE
+    """Wait until the file exists; exit if ParaView ends or takes too long."""
+    end = time.monotonic() + TIMEOUT
     while not file.exists():
         if process.poll() is not None or time.monotonic() > end:
             sys.exit("ParaView did not show the scan; does ./run paraview work?")
         time.sleep(0.1)
-    time.sleep(SETTLING)
+    time.sleep(SETTLING_TIME)
 
 
 def take_picture(script, name):
-    """Start ParaView on the screen DISPLAY and save what the screen shows."""
+    """Start ParaView on the screen DISPLAY and save a picture of the screen."""
     from PIL import ImageGrab
 
     picture = script.parent / "images" / f"{name}.png"
@@ -101,7 +101,7 @@ def take_picture(script, name):
 
 
 def main():
-    """One ParaView for each picture."""
+    """Start ParaView for each picture."""
     for name in PICTURES:
         take_picture(Path(__file__).resolve(), name)
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLMS3DMapComparison.h"
 
-#include "Comparison/lms3dComparisonOutput.h"
-#include "Comparison/lms3dMapComparison.h"
+#include "Comparison/lms3dComparison.h"
+#include "Comparison/lms3dSurfaceSamples.h"
 #include "Pipeline/lms3dAlgorithmProgress.h"
 #include "Pipeline/lms3dFailure.h"
+#include "Pipeline/lms3dPipelineRequests.h"
 #include "Pipeline/lms3dThreads.h"
 #include "Scan/lms3dProcesses.h"
 #include "Scene/lms3dSceneTriangles.h"
@@ -16,89 +17,86 @@
 #include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 vtkStandardNewMacro(vtkLMS3DMapComparison);
 
 namespace
 {
-lms3dTriangleMesh Collect(vtkDataObject* data, const std::string& what, std::string& leftOut)
+lms3dTriangleMesh Collect(vtkDataObject* data, const std::string& name, std::string& warning)
 {
   lms3dSceneTriangles triangles = lms3dCollectTriangles(data);
-  const std::string words = lms3dTellLeftOut(triangles, what);
+  const std::string skipped = lms3dTellLeftOut(triangles, name);
   lms3dDropTrianglesWithoutArea(triangles.Mesh);
   if (triangles.Mesh.Triangles.empty())
   {
-    throw std::runtime_error(what +
+    throw std::runtime_error(name +
       " has no triangles, so there is nothing to compare. Connect a data set with polygons. " +
-      words);
+      skipped);
   }
-  leftOut += words;
+  warning += skipped;
   return std::move(triangles.Mesh);
 }
 
-lms3dSurfaceQuery::Points GetPoints(vtkPolyData* data)
+bool HasCells(vtkInformationVector* input)
 {
-  lms3dSurfaceQuery::Points points(data->GetNumberOfPoints());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    data->GetPoint(static_cast<vtkIdType>(i), points[i].data());
-  }
-  return points;
-}
-
-// A vertex that is not finite has no distance.
-std::vector<double> GetVertexErrors(const lms3dSurfaceQuery& scene, vtkPolyData* map)
-{
-  std::vector<double> errors = lms3dGetDistances(scene, GetPoints(map));
-  std::replace(errors.begin(), errors.end(), std::numeric_limits<double>::infinity(),
-    std::numeric_limits<double>::quiet_NaN());
-  return errors;
-}
-
-bool HasCells(vtkDataObject* data)
-{
+  vtkDataObject* data = vtkDataObject::GetData(input);
   return data && data->GetNumberOfElements(vtkDataObject::CELL) > 0;
 }
 
-// Under MPI one process has the map, and has to have all of the scene.
-bool IsForThisProcess(vtkInformationVector** inputVector)
+// The process with the map compares. Throws in all processes if more than one has a part of the scene.
+bool ComparesHere(const lms3dProcesses& processes, vtkInformationVector** inputVector)
 {
-  const lms3dProcesses processes(vtkMultiProcessController::GetGlobalController());
-  const bool hasScene = HasCells(vtkDataObject::GetData(inputVector[1]));
-  const int withScene = processes.CountWho(hasScene);
+  if (!processes.AreMany())
+  {
+    return true;
+  }
+  const int withScene = processes.CountWho(HasCells(inputVector[1]));
   if (withScene > 1)
   {
     throw std::runtime_error("The scene is spread over " + std::to_string(withScene) +
       " processes, and each would compare the map with its own piece alone. Compare in one "
       "process.");
   }
-  return !processes.AreMany() || hasScene || HasCells(vtkDataObject::GetData(inputVector[0]));
-}
-
-std::string TellNothingSeen(const lms3dSensorView& view)
-{
-  std::ostringstream words;
-  words << "The sensor at " << view.GetPosition()[0] << ' ' << view.GetPosition()[1] << ' '
-        << view.GetPosition()[2] << " sees nothing of the scene, so there is nothing that the map "
-        << "could show. Give the scene that was scanned, in the same coordinates, and a scan of "
-        << "more than one beam and one turn: others cover no area.";
-  return words.str();
+  return HasCells(inputVector[0]) || HasCells(inputVector[1]);
 }
 } // namespace
 
+struct vtkLMS3DMapComparison::Internals
+{
+  static bool Compare(vtkLMS3DMapComparison* filter, const lms3dComparison& comparison,
+    vtkInformationVector* sceneInput, vtkInformationVector* outputVector);
+  static void SetResults(vtkLMS3DMapComparison* filter, const lms3dComparisonResults& results);
+
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+};
+
 vtkLMS3DMapComparison::vtkLMS3DMapComparison()
+  : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkLMS3DMapComparison::~vtkLMS3DMapComparison() = default;
+
+void vtkLMS3DMapComparison::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Internal->Controller != controller)
+  {
+    this->Internal->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkLMS3DMapComparison::GetController() const
+{
+  return this->Internal->Controller;
 }
 
 int vtkLMS3DMapComparison::FillInputPortInformation(int port, vtkInformation* info)
@@ -115,82 +113,75 @@ int vtkLMS3DMapComparison::FillInputPortInformation(int port, vtkInformation* in
   return 1;
 }
 
-void vtkLMS3DMapComparison::CheckProperties() const
+int vtkLMS3DMapComparison::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  if (std::isnan(this->Tolerance))
+  // Any part of the map may be nearest to any part of the scene, so a process needs all that it has.
+  const lms3dProcesses processes(this->Internal->Controller);
+  for (int port = 0; port < 3; ++port)
   {
-    throw std::runtime_error("Tolerance is not a number; 0 or more metres are expected.");
+    if (vtkInformation* input = inputVector[port]->GetInformationObject(0))
+    {
+      lms3dAskForPiece(processes.GetRank(), processes.GetCount(), input);
+    }
   }
-  if (!(this->MinimumRange >= 0.0 && this->MinimumRange <= this->MaximumRange &&
-        this->MaximumRange > 0.0))
-  {
-    std::ostringstream words;
-    words << "MinimumRange and MaximumRange are " << this->MinimumRange << " and "
-          << this->MaximumRange << " m; 0 <= minimum <= maximum and 0 < maximum are expected.";
-    throw std::runtime_error(words.str());
-  }
+  return 1;
 }
 
-void vtkLMS3DMapComparison::Compare(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+bool vtkLMS3DMapComparison::Internals::Compare(vtkLMS3DMapComparison* filter,
+  const lms3dComparison& comparison, vtkInformationVector* sceneInput,
+  vtkInformationVector* outputVector)
 {
-  const lms3dProgress goesOn = lms3dReportTo(this, 0.0, 1.0);
-  vtkPolyData* mapInput = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* scan = vtkPolyData::GetData(inputVector[2]);
-  std::string leftOut;
-  const lms3dSurfaceQuery map(Collect(mapInput, "The map", leftOut));
-  const lms3dSurfaceQuery scene(
-    Collect(vtkDataObject::GetData(inputVector[1]), "The scene", leftOut));
-  if (!leftOut.empty())
-  {
-    vtkWarningMacro(<< leftOut);
-  }
-  const lms3dSensorView view(
-    (scan ? scan : mapInput)->GetFieldData(), { this->MinimumRange, this->MaximumRange });
-  if (!goesOn(0.3))
-  {
-    return;
-  }
-  const lms3dSceneErrors sceneErrors(map, scene, view, this->NumberOfSamples);
-  if (sceneErrors.Points.empty())
-  {
-    throw std::runtime_error(TellNothingSeen(view));
-  }
-  if (!goesOn(0.6))
-  {
-    return;
-  }
-  const lms3dMapErrors mapErrors(map, scene, view, this->Tolerance, this->NumberOfSamples);
-  const std::vector<double> vertexErrors = GetVertexErrors(scene, mapInput);
-  const std::vector<double> returnDistances =
-    lms3dGetDistances(map, scan ? GetPoints(scan) : lms3dSurfaceQuery::Points());
-  if (!goesOn(0.9))
-  {
-    return;
-  }
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  output->ShallowCopy(mapInput);
-  lms3dAddErrors(map.GetMesh(), mapErrors, vertexErrors, output);
-  lms3dAddResults(map.GetMesh(), mapErrors, scene.GetMesh(), sceneErrors, returnDistances,
-    this->Tolerance, output->GetFieldData());
-  lms3dFillScenePoints(sceneErrors, vtkPolyData::GetData(outputVector, 1));
+  bool isDone = false;
+  lms3dThreads threads;
+  threads.Run(filter->NumberOfThreads,
+    [&]
+    {
+      std::string warning;
+      lms3dTriangleMesh map = Collect(comparison.Map, "The map", warning);
+      lms3dTriangleMesh scene = Collect(vtkDataObject::GetData(sceneInput), "The scene", warning);
+      if (!warning.empty())
+      {
+        vtkWarningWithObjectMacro(filter, << warning);
+      }
+      lms3dComparisonResults results;
+      isDone = comparison.Run(std::move(map), std::move(scene), lms3dReportTo(filter, 0.0, 1.0),
+        vtkPolyData::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1), results);
+      SetResults(filter, results);
+    });
+  return isDone;
 }
 
 int vtkLMS3DMapComparison::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  Internals::SetResults(this, lms3dComparisonResults());
+  const lms3dProcesses processes(this->Internal->Controller);
+  // The outputs are one piece; consumers that request another piece get an empty one.
+  if (!processes.AreMany() && !lms3dIsFirstPiece(lms3dGetRequestedOutput(request, outputVector)))
+  {
+    return 1;
+  }
+  const lms3dComparison comparison = { vtkPolyData::GetData(inputVector[0]),
+    vtkPolyData::GetData(inputVector[2]), this->Tolerance, this->NumberOfSamples,
+    { this->MinimumRange, this->MaximumRange } };
   const std::string failure = lms3dFindFailure(
     [&]
     {
-      this->CheckProperties();
-      if (IsForThisProcess(inputVector))
+      comparison.Check();
+      bool isDone = true;
+      const bool isMine = ComparesHere(processes, inputVector);
+      processes.Do(
+        [&] {
+          isDone = !isMine || Internals::Compare(this, comparison, inputVector[1], outputVector);
+        });
+      if (processes.AskAny(!isDone))
       {
-        lms3dThreads threads;
-        threads.Run(this->NumberOfThreads, [&] { this->Compare(inputVector, outputVector); });
+        lms3dForgetOutputs(outputVector);
       }
     },
-    "There is not enough memory for so many samples; reduce NumberOfSamples.");
+    "There is not enough memory for the samples; reduce NumberOfSamples.");
   if (!failure.empty())
   {
     vtkErrorMacro(<< failure);
@@ -198,6 +189,32 @@ int vtkLMS3DMapComparison::RequestData(
     return 0;
   }
   return 1;
+}
+
+void vtkLMS3DMapComparison::Internals::SetResults(
+  vtkLMS3DMapComparison* filter, const lms3dComparisonResults& results)
+{
+  filter->MapToSceneMean = results.MapToScene.Mean;
+  filter->MapToSceneRMS = results.MapToScene.RootMeanSquare;
+  filter->MapToScenePercentile95 = results.MapToScene.Percentile95;
+  filter->MapToSceneMaximum = results.MapToScene.Maximum;
+  filter->SceneToMapMean = results.SceneToMap.Mean;
+  filter->SceneToMapRMS = results.SceneToMap.RootMeanSquare;
+  filter->SceneToMapPercentile95 = results.SceneToMap.Percentile95;
+  filter->SceneToMapMaximum = results.SceneToMap.Maximum;
+  filter->NormalErrorMean = results.NormalError.Mean;
+  filter->NormalErrorRMS = results.NormalError.RootMeanSquare;
+  filter->NormalErrorPercentile95 = results.NormalError.Percentile95;
+  filter->NormalErrorMaximum = results.NormalError.Maximum;
+  filter->Correctness = results.Correctness;
+  filter->Completeness = results.Completeness;
+  filter->FScore = results.FScore;
+  filter->AreaInFreeSpace = results.AreaInFreeSpace;
+  filter->MapArea = results.MapArea;
+  filter->VisibleArea = results.VisibleArea;
+  filter->MapTriangles = static_cast<vtkIdType>(results.MapTriangles);
+  filter->ReturnsWithinTolerance = results.ReturnsWithinTolerance;
+  filter->LargestReturnDistance = results.LargestReturnDistance;
 }
 
 void vtkLMS3DMapComparison::PrintSelf(ostream& os, vtkIndent indent)
@@ -208,4 +225,26 @@ void vtkLMS3DMapComparison::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumRange: " << this->MinimumRange << '\n';
   os << indent << "MaximumRange: " << this->MaximumRange << '\n';
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << '\n';
+  os << indent << "Controller: " << this->GetController() << '\n';
+  const auto errors =
+    [&](const char* name, double mean, double rms, double percentile, double maximum)
+  {
+    os << indent << name << ": mean " << mean << ", RMS " << rms << ", 95 % " << percentile
+       << ", maximum " << maximum << '\n';
+  };
+  errors("MapToScene", this->MapToSceneMean, this->MapToSceneRMS, this->MapToScenePercentile95,
+    this->MapToSceneMaximum);
+  errors("SceneToMap", this->SceneToMapMean, this->SceneToMapRMS, this->SceneToMapPercentile95,
+    this->SceneToMapMaximum);
+  errors("NormalError", this->NormalErrorMean, this->NormalErrorRMS, this->NormalErrorPercentile95,
+    this->NormalErrorMaximum);
+  os << indent << "Correctness: " << this->Correctness << '\n';
+  os << indent << "Completeness: " << this->Completeness << '\n';
+  os << indent << "FScore: " << this->FScore << '\n';
+  os << indent << "AreaInFreeSpace: " << this->AreaInFreeSpace << '\n';
+  os << indent << "MapArea: " << this->MapArea << '\n';
+  os << indent << "VisibleArea: " << this->VisibleArea << '\n';
+  os << indent << "MapTriangles: " << this->MapTriangles << '\n';
+  os << indent << "ReturnsWithinTolerance: " << this->ReturnsWithinTolerance << '\n';
+  os << indent << "LargestReturnDistance: " << this->LargestReturnDistance << '\n';
 }

@@ -3,6 +3,7 @@
 #include "Comparison/lms3dComparisonOutput.h"
 
 #include "Comparison/lms3dErrorStatistics.h"
+#include "Pipeline/lms3dArray.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -16,43 +17,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace
 {
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const std::vector<double>& values)
 {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  auto array = lms3dMakeArray<vtkDoubleArray>(name, values.size());
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   return array;
 }
 
-void Add(const char* name, double value, vtkFieldData* results)
+void Add(const char* name, double value, vtkFieldData* output)
 {
-  results->AddArray(MakeArray(name, { value }));
+  output->AddArray(MakeArray(name, { value }));
 }
 
-void Add(const char* name, const lms3dErrorStatistics& errors, vtkFieldData* results)
+void Add(const char* name, const lms3dErrorStatistics& errors, vtkFieldData* output)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(4);
+  auto array = lms3dMakeArray<vtkDoubleArray>(name, 1, 4);
   array->SetComponentName(0, "Mean");
   array->SetComponentName(1, "RMS");
   array->SetComponentName(2, "95 %");
   array->SetComponentName(3, "Maximum");
-  array->InsertNextTuple4(errors.Mean, errors.RootMeanSquare, errors.Percentile95, errors.Maximum);
-  results->AddArray(array);
+  array->SetTuple4(0, errors.Mean, errors.RootMeanSquare, errors.Percentile95, errors.Maximum);
+  output->AddArray(array);
 }
 
-double GetHarmonicMean(double a, double b)
-{
-  return a + b > 0.0 ? 2.0 * a * b / (a + b) : 0.0;
-}
-
-// A cell's largest error is at least that of its vertices, since small cells have no sample.
+// Takes the vertices as well as the samples, since a small cell may have no sample.
 std::vector<double> GetLargestErrors(const lms3dTriangleMesh& map, const lms3dMapErrors& errors,
   const std::vector<double>& vertexErrors, vtkIdType cells)
 {
@@ -87,17 +81,16 @@ void lms3dAddErrors(const lms3dTriangleMesh& map, const lms3dMapErrors& errors,
 
 void lms3dFillScenePoints(const lms3dSceneErrors& errors, vtkPolyData* output)
 {
-  const vtkIdType count = static_cast<vtkIdType>(errors.Points.size());
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(count);
+  const std::size_t count = errors.Points.size();
+  auto coordinates = lms3dMakeArray<vtkDoubleArray>("Points", count, 3);
   double* coordinate = coordinates->GetPointer(0);
   vtkNew<vtkCellArray> vertices;
-  vertices->AllocateExact(count, count);
-  for (vtkIdType i = 0; i < count; ++i)
+  vertices->AllocateExact(static_cast<vtkIdType>(count), static_cast<vtkIdType>(count));
+  for (std::size_t i = 0; i < count; ++i)
   {
     coordinate = std::copy(errors.Points[i].begin(), errors.Points[i].end(), coordinate);
-    vertices->InsertNextCell(1, &i);
+    const vtkIdType point = static_cast<vtkIdType>(i);
+    vertices->InsertNextCell(1, &point);
   }
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
@@ -106,30 +99,24 @@ void lms3dFillScenePoints(const lms3dSceneErrors& errors, vtkPolyData* output)
   output->GetPointData()->SetScalars(MakeArray("Error", errors.Distances));
 }
 
-void lms3dAddResults(const lms3dTriangleMesh& map, const lms3dMapErrors& mapErrors,
-  const lms3dTriangleMesh& scene, const lms3dSceneErrors& sceneErrors,
-  const std::vector<double>& returnDistances, double tolerance, vtkFieldData* results)
+void lms3dAddResults(const lms3dComparisonResults& results, vtkFieldData* output)
 {
-  const double area = lms3dGetArea(map);
-  Add("MapTriangles", static_cast<double>(map.GetNumberOfTriangles()), results);
-  Add("MapArea", area, results);
-  Add("VisibleArea", sceneErrors.VisibleShare * lms3dGetArea(scene), results);
-  Add("AreaInFreeSpace", mapErrors.ShareInFreeSpace * area, results);
+  Add("MapTriangles", static_cast<double>(results.MapTriangles), output);
+  Add("MapArea", results.MapArea, output);
+  Add("VisibleArea", results.VisibleArea, output);
+  Add("AreaInFreeSpace", results.AreaInFreeSpace, output);
 
-  Add("MapToScene", lms3dErrorStatistics(mapErrors.Distances), results);
-  Add("SceneToMap", lms3dErrorStatistics(sceneErrors.Distances), results);
-  Add("NormalError", lms3dErrorStatistics(mapErrors.Angles), results);
+  Add("MapToScene", results.MapToScene, output);
+  Add("SceneToMap", results.SceneToMap, output);
+  Add("NormalError", results.NormalError, output);
 
-  const double correctness = lms3dGetShareWithin(mapErrors.Distances, tolerance);
-  const double completeness = lms3dGetShareWithin(sceneErrors.Distances, tolerance);
-  Add("Correctness", correctness, results);
-  Add("Completeness", completeness, results);
-  Add("FScore", GetHarmonicMean(correctness, completeness), results);
+  Add("Correctness", results.Correctness, output);
+  Add("Completeness", results.Completeness, output);
+  Add("FScore", results.FScore, output);
 
-  if (!returnDistances.empty())
+  if (!std::isnan(results.ReturnsWithinTolerance))
   {
-    Add("ReturnsWithinTolerance", lms3dGetShareWithin(returnDistances, tolerance), results);
-    Add("LargestReturnDistance", *std::max_element(returnDistances.begin(), returnDistances.end()),
-      results);
+    Add("ReturnsWithinTolerance", results.ReturnsWithinTolerance, output);
+    Add("LargestReturnDistance", results.LargestReturnDistance, output);
   }
 }

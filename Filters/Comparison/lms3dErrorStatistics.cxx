@@ -4,9 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 lms3dErrorStatistics::lms3dErrorStatistics(std::vector<double> errors)
 {
+  if (errors.empty())
+  {
+    return;
+  }
   double sum = 0.0;
   double sumOfSquares = 0.0;
   for (double error : errors)

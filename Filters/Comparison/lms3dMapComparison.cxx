@@ -2,45 +2,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Comparison/lms3dMapComparison.h"
 
+#include "Geometry/lms3dAngle.h"
 #include "Geometry/lms3dTriangleDistance.h"
+#include "Geometry/lms3dVector.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
-constexpr double DegreesPerRadian = 57.29577951308232;
-
-// A point is hidden where a beam towards it ends before this share of its range, which leaves room
+// A point is visible if the beam towards it gets this far, as a share of its range. The rest allows
 // for rounding at grazing angles.
-constexpr double VisibleFrom = 1.0 - 1e-6;
+constexpr double VisibleShareOfRange = 1.0 - 1e-6;
 
+// Relative rounding of the side of a plane that the sensor is on.
 constexpr double Rounding = 1e-12;
 
-// How many samples of a scene of which the sensor sees little are made for each that it sees.
-constexpr double MostSamplesPerVisible = 32.0;
+// Bounds the number of samples if the sensor sees little of the scene.
+constexpr double MaximumSamplesPerVisibleSample = 32.0;
 
-// By the tangent, which unlike the cosine is exact for small angles.
+// Degrees, 0 to 90. Uses the arc tangent because an arc cosine is inaccurate for small angles.
 double GetAngleBetweenPlanes(const lms3dVector& a, const lms3dVector& b)
 {
   const lms3dVector cross = lms3dCross(a, b);
-  return DegreesPerRadian * std::atan2(std::sqrt(lms3dDot(cross, cross)), std::abs(lms3dDot(a, b)));
+  return lms3dDegreesPerRadian *
+    std::atan2(std::sqrt(lms3dDot(cross, cross)), std::abs(lms3dDot(a, b)));
 }
 
-// A plane through the sensor itself counts as a front, within rounding.
-bool IsBack(const lms3dCorners& corners, const lms3dVector& normal, const double position[3])
+// Returns false if the sensor is on the triangle's plane, within rounding.
+bool FacesAway(const lms3dCorners& corners, const lms3dVector& normal, const lms3dVector& sensor)
 {
-  const lms3dVector toSensor = { position[0] - corners[0][0], position[1] - corners[0][1],
-    position[2] - corners[0][2] };
+  const lms3dVector toSensor =
+    lms3dSubtract(sensor, { corners[0][0], corners[0][1], corners[0][2] });
   return lms3dDot(normal, toSensor) <
     -Rounding * std::sqrt(lms3dDot(normal, normal) * lms3dDot(toSensor, toSensor));
 }
 
-double GetNormalError(const lms3dCorners& map, const lms3dCorners& scene, const double position[3])
+// Degrees, 0 to 180.
+double GetNormalError(const lms3dCorners& map, const lms3dCorners& scene, const lms3dVector& sensor)
 {
   const lms3dVector normal = lms3dGetWeightedNormal(map);
   const double angle = GetAngleBetweenPlanes(normal, lms3dGetWeightedNormal(scene));
-  return IsBack(map, normal, position) ? 180.0 - angle : angle;
+  return FacesAway(map, normal, sensor) ? 180.0 - angle : angle;
 }
 
 std::vector<double> GetDistances(const std::vector<lms3dNearest>& nearest)
@@ -51,17 +54,17 @@ std::vector<double> GetDistances(const std::vector<lms3dNearest>& nearest)
   return distances;
 }
 
-// Those of the scene's samples that the view covers and that nothing hides.
+// Returns the samples of the scene that the sensor sees.
 lms3dSurfaceQuery::Points GetVisible(
   const lms3dSurfaceQuery& scene, const lms3dSensorView& view, std::int64_t count)
 {
   const lms3dSurfaceSamples samples(scene.GetMesh(), count);
-  const std::vector<double> seen = scene.GetRangesTowards(view.GetPosition(), samples.Points);
+  const std::vector<double> ranges = scene.GetRangesTowards(view.GetPosition(), samples.Points);
   lms3dSurfaceQuery::Points visible;
-  for (std::size_t i = 0; i < seen.size(); ++i)
+  for (std::size_t i = 0; i < ranges.size(); ++i)
   {
-    const std::array<double, 3>& point = samples.Points[i];
-    if (view.Covers(point) && seen[i] >= VisibleFrom * view.GetRange(point))
+    const lms3dVector& point = samples.Points[i];
+    if (view.Covers(point) && ranges[i] >= VisibleShareOfRange * view.GetRange(point))
     {
       visible.push_back(point);
     }
@@ -86,7 +89,8 @@ lms3dMapErrors::lms3dMapErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQ
   : Samples(map.GetMesh(), count)
 {
   const std::vector<lms3dNearest> nearest = scene.FindNearest(this->Samples.Points);
-  const std::vector<double> seen = scene.GetRangesTowards(view.GetPosition(), this->Samples.Points);
+  const std::vector<double> ranges =
+    scene.GetRangesTowards(view.GetPosition(), this->Samples.Points);
   this->Distances = GetDistances(nearest);
   this->Angles.resize(nearest.size());
   std::size_t samplesInFreeSpace = 0;
@@ -94,9 +98,9 @@ lms3dMapErrors::lms3dMapErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQ
   {
     this->Angles[i] = GetNormalError(lms3dGetCorners(map.GetMesh(), this->Samples.Triangles[i]),
       lms3dGetCorners(scene.GetMesh(), nearest[i].Triangle), view.GetPosition());
-    const std::array<double, 3>& point = this->Samples.Points[i];
-    const bool isBefore = view.Covers(point) && view.GetRange(point) + tolerance < seen[i];
-    samplesInFreeSpace += isBefore && nearest[i].Distance > tolerance ? 1 : 0;
+    const lms3dVector& point = this->Samples.Points[i];
+    const bool isInFront = view.Covers(point) && view.GetRange(point) + tolerance < ranges[i];
+    samplesInFreeSpace += isInFront && nearest[i].Distance > tolerance ? 1 : 0;
   }
   this->ShareInFreeSpace = GetShare(samplesInFreeSpace, nearest.size());
 }
@@ -108,7 +112,8 @@ lms3dSceneErrors::lms3dSceneErrors(const lms3dSurfaceQuery& map, const lms3dSurf
 {
   if (this->VisibleShare < 1.0)
   {
-    const double samples = count / std::max(this->VisibleShare, 1.0 / MostSamplesPerVisible);
+    const double samples =
+      count / std::max(this->VisibleShare, 1.0 / MaximumSamplesPerVisibleSample);
     const std::int64_t refined = static_cast<std::int64_t>(std::ceil(samples));
     this->Points = GetVisible(scene, view, refined);
     this->VisibleShare = GetShare(this->Points.size(), refined);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What a local map gets wrong: its distances to the scene that was scanned, and back.
+ * @brief Errors of a local map at sample points: the distances from map to scene, and back.
  */
 #ifndef lms3dMapComparison_h
 #define lms3dMapComparison_h
@@ -14,49 +14,53 @@
 #include <cstdint>
 #include <vector>
 
-/// The map, sampled.
+/// Errors at samples of the map.
 struct lms3dMapErrors
 {
+  /// Takes `count` samples, at least 1. `tolerance` is in metres.
   lms3dMapErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
     const lms3dSensorView& view, double tolerance, std::int64_t count);
 
   lms3dSurfaceSamples Samples;
 
-  /// For each sample the distance to the scene, metres.
+  /// The distance of each sample from the scene, metres.
   std::vector<double> Distances;
 
   /**
-   * For each sample the angle, degrees, between its triangle and the scene's nearest, 0 to 90; where
-   * the sensor sees the back of the map's triangle, 180 less that.
+   * For each sample the angle between the planes of its triangle and of the nearest triangle of the
+   * scene, degrees, 0 to 90. If the map's triangle faces away from the sensor, 180 minus this angle.
    */
   std::vector<double> Angles;
 
-  /// The share of samples that the view covers, beyond the tolerance, and as much nearer to the
-  /// sensor than the scene is along their beam: what the sensor has seen to be empty.
+  /// The share of samples in space that the sensor has seen to be empty: the view covers them, they
+  /// are farther than the tolerance from the scene, and they are nearer to the sensor than the scene
+  /// along their beam by more than the tolerance.
   double ShareInFreeSpace;
 };
 
-/// The part of the scene that the sensor sees, sampled.
+/// Errors at samples of the visible scene.
 struct lms3dSceneErrors
 {
   /**
-   * Samples the scene so finely that about `count` of its samples are seen, or, where little is
-   * seen, with 32 times as many.
+   * Samples the scene so densely that about `count` samples are visible. The scene gets at most
+   * 32 * `count` samples, so there are fewer visible ones if the sensor sees less than 1/32 of the
+   * scene.
    */
   lms3dSceneErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
     const lms3dSensorView& view, std::int64_t count);
 
-  /// Those of the samples that the view covers and that nothing hides.
+  /// The samples that the view covers and that no part of the scene hides. May be empty.
   lms3dSurfaceQuery::Points Points;
 
-  /// The share of the whole scene's area.
+  /// The visible share of the scene's area.
   double VisibleShare;
 
-  /// For each point the distance to the map, metres.
+  /// The distance of each point from the map, metres.
   std::vector<double> Distances;
 };
 
-/// The distances of some points from a surface, metres.
+/// Returns the distance of each point from the surface, metres; infinite for a point that is not
+/// finite.
 std::vector<double> lms3dGetDistances(
   const lms3dSurfaceQuery& surface, const lms3dSurfaceQuery::Points& points);
 

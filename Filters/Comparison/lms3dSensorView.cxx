@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Comparison/lms3dSensorView.h"
 
+#include "Geometry/lms3dAngle.h"
+
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 
@@ -13,20 +15,18 @@
 
 namespace
 {
-constexpr double DegreesPerRadian = 57.29577951308232;
 constexpr double FullCircle = 360.0;
 
-// Degrees; what the arithmetic of angles may lose at the rim of the view.
-constexpr double RimTolerance = 1e-9;
+// Degrees; allows for rounding at the border of the view.
+constexpr double BorderTolerance = 1e-9;
 
-std::vector<double> TakeNumbers(vtkFieldData* data, const char* name)
+std::vector<double> GetNumbers(vtkFieldData* data, const char* name)
 {
   vtkDataArray* array = data->GetArray(name);
   if (!array || array->GetNumberOfValues() == 0)
   {
-    throw std::runtime_error("Where the sensor was and what it covered is not known: there is no "
-                             "field data " +
-      std::string(name) + ". Connect the scan that the map was made of as third input.");
+    throw std::runtime_error("The sensor's pose and angles are missing: there is no field data " +
+      std::string(name) + ". Connect the scan that the map was made from as third input.");
   }
   std::vector<double> numbers;
   for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
@@ -45,7 +45,7 @@ std::vector<double> TakeNumbers(vtkFieldData* data, const char* name)
 lms3dSensorView::lms3dSensorView(vtkFieldData* data, const lms3dRangeLimits& limits)
   : Limits(limits)
 {
-  const std::vector<double> matrix = TakeNumbers(data, "SensorToWorld");
+  const std::vector<double> matrix = GetNumbers(data, "SensorToWorld");
   if (matrix.size() != 16)
   {
     throw std::runtime_error("The field data SensorToWorld has " + std::to_string(matrix.size()) +
@@ -59,8 +59,7 @@ lms3dSensorView::lms3dSensorView(vtkFieldData* data, const lms3dRangeLimits& lim
     }
     this->Position[row] = matrix[4 * row + 3];
   }
-  const lms3dScanGeometry geometry(
-    TakeNumbers(data, "AlphaAngles"), TakeNumbers(data, "BetaAngles"));
+  const lms3dScanGeometry geometry(GetNumbers(data, "AlphaAngles"), GetNumbers(data, "BetaAngles"));
   const auto alphas =
     std::minmax(geometry.GetAlphaAngles().front(), geometry.GetAlphaAngles().back());
   const auto betas = std::minmax(geometry.GetBetaAngles().front(), geometry.GetBetaAngles().back());
@@ -70,30 +69,27 @@ lms3dSensorView::lms3dSensorView(vtkFieldData* data, const lms3dRangeLimits& lim
   this->BetaExtent = geometry.IsClosed() ? FullCircle : betas.second - betas.first;
 }
 
-double lms3dSensorView::GetRange(const std::array<double, 3>& point) const
+double lms3dSensorView::GetRange(const lms3dVector& point) const
 {
-  return std::hypot(
-    point[0] - this->Position[0], point[1] - this->Position[1], point[2] - this->Position[2]);
+  const lms3dVector beam = lms3dSubtract(point, this->Position);
+  return std::hypot(beam[0], beam[1], beam[2]);
 }
 
-bool lms3dSensorView::Covers(const std::array<double, 3>& point) const
+bool lms3dSensorView::Covers(const lms3dVector& point) const
 {
   const double range = this->GetRange(point);
   if (!(range > 0.0 && range >= this->Limits.Minimum && range <= this->Limits.Maximum))
   {
     return false;
   }
-  std::array<double, 3> seen{};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      seen[axis] += this->Axes[axis][i] * (point[i] - this->Position[i]);
-    }
-  }
-  const double alpha = DegreesPerRadian * std::atan2(seen[2], std::hypot(seen[0], seen[1]));
-  const double beta = -DegreesPerRadian * std::atan2(seen[1], seen[0]);
-  const double turn = beta - this->FirstBeta + RimTolerance;
-  return alpha >= this->LowestAlpha - RimTolerance && alpha <= this->HighestAlpha + RimTolerance &&
-    turn - FullCircle * std::floor(turn / FullCircle) <= this->BetaExtent + 2.0 * RimTolerance;
+  const lms3dVector beam = lms3dSubtract(point, this->Position);
+  const double x = lms3dDot(this->Axes[0], beam);
+  const double y = lms3dDot(this->Axes[1], beam);
+  const double z = lms3dDot(this->Axes[2], beam);
+  const double alpha = lms3dDegreesPerRadian * std::atan2(z, std::hypot(x, y));
+  const double beta = -lms3dDegreesPerRadian * std::atan2(y, x);
+  const double turn = beta - this->FirstBeta + BorderTolerance;
+  return alpha >= this->LowestAlpha - BorderTolerance &&
+    alpha <= this->HighestAlpha + BorderTolerance &&
+    turn - FullCircle * std::floor(turn / FullCircle) <= this->BetaExtent + 2.0 * BorderTolerance;
 }

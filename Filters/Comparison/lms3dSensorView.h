@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The part of space that a scan covers.
+ * @brief The part of space that a scan covers: its angles and ranges around a posed sensor.
  */
 #ifndef lms3dSensorView_h
 #define lms3dSensorView_h
 
 #include "Device/lms3dScanGeometry.h"
+#include "Geometry/lms3dVector.h"
 
 #include <array>
 
@@ -17,26 +18,27 @@ class lms3dSensorView
 {
 public:
   /**
-   * From `SensorToWorld`, `AlphaAngles` and `BetaAngles`, as a scan and its local map carry them.
-   * Throws std::runtime_error, with words for the user, where one of them is missing or bad.
+   * Reads the field data `SensorToWorld`, `AlphaAngles` and `BetaAngles` of a scan or of its local
+   * map. Throws std::runtime_error with a message for the user if one is missing or invalid.
    */
   lms3dSensorView(vtkFieldData* data, const lms3dRangeLimits& limits);
 
-  const double* GetPosition() const { return this->Position.data(); }
+  /// World coordinates, metres.
+  const lms3dVector& GetPosition() const { return this->Position; }
 
-  /// Whether a point, in world coordinates, lies within the angles and ranges, whatever is before
-  /// it.
-  bool Covers(const std::array<double, 3>& point) const;
+  /// Returns true if a point in world coordinates lies within the angles and ranges. The point may
+  /// be hidden by the scene.
+  bool Covers(const lms3dVector& point) const;
 
-  /// The length of the beam to a point, metres.
-  double GetRange(const std::array<double, 3>& point) const;
+  /// The distance of a point from the sensor, metres.
+  double GetRange(const lms3dVector& point) const;
 
 private:
-  std::array<double, 3> Position;
+  lms3dVector Position;
   /// The sensor's x, y and z axes in world coordinates.
-  std::array<std::array<double, 3>, 3> Axes;
+  std::array<lms3dVector, 3> Axes;
   lms3dRangeLimits Limits;
-  /// Degrees; the turn starts at the first.
+  /// Degrees. The turn covers BetaExtent, increasing from FirstBeta.
   double LowestAlpha;
   double HighestAlpha;
   double FirstBeta;

@@ -16,10 +16,11 @@
 
 namespace
 {
+// Keeps the nearest of the triangles that Embree offers.
 class NearestTriangle final : public lms3dEmbreeScene::NearestTest
 {
 public:
-  NearestTriangle(const lms3dTriangleMesh& mesh, const double point[3])
+  NearestTriangle(const lms3dTriangleMesh& mesh, const lms3dVector& point)
     : Mesh(mesh)
     , Point(point)
   {
@@ -27,7 +28,8 @@ public:
 
   double Test(std::uint32_t triangle) override
   {
-    const double distance = lms3dGetDistance(this->Point, lms3dGetCorners(this->Mesh, triangle));
+    const double distance =
+      lms3dGetDistance(this->Point.data(), lms3dGetCorners(this->Mesh, triangle));
     const bool isNearer = distance < this->Nearest.Distance ||
       (distance == this->Nearest.Distance && triangle < this->Nearest.Triangle);
     if (isNearer)
@@ -41,18 +43,14 @@ public:
 
 private:
   const lms3dTriangleMesh& Mesh;
-  const double* Point;
+  const lms3dVector& Point;
   lms3dNearest Nearest;
 };
 
-bool IsFinite(const double point[3])
-{
-  return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
-}
-
-// A point where the sensor itself is has no direction; its beam stays inactive.
-std::uint32_t Aim(
-  const double origin[3], const std::array<double, 3>* points, int count, lms3dBeamPacket& packet)
+// Fills a packet with beams from `origin` towards the points. Returns the mask of the active beams: a
+// beam is inactive if its point is at the origin or not finite.
+std::uint32_t AimAtPoints(
+  const lms3dVector& origin, const lms3dVector* points, int count, lms3dBeamPacket& packet)
 {
   lms3dElevations elevations;
   lms3dFanAxes axes;
@@ -62,8 +60,7 @@ std::uint32_t Aim(
   std::fill_n(axes.Up, 3, 0.0);
   for (int i = 0; i < lms3dBeamPacket::Size; ++i)
   {
-    const std::array<double, 3>& point = points[std::min(i, count - 1)];
-    const double beam[3] = { point[0] - origin[0], point[1] - origin[1], point[2] - origin[2] };
+    const lms3dVector beam = lms3dSubtract(points[std::min(i, count - 1)], origin);
     const double length = std::hypot(beam[0], beam[1], beam[2]);
     const bool isBeam = length > 0.0 && std::isfinite(length);
     for (int axis = 0; axis < 3; ++axis)
@@ -92,26 +89,26 @@ std::vector<lms3dNearest> lms3dSurfaceQuery::FindNearest(const Points& points) c
       std::uint32_t guess = 0;
       for (std::size_t i = range.begin(); i < range.end(); ++i)
       {
-        nearest[i] = this->FindNearest(points[i].data(), guess);
+        nearest[i] = this->FindNearest(points[i], guess);
         guess = nearest[i].Triangle;
       }
     });
   return nearest;
 }
 
-// The triangle nearest to a neighbouring point tells how far the search has to go at most.
-lms3dNearest lms3dSurfaceQuery::FindNearest(const double point[3], std::uint32_t guess) const
+// The distance to `guess` bounds the search, so a triangle near a neighbouring point is a good guess.
+lms3dNearest lms3dSurfaceQuery::FindNearest(const lms3dVector& point, std::uint32_t guess) const
 {
   NearestTriangle test(this->Mesh, point);
-  if (IsFinite(point))
+  if (lms3dIsFinite(point))
   {
-    this->Scene.FindNearest(point, test.Test(guess), test);
+    this->Scene.FindNearest(point.data(), test.Test(guess), test);
   }
   return test.Get();
 }
 
 std::vector<double> lms3dSurfaceQuery::GetRangesTowards(
-  const double origin[3], const Points& points) const
+  const lms3dVector& origin, const Points& points) const
 {
   constexpr std::size_t Size = lms3dBeamPacket::Size;
   const lms3dViewpoint viewpoint = { { origin[0], origin[1], origin[2] },
@@ -130,11 +127,12 @@ std::vector<double> lms3dSurfaceQuery::GetRangesTowards(
   return ranges;
 }
 
-void lms3dSurfaceQuery::CastTowards(const lms3dViewpoint& viewpoint,
-  const std::array<double, 3>* points, int count, double* ranges) const
+void lms3dSurfaceQuery::CastTowards(
+  const lms3dViewpoint& viewpoint, const lms3dVector* points, int count, double* ranges) const
 {
   lms3dBeamPacket packet;
-  packet.Active = Aim(viewpoint.Origin, points, count, packet);
+  const lms3dVector origin = { viewpoint.Origin[0], viewpoint.Origin[1], viewpoint.Origin[2] };
+  packet.Active = AimAtPoints(origin, points, count, packet);
   this->Scene.Cast(viewpoint, &packet, 1);
   lms3dMeasureRanges(this->Mesh, viewpoint, &packet, 1);
   std::copy_n(packet.Range, count, ranges);

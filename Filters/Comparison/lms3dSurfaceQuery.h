@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A surface that tells how far it is from points, and where beams meet it.
+ * @brief Finds the nearest triangle of a surface, and the range at which a beam hits the surface.
  */
 #ifndef lms3dSurfaceQuery_h
 #define lms3dSurfaceQuery_h
 
 #include "Casting/lms3dEmbreeScene.h"
 #include "Geometry/lms3dTriangleMesh.h"
+#include "Geometry/lms3dVector.h"
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-/// The triangle nearest to a point; of several at the same distance the one with the least number.
+/// The triangle nearest to a point. At equal distances, the triangle with the lowest index.
 struct lms3dNearest
 {
   /// Metres.
@@ -23,33 +23,35 @@ struct lms3dNearest
   std::uint32_t Triangle = 0;
 };
 
-/// Both questions use the threads of the calling TBB arena; the answers do not depend on their
-/// number.
+/// Both queries use the threads of the calling TBB arena. The results do not depend on the number of
+/// threads.
 class lms3dSurfaceQuery
 {
 public:
-  using Points = std::vector<std::array<double, 3>>;
+  /// World coordinates, metres.
+  using Points = std::vector<lms3dVector>;
 
-  /// Takes the mesh over, which has at least one triangle, none without area.
+  /// Takes ownership of the mesh. Requires at least one triangle, and that every triangle has an
+  /// area.
   explicit lms3dSurfaceQuery(lms3dTriangleMesh mesh);
 
   const lms3dTriangleMesh& GetMesh() const { return this->Mesh; }
 
-  /// Within the rounding of double, whatever is inside, on an edge or beside the triangle. A point
-  /// that is not finite is infinitely far from everything.
+  /// Returns the nearest triangle of each point. Distances are exact within the rounding of double,
+  /// and infinite for a point that is not finite.
   std::vector<lms3dNearest> FindNearest(const Points& points) const;
 
   /**
-   * For each point the range at which the beam from `origin` towards it meets the surface first,
-   * metres; infinite where it meets none. A beam within 1e-6 of the surface's size from an edge may
-   * be given to the wrong side of it.
+   * Casts a beam from `origin` towards each point. Returns the range of the first hit in metres, or
+   * infinity without a hit. Single precision decides which triangle is hit: a beam that passes an
+   * edge within 1e-6 of the surface's size may hit the triangle on the other side.
    */
-  std::vector<double> GetRangesTowards(const double origin[3], const Points& points) const;
+  std::vector<double> GetRangesTowards(const lms3dVector& origin, const Points& points) const;
 
 private:
-  lms3dNearest FindNearest(const double point[3], std::uint32_t guess) const;
-  void CastTowards(const lms3dViewpoint& viewpoint, const std::array<double, 3>* points, int count,
-    double* ranges) const;
+  lms3dNearest FindNearest(const lms3dVector& point, std::uint32_t guess) const;
+  void CastTowards(
+    const lms3dViewpoint& viewpoint, const lms3dVector* points, int count, double* ranges) const;
 
   const lms3dTriangleMesh Mesh;
   const lms3dEmbreeScene Scene;

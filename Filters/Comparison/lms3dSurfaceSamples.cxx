@@ -15,7 +15,7 @@ double GetArea(const lms3dTriangleMesh& mesh, std::size_t triangle)
   return 0.5 * std::hypot(normal[0], normal[1], normal[2]);
 }
 
-// One over the plastic number, the solution of x^3 = x + 1, and its square.
+// The plastic number solves x^3 = x + 1. These are its inverse and the square of its inverse.
 constexpr double Steps[2] = { 0.7548776662466927, 0.5698402909980532 };
 
 double GetFraction(double x)
@@ -23,7 +23,8 @@ double GetFraction(double x)
   return x - std::floor(x);
 }
 
-std::array<double, 3> GetPlace(const lms3dCorners& corners, std::size_t number)
+// Returns the point of a triangle that belongs to a number of the low-discrepancy sequence.
+lms3dVector GetPoint(const lms3dCorners& corners, std::size_t number)
 {
   double u = GetFraction(0.5 + number * Steps[0]);
   double v = GetFraction(0.5 + number * Steps[1]);
@@ -32,13 +33,13 @@ std::array<double, 3> GetPlace(const lms3dCorners& corners, std::size_t number)
     u = 1.0 - u;
     v = 1.0 - v;
   }
-  std::array<double, 3> place;
+  lms3dVector point;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double a = corners[0][axis];
-    place[axis] = a + u * (corners[1][axis] - a) + v * (corners[2][axis] - a);
+    point[axis] = a + u * (corners[1][axis] - a) + v * (corners[2][axis] - a);
   }
-  return place;
+  return point;
 }
 } // namespace
 
@@ -82,6 +83,6 @@ lms3dSurfaceSamples::lms3dSurfaceSamples(const lms3dTriangleMesh& mesh, std::int
       end += GetArea(mesh, ++triangle);
     }
     this->Triangles[i] = static_cast<std::uint32_t>(triangle);
-    this->Points[i] = GetPlace(lms3dGetCorners(mesh, triangle), i);
+    this->Points[i] = GetPoint(lms3dGetCorners(mesh, triangle), i);
   }
 }

@@ -2,34 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Points spread over a surface, of which each stands for the same area.
+ * @brief Points spread evenly over a surface: each point stands for the same area.
  */
 #ifndef lms3dSurfaceSamples_h
 #define lms3dSurfaceSamples_h
 
 #include "Geometry/lms3dTriangleMesh.h"
+#include "Geometry/lms3dVector.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
-/// Square metres, both sides counted once.
+/// The area of all triangles, square metres. Counts each triangle once, not once for each side.
 double lms3dGetArea(const lms3dTriangleMesh& mesh);
 
-/// Such triangles lie in no plane.
+/// Removes degenerate triangles, which have no plane. Keeps the points.
 void lms3dDropTrianglesWithoutArea(lms3dTriangleMesh& mesh);
 
 struct lms3dSurfaceSamples
 {
   /**
-   * The middles of `count` equal shares of the area, the triangles taken one after the other; within
-   * a triangle by a sequence of low discrepancy (Roberts 2018, the generalised golden ratio). The
-   * same mesh gives the same samples. Its area is above 0.
+   * Divides the area into `count` equal shares, triangle after triangle, and puts one point into the
+   * triangle at the middle of each share. Within a triangle the points follow a low-discrepancy
+   * sequence (Roberts 2018, the generalised golden ratio). The same mesh gives the same samples.
+   * Requires an area above 0.
    */
   lms3dSurfaceSamples(const lms3dTriangleMesh& mesh, std::int64_t count);
 
-  std::vector<std::array<double, 3>> Points;
-  /// The triangle that each point lies in.
+  /// World coordinates, metres.
+  std::vector<lms3dVector> Points;
+  /// The triangle of each point.
   std::vector<std::uint32_t> Triangles;
 };
 

@@ -9,5 +9,6 @@
 
 constexpr double lms3dPi = 3.14159265358979323846;
 constexpr double lms3dRadiansPerDegree = lms3dPi / 180.0;
+constexpr double lms3dDegreesPerRadian = 180.0 / lms3dPi;
 
 #endif

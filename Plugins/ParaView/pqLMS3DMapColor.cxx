@@ -16,14 +16,14 @@
 
 namespace
 {
-// Asked of the proxies: ParaView's window learns of the input only later.
-bool ShowsMap(vtkSMProxy* shown)
+// Reads the proxies, because the Qt classes do not have the input yet.
+bool IsMap(vtkSMProxy* shown)
 {
   vtkSMProxy* source = vtkSMPropertyHelper(shown, "Input", true).GetAsProxy();
   return source && !std::strcmp(source->GetXMLName(), "LMS3DSurfaceReconstruction");
 }
 
-// What comes back as it was, from a state or by undo and redo, has its colours already.
+// A representation from a state, undo or redo has its colours already.
 bool IsRestoring()
 {
   pqApplicationCore* core = pqApplicationCore::instance();
@@ -56,7 +56,7 @@ void pqLMS3DMapColor::shutdown()
 void pqLMS3DMapColor::color(pqRepresentation* added)
 {
   vtkSMProxy* shown = added->getProxy();
-  if (IsRestoring() || !ShowsMap(shown))
+  if (IsRestoring() || !IsMap(shown))
   {
     return;
   }

@@ -4,9 +4,9 @@
  * @class pqLMS3DMapColor
  * @brief shows a new local map as a green surface
  *
- * Without it a map takes over the colours of its scan and looks like it. A map is new when it is first
- * shown in a view, by the mouse or by Show() in the window's Python shell; what a state, undo or redo
- * brings back keeps the colours that it had.
+ * Without this class a map would inherit the colours of its scan. A map is new when it is shown in a
+ * view for the first time, by the user or by Show() in the Python shell. A map that a state, undo or
+ * redo restores keeps its colours.
  */
 
 #ifndef pqLMS3DMapColor_h

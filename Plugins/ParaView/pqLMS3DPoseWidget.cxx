@@ -21,8 +21,9 @@
 
 namespace
 {
-// The box is large enough to be grabbed in a hall and small enough to be seen through in a room.
-double HalfWidth(vtkSMProxy* scan)
+// Half the width of the box, metres: large enough to be dragged in a hall, small enough not to hide a
+// room.
+double GetHalfWidth(vtkSMProxy* scan)
 {
   constexpr double share = 0.02; // of the scene's diagonal
   constexpr double withoutScene = 0.25;
@@ -46,7 +47,7 @@ pqLMS3DPoseWidget::pqLMS3DPoseWidget(
   this->Frame->AxisLabelsOff();
   this->Frame->PickableOff();
   this->pqLMS3DPoseWidget::placeWidget();
-  this->simplify();
+  this->hideBoundsControls();
   this->followPose();
   this->connect(this, SIGNAL(widgetVisibilityUpdated(bool)), SLOT(showFrame(bool)));
   this->followTrajectory();
@@ -61,14 +62,14 @@ pqLMS3DPoseWidget::~pqLMS3DPoseWidget()
 //------------------------------------------------------------------------------
 void pqLMS3DPoseWidget::placeWidget()
 {
-  const double half = HalfWidth(this->proxy());
+  const double half = GetHalfWidth(this->proxy());
   const double bounds[6] = { -half, half, -half, half, -half, half };
   vtkSMProxy* box = this->widgetProxy();
   vtkSMPropertyHelper(box, "UseReferenceBounds").Set(1);
   vtkSMPropertyHelper(box, "ReferenceBounds").Set(bounds, 6);
   vtkSMPropertyHelper(box, "PlaceWidget").Set(bounds, 6);
   box->UpdateVTKObjects();
-  this->Frame->SetTotalLength(3 * half, 3 * half, 3 * half); // out of the box
+  this->Frame->SetTotalLength(3 * half, 3 * half, 3 * half); // longer than the box
 }
 
 //------------------------------------------------------------------------------
@@ -78,8 +79,8 @@ QCheckBox* pqLMS3DPoseWidget::getShowBox() const
 }
 
 //------------------------------------------------------------------------------
-// The box widget would fit itself to the input's bounds, which is nothing for a sensor.
-void pqLMS3DPoseWidget::simplify()
+// Hides the controls that fit the box to the bounds of the input.
+void pqLMS3DPoseWidget::hideBoundsControls()
 {
   if (QCheckBox* shown = this->getShowBox())
   {
@@ -120,7 +121,7 @@ bool pqLMS3DPoseWidget::hasTrajectory() const
 }
 
 //------------------------------------------------------------------------------
-// What the user wants is kept for the time after the trajectory.
+// Hides the box while there is a trajectory. Keeps the user's choice for the time after it.
 void pqLMS3DPoseWidget::updateWidgetVisibility()
 {
   const bool wanted = this->WidgetVisibility;
@@ -135,7 +136,8 @@ void pqLMS3DPoseWidget::updateWidgetVisibility()
 }
 
 //------------------------------------------------------------------------------
-// ParaView would take a box that a trajectory hides for one that the user has hidden.
+// Keeps the user's choice. ParaView cannot distinguish a box hidden by a trajectory from a box hidden
+// by the user.
 void pqLMS3DPoseWidget::hideEvent(QHideEvent* event)
 {
   const bool wanted = this->WidgetVisibility;
@@ -159,7 +161,7 @@ void pqLMS3DPoseWidget::moveFrame()
 }
 
 //------------------------------------------------------------------------------
-// On the renderer of ParaView's widgets, which draws on the client, also where a server renders.
+// Uses the renderer of ParaView's widgets, which draws on the client even if a server renders.
 void pqLMS3DPoseWidget::showFrame(bool visible)
 {
   this->removeFrame();

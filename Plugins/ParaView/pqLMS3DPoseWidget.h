@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqLMS3DPoseWidget
- * @brief moves and turns the sensor by hand, in the view or by numbers
+ * @brief moves and turns the sensor, with the mouse in the view or by numbers
  *
- * ParaView's box widget around the sensor, centred on it, so that turning the box does not move the
- * sensor; its width is 4 % of the scene's diagonal. The sensor's frame is drawn with it: x red, where
- * the first turn looks, y green, z blue, the platform's axis. The group's functions Position (metres)
- * and Rotation (degrees, applied in the order z, x, y) are those of the box widget.
+ * Shows ParaView's box widget around the sensor. The box is centred at the sensor, so that turning the
+ * box does not move the sensor. Its width is 4 % of the scene's diagonal. The sensor's axes are drawn
+ * in the box: x red, the direction of the first turn, y green, z blue, the platform's axis. The group
+ * has the functions of the box widget: Position (metres) and Rotation (degrees, applied in the order
+ * z, x, y).
  *
- * With ParaView's Auto Apply the scan follows while dragging, else at Apply. While the scan has a
- * trajectory there is no box: the sensor is not at Position then.
+ * With ParaView's Auto Apply the scan follows the mouse, otherwise it follows on Apply. The box is
+ * hidden while the scan has a trajectory, because the sensor is not at Position then.
  * In XML: `<PropertyGroup panel_widget="LMS3DPose">`.
  */
 
@@ -50,7 +51,7 @@ private:
 
   QCheckBox* getShowBox() const;
   bool hasTrajectory() const;
-  void simplify();
+  void hideBoundsControls();
   void followPose();
   void followTrajectory();
   void removeFrame();

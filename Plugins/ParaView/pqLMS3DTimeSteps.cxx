@@ -22,8 +22,8 @@ std::vector<double> GetTimes(vtkSMProxy* scan)
   return vtkSMPropertyHelper(scan, "TimestepValues").GetDoubleArray();
 }
 
-// As ParaView does for a reader that has just been opened.
-void PlayStepByStep(vtkSMProxy* scan)
+// Sets the times of the animation, as ParaView does for a new reader.
+void UpdateAnimation(vtkSMProxy* scan)
 {
   vtkNew<vtkSMParaViewPipelineController> controller;
   vtkSMProxy* scene = controller->GetAnimationScene(scan->GetSession());
@@ -42,7 +42,7 @@ pqLMS3DTimeSteps::pqLMS3DTimeSteps(QObject* parentObject)
 void pqLMS3DTimeSteps::startup()
 {
   this->connect(pqApplicationCore::instance()->getServerManagerModel(),
-    SIGNAL(dataUpdated(pqPipelineSource*)), SLOT(askAgain(pqPipelineSource*)));
+    SIGNAL(dataUpdated(pqPipelineSource*)), SLOT(updateTimeSteps(pqPipelineSource*)));
 }
 
 //------------------------------------------------------------------------------
@@ -53,7 +53,7 @@ void pqLMS3DTimeSteps::shutdown()
 }
 
 //------------------------------------------------------------------------------
-void pqLMS3DTimeSteps::askAgain(pqPipelineSource* updated)
+void pqLMS3DTimeSteps::updateTimeSteps(pqPipelineSource* updated)
 {
   auto* scan = vtkSMSourceProxy::SafeDownCast(updated->getProxy());
   if (!scan || std::strcmp(scan->GetXMLName(), "LMS3DScan") != 0)
@@ -65,6 +65,6 @@ void pqLMS3DTimeSteps::askAgain(pqPipelineSource* updated)
   if (GetTimes(scan) != before)
   {
     SM_SCOPED_TRACE(CallMethod).arg(scan).arg("UpdatePipelineInformation");
-    PlayStepByStep(scan);
+    UpdateAnimation(scan);
   }
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqLMS3DTimeSteps
- * @brief lets ParaView's animation play a trajectory that a scan is given, or that changes, later
+ * @brief updates ParaView's animation when a scan gets a trajectory or when the trajectory changes
  *
- * ParaView asks a filter for its time steps when the filter is new and not again. A trajectory comes
- * later, by Edit > Change Input; without this class the animation would not know of its times.
+ * ParaView requests the time steps of a filter only when the filter is new. A trajectory is connected
+ * later, by Edit > Change Input. Without this class the animation would not include its times.
  */
 
 #ifndef pqLMS3DTimeSteps_h
@@ -27,7 +27,7 @@ public:
   void shutdown();
 
 private Q_SLOTS:
-  void askAgain(pqPipelineSource* updated);
+  void updateTimeSteps(pqPipelineSource* updated);
 
 private:
   Q_DISABLE_COPY(pqLMS3DTimeSteps)

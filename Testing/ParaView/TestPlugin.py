@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plugin in pvpython: what it adds to ParaView, and that the room is scanned right through it.
+"""The plugin in pvpython: what it adds to ParaView, and a correct scan of the room.
 
 Run by pvpython, which finds the package lms3d. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR
 the folder of room.wrl.
@@ -140,7 +140,7 @@ class TestProxies(unittest.TestCase):
             "Method": ["IntersectionMethod", "NumberOfThreads"],
         })
 
-    def test_every_property_is_explained(self):
+    def test_every_property_is_documented(self):
         for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction, compare):
             proxy = make()
             for name in proxy.ListProperties():
@@ -148,7 +148,7 @@ class TestProxies(unittest.TestCase):
                     self.assertTrue(explanation(proxy.SMProxy.GetProperty(name)))
 
     def explained(self):
-        """The properties that have a default, each with its name and the words on it."""
+        """The properties that have a default, each with its name and its documentation."""
         for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction, compare):
             proxy = make()
             for name in set(proxy.ListProperties()) - NEEDED:
@@ -162,13 +162,13 @@ class TestProxies(unittest.TestCase):
                 with self.subTest(name):
                     self.assertRegex(words, unit)
 
-    def test_every_default_is_told(self):
+    def test_every_default_is_documented(self):
         for name, shown, words in self.explained():
             default = entry_of(shown) or " ".join(map(in_words, values_of(shown)))
             with self.subTest(name):
                 self.assertRegex(words, rf"Default: {re.escape(default)}[.,]")
 
-    def test_methods_are_those_of_the_filter(self):
+    def test_methods_match_the_filter(self):
         listed = LMS3DScan().SMProxy.GetProperty("IntersectionMethod").FindDomain(
             "vtkSMEnumerationDomain")
         shown = {listed.GetEntryValue(i): listed.GetEntryText(i).replace(" ", "")
@@ -177,20 +177,20 @@ class TestProxies(unittest.TestCase):
         self.assertEqual(shown, {i: filter_.GetIntersectionMethodName(i)
                                  for i in range(filter_.GetNumberOfIntersectionMethods())})
 
-    def test_defaults_are_those_of_the_filters(self):
+    def test_defaults_match_the_filters(self):
         for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction, compare):
             proxy = make()
             fresh = getattr(lms3d, algorithm(proxy).GetClassName())()
             for name in set(proxy.ListProperties()) - NEEDED:
                 with self.subTest(make.__name__, property=name):
                     default = getattr(fresh, f"Get{name}")()
-                    default = "" if default is None else default  # ParaView's empty name is VTK's none
+                    default = "" if default is None else default  # ParaView has no None
                     shown = proxy.SMProxy.GetProperty(name)
                     self.assertEqual(values_of(shown), list(np.atleast_1d(default)))
 
 
 class TestOpening(unittest.TestCase):
-    """ParaView takes our reader by itself for every file of VRML."""
+    """ParaView uses our reader for all VRML files."""
 
     def test_endings(self):
         text = Path(ROOM).read_bytes()

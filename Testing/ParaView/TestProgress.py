@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Progress and abort of reading, scanning and mapping, as ParaView gives and takes them.
+"""Progress and abort of reading, scanning and mapping in ParaView.
 
 Run by pvpython. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the folder of room.wrl.
 """
@@ -20,7 +20,7 @@ simple.LoadPlugin(os.environ["LMS3D_PLUGIN"], remote=False, ns=globals())
 
 
 def write_field(path):
-    """A scene of 2 * SIDE * SIDE triangles, large enough to be waited for."""
+    """A scene of 2 * SIDE * SIDE triangles, which takes long enough to be interrupted."""
     numbers = range(SIDE + 1)
     points = " ".join(f"{x} {y} 0," for y in numbers for x in numbers)
     corners = ((y * (SIDE + 1) + x, y * (SIDE + 1) + x + 1, (y + 1) * (SIDE + 1) + x + 1,
@@ -41,7 +41,7 @@ def count(proxy):
 
 
 class TestProgress(unittest.TestCase):
-    """Each of the pipeline's steps, long enough to be watched."""
+    """Each step of the pipeline, which takes long enough to be interrupted."""
 
     @classmethod
     def setUpClass(cls):
@@ -58,29 +58,29 @@ class TestProgress(unittest.TestCase):
         self.map = LMS3DSurfaceReconstruction(Input=self.scan)
 
     def steps(self):
-        """What is run, each with what it needs at hand."""
+        """The steps of the pipeline; the inputs of each step are up to date."""
         self.scan.Input.UpdatePipeline()
         yield self.scene
         yield self.scan
         self.scan.UpdatePipeline()
         yield self.map
 
-    def test_progress_bar_moves_and_says_what_is_done(self):
+    def test_progress_bar_moves_and_names_the_step(self):
         handler = simple.servermanager.ActiveConnection.Session.GetProgressHandler()
         handler.SetProgressInterval(0.01)
-        told = []
-        handler.AddObserver("ProgressEvent", lambda caller, event: told.append(
+        reports = []
+        handler.AddObserver("ProgressEvent", lambda caller, event: reports.append(
             (caller.GetLastProgressText(), caller.GetLastProgress())))
         for step in self.steps():
-            told.clear()
+            reports.clear()
             name = algorithm(step).GetClassName()
             with self.subTest(name):
                 step.UpdatePipeline()
-                percents = [percent for text, percent in told if text == name]
+                percents = [percent for text, percent in reports if text == name]
                 self.assertEqual(percents, sorted(percents))
-                self.assertTrue(any(0 < percent < 100 for percent in percents), told)
+                self.assertTrue(any(0 < percent < 100 for percent in percents), reports)
 
-    def test_abort_leaves_nothing_and_the_next_run_everything(self):
+    def test_abort_empties_the_output_and_the_next_run_is_complete(self):
         for step in self.steps():
             filter_ = algorithm(step)
             with self.subTest(filter_.GetClassName()):
@@ -91,7 +91,7 @@ class TestProgress(unittest.TestCase):
                 self.assertGreater(count(step), 100)
 
     def run_aborted(self, step):
-        """Abort in the midst of the work, as the button of later ParaViews does."""
+        """Abort during the work, as the button of later versions of ParaView does."""
         filter_ = algorithm(step)
 
         def stop(caller, event):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""lms3d advise: what it advises is good enough, and nothing coarser that it tries is."""
+"""lms3d advise: its result is good enough, and no coarser trial is."""
 
 import os
 import pty
@@ -41,7 +41,7 @@ def make_simulation():
 class SearchTest(unittest.TestCase):
     """The search itself."""
 
-    def test_steps_fall_to_the_finest(self):
+    def test_steps_decrease_to_the_finest(self):
         for finest in (0.05, 0.25, 0.3, 1.0, 7.0, 8.0):
             steps = steps_down_to(finest)
             self.assertEqual(steps[-1], finest)
@@ -57,7 +57,7 @@ class SearchTest(unittest.TestCase):
         set_steps(sensor, 2.0)
         self.assertEqual((sensor.GetAlphaResolution(), sensor.GetBetaResolution()), (16, 46))
 
-    def test_finds_the_coarsest_that_meets_it(self):
+    def test_finds_the_coarsest_good_enough_sample(self):
         found, _ = advise(make_simulation(), TOLERANCE, 0.95, 0.5, SAMPLES)
         self.assertTrue(found.meets(0.95))
         self.assertLess(found.step, 8.0)
@@ -70,17 +70,17 @@ class SearchTest(unittest.TestCase):
             sample = measure(simulation, step, bound, TOLERANCE, SAMPLES)
             self.assertFalse(sample.meets(0.95), (step, bound))
 
-    def test_a_smaller_share_takes_no_finer_steps(self):
+    def test_a_smaller_share_needs_no_finer_steps(self):
         steps = [advise(make_simulation(), TOLERANCE, share, 0.5, SAMPLES)[0].step
                  for share in (0.96, 0.9, 0.8)]
         self.assertEqual(steps, sorted(steps))
 
-    def test_tells_the_best_where_none_meets_it(self):
+    def test_returns_the_best_sample_if_none_is_good_enough(self):
         found, best = advise(make_simulation(), 0.001, 0.999, 4.0, SAMPLES)
         self.assertIsNone(found)
         self.assertFalse(best.meets(0.999))
 
-    def test_goes_on_where_a_coarse_scan_has_no_map(self):
+    def test_continues_if_a_coarse_scan_has_no_map(self):
         simulation = Simulation(read_scene(DATA / "teapot.wrl"))
         simulation.sensor.SetPosition(0.3, -2.9, 0.31)
         self.assertIsNone(measure(simulation, 8.0, 0.01, TOLERANCE, SAMPLES).comparison)
@@ -94,10 +94,10 @@ class SearchTest(unittest.TestCase):
 
 
 class CommandTest(unittest.TestCase):
-    """The command as a user meets it."""
+    """The command: its output, exit code and progress."""
 
     def advised(self, *arguments):
-        """What the command prints, and the command that it advises."""
+        """The output of the command, and its last line."""
         result = run("advise", ROOM, *POSE, *arguments)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return result.stdout, result.stdout.splitlines()[-1]
@@ -114,7 +114,7 @@ class CommandTest(unittest.TestCase):
         shares = re.search(r"correct (\S+) %, complete (\S+) %", judged)
         self.assertGreaterEqual(min(float(shares[1]), float(shares[2])), 95.0)
 
-    def test_the_advised_command_keeps_what_was_asked_for(self):
+    def test_the_advised_command_keeps_the_options(self):
         _, command = self.advised("--tolerance", 0.5, "--share", 0.5, "--alpha-range", -30, 30.5,
                                   "--maximum-range", 12, "--depth-step", 0.2, "--method", "fast")
         for words in ("--position 0.3 -0.2 1", "--alpha-range -30 30.5", "--maximum-range 12",
@@ -133,7 +133,7 @@ class CommandTest(unittest.TestCase):
             try:
                 while part := os.read(terminal, 4096):
                     shown += part
-            except OSError:  # what Linux says once the other end is closed
+            except OSError:  # Linux raises it when the other end is closed
                 pass
         os.close(terminal)
         self.assertEqual(process.returncode, 0)
@@ -142,19 +142,19 @@ class CommandTest(unittest.TestCase):
         self.assertEqual(percents, sorted(percents))
         self.assertGreater(len(percents), 1)
 
-    def test_says_what_to_do_where_nothing_is_good_enough(self):
+    def test_says_what_to_do_if_nothing_is_good_enough(self):
         result = run("advise", ROOM, *POSE, "--tolerance", 0.001, "--share", 0.999, "--finest", 4)
         self.assertEqual(result.returncode, 1)
         self.assertIn("no map with steps of 4 degrees or more is good enough", result.stderr)
         self.assertIn("raise --tolerance, lower --share or lower --finest", result.stderr)
 
-    def test_refuses_what_makes_no_sense(self):
+    def test_refuses_invalid_options(self):
         for code, words, arguments in (
                 (2, "--tolerance", ()),
                 (2, "is not above 0", ("--tolerance", 0)),
                 (2, "is not below 1", ("--tolerance", 1, "--share", 1)),
                 (2, "is not within 0.05 to 8", ("--tolerance", 1, "--finest", 0.01)),
-                (2, "must rise", ("--tolerance", 1, "--alpha-range", 10, 10)),
+                (2, "must increase", ("--tolerance", 1, "--alpha-range", 10, 10)),
                 (1, "move the sensor", ("--tolerance", 1, "--maximum-range", 0.001))):
             result = run("advise", ROOM, *POSE, *arguments)
             self.assertEqual(result.returncode, code, arguments)

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenes of the paper: the committed files are what their generators write,
-and they have the size, closure and free space that the figures rely on.
+"""The scenes of the paper: the committed files equal the output of their generators,
+and they have the size, closure and free space that the figures need.
 
-The scenes lie in the folder LMS3D_DATA_DIR, or in ../../Data as seen from here.
+The scenes are in the folder LMS3D_DATA_DIR, by default in ../../Data.
 """
 
 import os
@@ -21,7 +21,7 @@ import numpy as np
 DATA = Path(os.environ.get("LMS3D_DATA_DIR") or Path(__file__).resolve().parents[2] / "Data")
 SENSOR = np.array([0.3, -0.2, 1.0])
 
-# One piece as the generators lay it out; the translation is missing where there is none.
+# One piece in the layout of the generators; the translation is optional.
 PIECE = re.compile(
     r"(?:Transform \{\s+translation (?P<translation>[^\n]+)\n\s+children \[\s+)?"
     r"DEF (?P<name>\w+) Shape \{.*?"
@@ -40,8 +40,8 @@ class Mesh:
         self.name = match["name"]
         self.solid = match["solid"] == "TRUE"
         self.colour = [float(word) for word in match["colour"].split()]
-        place = [float(word) for word in (match["translation"] or "0 0 0").split()]
-        self.points = place + np.array([p.split() for p in match["points"].split(",")], float)
+        translation = [float(word) for word in (match["translation"] or "0 0 0").split()]
+        self.points = translation + np.array([p.split() for p in match["points"].split(",")], float)
         *faces, self.rest = re.split(r"-1,?", match["faces"])
         self.faces = [[int(index) for index in face.split(",") if index.strip()] for face in faces]
         fans = [(f[0], f[i], f[i + 1]) for f in self.faces for i in range(1, len(f) - 1)]
@@ -57,7 +57,7 @@ class Mesh:
         return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
 
     def bodies(self):
-        """The separate bodies that make up the piece, each as its triangles' corners."""
+        """The separate bodies of the piece, each as its triangles' corners."""
         labels, before = np.arange(len(self.points)), None
         while not np.array_equal(labels, before):
             before = labels.copy()
@@ -67,18 +67,18 @@ class Mesh:
         return [self.corners()[of_triangle == label] for label in np.unique(labels)]
 
     def volumes(self):
-        """The volume of each body, negative where the faces turn inwards; an open body is
-        closed by a cone from its centre to its border."""
+        """The volume of each body, negative if the faces turn inwards. A cone from the centre
+        to the border closes an open body."""
         centred = [corners - corners.mean(axis=(0, 1)) for corners in self.bodies()]
         return [np.linalg.det(corners).sum() / 6 for corners in centred]
 
     def directed_edges(self):
-        """How often each edge is walked in each direction."""
+        """The number of times that each edge is used in each direction."""
         return Counter((f[i - 1], f[i]) for f in self.faces for i in range(len(f)))
 
 
 def read(path):
-    """The pieces of a scene file, by name in file order."""
+    """The pieces of a scene file by name, in file order."""
     text = path.read_text(encoding="utf-8")
     pieces = {match["name"]: Mesh(match) for match in PIECE.finditer(text)}
     if len(pieces) != text.count("IndexedFaceSet"):
@@ -87,7 +87,7 @@ def read(path):
 
 
 def generated(script, *options):
-    """The bytes that a generator writes into a file of its own."""
+    """The bytes that a generator writes."""
     with tempfile.TemporaryDirectory() as folder:
         output = Path(folder) / "scene.wrl"
         command = [sys.executable, "-B", str(DATA / script), str(output), *options]
@@ -117,7 +117,7 @@ def distances(point, corners):
 
 
 class SceneTests:
-    """What holds for every scene; the subclasses name the file and its generator."""
+    """Tests of every scene; the subclasses name the file and its generator."""
 
     @classmethod
     def setUpClass(cls):
@@ -247,7 +247,7 @@ class TestTeapot(SceneTests, unittest.TestCase):
         self.assertAlmostEqual(high[0], 0.1717, 4)
 
     def test_round_parts_are_nearly_round(self):
-        """Newell's quarters bulge by at most 0.6 % of the radius."""
+        """Newell's quarters deviate from a circle by at most 0.6 % of the radius."""
         points = self.pieces["Body"].points
         belt = points[np.isclose(points[:, 2], 0.045)]
         radii = np.hypot(belt[:, 0], belt[:, 1])
@@ -258,7 +258,7 @@ class TestTeapot(SceneTests, unittest.TestCase):
         points = {tuple(point) for point in self.all_points()}
         self.assertTrue(all((x, -y + 0.0, z) in points for x, y, z in points))
 
-    def test_borders_are_where_the_parts_end(self):
+    def test_borders_are_at_the_ends_of_the_parts(self):
         """Rim and foot of the body; one rim of lid and bottom; both ends of a tube."""
         for name, ends in {"Body": 2, "Lid": 1, "Handle": 2, "Spout": 2, "Bottom": 1}.items():
             with self.subTest(name):
@@ -275,7 +275,7 @@ class TestTeapot(SceneTests, unittest.TestCase):
             with self.subTest(name):
                 self.assertTrue(all(volume > 0 for volume in mesh.volumes()))
 
-    def test_subdivisions_are_a_choice(self):
+    def test_subdivisions_can_be_set(self):
         self.assertEqual(generated(self.script, "--subdivisions", "3").count(b"-1"), 552)
 
 

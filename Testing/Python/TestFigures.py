@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The paper's Figures 5 and 6, and their maps' triangles, against pictures that were looked at, with
-the numbers behind them, and the window whose sensor the keys move.
+"""The paper's Figures 5 and 6, and their maps' triangles, compared with reviewed pictures; their
+numbers; and the window in which keys move the sensor.
 
-The baselines lie in the folder LMS3D_BASELINE_DIR, or in ../Data/Baseline as seen from here. They
-are made, and compared, with Mesa's llvmpipe. After an intended change, look at the new pictures
-that this writes:
+The baselines are in the folder LMS3D_BASELINE_DIR, by default in ../Data/Baseline. They are made
+and compared with Mesa's llvmpipe. After an intended change, write new baselines and review them:
 
     xvfb-run -a -s "-noreset -screen 0 1280x1024x24" ./run python \\
         Testing/Python/TestFigures.py --write-baselines
@@ -35,17 +34,17 @@ OUTPUT = Path(os.environ.get("LMS3D_TEST_OUTPUT_DIR") or tempfile.gettempdir())
 
 SIZE = (800, 310)
 
-# A pixel counts where a channel differs by more than THRESHOLD; ALLOWED bounds their sum.
+# A pixel counts if a channel differs by more than THRESHOLD; ALLOWED bounds the sum.
 THRESHOLD = 16
 ALLOWED = 50
 
 FIGURES = {"Figure5": ROOM, "Figure6": TEAPOT}
 
-# Maps within the bound of their experiment, and plain grids, so near that their triangles are seen.
+# Maps within the bound of their experiment, and plain grids: bound, and zoom to show the triangles.
 TRIANGLES = {"RoomMap": (ROOM, None, 1.0), "RoomGrid": (ROOM, 0.0, 4.0),
              "TeapotMap": (TEAPOT, None, 1.0), "TeapotGrid": (TEAPOT, 0.0, 10.0)}
 
-# Triangles of the plain grids, and of one around a sensor that sees no depth steps.
+# Triangles of the plain grids, and of a plain grid without depth steps.
 ROOM_GRID, TEAPOT_GRID, CLOSED_GRID = 255310, 119163, 258480
 
 
@@ -55,14 +54,14 @@ def draw(simulation):
 
 
 def draw_triangles(experiment, maximum_error, zoom):
-    """The middle of a figure, the edges of the map's triangles drawn."""
+    """The middle of a figure, with the edges of the map's triangles."""
     figure = Figure(simulate(experiment, DATA, maximum_error), SIZE, edges=True)
     figure.camera.Zoom(zoom)
     return figure.image()
 
 
 def difference(image, baseline):
-    """The strict difference of two pictures, as number and picture."""
+    """The strict difference of two pictures, as a number and as a picture."""
     compare = vtkImageDifference()
     compare.SetInputData(image)
     compare.SetImageData(baseline)
@@ -74,7 +73,7 @@ def difference(image, baseline):
 
 
 def load_baselines(name):
-    """The pictures that were looked at: NAME.png, and NAME_1.png and so on of other drivers."""
+    """The baselines: NAME.png, and NAME_1.png and so on for other drivers."""
     pictures = []
     for path in sorted(BASELINES.glob(f"{name}*.png")):
         reader = vtkPNGReader()
@@ -85,10 +84,10 @@ def load_baselines(name):
 
 
 class FigureTest(unittest.TestCase):
-    """A picture must be its baseline; if not, it and the difference are kept for a look."""
+    """Compares a picture with its baseline; writes it and the difference if they differ."""
 
     def check_picture(self, name, image):
-        """Compare strictly with the baselines of that name; one of them must be met."""
+        """Expect a strict match with one of the baselines of that name."""
         baselines = load_baselines(name)
         for baseline in baselines:
             self.assertEqual(image.GetDimensions(), baseline.GetDimensions())
@@ -164,18 +163,17 @@ class TestTriangles(FigureTest):
                 grid = simulate(experiment, DATA, maximum_error=0.0)
                 self.assertEqual(grid.map.GetNumberOfCells(), expected)
 
-
-    def test_a_return_beside_its_patch_costs_a_few_triangles(self):
-        """From there one return of 52,255 on the floor lies 1e-5 rad beside their common outline."""
+    def test_a_return_beside_its_patch_needs_a_few_triangles(self):
+        """One of 52,255 returns on the floor is 1e-5 rad outside their common outline."""
         beside = replace(ROOM, position=(0.2, 0.0, 1.0), maximum_error=0.01)
         self.assertLess(simulate(beside, DATA).map.GetNumberOfCells(), 2000)
 
 
 class TestViewer(unittest.TestCase):
-    """The interactive window, its keys pressed one by one."""
+    """The interactive window and its keys."""
 
     def setUp(self):
-        self.simulation = simulate(ROOM, DATA, maximum_error=0.0)  # whose vertices are returns
+        self.simulation = simulate(ROOM, DATA, maximum_error=0.0)  # the map's vertices are returns
         self.viewer = Viewer(self.simulation, (400, 160), step=0.25)
         self.viewer.refresh()
 
@@ -189,9 +187,9 @@ class TestViewer(unittest.TestCase):
                           "Up": (0, 1, 0), "Next": (0, 0, -1), "Prior": (0, 0, 1)}.items():
             with self.subTest(key):
                 self.press(key)
-                place = start + 0.25 * np.array(move)
-                np.testing.assert_allclose(self.simulation.sensor.GetPosition(), place)
-                self.assertAlmostEqual(self.simulation.ranges()[0], place[2], places=12)
+                position = start + 0.25 * np.array(move)
+                np.testing.assert_allclose(self.simulation.sensor.GetPosition(), position)
+                self.assertAlmostEqual(self.simulation.ranges()[0], position[2], places=12)
                 self.assertEqual(self.simulation.map.GetPointData().GetArray("Range").GetRange(),
                                  self.simulation.scan.GetPointData().GetArray("Range").GetRange())
                 self.press("r")
@@ -205,7 +203,7 @@ class TestViewer(unittest.TestCase):
 
 
 def write_baselines():
-    """Draw all figures anew as baselines."""
+    """Draw all figures and write them as baselines."""
     BASELINES.mkdir(parents=True, exist_ok=True)
     for name, experiment in FIGURES.items():
         _write_baseline(name, draw(simulate(experiment, DATA)))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The classes as a Python user meets them: among VTK's own filters, and as numpy arrays."""
+"""The classes in Python: between VTK's own filters, and with numpy arrays."""
 
 import os
 import re
@@ -24,14 +24,14 @@ ROOM = os.path.join(os.environ["LMS3D_DATA_DIR"], "room.wrl")
 
 
 def room():
-    """A reader of the room, not yet updated."""
+    """A reader of the room, before an update."""
     reader = lms3d.vtkVRMLImporterSource()
     reader.SetFileName(ROOM)
     return reader
 
 
 def scan_of(source, position=(0.3, -0.2, 1.0), beams=91, turns=90):
-    """A scan of what `source` puts out, not yet updated."""
+    """A scan of the output of `source`, before an update."""
     scan = lms3d.vtkLMS3DScanFilter()
     scan.SetInputConnection(source.GetOutputPort())
     scan.SetPosition(position)
@@ -41,7 +41,7 @@ def scan_of(source, position=(0.3, -0.2, 1.0), beams=91, turns=90):
 
 
 def array(data, name):
-    """A point array of a data set as numpy sees it."""
+    """A point array of a data set as a numpy array."""
     return vtk_to_numpy(data.GetPointData().GetArray(name))
 
 
@@ -198,11 +198,11 @@ class Composition(unittest.TestCase):
                 edges.Update()
                 self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
                 volume.Update()
-                # A shell as thick as the bound, on a ball of 2 m.
+                # The bound allows a shell of that thickness on a ball of 2 m.
                 self.assertAlmostEqual(volume.GetVolume() / (4.0 / 3.0 * np.pi * 8.0), 1.0,
                                        delta=0.005 + 3.0 * bound / 2.0)
 
-    def test_an_image_alone_can_be_asked_for(self):
+    def test_the_image_can_be_updated_alone(self):
         scan = scan_of(room(), beams=31, turns=36)
         scan.Update(1)
         self.assertEqual(scan.GetRangeImage().GetDimensions(), (31, 36, 1))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""`lms3d scan --trajectory` as a user meets it."""
+"""lms3d scan --trajectory: its series of files, what it refuses, and its progress."""
 
 import io
 import re
@@ -10,11 +10,11 @@ from contextlib import redirect_stderr
 from xml.etree import ElementTree
 
 import numpy as np
-from lms3d.journey import Journey, Series
 from lms3d.problems import Problem
 from lms3d.scene import read_scene
 from lms3d.simulation import Simulation
-from TestCommandLine import COARSE, ROOM, CommandLineTest, array, field, points, read, room, write
+from lms3d.trajectory import Series, TrajectoryScan
+from command_line import COARSE, ROOM, CommandLineTest, array, field, points, read, room, write
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -120,7 +120,7 @@ class TestTrajectory(CommandLineTest):
             with self.subTest(words):
                 self.assertIn(words, self.refused(code, "scan", ROOM, *COARSE, *arguments))
 
-    def test_a_series_does_not_replace_what_it_is_made_of(self):
+    def test_a_series_does_not_replace_its_inputs(self):
         path = self.path()
         scene = self.folder / "scans_0001.vtp"
         write(vtkXMLPolyDataWriter(), room(), scene)
@@ -130,21 +130,21 @@ class TestTrajectory(CommandLineTest):
         self.assertIn("would be replaced", words)
         self.assertEqual(scene.read_bytes(), before)
 
-    def test_a_folder_in_the_way_is_seen_before_the_first_scan(self):
+    def test_a_folder_with_the_name_of_a_step_is_reported_before_the_first_scan(self):
         path = self.path()
         (self.folder / "maps_0002.vtp").mkdir()
-        # A sensor that scans would say first that no beam returns.
+        # If the command scanned first, it would report that no beam returns.
         words = self.refused(1, "scan", ROOM, "--trajectory", path, *COARSE, "--maximum-range", 0.01,
                              "-o", self.folder / "scans.pvd", "--map", self.folder / "maps.pvd")
         self.assertIn("maps_0002.vtp': that is a folder", words)
 
-    def test_a_place_that_is_lost_meanwhile_is_told(self):
-        place = self.folder / "scans_0001.vtp"
-        with self.assertRaisesRegex(Problem, f"cannot write '{place}': Is a directory"), \
+    def test_a_folder_that_appears_during_the_scans_is_reported(self):
+        path = self.folder / "scans_0001.vtp"
+        with self.assertRaisesRegex(Problem, f"cannot write '{path}': Is a directory"), \
                 Series(self.folder / "scans.pvd", 2, ()) as series:
             for time in (0.0, 1.0):
                 series.add(trajectory(), time)
-            place.mkdir()
+            path.mkdir()
         self.assertFalse((self.folder / "scans.pvd").exists())
 
 
@@ -155,19 +155,19 @@ class Terminal(io.StringIO):
         return True
 
 
-class TestProgressOfAJourney(unittest.TestCase):
+class TestProgress(unittest.TestCase):
     """One bar for all steps."""
 
     def test_it_never_goes_back_and_ends_at_100(self):
         simulation = Simulation(read_scene(ROOM))
-        journey = Journey(simulation, trajectory())
+        scans = TrajectoryScan(simulation, trajectory())
         with redirect_stderr(Terminal()) as shown:
-            for _ in journey.scans(with_map=True):
+            for _ in scans.run(with_map=True):
                 pass
         percents = [int(number) for number in re.findall(r"(\d+) %", shown.getvalue())]
         self.assertEqual(percents, sorted(percents))
         self.assertEqual(percents[-1], 100)
-        for number in range(1, 6):  # each of the six works ends where the next begins
+        for number in range(1, 6):  # each of the six steps ends where the next one begins
             self.assertIn(round(100 * number / 6), percents)
 
 

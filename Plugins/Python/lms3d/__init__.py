@@ -17,13 +17,13 @@ Scan a scene and look at the ranges (metres; angles are in degrees, z is up):
 
 The classes are ordinary VTK algorithms: vtkVRMLImporterSource reads a scene, vtkLMS3DScanFilter
 scans it, vtkLMS3DSurfaceReconstructionFilter makes a local map of triangles from a scan, and
-vtkLMS3DMapComparison measures how far that is from the scene. vtkLMS3DRemoteSource, where LMS3D was
-built with CORBA, shows the scans of a running server.
-Importing them needs no display. The same job from a shell:
+vtkLMS3DMapComparison measures how far the map is from the scene. If LMS3D was built with CORBA,
+vtkLMS3DRemoteSource shows the scans of a running server.
+Importing the package needs no display. The same job from a shell:
 ``python3 -m lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp``.
 """
 
-# The base classes of ours must be known before the wrapped modules are loaded.
+# The wrapped modules need their base classes to be loaded first.
 from vtkmodules import vtkCommonDataModel, vtkCommonExecutionModel  # noqa: F401
 
 from ._version import __version__  # noqa: F401
@@ -32,8 +32,10 @@ from .vtkLMS3DReaders import *  # noqa: F401,F403
 
 
 def __getattr__(name):
-    """The class that needs an ORB, loaded when it is first asked for: programs that never do are
-    free to load another ORB into the process."""
+    """Load the class that needs an ORB on first use.
+
+    Programs that do not use it can load another ORB into the process.
+    """
     if name == "vtkLMS3DRemoteSource":
         try:
             from .vtkLMS3DRemote import vtkLMS3DRemoteSource

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line: one parser, a subcommand for each module of `commands`."""
+"""The command line: one parser, with a subcommand for each module of `commands`."""
 
 import argparse
 import re
@@ -11,7 +11,7 @@ from .commands import COMMANDS
 from .problems import Problem, UsageProblem
 
 _DESCRIPTION = """\
-A 3D laser range finder, simulated: a SICK LMS 200 on a rotating support scans a scene.
+A simulated 3D laser range finder: a SICK LMS 200 on a rotating support scans a scene.
 
 Lengths are in metres, angles in degrees. Scenes and sensor are right-handed with z up.
 A beam with elevation alpha in the fan, on a support turned by beta, points along
@@ -20,7 +20,7 @@ above. By default 361 beams from -90 to 90 in each of 360 turns of one degree.
 """
 
 _EPILOG = """\
-exit codes: 0 done, 1 the job failed, 2 the command was wrong
+exit codes: 0 success, 1 the job failed, 2 the command was invalid
 
 examples:
   lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp --map map.vtp
@@ -31,12 +31,12 @@ examples:
 'lms3d COMMAND --help' explains each command.
 """
 
-# "-1e-3" is a number; argparse takes it for an option unless a blank stands before it.
+# argparse takes "-1e-3" for an option, unless it begins with a blank.
 _NEGATIVE_NUMBER = re.compile(r"-\.?\d")
 
 
 class _Parser(argparse.ArgumentParser):
-    """A parser whose help keeps its lines and whose errors are one line, as all the others."""
+    """A parser that keeps the line breaks of its help and prints each error as one line."""
 
     def __init__(self, **options):
         super().__init__(formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -61,7 +61,7 @@ def build_parser():
 
 
 def main(arguments=None):
-    """Run the command line; returns the exit code: 0 fine, 1 the job failed, 2 usage."""
+    """Run the command line; returns the exit code: 0 success, 1 the job failed, 2 usage."""
     words = sys.argv[1:] if arguments is None else arguments
     options = build_parser().parse_args(
         [f" {word}" if _NEGATIVE_NUMBER.match(word) else word for word in words]

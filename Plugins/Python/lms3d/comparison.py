@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How well a local map shows the scene that was scanned."""
 
+import math
 from typing import NamedTuple
 
 from . import vtkLMS3DMapComparison
@@ -11,7 +12,7 @@ POSE_ARRAYS = ("SensorToWorld", "AlphaAngles", "BetaAngles")
 
 
 class Errors(NamedTuple):
-    """Many errors in four numbers, metres or degrees."""
+    """A summary of errors, in metres or degrees."""
 
     mean: float
     rms: float
@@ -20,47 +21,50 @@ class Errors(NamedTuple):
 
 
 class Comparison:
-    """The results of vtkLMS3DMapComparison, which explains them.
+    """The results of vtkLMS3DMapComparison; its documentation defines them.
 
-    `map` is the map with the arrays Error and LargestError, `scene_points` are points of the
-    visible scene with the array Error (vtkPolyData, metres). Lengths are in metres, areas in square
-    metres, angles in degrees, shares from 0 to 1. The two numbers on returns are None where no scan
-    was compared.
+    `map` is the map with the arrays Error and LargestError. `scene_points` are points of the
+    visible scene with the array Error (both vtkPolyData, metres). Lengths are in metres, areas in
+    square metres, angles in degrees, shares from 0 to 1. Without a scan that has returns,
+    `returns_within_tolerance` and `largest_return_distance` are None.
     """
 
     def __init__(self, algorithm):
         self.map = algorithm.GetOutput()
         self.scene_points = algorithm.GetOutputDataObject(1)
         self.tolerance = algorithm.GetTolerance()
-        self.triangles = int(self._number("MapTriangles"))
-        self.map_area = self._number("MapArea")
-        self.visible_area = self._number("VisibleArea")
-        self.area_in_free_space = self._number("AreaInFreeSpace")
-        self.map_to_scene = self._errors("MapToScene")
-        self.scene_to_map = self._errors("SceneToMap")
-        self.normal_error = self._errors("NormalError")
-        self.correctness = self._number("Correctness")
-        self.completeness = self._number("Completeness")
-        self.f_score = self._number("FScore")
-        self.returns_within_tolerance = self._number("ReturnsWithinTolerance")
-        self.largest_return_distance = self._number("LargestReturnDistance")
+        self.triangles = algorithm.GetMapTriangles()
+        self.map_area = algorithm.GetMapArea()
+        self.visible_area = algorithm.GetVisibleArea()
+        self.area_in_free_space = algorithm.GetAreaInFreeSpace()
+        self.map_to_scene = _errors(algorithm, "MapToScene")
+        self.scene_to_map = _errors(algorithm, "SceneToMap")
+        self.normal_error = _errors(algorithm, "NormalError")
+        self.correctness = algorithm.GetCorrectness()
+        self.completeness = algorithm.GetCompleteness()
+        self.f_score = algorithm.GetFScore()
+        self.returns_within_tolerance = _measured(algorithm.GetReturnsWithinTolerance())
+        self.largest_return_distance = _measured(algorithm.GetLargestReturnDistance())
 
-    def _number(self, name):
-        array = self.map.GetFieldData().GetArray(name)
-        return array.GetValue(0) if array else None
 
-    def _errors(self, name):
-        return Errors(*self.map.GetFieldData().GetArray(name).GetTuple4(0))
+def _errors(algorithm, name):
+    statistics = ("Mean", "RMS", "Percentile95", "Maximum")
+    return Errors(*(getattr(algorithm, f"Get{name}{statistic}")() for statistic in statistics))
+
+
+def _measured(value):
+    return None if math.isnan(value) else value
 
 
 def compare(local_map, scene, scan=None, tolerance=0.01, samples=None, ranges=None, threads=0,
             label="comparing", share=(0.0, 1.0)):
     """Compare a map with the scene that was scanned; returns a Comparison or raises Problem.
 
-    `local_map` is vtkPolyData, `scene` what vtkLMS3DScanFilter scans. `scan` tells where the sensor
-    was if the map does not; its returns are compared with the map, too. `ranges` are those between
-    which the sensor measures, metres (default: 0 to 80). `label` stands before the progress bar, of
-    which this takes the part from the start to the end of `share`.
+    `local_map` is vtkPolyData, `scene` any input of vtkLMS3DScanFilter. `scan` is needed if the map
+    has no pose; its returns are compared with the map, too. `tolerance` is in metres, `samples` the
+    number of points on each surface (default: 200,000). `ranges` are the sensor's minimum and
+    maximum range, metres (default: 0 to 80). `label` is the text before the progress bar; `share`
+    are the start and end of the bar's part that the comparison fills.
     """
     comparison = vtkLMS3DMapComparison()
     comparison.SetInputData(local_map)
@@ -79,11 +83,11 @@ def compare(local_map, scene, scan=None, tolerance=0.01, samples=None, ranges=No
 
 
 def has_pose(data):
-    """Whether a map or scan says where its sensor was and what its beams covered."""
+    """Whether a map or scan has its sensor's pose and angles."""
     return all(data.GetFieldData().HasArray(name) for name in POSE_ARRAYS)
 
 
-def pass_pose(scan, local_map):
-    """Tell a map where the sensor of a scan was."""
+def copy_pose(scan, local_map):
+    """Copy the sensor's pose and angles from a scan to a map."""
     for name in POSE_ARRAYS:
         local_map.GetFieldData().AddArray(scan.GetFieldData().GetArray(name))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Running VTK algorithms: with a progress bar, and with errors that reach the user."""
+"""Runs VTK algorithms: shows their progress, and raises their errors as Problem."""
 
 import sys
 
@@ -13,10 +13,10 @@ _CLEAR_LINE = "\r\033[K"
 
 
 class ProgressBar:
-    """One line on the terminal that follows an algorithm's progress while a block runs.
+    """Shows an algorithm's progress in one line of the terminal while a ``with`` block runs.
 
-    `share` are the start and the end of what the algorithm does of a longer work. Nothing is drawn
-    where the stream is no terminal, and the line is gone at the end.
+    `share` are the start and the end of the bar's part that the algorithm fills, 0 to 1. Draws
+    nothing if the stream is not a terminal. Clears the line at the end.
     """
 
     def __init__(self, label, algorithm, stream=None, share=(0.0, 1.0)):
@@ -55,17 +55,18 @@ class ProgressBar:
 
 
 def update(algorithm, label, failure, keeps_parts=False, time=None, share=(0.0, 1.0)):
-    """Bring an algorithm up to date, for a `time` where one is given; `label` stands before the bar.
+    """Update an algorithm, for a `time` if given; `label` is the text before the progress bar.
 
-    Raises Problem, `failure` followed by VTK's own words, if VTK reports an error. Of an algorithm
-    that `keeps_parts` an error counts if it sets an error code; the caller tells of the others.
+    Raises Problem, `failure` followed by VTK's message, if VTK reports an error. If the algorithm
+    `keeps_parts`, its output can be used in spite of errors: then only an error code raises
+    Problem, and the caller reports the other errors.
     """
     job = algorithm.Update if time is None else lambda: algorithm.UpdateTimeStep(time)
     _run(algorithm, job, label, failure, keeps_parts, share)
 
 
 def write(writer, failure):
-    """Let a VTK writer write its file; raises Problem if it could not."""
+    """Write the file of a VTK writer; raises Problem if VTK reports an error."""
     _run(writer, writer.Write, "writing", failure)
 
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The paper's Figures 5 and 6: the scene in blue, left, its local map in green, right.
 
-Both halves are seen by one camera. From inside a room, only faces that look at the camera are
-drawn: its walls face inwards, so those between camera and furniture vanish.
+Both halves share one camera. Only faces that are turned towards the camera are drawn. The walls of
+a room face inwards, so the walls between camera and furniture are not drawn.
 """
 
 import ctypes
@@ -39,20 +39,20 @@ _GREEN_EDGES = (0.14, 0.42, 0.16)
 _RED = (0.85, 0.10, 0.10)
 _AXES = ((0.85, 0.10, 0.10), (0.10, 0.50, 0.10), (0.10, 0.20, 0.80))
 
-# Intensity and origin of each light, seen from the camera: x right, y up, z towards the viewer.
+# Intensity and direction of each light in the camera frame: x right, y up, z towards the viewer.
 _LIGHTS = ((0.55, (0.30, 0.50, 0.81)), (0.48, (0.0, 0.0, 1.0)), (0.36, (-0.80, -0.20, 0.56)))
 
-_FEATURE_ANGLE = 30.0  # degrees, creases sharper than this stay sharp
+_FEATURE_ANGLE = 30.0  # degrees; edges with a larger angle are drawn sharp
 _MARKER_SIZE = 0.04  # of the diagonal of the scene
 _VIEW_ANGLE = 25.0  # degrees, vertical
 _MARGIN = 1.05
-_FROM_ABOVE = 38.0  # degrees, height of the camera above the horizon outside a room
-_FROM_LEFT = -118.0  # degrees, its direction about z
-_BESIDE_SENSOR = 25.0  # degrees, how far the camera stands to the side of an outside sensor
+_CAMERA_ELEVATION = 38.0  # degrees above the horizon
+_CAMERA_AZIMUTH = -118.0  # degrees about z, from x
+_CAMERA_OFFSET = 25.0  # degrees about z, from a sensor outside the scene
 
 
 def check_display():
-    """Raise Problem where no window can be made; VTK itself would end the process."""
+    """Raise Problem without a display; VTK itself would end the process."""
     if vtkRenderWindow().IsA("vtkXOpenGLRenderWindow") and not _x_server_answers():
         raise Problem("no display to draw on: start a desktop session, set DISPLAY, or put "
                       "'xvfb-run -a -s \"-noreset -screen 0 1280x1024x24\"' before the command")
@@ -72,10 +72,10 @@ def _x_server_answers():
 
 
 class Figure:
-    """Scene and local map of a simulation side by side, drawn off screen unless told otherwise.
+    """Scene and local map of a simulation side by side.
 
-    `window` is the vtkRenderWindow, `camera` the one camera of both halves; `edges` draws those of
-    the map's triangles.
+    `window` is the vtkRenderWindow, off screen by default, and `camera` the camera of both halves.
+    With `edges` the edges of the map's triangles are drawn.
     """
 
     def __init__(self, simulation, size=DEFAULT_SIZE, off_screen=True, edges=False):
@@ -93,12 +93,12 @@ class Figure:
         self.reset_camera()
 
     def place_marker(self):
-        """Put the marker where the sensor is."""
+        """Move the marker to the sensor."""
         self._marker.SetPosition(self._simulation.sensor.GetPosition())
         self._marker.SetOrientation(self._simulation.sensor.GetOrientation())
 
     def reset_camera(self):
-        """Look at the whole scene from a place that shows what the sensor sees."""
+        """Show the whole scene, from a side that the sensor sees."""
         surface = self._surface()
         direction = _camera_direction(surface.GetBounds(), self._marker.GetPosition())
         points = vtk_to_numpy(surface.GetPoints().GetData())
@@ -107,14 +107,14 @@ class Figure:
         self._reset_clipping()
 
     def render(self):
-        """Draw."""
+        """Draw the figure."""
         self._reset_clipping()
         with VTKMessages() as messages:
             self.window.Render()
         messages.report("cannot draw")
 
     def image(self):
-        """The picture as vtkImageData, 8 bits RGB."""
+        """Draw the figure and return it as vtkImageData, 8 bits RGB."""
         self.render()
         grab = vtkWindowToImageFilter()
         grab.SetInput(self.window)
@@ -124,14 +124,14 @@ class Figure:
         return grab.GetOutput()
 
     def _surface(self):
-        """What the camera looks at."""
+        """The surface that the camera shows."""
         return self._simulation.scene.surface
 
     def _left_actor(self):
         return _scene_actor(self._simulation.scene.surface)
 
     def _map_port(self):
-        """Where the local map comes from."""
+        """The output port of the local map."""
         return self._simulation.reconstruction.GetOutputPort()
 
     def _add_half(self, actor, viewport):
@@ -146,12 +146,12 @@ class Figure:
         self.window.AddRenderer(renderer)
 
     def _reset_clipping(self):
-        """One clipping range for both halves: the scene holds the map."""
+        """Set the clipping range by the left half: the scene contains the map."""
         self.window.GetRenderers().GetFirstRenderer().ResetCameraClippingRange()
 
 
 def _light(renderer):
-    """Light that goes with the camera and gives floor and walls of a room different shades."""
+    """Add lights that move with the camera and shade floor and walls of a room differently."""
     renderer.AutomaticLightCreationOff()
     for intensity, direction in _LIGHTS:
         light = vtkLight()
@@ -162,7 +162,7 @@ def _light(renderer):
 
 
 def _scene_actor(surface):
-    """The scene as it is: triangles with thin edges, faces turned away left out."""
+    """The scene: triangles with thin edges, without back faces."""
     triangles = vtkTriangleFilter()
     triangles.SetInputData(surface)
     triangles.PassVertsOff()
@@ -178,7 +178,7 @@ def _scene_actor(surface):
 
 
 def _map_actor(port, edges):
-    """The local map of an output port, shaded by its own triangles."""
+    """The local map of an output port, with flat shading."""
     actor = _surface_actor(port, _GREEN)
     actor.GetProperty().SetInterpolationToFlat()
     actor.GetProperty().SetEdgeVisibility(edges)
@@ -234,21 +234,21 @@ def _diagonal(surface):
 def _camera_direction(bounds, sensor):
     """Unit vector from the scene to the camera.
 
-    A sensor inside the scene leaves the fixed view from above. One outside sees a single side
-    of the scene: the camera then stands on that side.
+    If the sensor is inside the scene, a fixed direction from above. If it is outside, it sees only
+    one side of the scene, and the camera shows that side.
     """
     if vtkBoundingBox(bounds).ContainsPoint(sensor):
-        azimuth, elevation = np.radians((_FROM_LEFT, _FROM_ABOVE))
+        azimuth, elevation = np.radians((_CAMERA_AZIMUTH, _CAMERA_ELEVATION))
     else:
         x, y, z = np.subtract(sensor, np.reshape(bounds, (3, 2)).mean(axis=1))
-        azimuth = np.arctan2(y, x) + np.radians(_BESIDE_SENSOR)
+        azimuth = np.arctan2(y, x) + np.radians(_CAMERA_OFFSET)
         elevation = np.clip(np.arctan2(z, np.hypot(x, y)), *np.radians((10, 60)))
     flat = np.cos(elevation)
     return np.array((flat * np.cos(azimuth), flat * np.sin(azimuth), np.sin(elevation)))
 
 
 def _frame(camera, points, direction, aspect):
-    """Put the camera in a direction, as near as the points fit into a view of that aspect."""
+    """Place the camera in a direction, as near as possible so that all points are in the view."""
     right = np.cross((0, 0, 1), direction)
     right /= np.linalg.norm(right)
     up = np.cross(direction, right)
@@ -267,9 +267,9 @@ def _frame(camera, points, direction, aspect):
 
 
 def _fit(offset, height, slope):
-    """Where along an axis of the picture the camera stands, and how high, to see every point.
+    """The camera's position along an axis of the picture, and its height, to show every point.
 
-    A point is seen if abs(offset - place) <= slope * (camera height - height).
+    A point is visible if abs(offset - position) <= slope * (camera height - height).
     """
     high = (offset + slope * height).max()
     low = (offset - slope * height).min()

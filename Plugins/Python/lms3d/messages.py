@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK's errors and warnings as plain sentences."""
+"""Collects VTK's errors and warnings, and reports them to the user as plain sentences."""
 
 import re
 import sys
@@ -16,20 +16,20 @@ _VTK_PREFIX = re.compile(
     r"(?:\w+ \((?:0x)?[0-9a-fA-F]+\): )?"
 )
 
-# What the executive adds to an error that the algorithm has explained before.
+# The executive's own error, which follows the error of the algorithm.
 _ECHO = re.compile(r"Algorithm \w+ ?\(?\w*\)? ?returned failure for request")
 
 
 def say(text):
-    """Tell the user something that is neither output nor a reason to stop."""
+    """Print a message for the user to the error stream."""
     print(f"lms3d: {text}", file=sys.stderr)
 
 
 class VTKMessages:
-    """Collects what VTK reports while a ``with`` block runs, in place of printing it.
+    """Collects VTK's errors and warnings while a ``with`` block runs, instead of printing them.
 
-    Every object counts, also those that an algorithm hides inside: VTK hands whatever nobody
-    else observes to its output window.
+    Includes objects that an algorithm uses internally: VTK sends every message without an observer
+    to its output window.
     """
 
     def __init__(self):
@@ -66,9 +66,9 @@ class VTKMessages:
         return collect
 
     def report(self, failure, reason=""):
-        """Raise Problem, `failure` first, if there were errors; else pass on the warnings.
+        """Raise Problem, beginning with `failure`, if there were errors; else print the warnings.
 
-        A `reason` is an error too, named where VTK found no words of its own.
+        A `reason` counts as an error. It is the message if VTK reported none.
         """
         if self.errors or reason:
             causes = self.warnings + [text for text in self.errors if not _ECHO.match(text)]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A running server instead of a simulation: its scan, its local map and its sensor's pose."""
+"""Connects to a running server: its scan, its local map and its sensor's pose."""
 
 import time
 
@@ -10,21 +10,21 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 from .messages import VTKMessages
 from .problems import Problem
 
-_PATIENCE = 10.0  # seconds for a server's first scan
+_FIRST_SCAN_TIMEOUT = 10.0  # seconds
 
 
 class RemoteScanner:
-    """The newest scan of the server at a URL, as vtkLMS3DRemoteSource takes one.
+    """The newest scan of the server at a URL, fetched by vtkLMS3DRemoteSource.
 
-    Raises Problem where LMS3D was built without CORBA, or no scan comes.
+    Raises Problem if LMS3D was built without CORBA, or if the server sends no scan.
     """
 
     def __init__(self, url):
         try:
-            from . import vtkLMS3DRemoteSource  # with the ORB
+            from . import vtkLMS3DRemoteSource  # loads the ORB
         except ImportError as error:
-            raise Problem("cannot watch a server: this LMS3D was built without CORBA; build it where "
-                          "omniORB is installed") from error
+            raise Problem("cannot show a server: this LMS3D was built without CORBA; install "
+                          "omniORB and build again") from error
         self.source = vtkLMS3DRemoteSource()
         self.source.SetURL(url)
         self._wait_for_first()
@@ -33,7 +33,7 @@ class RemoteScanner:
             raise Problem(f"nothing to show from '{url}': {reason}")
 
     def _wait_for_first(self):
-        end = time.monotonic() + _PATIENCE
+        end = time.monotonic() + _FIRST_SCAN_TIMEOUT
         self.update()
         while self.returns == 0 and not self.problem and time.monotonic() < end:
             time.sleep(0.05)
@@ -41,12 +41,12 @@ class RemoteScanner:
                 self.update()
 
     def update(self):
-        """Take what has been fetched; `problem` tells what was not."""
+        """Take the newest fetched scan. If fetching failed, `problem` says why."""
         with VTKMessages():
             self.source.Update()
 
     def has_news(self):
-        """Whether an update would bring any."""
+        """Whether an update would bring a new scan."""
         return self.source.GetNeedsUpdate()
 
     @property
@@ -56,32 +56,33 @@ class RemoteScanner:
 
     @property
     def returns(self):
-        """Number of beams that came back."""
+        """Number of returns."""
         return self.scan.GetNumberOfPoints()
 
     @property
     def problem(self):
-        """Why there is no newer scan, empty where there is."""
+        """Why fetching failed; empty if it did not."""
         return self.source.GetProblem()
 
     @property
     def number(self):
-        """The number of the scan, from the server's start."""
+        """The number of the scan since the server started."""
         return self.scan.GetFieldData().GetArray("ScanNumber").GetValue(0)
 
     def pose(self):
-        """The sensor's position (metres) and orientation (degrees, as VTK's props have it)."""
+        """The sensor's position (metres) and orientation (degrees, as in vtkProp3D)."""
         transform = vtkTransform()
-        transform.SetMatrix(vtk_to_numpy(self.scan.GetFieldData().GetArray("SensorToWorld")).ravel())
+        matrix = self.scan.GetFieldData().GetArray("SensorToWorld")
+        transform.SetMatrix(vtk_to_numpy(matrix).ravel())
         return transform.GetPosition(), transform.GetOrientation()
 
     def send_pose(self, position, orientation):
-        """Have the next scan made from there."""
+        """Move the server's sensor: its next scan is made from there."""
         self.source.SetPosition(position)
         self.source.SetOrientation(orientation)
         self.source.SendPose()
 
     @property
     def is_pose_pending(self):
-        """Whether a pose was sent, not refused, and no scan has come from there."""
+        """Whether a pose was sent and accepted, and its scan has not arrived yet."""
         return self.source.IsPosePending()

@@ -1,22 +1,22 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The picture of a running server, its scan left and its local map right, and the live window."""
+"""A picture and a live window of a running server: its scan left, its local map right."""
 
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from .figure import Figure
-from .viewer import Window, format_place
+from .viewer import Window, format_position
 
-_LOOK_INTERVAL = 50  # milliseconds between two looks for a new scan
-_NEAR_TO_FAR = (0.0, 0.667)  # hues: red, blue
-_DARKNESS = (0.75, 0.75)  # values: yellow would not be seen on white
+_POLL_INTERVAL = 50  # milliseconds between two checks for a new scan
+_HUES = (0.0, 0.667)  # from red, near, to blue, far
+_VALUES = (0.75, 0.75)  # darker than full colours, so that yellow is visible on white
 
 
 class RemoteFigure(Figure):
     """Scan and local map of a RemoteScanner side by side; the scan is coloured by range."""
 
     def place_marker(self):
-        """Put the marker where the sensor was."""
+        """Move the marker to the pose of the scan."""
         position, orientation = self._simulation.pose()
         self._marker.SetPosition(position)
         self._marker.SetOrientation(orientation)
@@ -28,8 +28,8 @@ class RemoteFigure(Figure):
         mapper = vtkPolyDataMapper()
         mapper.SetInputConnection(self._simulation.source.GetOutputPort(0))
         mapper.CreateDefaultLookupTable()
-        mapper.GetLookupTable().SetHueRange(_NEAR_TO_FAR)
-        mapper.GetLookupTable().SetValueRange(_DARKNESS)
+        mapper.GetLookupTable().SetHueRange(_HUES)
+        mapper.GetLookupTable().SetValueRange(_VALUES)
         mapper.SetScalarRange(self._simulation.scan.GetPointData().GetScalars().GetRange())
         actor = vtkActor()
         actor.SetMapper(mapper)
@@ -41,39 +41,39 @@ class RemoteFigure(Figure):
 
 
 class RemoteViewer(Window):
-    """A window on a RemoteScanner, drawn again with each scan."""
+    """A window that shows a RemoteScanner and redraws with each scan."""
 
     def __init__(self, scanner, size, title, step=None, edges=False):
         self._scanner = scanner
         self._start = self._sent = scanner.pose()
         super().__init__(RemoteFigure(scanner, size, off_screen=False, edges=edges), title, step,
                          scanner.scan.GetLength())
-        self.interactor.AddObserver("TimerEvent", self._look)
-        self.interactor.CreateRepeatingTimer(_LOOK_INTERVAL)
+        self.interactor.AddObserver("TimerEvent", self._poll)
+        self.interactor.CreateRepeatingTimer(_POLL_INTERVAL)
 
     def refresh(self):
         """Draw the newest scan."""
         self._scanner.update()
         if self._scanner.returns > 0:
             self._figure.place_marker()
-        self.draw(self._scanner.pose()[0], self._scanner.returns, "\n" + self._tell_state())
+        self.draw(self._scanner.pose()[0], self._scanner.returns, "\n" + self._describe_state())
 
     def move(self, shift):
-        """Send the sensor beside where it is, or where it was just sent to."""
+        """Move the sensor from its pose, or from the pose that was sent last."""
         position, orientation = self._pose()
         self._send([x + d for x, d in zip(position, shift)], orientation)
 
     def reset(self):
-        """Send the sensor to where the first scan was made."""
+        """Move the sensor to the pose of the first scan."""
         self._send(*self._start)
 
     def _pose(self):
         return self._sent if self._scanner.is_pose_pending else self._scanner.pose()
 
-    def _tell_state(self):
+    def _describe_state(self):
         words = [f"scan {self._scanner.number:,}"]
         if self._scanner.is_pose_pending:
-            words.append(f"on the way to {format_place(self._sent[0])} m")
+            words.append(f"on the way to {format_position(self._sent[0])} m")
         if self._scanner.problem:
             words.append(self._scanner.problem)
         return "    ".join(words)
@@ -83,6 +83,6 @@ class RemoteViewer(Window):
         self._scanner.send_pose(position, orientation)
         self.refresh()
 
-    def _look(self, *_):
+    def _poll(self, *_):
         if self._scanner.has_news():
             self.refresh()

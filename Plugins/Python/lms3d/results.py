@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writing results: the format is chosen by the ending, and no half-written file is left."""
+"""Writes results. The file ending chooses the format; a failed write leaves no incomplete file."""
 
 import os
 import shutil
@@ -16,7 +16,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from .execution import write
 from .problems import Problem, UsageProblem
 
-# What each result can be written as.
+# The formats of each result.
 ENDINGS = {
     "scan": (".vtp", ".ply", ".csv"),
     "range image": (".vti",),
@@ -32,17 +32,17 @@ CSV_ARRAYS = ("Range", "Alpha", "Beta", "BeamId", "CellId")
 
 
 def check_targets(targets, scene=None, **inputs):
-    """Make sure, before the work starts, that every result can be written where it shall go.
+    """Check that every result can be written, before the work starts.
 
-    `targets` are pairs of a result (a key of ENDINGS) and a path; `scene`, if there is one, and
-    whatever else is read, are paths that no result may replace.
+    `targets` are pairs of a result (a key of ENDINGS) and a path. `scene` and `inputs` are paths of
+    files that are read; no result may replace them.
     """
     if scene is not None:
         inputs["scene"] = scene
     taken = {Path(path).resolve(): name for name, path in inputs.items()}
     for result, path in targets:
         _check_ending(result, path)
-        check_place(result, path)
+        check_writable(result, path)
         other = taken.setdefault(Path(path).resolve(), result)
         if other != result:
             raise UsageProblem(f"'{path}' is both {other} and {result}: choose two names")
@@ -54,25 +54,25 @@ def _check_ending(result, path):
                            + " or ".join(ENDINGS[result]))
 
 
-def check_place(result, path):
-    """Make sure that a result, however it is called, can take its place."""
+def check_writable(result, path):
+    """Raise Problem if a result cannot be written to a path; the message contains its name."""
     folder = Path(path).resolve().parent
     if not folder.is_dir():
         raise Problem(f"cannot write the {result} to '{path}': there is no folder '{folder}'")
     if not os.access(folder, os.W_OK):
-        raise Problem(f"cannot write the {result} to '{path}': no right to write there")
+        raise Problem(f"cannot write the {result} to '{path}': no permission to write there")
     if Path(path).is_dir():
         raise Problem(f"cannot write the {result} to '{path}': that is a folder")
 
 
 def save(data, path):
-    """Write a data object; the file appears under its name only when it is complete."""
+    """Write a data object. The file gets its name only when it is complete."""
     with _temporary(Path(path).resolve()) as temporary:
         _SAVERS[Path(path).suffix.lower()](data, temporary, f"cannot write '{path}'")
 
 
 def save_text(text, path):
-    """Write a text; the file appears under its name only when it is complete."""
+    """Write a text. The file gets its name only when it is complete."""
     with _temporary(Path(path).resolve()) as temporary:
         with writing(path):
             temporary.write_text(text, encoding="utf-8")
@@ -80,7 +80,7 @@ def save_text(text, path):
 
 @contextmanager
 def writing(path):
-    """A block that writes `path`: what the system has against it becomes a Problem."""
+    """A block that writes `path`: turns an OSError into a Problem."""
     try:
         yield
     except OSError as error:
@@ -89,7 +89,7 @@ def writing(path):
 
 @contextmanager
 def _temporary(path):
-    """A name beside `path` that becomes `path` if the block ends well, and vanishes if not."""
+    """A temporary file beside `path`: renamed to it after the block, deleted if the block fails."""
     temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
     try:
         yield temporary
@@ -108,14 +108,14 @@ def _saver(writer_class, prepare=lambda writer: None):
         writer.SetFileName(str(path))
         prepare(writer)
         write(writer, failure)
-        if shutil.disk_usage(path.parent).free == 0:  # not every writer notices
+        if shutil.disk_usage(path.parent).free == 0:  # not every writer reports it
             raise Problem(f"{failure}: no space left on the device")
 
     return save_data
 
 
 def _save_csv(scan, path, failure):
-    """One line a return, numbers in full (VTK's own table writer keeps six digits)."""
+    """One line for each return, with all digits (VTK's own table writer keeps six)."""
     arrays = scan.GetPointData()
     columns = list(vtk_to_numpy(scan.GetPoints().GetData()).T)
     columns += [vtk_to_numpy(arrays.GetArray(name)) for name in CSV_ARRAYS]
@@ -128,8 +128,8 @@ def _save_csv(scan, path, failure):
         raise Problem(f"{failure}: {error.strerror}") from error
 
 
-# VTK appends binary data to the file by default, which is no XML: some versions of its parser,
-# Debian 12's among them, refuse to read it again.
+# By default VTK appends binary data to the file, which is not valid XML: some XML parsers, such as
+# the one in Debian 12, refuse to read it.
 _SAVERS = {
     ".vtp": _saver(vtkXMLPolyDataWriter, vtkXMLPolyDataWriter.SetDataModeToBinary),
     ".vti": _saver(vtkXMLImageDataWriter, vtkXMLImageDataWriter.SetDataModeToBinary),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What coarse scans and coarse maps of a scene cost in error, by measuring."""
+"""Measures the errors that coarse scans and coarse maps of a scene cause."""
 
 from dataclasses import dataclass
 from typing import Optional
@@ -10,7 +10,7 @@ from .execution import update
 
 _LABEL = "measuring"
 
-# How much of a measurement's time its parts take, about.
+# The approximate progress of a measurement after the scan and after the map.
 _SCANNED, _MAPPED = 0.1, 0.3
 
 
@@ -18,8 +18,8 @@ _SCANNED, _MAPPED = 0.1, 0.3
 class Sample:
     """A scan with equal steps, its local map within a bound, and the map's errors.
 
-    `step` is in degrees; the steps of both angles are the nearest to it that divide their ranges.
-    `maximum_error` is the map's bound, metres. `comparison` is None where the returns were too few
+    `step` is in degrees; the steps of both angles are the nearest ones that divide their ranges.
+    `maximum_error` is the map's bound, metres. `comparison` is None if there are too few returns
     for a map.
     """
 
@@ -31,11 +31,11 @@ class Sample:
     comparison: Optional[Comparison]
 
     def meets(self, share):
-        """Whether such a share both of the map and of the visible scene is within the tolerance."""
+        """Whether a share of the map, and of the visible scene, is within the tolerance."""
         return self._quality() >= share
 
     def is_better_than(self, other):
-        """Whether it comes nearer to meeting a tolerance than another."""
+        """Whether a larger share is within the tolerance than in another sample."""
         return self._quality() > other._quality()
 
     def _quality(self):
@@ -45,11 +45,11 @@ class Sample:
 
 
 def set_steps(sensor, step):
-    """Give both angles of the sensor steps of nearly so many degrees, within their ranges."""
+    """Set both resolutions of the sensor for a step in degrees, rounded to divide the ranges."""
     low, high = sensor.GetAlphaRange()
     sensor.SetAlphaResolution(_count((high - low) / step) + 1)
     low, high = sensor.GetBetaRange()
-    # The end of a full circle is its start again, and left out.
+    # A full circle excludes its end, which equals its start.
     sensor.SetBetaResolution(_count((high - low) / step) + (high - low < 360))
 
 
@@ -58,10 +58,10 @@ def _count(steps):
 
 
 def measure(simulation, step, maximum_error, tolerance, samples=None, share=(0.0, 1.0)):
-    """Scan with the sensor where it stands, map, and compare; returns a Sample or raises Problem.
+    """Scan from the sensor's pose, map, and compare; returns a Sample or raises Problem.
 
-    Leaves the simulation with these properties. `tolerance` is in metres, `samples` the number of
-    points on either surface, `share` what this takes of the progress of a longer work.
+    The simulation keeps the properties that this sets. `tolerance` is in metres, `samples` the
+    number of points on each surface, `share` the start and end of the progress bar's part.
     """
     sensor, reconstruction = simulation.sensor, simulation.reconstruction
     set_steps(sensor, step)
@@ -80,7 +80,7 @@ def measure(simulation, step, maximum_error, tolerance, samples=None, share=(0.0
 
 
 def steps_down_to(finest, coarsest=8.0):
-    """Steps from the coarsest to the finest, degrees, each about 3/4 of the one before."""
+    """Steps from the coarsest to the finest, degrees, each about 3/4 of the previous one."""
     steps = []
     half = coarsest
     while half > finest * (1 + 1e-9):
@@ -90,16 +90,16 @@ def steps_down_to(finest, coarsest=8.0):
 
 
 def advise(simulation, tolerance, share, finest, samples=None):
-    """The first Sample that meets a tolerance: the coarsest step, and for it the largest bound.
+    """Find the first Sample that meets a tolerance: the coarsest step, with its largest bound.
 
-    Tries steps from coarse to fine and for each of them bounds from eight times the tolerance down
-    to an eighth of it. Returns that Sample, or None, and the best of those that did not meet it, or
-    None where none had a map.
+    Tries steps from coarse to fine, and for each step bounds from 8 times the tolerance down to 1/8
+    of it. Returns that Sample or None, and the best Sample that misses the tolerance or None if no
+    scan gave a map.
     """
     bounds = [tolerance * factor for factor in (8, 4, 2, 1, 0.5, 0.25, 0.125)]
     trials = [(step, bound) for step in steps_down_to(finest) for bound in bounds]
     best = None
-    # Each takes about as long, since most of that is the comparison.
+    # All trials take about the same time, because the comparison takes most of it.
     for number, (step, bound) in enumerate(trials):
         part = (number / len(trials), (number + 1) / len(trials))
         sample = measure(simulation, step, bound, tolerance, samples, part)

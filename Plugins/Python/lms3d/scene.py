@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reading scenes and maps: any surface that VTK can read, chosen by the ending of the file name."""
+"""Reads scenes and maps in any format that VTK reads. The file ending chooses the reader."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -44,7 +44,7 @@ _MESSAGES_SHOWN = 10
 
 @dataclass(frozen=True)
 class Message:
-    """What a reader could not read as the file has it; `lost` where geometry is lost by it."""
+    """Something in a file that was not read; `lost` if geometry is lost."""
 
     lost: bool
     text: str
@@ -55,7 +55,7 @@ class Message:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene in memory, in metres, z up."""
+    """A scene in memory: metres, z up."""
 
     path: Path
     up_axis: str
@@ -65,17 +65,17 @@ class Scene:
 
     @property
     def triangles(self):
-        """Number of triangles, each polygon of n corners counted as n - 2."""
+        """Number of triangles; a polygon of n corners counts as n - 2."""
         return sum(
             cells.GetNumberOfConnectivityIds() - 2 * cells.GetNumberOfCells()
             for cells in (self.surface.GetPolys(), self.surface.GetStrips())
         )
 
-    def tell_losses(self):
-        """Tell the user, as far as a screen holds, what of the file is not in the scene."""
+    def report_losses(self):
+        """Print the first messages of the reader, losses first."""
         lost = sum(message.lost for message in self.messages)
         if lost:
-            say(f"warning: {self.path} is not whole: {lost} of its parts are lost")
+            say(f"warning: {self.path} is incomplete: {lost} of its parts are lost")
         worst_first = sorted(self.messages, key=lambda message: not message.lost)
         for message in worst_first[:_MESSAGES_SHOWN]:
             say(message)
@@ -87,7 +87,7 @@ class Scene:
 
 
 def check_readable(path, what="scene", endings=tuple(READERS)):
-    """Raise UsageProblem for an ending that is none of those, Problem where there is no file."""
+    """Raise UsageProblem if the file ending is unknown, Problem if there is no such file."""
     if Path(path).is_dir():
         raise Problem(f"cannot read {what} '{path}': that is a folder")
     if Path(path).suffix.lower() not in endings:
@@ -98,13 +98,15 @@ def check_readable(path, what="scene", endings=tuple(READERS)):
 
 
 def read_data(path, what):
-    """Read what VTK finds in a file."""
+    """Read a file by its VTK reader; raises Problem on an error."""
     return _read(_make_reader(path), path, what)
 
 
 def read_scene(path, up_axis="file", root=None):
-    """Read a scene; with up_axis "y" the file's y axis becomes the scene's z axis. The files that a
-    VRML file needs have to be below root, which is its own folder where None."""
+    """Read a scene. With up_axis "y" the file's y axis becomes the scene's z axis.
+
+    A VRML file can only use files below `root`, by default its own folder.
+    """
     check_readable(path)
     reader = _make_reader(path)
     if root is not None:
@@ -125,14 +127,14 @@ def _make_reader(path):
 
 def _set_root(reader, path, root):
     if not isinstance(reader, vtkVRMLImporterSource):
-        raise UsageProblem(f"--scene-root {root}: '{path}' is no VRML file")
+        raise UsageProblem(f"--scene-root {root}: '{path}' is not a VRML file")
     if not Path(root).is_dir():
-        raise Problem(f"cannot read scene '{path}': --scene-root {root} is no folder")
+        raise Problem(f"cannot read scene '{path}': --scene-root {root} is not a folder")
     reader.SetSceneRoot(str(root))
 
 
 def _read(reader, path, what, up_axis="file"):
-    """What a reader makes of its file; with up_axis "y" the y axis becomes the z axis."""
+    """The data of a reader's file; with up_axis "y" the y axis becomes the z axis."""
     algorithm = reader if up_axis == "file" else _turned(reader)
     update(algorithm, "reading", f"cannot read {what} '{path}'",
            keeps_parts=isinstance(reader, vtkVRMLImporterSource))
@@ -140,7 +142,7 @@ def _read(reader, path, what, up_axis="file"):
 
 
 def _turned(reader):
-    """The reader, or a filter behind it, whose output is turned from y-up to z-up."""
+    """The reader, or a filter after it, with an output turned from y-up to z-up."""
     if isinstance(reader, vtkVRMLImporterSource):
         reader.SetUpAxisToY()
         return reader
@@ -153,7 +155,7 @@ def _turned(reader):
 
 
 def _messages(reader):
-    """What a VRML file has that was not read; VTK's readers fail instead."""
+    """The messages of the VRML reader; VTK's own readers fail instead."""
     if not isinstance(reader, vtkVRMLImporterSource):
         return ()
     return tuple(
@@ -163,7 +165,7 @@ def _messages(reader):
 
 
 def _surface(data):
-    """The polygons of any data object."""
+    """The surface of any data object."""
     if isinstance(data, vtkPolyData):
         return data
     composite = isinstance(data, vtkCompositeDataSet)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The job itself: a scene, the sensor that scans it and the local map, one VTK pipeline."""
+"""The VTK pipeline of a simulation: a scene, the sensor that scans it, and the local map."""
 
 import time
 from dataclasses import dataclass, field
@@ -17,8 +17,8 @@ from .scene import Scene
 class Simulation:
     """A sensor in a scene and the local map of what it sees.
 
-    Set the sensor's properties on `sensor` and those of the map on `reconstruction`; both are
-    VTK filters, connected. `scan`, `range_image` and `map` are their outputs.
+    `sensor` and `reconstruction` are connected VTK filters: set the properties of sensor and map
+    there. `scan`, `range_image` and `map` are their outputs.
     """
 
     scene: Scene
@@ -38,12 +38,12 @@ class Simulation:
 
     @property
     def range_image(self):
-        """The organised grid of ranges as vtkImageData (metres, NaN: no return)."""
+        """The grid of all ranges as vtkImageData (metres, NaN: no return)."""
         return self.sensor.GetOutputDataObject(1)
 
     @property
     def map(self):
-        """The local map as vtkPolyData, triangles that face the sensor."""
+        """The local map as vtkPolyData: triangles that face the sensor."""
         return self.reconstruction.GetOutput()
 
     @property
@@ -53,7 +53,7 @@ class Simulation:
 
     @property
     def returns(self):
-        """Number of beams that came back."""
+        """Number of returns."""
         return self.scan.GetNumberOfPoints()
 
     def ranges(self):
@@ -71,9 +71,9 @@ class Simulation:
         update(self.reconstruction, "mapping", "cannot build the local map")
 
     def scan_time(self, repetitions=5):
-        """Shortest time of a scan right after the sensor was moved, in seconds.
+        """Shortest time of a scan right after a move of the sensor, in seconds.
 
-        To be asked after `run`, which tells of errors; the scan is the same as before.
+        Call `run` before, since it reports errors. The scan is the same afterwards.
         """
         x, y, z = self.sensor.GetPosition()
         times = []
@@ -88,9 +88,9 @@ class Simulation:
     def _no_return(self):
         bounds = self.scene.surface.GetBounds()
         box = " x ".join(f"{a:.3g}..{b:.3g}" for a, b in zip(bounds[::2], bounds[1::2]))
-        place = " ".join(f"{x:g}" for x in self.sensor.GetPosition())
+        position = " ".join(f"{x:g}" for x in self.sensor.GetPosition())
         return (
-            f"no beam returned to the sensor at {place}: the scene fills {box} m and the sensor "
+            f"no beam returned to the sensor at {position}: the scene fills {box} m and the sensor "
             f"measures {self.sensor.GetMinimumRange():g} to {self.sensor.GetMaximumRange():g} m; "
             "move the sensor or widen its ranges or angles"
         )

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The interactive window: the sensor moves by keys, the local map follows."""
+"""The interactive window: keys move the sensor, and the local map follows."""
 
 import math
 
-import vtkmodules.vtkRenderingFreeType  # noqa: F401 the implementation of the help line
+import vtkmodules.vtkRenderingFreeType  # noqa: F401 renders the help line
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor, vtkTextActor
 
@@ -23,8 +23,10 @@ _MOVES = {
 
 
 class Window:
-    """A window on a figure, in which keys move a sensor by `step` metres, or by a fiftieth of
-    `length`. What moves, and what refreshes the figure, is for who inherits."""
+    """A window on a figure, in which keys move a sensor by `step` metres, or by 1/50 of `length`.
+
+    Subclasses define how the sensor moves and how the figure is refreshed.
+    """
 
     def __init__(self, figure, title, step, length):
         self._figure = figure
@@ -39,7 +41,7 @@ class Window:
         self.interactor.Start()
 
     def refresh(self):
-        """Bring the figure up to date and draw."""
+        """Update the figure and draw it."""
         raise NotImplementedError
 
     def move(self, shift):
@@ -47,22 +49,23 @@ class Window:
         raise NotImplementedError
 
     def reset(self):
-        """Put the sensor back."""
+        """Move the sensor back to its first position."""
         raise NotImplementedError
 
     def draw(self, position, returns, further=""):
-        """Draw, with what there is to know in a line of text."""
-        self._text.SetInput(f"sensor {format_place(position)} m    {returns:,} returns    {_HELP}{further}")
+        """Draw, with a line of text about the sensor and the keys."""
+        self._text.SetInput(f"sensor {format_position(position)} m    {returns:,} returns    "
+                            f"{_HELP}{further}")
         self._figure.render()
 
     @property
     def text(self):
-        """What the lines at the bottom say."""
+        """The text at the bottom of the window."""
         return self._text.GetInput()
 
     def _make_interactor(self):
         style = vtkInteractorStyleTrackballCamera()
-        style.AddObserver("CharEvent", lambda *_: None)  # VTK's own keys would get in the way
+        style.AddObserver("CharEvent", lambda *_: None)  # turns off VTK's own keys
         interactor = vtkRenderWindowInteractor()
         interactor.SetRenderWindow(self._figure.window)
         interactor.SetInteractorStyle(style)
@@ -91,7 +94,7 @@ class Window:
 
 
 class Viewer(Window):
-    """A window on a simulation."""
+    """A window that shows a simulation."""
 
     def __init__(self, simulation, size, step=None, edges=False):
         self._simulation = simulation
@@ -100,28 +103,28 @@ class Viewer(Window):
                          simulation.scene.path.name, step, simulation.scene.surface.GetLength())
 
     def refresh(self):
-        """Scan from where the sensor is and draw."""
+        """Scan from the sensor's position and draw."""
         self._simulation.reconstruction.Update()
         self._figure.place_marker()
         self.draw(self._simulation.sensor.GetPosition(), self._simulation.returns)
 
     def move(self, shift):
-        """Scan from a place beside."""
+        """Move the sensor by metres along x, y and z, and scan."""
         position = self._simulation.sensor.GetPosition()
         self._simulation.sensor.SetPosition(*(x + d for x, d in zip(position, shift)))
         self.refresh()
 
     def reset(self):
-        """Put the sensor where it was at first."""
+        """Move the sensor back to its first position."""
         self._simulation.sensor.SetPosition(self._start)
 
 
-def format_place(position):
-    """Coordinates to the centimetre."""
+def format_position(position):
+    """Coordinates with centimetres."""
     return "  ".join(f"{x:.2f}" for x in position)
 
 
 def _round_step(length):
-    """The greatest of 1, 2 and 5 times a power of ten that is not above a length."""
+    """The largest of 1, 2 and 5 times a power of ten that does not exceed a length."""
     power = 10.0 ** math.floor(math.log10(length))
     return max(factor * power for factor in (1, 2, 5) if factor * power <= length)

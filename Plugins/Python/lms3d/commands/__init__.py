@@ -3,7 +3,7 @@
 """The subcommands of the command line, one module each.
 
 A module has NAME, SUMMARY (a line), DESCRIPTION and EPILOG (help texts), add_arguments(parser)
-and run(options), which returns nothing and raises Problem if the job cannot be done.
+and run(options), which returns nothing and raises Problem if the job fails.
 """
 
 from . import advise, compare, demo, info, scan, view

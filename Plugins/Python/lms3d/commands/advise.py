@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""lms3d advise: the coarsest scan, and the coarsest map of it, that are good enough for a scene."""
+"""lms3d advise: finds the coarsest scan, and its coarsest map, that meet a tolerance."""
 
 import argparse
 import shlex
@@ -16,13 +16,14 @@ from . import sensor_options
 NAME = "advise"
 SUMMARY = "find the coarsest scan and map of a scene that meet a tolerance"
 DESCRIPTION = """\
-Find the coarsest angles, and for them the largest --maximum-error of the map, with which the
-given share of the map is within the tolerance of the scene, and that share of the visible
-scene within the tolerance of the map ("correct" and "complete" of lms3d compare).
+Find the coarsest step of both angles that is good enough, and for this step the largest
+--maximum-error of the map. Good enough means: the given share of the map is within the tolerance
+of the scene, and the same share of the visible scene is within the tolerance of the map ("correct"
+and "complete" of lms3d compare).
 
-By measuring: scans with equal steps of both angles from 8 degrees down to --finest, and of each
-the maps with bounds from 8 times the tolerance down to an eighth of it, until one is good enough.
-The ranges are those of an ideal sensor: leave room in the tolerance for the noise of a real one.
+The command measures: it tries steps from 8 degrees down to --finest, and for each step maps with
+bounds from 8 times the tolerance down to 1/8 of it, until one is good enough. The simulated ranges
+have no noise, so leave room in the tolerance for the noise of a real sensor.
 """
 EPILOG = """\
 examples:
@@ -30,29 +31,28 @@ examples:
   lms3d advise room.wrl --position 0.3 -0.2 1 --tolerance 0.05 --share 0.9 --finest 0.5
 """
 
-# Where a sensor's grid of beams gets too large to be tried.
-_FINEST_STEP = 0.05
+# Finer steps need too much time and memory.
+_MINIMUM_STEP = 0.05
 
 
 def add_arguments(parser):
     """Add the options of this command."""
     sensor_options.add_scene(parser)
-    aim = parser.add_argument_group("aim")
-    aim.add_argument("--tolerance", type=sensor_options.positive, metavar="M", required=True,
-                     help="metres, how near the map and the scene are to be to one another")
-    aim.add_argument("--share", type=_share, metavar="S", default=0.95,
-                     help="of either surface, above 0 and below 1 (default: 0.95)")
-    aim.add_argument("--finest", type=_step, metavar="DEG", default=0.25,
-                     help=f"degrees, {_FINEST_STEP:g} to 8, the smallest step to try "
-                     "(default: 0.25)")
+    goal = parser.add_argument_group("goal")
+    goal.add_argument("--tolerance", type=sensor_options.positive, metavar="M", required=True,
+                      help="largest distance between map and scene that counts as correct, metres")
+    goal.add_argument("--share", type=_share, metavar="S", default=0.95,
+                      help="share of each surface, above 0 and below 1 (default: 0.95)")
+    goal.add_argument("--finest", type=_step, metavar="DEG", default=0.25,
+                      help=f"smallest step to try, degrees, {_MINIMUM_STEP:g} to 8 (default: 0.25)")
     sensor_options.add_depth_step(parser)
     sensor_options.add_sensor(parser, position_needed=True, with_resolution=False)
-    # Set by what is tried; two angles are what a range needs.
+    # The trials set these. A range needs at least two angles.
     parser.set_defaults(alpha_resolution=2, beta_resolution=2, maximum_error=0.0)
 
 
 def run(options):
-    """Check the options, read, measure, tell."""
+    """Check the options, read the scene, measure, print."""
     sensor_options.check(options)
     check_readable(options.scene)
     simulation = sensor_options.simulation(options)
@@ -73,8 +73,8 @@ def _share(text):
 
 def _step(text):
     value = sensor_options.positive(text)
-    if not _FINEST_STEP <= value <= 8:
-        raise argparse.ArgumentTypeError(f"{text.strip()} is not within {_FINEST_STEP:g} to 8")
+    if not _MINIMUM_STEP <= value <= 8:
+        raise argparse.ArgumentTypeError(f"{text.strip()} is not within {_MINIMUM_STEP:g} to 8")
     return value
 
 
@@ -86,7 +86,7 @@ def _quality(sample):
 
 def _no_advice(options, best):
     if best is None:
-        return (f"no scan with steps of {options.finest:g} degrees or more has returns enough for "
+        return (f"no scan with steps of {options.finest:g} degrees or more has enough returns for "
                 "a map: move the sensor, widen its ranges or angles, or lower --finest")
     return (f"no map with steps of {options.finest:g} degrees or more is good enough for a share "
             f"of {options.share:g}: at best (step {best.step:g}, --maximum-error "
@@ -104,7 +104,7 @@ def _print(sample, options):
 
 
 def _command(sample, options):
-    """The call of lms3d scan that does it, with what was asked for and is not the default."""
+    """The lms3d scan command for a sample; without options that have their default value."""
     words = ["lms3d", "scan", options.scene]
     if options.up_axis != "file":
         words += ["--up-axis", options.up_axis]

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""lms3d compare: how far a map is from the scene, and the visible scene from its map."""
+"""lms3d compare: measures the distance of a map from the scene, and of the scene from the map."""
 
 from .. import vtkLMS3DMapComparison
-from ..comparison import POSE_ARRAYS, compare, has_pose, pass_pose
+from ..comparison import POSE_ARRAYS, compare, copy_pose, has_pose
 from ..problems import Problem, UsageProblem
 from ..results import check_targets, save
 from ..scene import check_readable, read_data
@@ -13,21 +13,22 @@ from . import sensor_options
 NAME = "compare"
 SUMMARY = "measure the errors of a local map"
 DESCRIPTION = """\
-Compare a map with the scene that was scanned, both ways, by points spread evenly over both:
+Compare a map with the scene that was scanned, in both directions, at points spread evenly over
+both surfaces. Prints:
 
-  map to scene       how far the map is from the nearest part of the scene
-  visible scene to   how far what the sensor sees of the scene (within its angles and ranges, not
-    map              hidden by anything) is from the nearest part of the map
-  normals            the angle between the planes of the map's triangles and the scene's; 180
-                     degrees less that for a triangle that turns its back to the sensor
-  correct, complete  the shares of the map, and of the visible scene, within the tolerance of the
-                     other, and F, their harmonic mean
-  free space         the area of the map where the sensor has seen that there is nothing
-  returns            of the scan given by --scan: the share within the tolerance of the map, and
-                     the one farthest from it
+  map to scene       the distance of the map from the nearest part of the scene
+  visible scene to   the distance of the visible scene (within the sensor's angles and ranges, and
+    map              not hidden) from the nearest part of the map
+  normals            the angle between the planes of the map's triangles and of the scene's; 180
+                     degrees minus this angle for triangles that face away from the sensor
+  correct, complete  the share of the map within the tolerance of the scene, and of the visible
+                     scene within the tolerance of the map; F is their harmonic mean
+  free space         the area of the map in space that the sensor has seen to be empty
+  returns            with --scan: the share of returns within the tolerance of the map, and the
+                     largest distance of a return from it
 
-Where the sensor was is read from the map, if it is a .vtp of LMS3D, or from --scan; for others say
-it by --position and the options beside it.
+The command reads the sensor's pose from the map, if it is a .vtp of LMS3D, or from --scan. For
+other maps give it by --position and the options beside it.
 """
 EPILOG = """\
 examples:
@@ -43,28 +44,28 @@ def add_arguments(parser):
     """Add the options of this command."""
     defaults = vtkLMS3DMapComparison()
     parser.add_argument("map", metavar="MAP",
-                        help="the file to judge: " + " ".join(_MAP_ENDINGS))
+                        help="the map's file: " + " ".join(_MAP_ENDINGS))
     sensor_options.add_scene(parser)
     how = parser.add_argument_group("comparison")
     how.add_argument("--tolerance", type=sensor_options.positive, metavar="M",
                      default=defaults.GetTolerance(),
-                     help="metres, how near counts as right "
+                     help="largest distance that counts as correct, metres "
                      f"(default: {defaults.GetTolerance():g})")
     how.add_argument("--samples", type=_sample_count, metavar="N",
                      default=defaults.GetNumberOfSamples(),
-                     help="points on each surface, the same in each run "
+                     help="number of points on each surface; they are the same in every run "
                      f"(default: {defaults.GetNumberOfSamples()})")
     sensor_options.add_threads(how)
     results = parser.add_argument_group("results")
     results.add_argument("-o", "--output", metavar="FILE",
-                         help="the map with its errors in metres: Error of its points, LargestError "
-                         "of its cells: .vtp")
+                         help="the map with its errors in metres, as point data Error and cell "
+                         "data LargestError: .vtp")
     results.add_argument("--scene-points", metavar="FILE",
-                         help="points of the visible scene, their Error the distance to the map, "
-                         "which shows what it lacks: .vtp")
+                         help="points of the visible scene with their distance from the map as "
+                         "Error, which shows what the map lacks: .vtp")
     sensor = parser.add_argument_group("sensor")
-    sensor.add_argument("--scan", metavar="FILE", help="the scan that the map was made of: .vtp")
-    sensor_options.add_pose(sensor, False, " (default: as the map or the scan says)")
+    sensor.add_argument("--scan", metavar="FILE", help="the scan that the map was made from: .vtp")
+    sensor_options.add_pose(sensor, False, " (default: from the map or the scan)")
     sensor_options.add_angles(sensor)
     sensor_options.add_ranges(sensor)
 
@@ -73,7 +74,7 @@ def run(options):
     """Check the options, read, compare, write."""
     _check(options)
     scene = sensor_options.read(options)
-    scene.tell_losses()
+    scene.report_losses()
     local_map = _read_map(options.map)
     scan = _read_scan(options.scan) if options.scan else None
     position = _find_sensor(options, scene, local_map, scan)
@@ -100,10 +101,11 @@ def _targets(options):
 def _check(options):
     sensor_options.check(options)
     if options.scan and options.position:
-        raise UsageProblem("--scan and --position: the scan says where the sensor was, leave one")
-    without_position = sensor_options.differing(options)
-    if without_position and not options.position:
-        raise UsageProblem(f"{' '.join(without_position)}: of no use without --position")
+        raise UsageProblem("--scan and --position: the scan has the sensor's pose, "
+                           "give only one of them")
+    changed = sensor_options.changed(options)
+    if changed and not options.position:
+        raise UsageProblem(f"{' '.join(changed)}: needs --position")
     inputs = {"map": options.map, **({"scan": options.scan} if options.scan else {})}
     check_targets(_targets(options), options.scene, **inputs)
     check_readable(options.map, "map", _MAP_ENDINGS)
@@ -122,20 +124,20 @@ def _read_map(path):
 def _read_scan(path):
     scan = read_data(path, "scan")
     if not has_pose(scan):
-        raise Problem(f"cannot use the scan '{path}': it has not all of the field data "
-                      f"{', '.join(POSE_ARRAYS)}; give what 'lms3d scan -o' wrote")
+        raise Problem(f"cannot use the scan '{path}': it lacks some of the field data "
+                      f"{', '.join(POSE_ARRAYS)}; give a file of 'lms3d scan -o'")
     return scan
 
 
 def _find_sensor(options, scene, local_map, scan):
-    """Where the sensor was; a position from the options is handed on to the map."""
+    """The sensor's position. With --position, the map gets the pose of the options."""
     if options.position:
         simulation = Simulation(scene)
-        sensor_options.place(simulation.sensor, options, scene)
+        sensor_options.set_sensor(simulation.sensor, options, scene)
         simulation.run()
-        pass_pose(simulation.scan, local_map)
+        copy_pose(simulation.scan, local_map)
     elif not (scan or has_pose(local_map)):
-        raise UsageProblem(f"the map '{options.map}' does not say where the sensor was: give "
+        raise UsageProblem(f"the map '{options.map}' does not have the sensor's pose: give "
                            "--scan or --position")
     pose = (scan or local_map).GetFieldData().GetArray("SensorToWorld")
     return [pose.GetValue(i) for i in (3, 7, 11)]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""lms3d demo: the paper's Figures 5 and 6, from the scenes that come with LMS3D."""
+"""lms3d demo: makes the paper's Figures 5 and 6 from the scenes that are installed with LMS3D."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,11 +14,11 @@ from ..simulation import Simulation
 from . import sensor_options
 
 NAME = "demo"
-SUMMARY = "scan the room and the teapot of the paper, write everything"
+SUMMARY = "scan the room and the teapot of the paper; write all results"
 DESCRIPTION = """\
 Scan the two scenes of the paper. For each, write the points (.vtp), the range image (.vti),
 the local map (.vtp) and a picture of scene and map (.png), and print a line of numbers.
-The time is the best of several scans, each after a move of the sensor.
+The time is the shortest of several scans, each after a move of the sensor.
 """
 EPILOG = """\
 example:
@@ -28,7 +28,7 @@ example:
 
 @dataclass(frozen=True)
 class Experiment:
-    """A scene of the paper and how it is scanned (metres, degrees)."""
+    """A scene of the paper, and the sensor and map settings for it (metres, degrees)."""
 
     name: str
     figure: str
@@ -54,18 +54,18 @@ _COLUMNS = ("scene", "triangles", "beams", "returns", "scan ms", "map triangles"
 def add_arguments(parser):
     """Add the options of this command."""
     parser.add_argument("--output", metavar="DIR", default="demo",
-                        help="folder for the files, made if missing (default: demo)")
+                        help="folder for the files, created if missing (default: demo)")
     parser.add_argument("--data", metavar="DIR",
-                        help="folder of room.wrl and teapot.wrl (default: LMS3D_DATA_DIR, "
-                        "else the folder installed with LMS3D)")
+                        help="folder of room.wrl and teapot.wrl (default: the environment variable "
+                        "LMS3D_DATA_DIR, else the folder installed with LMS3D)")
     parser.add_argument("--maximum-error", type=sensor_options.bound, metavar="M",
-                        help="metres, no return is farther from its map than this; 0 keeps every "
-                        f"return as a corner (default: {ROOM.maximum_error:g} for the room, "
+                        help="bound on the distance of every return from its map, metres; 0 makes "
+                        f"every return a vertex (default: {ROOM.maximum_error:g} for the room, "
                         f"{TEAPOT.maximum_error:g} for the teapot)")
 
 
 def run(options):
-    """Carry out both experiments and print the table."""
+    """Run both experiments and print the table."""
     check_display()
     folder = Path(options.output)
     try:
@@ -84,7 +84,7 @@ def run(options):
 
 
 def simulate(experiment, data=None, maximum_error=None):
-    """Scan and reconstruct the scene of an experiment, within its own bound if none is given."""
+    """Scan and reconstruct the scene of an experiment; `maximum_error` replaces its own."""
     simulation = Simulation(read_scene(scene_file(f"{experiment.name}.wrl", data)))
     simulation.sensor.SetPosition(experiment.position)
     simulation.sensor.SetAlphaRange(experiment.alpha_range)
@@ -118,7 +118,7 @@ def _row(experiment, simulation, milliseconds):
 
 
 def _print_table(rows):
-    """Print rows of text as aligned columns, the first to the left, numbers to the right."""
+    """Print rows of text as columns: the first is aligned left, the others right."""
     widths = [max(map(len, column)) for column in zip(*rows)]
     for first, *numbers in rows:
         cells = [f"{text:>{width}}" for text, width in zip(numbers, widths[1:])]

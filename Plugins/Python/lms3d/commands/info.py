@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""lms3d info: what a scene holds, and what of its file could not be read."""
+"""lms3d info: lists what a scene contains, and what was not read."""
 
 from collections import Counter
 
@@ -10,12 +10,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from . import sensor_options
 
 NAME = "info"
-SUMMARY = "tell what a scene holds and what could not be read"
+SUMMARY = "list what a scene contains and what was not read"
 DESCRIPTION = """\
-Read a scene and tell its triangles, bounds and shapes, and each thing that was not read.
+Read a scene and print its triangles, bounds and shapes, and a message for everything that was
+not read.
 
-Shapes of VRML files have the names that DEF gives them or a group around them; those of
-one name are counted together. A message that begins with "error" tells of lost geometry.
+A shape of a VRML file has the name that DEF gives to it or to a group around it. Shapes with the
+same name are counted together. A message that begins with "error" means lost geometry.
 """
 EPILOG = """\
 examples:
@@ -29,7 +30,7 @@ def add_arguments(parser):
 
 
 def run(options):
-    """Read, then print."""
+    """Read the scene and print."""
     scene = sensor_options.read(options)
     print(f"scene    {scene}")
     bounds = scene.surface.GetBounds()

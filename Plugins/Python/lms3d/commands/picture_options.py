@@ -5,19 +5,20 @@
 from ..figure import DEFAULT_SIZE
 from .sensor_options import count
 
-_LARGEST_SIDE = 2**14  # pixels, what OpenGL 4.1 and newer can draw at least
+_MAXIMUM_SIDE = 2**14  # pixels; OpenGL 4.1 guarantees this size
 
 
 def pixel_count(text):
     """A whole number of pixels that can be drawn."""
-    return count(text, _LARGEST_SIDE)
+    return count(text, _MAXIMUM_SIDE)
 
 
 def add_picture(parser):
-    """Add the size of the picture or window, and what is drawn of the map."""
+    """Add the size of the picture or window, and the edges of the map."""
     width, height = DEFAULT_SIZE
     parser.add_argument("--size", nargs=2, type=pixel_count, metavar=("WIDTH", "HEIGHT"),
                         default=DEFAULT_SIZE,
-                        help=f"pixels of the picture, up to {_LARGEST_SIDE} each "
+                        help=f"pixels of the picture, up to {_MAXIMUM_SIDE} each "
                         f"(default: {width} {height})")
-    parser.add_argument("--edges", action="store_true", help="draw the edges of the map's triangles")
+    parser.add_argument("--edges", action="store_true",
+                        help="draw the edges of the map's triangles")

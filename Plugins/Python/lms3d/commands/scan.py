@@ -1,15 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""lms3d scan: scan a scene and write what the sensor measured."""
+"""lms3d scan: scans a scene and writes the results."""
 
 from contextlib import ExitStack
 
 from ..figure import Figure, check_display
-from ..journey import Journey, Series, check_names
 from ..messages import say
 from ..problems import Problem, UsageProblem
 from ..results import check_targets, save
 from ..scene import check_readable, read_data
+from ..trajectory import Series, TrajectoryScan, check_names
 from . import picture_options, sensor_options
 
 NAME = "scan"
@@ -17,14 +17,14 @@ SUMMARY = "scan a scene; write points, range image, local map, picture"
 DESCRIPTION = """\
 Scan a scene once and write any of: the points, the range image, the local map, a picture.
 
-The ending of each name chooses the format. A .vtp keeps everything in full precision; .ply
-and .stl hold single precision coordinates only; .csv has the columns
+The file ending chooses the format. A .vtp file keeps everything in full precision. A .ply or
+.stl file has coordinates in single precision only. A .csv file has the columns
 x,y,z,Range,Alpha,Beta,BeamId,CellId.
 
-With --trajectory there is one scan, and with --map one local map, for each pose. Their names
-end in .pvd, which lists the files of all steps beside it with their times; ParaView plays it.
-The poses are those of the scene after --up-axis has turned it. Without Orientation the sensor
-looks along the polyline, or as --orientation says where there is none.
+With --trajectory there is one scan for each pose, and with --map also one local map. Each output
+is a .pvd file, which lists the files of all steps and their times; ParaView plays it. The poses
+are in the scene's coordinates, after --up-axis. Without the point array Orientation the sensor
+looks along the polyline; without a polyline its orientation is --orientation.
 """
 EPILOG = """\
 examples:
@@ -41,11 +41,11 @@ def add_arguments(parser):
     sensor_options.add_sensor(parser, position_needed=True, may_move=True)
     results = parser.add_argument_group("results, at least one")
     results.add_argument("-o", "--output", metavar="FILE",
-                         help="points: .vtp .ply .csv; of a trajectory .pvd")
+                         help="points: .vtp .ply .csv; with --trajectory .pvd")
     results.add_argument("--range-image", metavar="FILE",
-                         help="grid of ranges, NaN where no beam returned: .vti")
+                         help="grid of ranges, NaN without a return: .vti")
     results.add_argument("--map", metavar="FILE",
-                         help="triangles: .vtp .ply .stl; of a trajectory .pvd")
+                         help="triangles: .vtp .ply .stl; with --trajectory .pvd")
     sensor_options.add_map(results)
     results.add_argument("--picture", metavar="FILE",
                          help="scene in blue beside its local map in green: .png (needs a display)")
@@ -58,12 +58,12 @@ def run(options):
     simulation = sensor_options.simulation(options)
     print(f"scene    {simulation.scene}")
     if options.trajectory:
-        _travel(options, simulation)
+        _scan_trajectory(options, simulation)
     else:
-        _stand(options, simulation)
+        _scan_once(options, simulation)
 
 
-def _stand(options, simulation):
+def _scan_once(options, simulation):
     simulation.run()
     print(f"scan     {simulation.beams:,} beams, {simulation.returns:,} returns, ranges "
           f"{simulation.ranges().min():.3f} to {simulation.ranges().max():.3f} m")
@@ -74,27 +74,27 @@ def _stand(options, simulation):
     _write(options, simulation)
 
 
-def _travel(options, simulation):
-    """Scan from each pose of the trajectory; no file is touched before the last scan is done."""
-    journey = Journey(simulation, read_data(options.trajectory, "trajectory"))
+def _scan_trajectory(options, simulation):
+    """Scan from each pose of the trajectory; writes no file before the last scan is done."""
+    scans = TrajectoryScan(simulation, read_data(options.trajectory, "trajectory"))
     results = {"series of scans": lambda: simulation.scan, "series of maps": lambda: simulation.map}
     targets = _targets(options)
     with ExitStack() as stack:
         series = [(results[result], stack.enter_context(
-            Series(path, len(journey.times), (options.scene, options.trajectory))))
+            Series(path, len(scans.times), (options.scene, options.trajectory))))
             for result, path in targets]
-        for time in journey.scans(with_map=bool(options.map)):
+        for time in scans.run(with_map=bool(options.map)):
             for data, files in series:
                 files.add(data(), time)
-        if not any(journey.returns):
+        if not any(scans.returns):
             raise Problem("no beam returned from any pose: move the trajectory, or widen the "
                           "sensor's ranges or angles")
-    print(f"scans    {len(journey.times):,} from time {journey.times[0]:g} to "
-          f"{journey.times[-1]:g}, {sum(journey.returns):,} returns")
-    if 0 in journey.returns:
-        say(f"warning: no beam returned from {journey.returns.count(0)} of the poses")
+    print(f"scans    {len(scans.times):,} from time {scans.times[0]:g} to "
+          f"{scans.times[-1]:g}, {sum(scans.returns):,} returns")
+    if 0 in scans.returns:
+        say(f"warning: no beam returned from {scans.returns.count(0)} of the poses")
     for _, path in targets:
-        print(f"wrote    {path} and the {len(journey.times):,} files that it lists")
+        print(f"wrote    {path} and the {len(scans.times):,} files that it lists")
 
 
 def _targets(options):
@@ -113,9 +113,10 @@ def _check(options):
         inputs["trajectory"] = options.trajectory
         check_readable(options.trajectory, "trajectory", (".vtp",))
         if options.range_image or options.picture:
-            raise UsageProblem("of a trajectory only -o and --map can be written")
+            raise UsageProblem("with --trajectory only -o and --map can be written")
     if not targets:
-        raise UsageProblem("nothing to write: give -o, --range-image, --map or --picture a name")
+        raise UsageProblem("nothing to write: give a file name by -o, --range-image, --map or "
+                           "--picture")
     sensor_options.check(options)
     check_targets(targets, options.scene, **inputs)
     if options.trajectory:

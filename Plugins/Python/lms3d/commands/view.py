@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""lms3d view: a window with the scene and the local map that follows the sensor."""
+"""lms3d view: a window with the scene, and with the local map that follows the sensor."""
 
 from ..figure import Figure, check_display
 from ..problems import UsageProblem
@@ -12,14 +12,14 @@ from . import picture_options, sensor_options
 NAME = "view"
 SUMMARY = "move the sensor in a window; the local map follows"
 DESCRIPTION = """\
-Show the scene on the left in blue and the local map on the right in green; of a server (lms3d-server)
-its scan on the left, coloured by range, as the scans come.
+Show the scene on the left in blue and the local map on the right in green. With --server, show the
+newest scan of a server (lms3d-server) on the left, coloured by range.
 
   mouse               turns, moves and zooms both views
   arrow keys          move the sensor along x and y
   page up, page down  move the sensor along z
-  r                   put sensor and camera back
-  q                   quit
+  r                   resets sensor and camera
+  q                   quits
 """
 EPILOG = """\
 examples:
@@ -33,22 +33,23 @@ def add_arguments(parser):
     """Add the options of this command."""
     sensor_options.add_scene(parser, is_needed=False)
     parser.add_argument("--server", metavar="URL",
-                        help="watch this server in place of a scene: what it prints, corbaloc:..., "
-                        "IOR:..., corbaname:... or file:PATH of its --ior; keys move its sensor, for all")
+                        help="show this server instead of a scene: the URL that it prints "
+                        "(corbaloc:..., IOR:...), corbaname:..., or file:PATH with the PATH of its "
+                        "--ior; the keys move its sensor for all clients")
     sensor_options.add_sensor(parser, position_needed=False)
     view = parser.add_argument_group("view")
     sensor_options.add_map(view)
     view.add_argument("--step", type=sensor_options.positive, metavar="M",
-                      help="metres that a key moves the sensor (default: a fiftieth of the scene)")
+                      help="metres that a key moves the sensor (default: 1/50 of the scene's size)")
     view.add_argument("--screenshot", metavar="FILE",
-                      help="draw once into this .png and exit, without a window")
+                      help="write a picture to this .png and exit, without a window")
     picture_options.add_picture(view)
 
 
 def run(options):
     """Check the options, then open the window or draw the picture."""
     if (options.scene is None) == (options.server is None):
-        raise UsageProblem("view takes a SCENE or --server URL")
+        raise UsageProblem("give either a SCENE or --server URL")
     if options.server is None:
         _view_scene(options)
     else:
@@ -75,7 +76,7 @@ def _view_scene(options):
 
 
 def _view_server(options):
-    useless = sensor_options.differing(options) + ["--position"] * (options.position is not None)
+    useless = sensor_options.changed(options) + ["--position"] * (options.position is not None)
     if useless:
         raise UsageProblem(f"{useless[0]}: the server has its own sensor")
     if options.screenshot:

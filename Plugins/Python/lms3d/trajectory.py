@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sensor on its way: one scan for each pose of a trajectory, written as ParaView's .pvd series."""
+"""A moving sensor: one scan for each pose of a trajectory, written as ParaView's .pvd series."""
 
 import os
 import shutil
@@ -11,11 +11,11 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from .execution import update
 from .problems import UsageProblem
-from .results import check_place, save, save_text, writing
+from .results import check_writable, save, save_text, writing
 
 
-class Journey:
-    """The scans of a simulation whose sensor follows a trajectory, one after the other."""
+class TrajectoryScan:
+    """Scans a simulation from each pose of a trajectory. `times` are the times of the poses."""
 
     def __init__(self, simulation, trajectory):
         self._simulation = simulation
@@ -24,11 +24,11 @@ class Journey:
         information = simulation.sensor.GetOutputInformation(0)
         self.times = information.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ()
         if not self.times:
-            simulation.run()  # tells what is wrong with the trajectory
+            simulation.run()  # raises Problem, with the error in the trajectory
         self.returns = []
 
-    def scans(self, with_map=False):
-        """Go from pose to pose; the simulation holds the scan, and the map, of each time given."""
+    def run(self, with_map=False):
+        """Scan from each pose; yields its time when the simulation has its scan and map."""
         works = [(self._simulation.sensor, "scanning", "cannot scan")]
         if with_map:
             works.append(
@@ -45,7 +45,7 @@ class Journey:
 
 
 def check_names(paths):
-    """Make sure that no two series would have steps of the same names."""
+    """Raise UsageProblem if the files of two series would have the same names."""
     known = {}
     for path in paths:
         other = known.setdefault(Path(path).resolve().with_suffix(""), path)
@@ -55,11 +55,10 @@ def check_names(paths):
 
 
 class Series:
-    """Files of one result, NAME_0000.vtp and so on beside NAME.pvd, which lists them.
+    """Files of one result: NAME_0000.vtp and so on beside NAME.pvd, which lists them.
 
-    Used in a ``with`` block, at whose good end the files take their places, one after the other and
-    the list last; after a failure in the block nothing has changed. Raises Problem at once where a
-    step could not take its place.
+    A context manager. The files get their names at the end of the ``with`` block, the list last; if
+    the block fails, no file changes. The constructor raises Problem if a file cannot be written.
     """
 
     def __init__(self, path, steps, inputs):
@@ -68,15 +67,15 @@ class Series:
                        for i in range(steps)]
         self._folder = self._path.with_name(f".{self._path.stem}.{os.getpid()}")
         self._times = []
-        self._check_places(inputs)
+        self._check_files(inputs)
 
-    def _check_places(self, inputs):
+    def _check_files(self, inputs):
         taken = {Path(given).resolve(): given for given in inputs}
-        for place in map(self._path.with_name, self._names):
-            if place in taken:
-                raise UsageProblem(f"'{taken[place]}' would be replaced by a step of "
+        for path in map(self._path.with_name, self._names):
+            if path in taken:
+                raise UsageProblem(f"'{taken[path]}' would be replaced by a step of "
                                    f"'{self._path}': choose another name")
-            check_place(f"step of '{self._path.name}'", place)
+            check_writable(f"step of '{self._path.name}'", path)
 
     def __enter__(self):
         with writing(self._path):
@@ -97,9 +96,9 @@ class Series:
 
     def _publish(self):
         for name in self._names:
-            place = self._path.with_name(name)
-            with writing(place):
-                os.replace(self._folder / name, place)
+            path = self._path.with_name(name)
+            with writing(path):
+                os.replace(self._folder / name, path)
         entries = "".join(f'    <DataSet timestep="{time!r}" file={quoteattr(name)}/>\n'
                           for time, name in zip(self._times, self._names))
         save_text('<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n'
