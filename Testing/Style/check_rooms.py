@@ -11,6 +11,7 @@ Usage: check_rooms.py [ROOT]     Prints each violation and exits with 1 if there
 
 import re
 import sys
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 FOLDERS = ("Filters", "Readers", "Plugins")
@@ -26,13 +27,12 @@ class Room:
 
     def __init__(self, name, arrows, libraries):
         self.name = name
-        self.arrows = set(re.findall(r"`([\w/]+)`", arrows))
+        self.arrows = re.findall(r"`([\w/*]+)`", arrows)
         self.libraries = set(re.findall(r"\w+", libraries))
 
     def may_include(self, other):
-        """A row that names a folder means its subfolders as well."""
-        return other == self.name or any(
-            other == arrow or other.startswith(arrow + "/") for arrow in self.arrows)
+        """In an arrow, * stands for any subfolders."""
+        return other == self.name or any(fnmatchcase(other, arrow) for arrow in self.arrows)
 
 
 def read_rooms(text):
