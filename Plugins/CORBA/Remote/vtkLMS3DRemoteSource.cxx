@@ -69,14 +69,31 @@ struct vtkLMS3DRemoteSource::Internals
     this->IsPosePending = false;
   }
 
+  /// Warns once of each problem.
+  void Warn(vtkLMS3DRemoteSource* source, const lms3dRemoteNews& news)
+  {
+    std::string problem = news.Problem.empty() ? news.Refusal : news.Problem;
+    if (problem.empty() && !news.Scan)
+    {
+      problem = "no scan arrived within the Timeout";
+    }
+    if (!problem.empty() && problem != this->WarnedOf)
+    {
+      vtkWarningWithObjectMacro(source,
+        << this->Url << ": " << problem << ". "
+        << (news.Scan ? "The last scan is shown." : "The output is empty until a scan arrives."));
+    }
+    this->WarnedOf = problem;
+  }
+
   std::shared_ptr<lms3dRemoteWatch> Watch;
   /// The count of the news that the last update showed.
   std::uint64_t Shown = 0;
-  std::string WarnedOf;
   /// The state at the last update or SendPose().
   bool IsPosePending = false;
 
 private:
+  std::string WarnedOf;
   std::string Url;
   double Timeout = 0.0;
 };
@@ -151,30 +168,13 @@ int vtkLMS3DRemoteSource::RequestData(
   const lms3dRemoteNews news = this->Internal->GetWatch(this->URL, this->Timeout).WaitForNews();
   this->Internal->Shown = news.Count;
   this->Internal->IsPosePending = news.IsPosePending;
-  this->Warn(news);
+  this->Internal->Warn(this, news);
   if (news.Scan)
   {
     lms3dFillScan(*news.Scan, vtkPolyData::GetData(outputVector, 0));
     lms3dFillMap(*news.Scan, vtkPolyData::GetData(outputVector, 1));
   }
   return 1;
-}
-
-// Warns once of each problem.
-void vtkLMS3DRemoteSource::Warn(const lms3dRemoteNews& news)
-{
-  std::string problem = news.Problem.empty() ? news.Refusal : news.Problem;
-  if (problem.empty() && !news.Scan)
-  {
-    problem = "no scan arrived within the Timeout";
-  }
-  if (!problem.empty() && problem != this->Internal->WarnedOf)
-  {
-    vtkWarningMacro(<< this->URL << ": " << problem << ". "
-                    << (news.Scan ? "The last scan is shown."
-                                  : "The output is empty until a scan arrives."));
-  }
-  this->Internal->WarnedOf = problem;
 }
 
 void vtkLMS3DRemoteSource::PrintSelf(ostream& os, vtkIndent indent)

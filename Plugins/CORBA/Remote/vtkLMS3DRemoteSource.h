@@ -58,8 +58,6 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-struct lms3dRemoteNews;
-
 class VTKLMS3DREMOTE_EXPORT vtkLMS3DRemoteSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -149,8 +147,6 @@ private:
   double Timeout = 2.0;
   double Position[3] = { 0.0, 0.0, 0.0 };
   double Orientation[3] = { 0.0, 0.0, 0.0 };
-
-  void Warn(const lms3dRemoteNews& news);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
