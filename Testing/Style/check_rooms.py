@@ -82,6 +82,9 @@ def find_violations(root):
     rooms = read_rooms((root / "Documentation/architecture.md").read_text(encoding="utf-8"))
     sources = list_sources(root)
     headers = {path.name: path for path in sources if path.suffix != ".cxx"}
+    for path in sources:
+        if headers.get(path.name, path) != path:
+            yield f"{path}: {headers[path.name]} has the same name"
     cycle = find_cycle(rooms)
     if cycle:
         yield f"{cycle}: its arrows lead back to itself"

@@ -4,7 +4,7 @@
 
 #include "Common/lms3dLog.h"
 #include "Common/lms3dVersion.h"
-#include "Object/lms3dMessages.h"
+#include "Object/lms3dReplies.h"
 #include "Object/lms3dSettingsCheck.h"
 
 #include <algorithm>

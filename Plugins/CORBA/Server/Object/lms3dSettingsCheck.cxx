@@ -3,7 +3,7 @@
 #include "Object/lms3dSettingsCheck.h"
 
 #include "Device/lms3dScanGeometry.h"
-#include "Object/lms3dMessages.h"
+#include "Object/lms3dReplies.h"
 
 #include <cmath>
 #include <limits>

@@ -4,8 +4,8 @@
  * @file
  * @brief Results of operations in the IDL's types, within the size of a message.
  */
-#ifndef lms3dMessages_h
-#define lms3dMessages_h
+#ifndef lms3dReplies_h
+#define lms3dReplies_h
 
 #include "Common/lms3dMessageLimit.h"
 #include "LMS3DScanner.hh"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Object/lms3dMessages.h"
+#include "Object/lms3dReplies.h"
 
 #include "Common/lms3dGridGeometry.h"
 
