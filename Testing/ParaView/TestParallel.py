@@ -57,7 +57,7 @@ def write(data, path, writer_class=vtkXMLPolyDataWriter):
 
 
 def lattice():
-    """Half a ball of triangles and a floor of squares, all of which face the origin."""
+    """Half a ball of triangles and a floor of squares. All of them face the origin."""
     ball = vtkSphereSource()
     ball.SetRadius(3)
     ball.SetThetaResolution(36)
