@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pipeline as a client runs it: `pvpython ClientScan.py RESULTS.npz [PORT]`.
+"""Runs the pipeline in a client: `pvpython ClientScan.py RESULTS.npz [PORT]`.
 
-With a port it connects to the pvserver there, and all is read, scanned and mapped by the server;
-without, in this process. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the folder of room.wrl.
+With a port it connects to the pvserver there, and the server reads, scans and maps. Without a port
+this process does all. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the folder of room.wrl.
 """
 
 import os
@@ -27,7 +27,7 @@ simple.LoadPlugin(PLUGIN, remote=False, ns=globals())
 
 
 def contents(proxy, time=None):
-    """What a proxy's filter makes, wherever it is: points, triangles and point data."""
+    """The output of a proxy's filter in any process: points, triangles and point data."""
     proxy.UpdatePipeline(time)
     data = servermanager.Fetch(proxy)
     yield "Points", data.GetPoints().GetData()
@@ -38,7 +38,7 @@ def contents(proxy, time=None):
 
 
 def results():
-    """Everything that the pipeline makes, by the proxy's and the array's name."""
+    """All arrays of the pipeline, by the names of proxy and array."""
     room = simple.OpenDataFile(str(DATA / "room.wrl"))
     scan = LMS3DScan(Input=room, Position=[0.3, -0.2, 1.0])
     journey = LMS3DScan(Input=room, Trajectory=simple.OpenDataFile(str(DATA / "journey.vtp")))

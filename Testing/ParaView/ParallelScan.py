@@ -3,7 +3,7 @@
 """Scans with all processes of a pvbatch: `pvbatch ParallelScan.py JOB.json`, under mpirun.
 
 JOB.json lists the cases: a scene, the filter that spreads it over the processes, and the properties
-of the scan. The first process writes the arrays of each case to CASE.npz and its errors to CASE.txt,
+of the scan. The first process writes the arrays of each case to CASE.npz and its errors to CASE.txt
 in the folder of the job.
 """
 

@@ -36,7 +36,7 @@ RUNS = {"1": (1, True), "2": (2, True), "4": (4, True), "driven": (2, False)}
 
 COARSE = {"AlphaResolution": 37, "BetaResolution": 36}
 
-# Sensors and methods by name. Each scans a scene on one process and a scene that is spread over all.
+# Sensors and methods by name. Each scans a scene on one process and a spread scene.
 SCANS = {
     "room": (ROOM, {"Position": [0.3, -0.2, 1.0]}),
     "near": (ROOM, {"Position": [0.3, -0.2, 1.0], "MinimumRange": 2.0, "MaximumRange": 4.0}),
@@ -57,7 +57,7 @@ def write(data, path, writer_class=vtkXMLPolyDataWriter):
 
 
 def lattice():
-    """Half a ball of triangles and a floor of squares, all of which face the origin."""
+    """Half a ball of triangles and a floor of squares. All of them face the origin."""
     ball = vtkSphereSource()
     ball.SetRadius(3)
     ball.SetThetaResolution(36)

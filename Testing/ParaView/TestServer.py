@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Client and server: a pvserver reads, scans and maps as pvpython does alone, to the bit.
+"""Client and server: a pvserver reads, scans and maps with the same bits as pvpython alone.
 
 Starts pvserver and pvpython with ClientScan.py. LMS3D_PVSERVER, LMS3D_PVPYTHON and, for
-TestServerOfTwo, LMS3D_MPIEXEC are the programs, LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the
+TestServerOfTwo, LMS3D_MPIEXEC name the programs. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the
 folder of room.wrl.
 """
 
@@ -21,7 +21,7 @@ SCRIPT = Path(__file__).with_name("ClientScan.py")
 
 
 class Server:
-    """A pvserver on a free port, which waits for its client and ends with it."""
+    """A pvserver on a free port. It waits for one client and exits with it."""
 
     def __init__(self, *launcher):
         self.process = subprocess.Popen(
@@ -43,7 +43,7 @@ class Server:
 
 
 def results(*port):
-    """What a client gets."""
+    """The arrays that a client receives."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "results.npz"
         subprocess.run([os.environ["LMS3D_PVPYTHON"], str(SCRIPT), str(file), *map(str, port)],
@@ -54,7 +54,7 @@ def results(*port):
 
 @functools.cache
 def alone():
-    """What a client gets without a server."""
+    """The arrays without a server."""
     return results()
 
 
@@ -87,7 +87,7 @@ class TestServer(ServerTest):
 
 
 class TestServerOfTwo(ServerTest):
-    """A server of two processes, which takes MPI."""
+    """A server of two processes under MPI."""
 
     def test_two_processes(self):
         self.check(os.environ["LMS3D_MPIEXEC"], "-n", "2", processes=2)

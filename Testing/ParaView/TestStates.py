@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""States and traces in pvpython: what was saved comes back, with the same numbers.
+"""States and traces in pvpython: a restored pipeline gives the same numbers.
 
-Run by pvpython. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the folder of room.wrl and, for
+pvpython runs it. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the folder of room.wrl and, for
 TestWindow, LMS3D_STATES the folder of the states that the tests in ParaView's window have saved.
 """
 
@@ -32,7 +32,7 @@ def make_pipeline():
 
 
 def points(proxy, time=None):
-    """The points that a proxy's filter makes, for a time of a trajectory."""
+    """The points of a proxy's filter at a time of a trajectory."""
     proxy.UpdatePipeline(time)
     data = proxy.SMProxy.GetClientSideObject().GetOutputDataObject(0)
     return vtk_to_numpy(data.GetPoints().GetData())
@@ -89,7 +89,7 @@ class TestRoundTrips(unittest.TestCase):
 
 
 class TestWindow(unittest.TestCase):
-    """What the tests in ParaView's window have saved."""
+    """The states that the tests in ParaView's window saved."""
 
     def load(self, name):
         simple.ResetSession()
@@ -110,7 +110,7 @@ class TestWindow(unittest.TestCase):
                 self.check_dragged(source("LMS3DScan"))
 
     def check_dragged(self, scan):
-        """The sensor is elsewhere, at the same height and not turned."""
+        """The sensor is at another place, at the same height, and not turned."""
         x, y, z = scan.Position
         self.assertGreater(x, 1.475 + 0.5)
         self.assertGreater(y, 0.07 + 0.2)
@@ -118,7 +118,7 @@ class TestWindow(unittest.TestCase):
         np.testing.assert_allclose(list(scan.Orientation), 0, atol=1e-9)
 
     def check_map_of_pose(self, scan):
-        """The map is that of a scan from the same pose, made afresh."""
+        """The map is the one of a new scan from the same pose."""
         seen = points(source("LMS3DSurfaceReconstruction")).copy()
         afresh = LMS3DScan(Input=VRMLReader(FileName=str(DATA / "room.wrl")),
                            Position=list(scan.Position))
@@ -145,7 +145,7 @@ class TestWindow(unittest.TestCase):
             points(LMS3DSurfaceReconstruction(Input=stood)), travelled)
 
     def pose_at(self, scan, time):
-        """Where the sensor is at a time, as a matrix."""
+        """The pose of the sensor at a time, as a matrix."""
         scan.UpdatePipeline(time)
         data = scan.SMProxy.GetClientSideObject().GetOutputDataObject(0)
         return vtk_to_numpy(data.GetFieldData().GetArray("SensorToWorld")).reshape(4, 4)
