@@ -113,7 +113,7 @@ void vtkLMS3DSurfaceReconstructionFilter::MakeMap(
 {
   scan.CheckPoints();
   lms3dRangeGrid& grid = this->Internal->Grid;
-  grid.Place(this->Internal->GetGeometry(scan), scan.GetRanges(), scan.GetBeamIds(),
+  grid.Build(this->Internal->GetGeometry(scan), scan.GetRanges(), scan.GetBeamIds(),
     scan.GetNumberOfReturns());
   this->Internal->Joins.Find(grid, this->DepthStep);
   if (!progress(PlaceShare))

@@ -24,23 +24,23 @@
 class lms3dBorderGates
 {
 public:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
 
-  enum Kind : std::uint8_t
+  enum GateKind : std::uint8_t
   {
     /// A depth step, or a miss beyond: each side has a border of its own.
-    Cut,
+    DepthStep,
     /// One surface, and the planes meet here: a border for both.
     Crease,
     /// One surface, but the planes do not meet: two borders, close by, with a band between them.
-    Step
+    Offset
   };
 
   struct Gate
   {
     /// The places at both ends, the second up or right of the first.
-    std::array<Place, 2> Ends;
-    Kind Is;
+    std::array<GridIndex, 2> Ends;
+    GateKind Kind;
     /// The part that borders may pass, and where they had best pass, from 0 at the first end.
     double Low;
     double High;
@@ -59,7 +59,7 @@ public:
   int GetNumberOfEdges() const { return 2 * static_cast<int>(this->Gates.size()); }
   const Gate& GetGate(int edge) const { return this->Gates[edge / 2]; }
   static int GetTwin(int edge) { return edge ^ 1; }
-  Place GetOwner(int edge) const { return this->Gates[edge / 2].Ends[edge & 1]; }
+  GridIndex GetOwner(int edge) const { return this->Gates[edge / 2].Ends[edge & 1]; }
   std::int32_t GetPatch(int edge) const { return this->Patches.Labels[this->GetOwner(edge)]; }
   bool IsVoid(int edge) const { return this->GetPatch(edge) < 0; }
   /// The side of its owner that an edge lies on.
@@ -67,7 +67,7 @@ public:
   double GetTolerance() const { return this->Tolerance; }
 
   /// Whether a patch has so few returns that its plane tells nothing beyond them.
-  bool IsFew(std::int32_t patch) const;
+  bool HasFewReturns(std::int32_t patch) const;
 
   int GetNext(int edge) const { return this->Next[edge]; }
 
@@ -77,10 +77,10 @@ public:
   /// A cell between four places, clockwise from its lower left one.
   struct Cell
   {
-    Place LowerLeft;
-    std::array<Place, 4> Corners;
+    GridIndex LowerLeft;
+    std::array<GridIndex, 4> Corners;
   };
-  Cell GetCell(Place lowerLeft) const;
+  Cell GetCell(GridIndex lowerLeft) const;
 
   /// The cell in which an edge ends, and which of its corners is the edge's owner.
   Cell GetEndCell(int edge, int& corner) const;
@@ -90,11 +90,11 @@ public:
 
 private:
   void FindGates();
-  void AddGate(Place place, int side);
-  void Judge(Gate& gate) const;
+  void AddGate(GridIndex index, int side);
+  void Classify(Gate& gate) const;
   void FollowBorders();
   int FindNext(int edge) const;
-  int GetEdge(Place place, int side) const;
+  int GetEdge(GridIndex index, int side) const;
 
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Borders/lms3dBorderJunctions.h"
 
-#include "LocalMap/Borders/lms3dCellSlide.h"
+#include "LocalMap/Borders/lms3dCreaseIntersection.h"
 
 #include <algorithm>
 
@@ -38,12 +38,12 @@ lms3dPoint2 GetOffset(int corners)
 
 lms3dBorderJunctions::lms3dBorderJunctions(const lms3dBeamSphere& sphere,
   const lms3dPatches& patches, const lms3dBorderGates& gates, const lms3dBorderChains& chains,
-  const lms3dBorderHeights& heights)
+  const lms3dBorderRanges& borderRanges)
   : Sphere(sphere)
   , Patches(patches)
   , Gates(gates)
   , Chains(chains)
-  , Heights(heights)
+  , BorderRanges(borderRanges)
 {
   this->FindJunctions();
 }
@@ -62,7 +62,7 @@ std::uint8_t lms3dBorderJunctions::GetGroup(const Cell& cell, int own) const
   {
     const int gate = this->Gates.GetCellGate(cell, corner);
     return gate == Gates::NoGate ? this->Patches.Labels[cell.Corners[corner]] < 0
-                                 : this->Gates.GetGate(2 * gate).Is != Gates::Crease;
+                                 : this->Gates.GetGate(2 * gate).Kind != Gates::Crease;
   };
   int corners = 1 << own;
   for (int corner = own; !isApart(corner) && corners != AllCorners; corner = (corner + 1) % 4)
@@ -85,7 +85,7 @@ std::array<lms3dBorderJunctions::Junction, 4> lms3dBorderJunctions::GetEndJuncti
   const int last = chain.Edges.back();
   const Junction start = this->GetEndJunction(this->Chains.GetBefore(first));
   const Junction end = this->GetEndJunction(last);
-  return this->Gates.GetGate(first).Is == Gates::Step
+  return this->Gates.GetGate(first).Kind == Gates::Offset
     ? std::array<Junction, 4>{ start, this->GetEndJunction(Gates::GetTwin(first)), end,
         this->GetEndJunction(this->Chains.GetBefore(Gates::GetTwin(last))) }
     : std::array<Junction, 4>{ start, start, end, end };
@@ -130,8 +130,8 @@ std::vector<lms3dMapVertex> lms3dBorderJunctions::Locate() const
   for (const Junction& junction : this->Junctions)
   {
     const Cell cell = this->Gates.GetCell(junction.LowerLeft);
-    vertices.push_back(
-      this->Heights.GetVertexInCell(cell, junction.Corners, this->SlideToCreases(junction, cell)));
+    vertices.push_back(this->BorderRanges.GetVertexInCell(
+      cell, junction.Corners, this->SlideToCreases(junction, cell)));
   }
   return vertices;
 }
@@ -141,24 +141,24 @@ std::vector<lms3dMapVertex> lms3dBorderJunctions::Locate() const
 std::array<double, 4> lms3dBorderJunctions::SlideToCreases(
   const Junction& junction, const Cell& cell) const
 {
-  bool hasStep = false;
+  bool hasOffset = false;
   for (int i = 0; i < 4; ++i)
   {
-    hasStep |= this->IsStep(cell, i);
+    hasOffset |= this->IsOffset(cell, i);
   }
-  lms3dCellSlide slide;
+  lms3dCreaseIntersection slide;
   for (int i = 0; i < 4; ++i)
   {
     const int gate = this->Gates.GetCellGate(cell, i);
-    if (gate != Gates::NoGate && this->Gates.GetGate(2 * gate).Is == Gates::Crease &&
-      (hasStep || (junction.Corners >> i & 1)))
+    if (gate != Gates::NoGate && this->Gates.GetGate(2 * gate).Kind == Gates::Crease &&
+      (hasOffset || (junction.Corners >> i & 1)))
     {
       slide.AddCrease(this->GetDifferences(cell, i));
     }
   }
   const lms3dPoint2 offset = GetOffset(junction.Corners);
-  const bool isFree = !this->IsSteady(cell.LowerLeft, 1) && !this->IsWide(cell);
-  if (!hasStep)
+  const bool isFree = !this->HasFallback(cell.LowerLeft, 1) && !this->IsWide(cell);
+  if (!hasOffset)
   {
     slide.Move(offset);
   }
@@ -166,7 +166,7 @@ std::array<double, 4> lms3dBorderJunctions::SlideToCreases(
   {
     slide.Run();
   }
-  if (hasStep)
+  if (hasOffset)
   {
     slide.Move(offset);
   }
@@ -198,14 +198,14 @@ bool lms3dBorderJunctions::IsWide(const Cell& cell) const
   return getCosine(0, 2) < WideCosine || getCosine(1, 3) < WideCosine;
 }
 
-bool lms3dBorderJunctions::IsStep(const Cell& cell, int corner) const
+bool lms3dBorderJunctions::IsOffset(const Cell& cell, int corner) const
 {
   const int gate = this->Gates.GetCellGate(cell, corner);
-  return gate != Gates::NoGate && this->Gates.GetGate(2 * gate).Is == Gates::Step;
+  return gate != Gates::NoGate && this->Gates.GetGate(2 * gate).Kind == Gates::Offset;
 }
 
 // At the start of a chain or at its end.
-lms3dBorderJunctions::Place lms3dBorderJunctions::GetEndCell(const Chain& chain, int end) const
+lms3dBorderJunctions::GridIndex lms3dBorderJunctions::GetEndCell(const Chain& chain, int end) const
 {
   int corner;
   return this->Gates
@@ -213,25 +213,26 @@ lms3dBorderJunctions::Place lms3dBorderJunctions::GetEndCell(const Chain& chain,
     .LowerLeft;
 }
 
-bool lms3dBorderJunctions::IsSteady(Place cell, int care) const
+bool lms3dBorderJunctions::HasFallback(GridIndex cell, int level) const
 {
-  const auto found = this->Care.find(cell);
-  return found != this->Care.end() && found->second >= care;
+  const auto found = this->Fallbacks.find(cell);
+  return found != this->Fallbacks.end() && found->second >= level;
 }
 
 bool lms3dBorderJunctions::IsEndOfSlit(std::size_t chain, int end) const
 {
   const std::int32_t junction = this->Ends[chain][2 * end];
-  return this->Gates.GetGate(this->Chains.GetChains()[chain].Edges.front()).Is == Gates::Cut &&
+  return this->Gates.GetGate(this->Chains.GetChains()[chain].Edges.front()).Kind ==
+    Gates::DepthStep &&
     this->Junctions[junction].Corners == AllCorners;
 }
 
 // A cut may end within a surface, as a slit. Beyond the slit another patch has both junctions too, and
 // where it has an edge between them, that must not be the edge of this patch as well.
-bool lms3dBorderJunctions::IsLipOfSlit(std::size_t chain) const
+bool lms3dBorderJunctions::NeedsBendAtSlit(std::size_t chain) const
 {
   const int edge = this->Chains.GetChains()[chain].Edges.front();
-  if (this->Gates.GetGate(edge).Is != Gates::Cut)
+  if (this->Gates.GetGate(edge).Kind != Gates::DepthStep)
   {
     return false;
   }
@@ -267,20 +268,20 @@ std::vector<std::int32_t> lms3dBorderJunctions::GetOthers(
 
 // The junctions of the groups after each step of a cell, counter-clockwise; none where a cut or a miss
 // leaves the cell open.
-std::vector<std::int32_t> lms3dBorderJunctions::GetRing(std::int32_t first) const
+std::vector<std::int32_t> lms3dBorderJunctions::GetHole(std::int32_t first) const
 {
   const std::int32_t lowerLeft = this->Junctions[first].LowerLeft;
   const Cell cell = this->Gates.GetCell(lowerLeft);
-  std::vector<std::int32_t> ring;
+  std::vector<std::int32_t> hole;
   for (int corner = 3; corner >= 0; --corner)
   {
     const int gate = this->Gates.GetCellGate(cell, corner);
     if (this->Patches.Labels[cell.Corners[corner]] < 0 ||
-      (gate != Gates::NoGate && this->Gates.GetGate(2 * gate).Is == Gates::Cut))
+      (gate != Gates::NoGate && this->Gates.GetGate(2 * gate).Kind == Gates::DepthStep))
     {
       return {};
     }
-    if (this->IsStep(cell, corner))
+    if (this->IsOffset(cell, corner))
     {
       // The group of the corner before this step, clockwise.
       std::int32_t i = first;
@@ -289,10 +290,10 @@ std::vector<std::int32_t> lms3dBorderJunctions::GetRing(std::int32_t first) cons
       {
         ++i;
       }
-      ring.push_back(i);
+      hole.push_back(i);
     }
   }
-  return ring;
+  return hole;
 }
 
 bool lms3dBorderJunctions::IsFirstOfCell(std::int32_t junction) const

@@ -8,7 +8,7 @@
 #define lms3dBorderJunctions_h
 
 #include "LocalMap/Borders/lms3dBorderChains.h"
-#include "LocalMap/Borders/lms3dBorderHeights.h"
+#include "LocalMap/Borders/lms3dBorderRanges.h"
 
 #include <array>
 #include <cstdint>
@@ -23,13 +23,13 @@
 class lms3dBorderJunctions
 {
 public:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
   using Chain = lms3dBorderChains::Chain;
 
   /// Keeps references.
   lms3dBorderJunctions(const lms3dBeamSphere& sphere, const lms3dPatches& patches,
     const lms3dBorderGates& gates, const lms3dBorderChains& chains,
-    const lms3dBorderHeights& heights);
+    const lms3dBorderRanges& borderRanges);
 
   std::int32_t GetNumberOfJunctions() const
   {
@@ -44,22 +44,22 @@ public:
   std::int32_t GetEnd(std::size_t chain, int side) const { return this->Ends[chain][2 + side]; }
 
   /// The cell at the start of a chain (0) or at its end (1).
-  Place GetEndCell(const Chain& chain, int end) const;
+  GridIndex GetEndCell(const Chain& chain, int end) const;
 
   /// Whether a chain runs along a cut from a junction that it shares with the other side (0), or to
   /// one (1): where a depth step ends within a surface, as a slit.
   bool IsEndOfSlit(std::size_t chain, int end) const;
 
   /// Whether a chain needs a bend of its own, lest it coincides with a border beyond a slit.
-  bool IsLipOfSlit(std::size_t chain) const;
+  bool NeedsBendAtSlit(std::size_t chain) const;
 
   /// The hole between the junctions of a cell where steps meet.
-  std::vector<std::int32_t> GetRing(std::int32_t first) const;
+  std::vector<std::int32_t> GetHole(std::int32_t first) const;
   bool IsFirstOfCell(std::int32_t junction) const;
 
   /// How carefully a cell is to be treated: from 1 on its junctions stay in the middle.
-  void AddCare(Place cell) { ++this->Care[cell]; }
-  bool IsSteady(Place cell, int care) const;
+  void RaiseFallback(GridIndex cell) { ++this->Fallbacks[cell]; }
+  bool HasFallback(GridIndex cell, int level) const;
 
 private:
   using Cell = lms3dBorderGates::Cell;
@@ -81,7 +81,7 @@ private:
   std::array<Junction, 4> GetEndJunctions(const Chain& chain) const;
   Junction GetEndJunction(int edge) const;
   std::uint8_t GetGroup(const Cell& cell, int own) const;
-  bool IsStep(const Cell& cell, int corner) const;
+  bool IsOffset(const Cell& cell, int corner) const;
   bool IsWide(const Cell& cell) const;
   std::array<double, 4> SlideToCreases(const Junction& junction, const Cell& cell) const;
   std::array<double, 4> GetDifferences(const Cell& cell, int corner) const;
@@ -91,12 +91,12 @@ private:
   const lms3dPatches& Patches;
   const lms3dBorderGates& Gates;
   const lms3dBorderChains& Chains;
-  const lms3dBorderHeights& Heights;
+  const lms3dBorderRanges& BorderRanges;
   std::vector<Junction> Junctions;
   /// Of each chain the junctions at the start, of either side, and at the end.
   std::vector<std::array<std::int32_t, 4>> Ends;
   /// How often a band that ends in a cell has turned over.
-  std::map<Place, int> Care;
+  std::map<GridIndex, int> Fallbacks;
 };
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Borders/lms3dPatchOutlines.h"
 
-#include "LocalMap/Borders/lms3dStepBands.h"
+#include "LocalMap/Borders/lms3dOffsetStrips.h"
 
 #include <tbb/parallel_for.h>
 
@@ -14,7 +14,7 @@ namespace
 using Gates = lms3dBorderGates;
 
 // Half the width of a band, as a share of a gate: less than half of what borders keep off beams.
-constexpr double HalfBand = 0.04;
+constexpr double HalfStrip = 0.04;
 // How near to the middle of a gate borders may come that must not meet those beyond a cut, as a
 // share of the gate.
 constexpr double HalfSlit = 0.42;
@@ -22,7 +22,7 @@ constexpr double HalfSlit = 0.42;
 constexpr double SafeStep = 6.0;
 // The grades of care for a band that turns over: its junctions stay in the middle of their cells, then
 // its lines pass every gate.
-constexpr int MostCare = 2;
+constexpr int MaximumFallback = 2;
 } // namespace
 
 lms3dPatchOutlines::lms3dPatchOutlines(
@@ -30,16 +30,16 @@ lms3dPatchOutlines::lms3dPatchOutlines(
   : Sphere(sphere)
   , Patches(patches)
   , Gates(gates)
-  , Heights(sphere, patches, gates)
+  , BorderRanges(sphere, patches, gates)
   , Chains(gates)
-  , Junctions(sphere, patches, gates, this->Chains, this->Heights)
+  , Junctions(sphere, patches, gates, this->Chains, this->BorderRanges)
   , Lines(this->Chains.GetChains().size())
 {
-  for (int care = 0; care <= MostCare; ++care)
+  for (int level = 0; level <= MaximumFallback; ++level)
   {
     this->Vertices = this->Junctions.Locate();
     this->StraightenChains();
-    if (!this->MakeBands())
+    if (!this->MakeStrips())
     {
       break;
     }
@@ -47,9 +47,9 @@ lms3dPatchOutlines::lms3dPatchOutlines(
   this->MakeLoops();
 }
 
-bool lms3dPatchOutlines::IsStep(const Chain& chain) const
+bool lms3dPatchOutlines::IsOffset(const Chain& chain) const
 {
-  return this->Gates.GetGate(chain.Edges.front()).Is == Gates::Step;
+  return this->Gates.GetGate(chain.Edges.front()).Kind == Gates::Offset;
 }
 
 // Again only those that need more care now.
@@ -61,7 +61,7 @@ void lms3dPatchOutlines::StraightenChains()
   tbb::parallel_for(std::size_t(0), chains.size(),
     [&](std::size_t i)
     {
-      if (isFirst || this->HasCare(chains[i]))
+      if (isFirst || this->HasFallback(chains[i]))
       {
         this->Bends[i] = this->Straighten(i);
       }
@@ -69,10 +69,10 @@ void lms3dPatchOutlines::StraightenChains()
   this->NumberBends();
 }
 
-bool lms3dPatchOutlines::HasCare(const Chain& chain) const
+bool lms3dPatchOutlines::HasFallback(const Chain& chain) const
 {
-  return this->Junctions.IsSteady(this->Junctions.GetEndCell(chain, 0), 1) ||
-    this->Junctions.IsSteady(this->Junctions.GetEndCell(chain, 1), 1);
+  return this->Junctions.HasFallback(this->Junctions.GetEndCell(chain, 0), 1) ||
+    this->Junctions.HasFallback(this->Junctions.GetEndCell(chain, 1), 1);
 }
 
 void lms3dPatchOutlines::NumberBends()
@@ -81,23 +81,23 @@ void lms3dPatchOutlines::NumberBends()
   {
     Line& line = this->Lines[i];
     line = {};
-    const bool isStep = this->IsStep(this->Chains.GetChains()[i]);
+    const bool isOffset = this->IsOffset(this->Chains.GetChains()[i]);
     for (std::size_t j = 0; j < this->Bends[i].size(); ++j)
     {
       const std::int32_t number = static_cast<std::int32_t>(this->Vertices.size());
       this->Vertices.push_back(this->Bends[i][j]);
-      (isStep && j % 2 == 1 ? line.Other : line.Own).push_back(number);
+      (isOffset && j % 2 == 1 ? line.Other : line.Own).push_back(number);
     }
-    if (!isStep)
+    if (!isOffset)
     {
       line.Other = line.Own;
     }
   }
 }
 
-std::vector<lms3dBorderLine::Gate> lms3dPatchOutlines::GetLineGates(const Chain& chain) const
+std::vector<lms3dMinimumLinkPath::Gate> lms3dPatchOutlines::GetLineGates(const Chain& chain) const
 {
-  std::vector<lms3dBorderLine::Gate> gates;
+  std::vector<lms3dMinimumLinkPath::Gate> gates;
   gates.reserve(chain.Edges.size());
   for (int edge : chain.Edges)
   {
@@ -106,9 +106,9 @@ std::vector<lms3dBorderLine::Gate> lms3dPatchOutlines::GetLineGates(const Chain&
     gates.push_back({ this->Sphere.GetDirection(gate.Ends[isTurned ? 1 : 0]),
       this->Sphere.GetDirection(gate.Ends[isTurned ? 0 : 1]), isTurned ? 1.0 - gate.High : gate.Low,
       isTurned ? 1.0 - gate.Low : gate.High, isTurned ? 1.0 - gate.Best : gate.Best });
-    if (gate.Is == Gates::Cut)
+    if (gate.Kind == Gates::DepthStep)
     {
-      this->LimitReach(edge, gates.back());
+      this->LimitExtension(edge, gates.back());
     }
   }
   return gates;
@@ -116,7 +116,7 @@ std::vector<lms3dBorderLine::Gate> lms3dPatchOutlines::GetLineGates(const Chain&
 
 // At a cut a surface goes no farther than its returns support, and not beyond the middle where it
 // might meet the surface on the other side: both may lean towards each other, or be one patch.
-void lms3dPatchOutlines::LimitReach(int edge, lms3dBorderLine::Gate& gate) const
+void lms3dPatchOutlines::LimitExtension(int edge, lms3dMinimumLinkPath::Gate& gate) const
 {
   const double own = this->Sphere.GetRange(this->Gates.GetOwner(edge));
   const double other = this->Sphere.GetRange(this->Gates.GetOwner(Gates::GetTwin(edge)));
@@ -124,7 +124,7 @@ void lms3dPatchOutlines::LimitReach(int edge, lms3dBorderLine::Gate& gate) const
   {
     gate.High = std::max(gate.Low, std::min(gate.High, HalfSlit));
   }
-  gate.High = std::max(gate.Low, this->Heights.GetReach(edge, gate.High));
+  gate.High = std::max(gate.Low, this->BorderRanges.GetExtension(edge, gate.High));
   gate.Best = std::min(gate.Best, gate.High);
 }
 
@@ -132,24 +132,25 @@ std::vector<lms3dMapVertex> lms3dPatchOutlines::Straighten(std::size_t number) c
 {
   const Chain& chain = this->Chains.GetChains()[number];
   std::vector<lms3dMapVertex> vertices;
-  for (const lms3dBorderLine::Vertex& bend : this->FindBends(number, this->GetLineGates(chain)))
+  for (const lms3dMinimumLinkPath::Vertex& bend :
+    this->FindBends(number, this->GetLineGates(chain)))
   {
     this->AppendVertices(chain.Edges[bend.Gate], bend.At, vertices);
   }
   return vertices;
 }
 
-std::vector<lms3dBorderLine::Vertex> lms3dPatchOutlines::FindBends(
-  std::size_t number, const std::vector<lms3dBorderLine::Gate>& gates) const
+std::vector<lms3dMinimumLinkPath::Vertex> lms3dPatchOutlines::FindBends(
+  std::size_t number, const std::vector<lms3dMinimumLinkPath::Gate>& gates) const
 {
   const Chain& chain = this->Chains.GetChains()[number];
-  const lms3dBorderLine line(gates);
-  if (this->Junctions.IsSteady(this->Junctions.GetEndCell(chain, 0), MostCare) ||
-    this->Junctions.IsSteady(this->Junctions.GetEndCell(chain, 1), MostCare))
+  const lms3dMinimumLinkPath line(gates);
+  if (this->Junctions.HasFallback(this->Junctions.GetEndCell(chain, 0), MaximumFallback) ||
+    this->Junctions.HasFallback(this->Junctions.GetEndCell(chain, 1), MaximumFallback))
   {
-    std::vector<lms3dBorderLine::Vertex> bends;
+    std::vector<lms3dMinimumLinkPath::Vertex> bends;
     bends.reserve(gates.size());
-    for (const lms3dBorderLine::Gate& gate : gates)
+    for (const lms3dMinimumLinkPath::Gate& gate : gates)
     {
       bends.push_back({ static_cast<int>(bends.size()), gate.Best });
     }
@@ -160,15 +161,15 @@ std::vector<lms3dBorderLine::Vertex> lms3dPatchOutlines::FindBends(
     return line.StraightenClosed();
   }
   // Between the two lines of a step; they are one elsewhere.
-  const int side = this->IsStep(chain) ? 1 : 0;
+  const int side = this->IsOffset(chain) ? 1 : 0;
   const lms3dVector from =
     this->GetMiddle(this->Junctions.GetStart(number, 0), this->Junctions.GetStart(number, side));
   const lms3dVector to =
     this->GetMiddle(this->Junctions.GetEnd(number, 0), this->Junctions.GetEnd(number, side));
   // The lips of a slit part in its first gate, each at the range of its own side.
-  std::vector<lms3dBorderLine::Vertex> bends = line.Straighten(
+  std::vector<lms3dMinimumLinkPath::Vertex> bends = line.Straighten(
     from, to, this->Junctions.IsEndOfSlit(number, 0), this->Junctions.IsEndOfSlit(number, 1));
-  if (bends.empty() && this->Junctions.IsLipOfSlit(number))
+  if (bends.empty() && this->Junctions.NeedsBendAtSlit(number))
   {
     bends.push_back(line.GetMiddle(from, to));
   }
@@ -183,14 +184,14 @@ lms3dVector lms3dPatchOutlines::GetMiddle(std::int32_t a, std::int32_t b) const
 // One for both sides, or along a step two: of the own side and of the other.
 void lms3dPatchOutlines::AppendVertices(int edge, double at, std::vector<lms3dMapVertex>& out) const
 {
-  if (this->Gates.GetGate(edge).Is == Gates::Step)
+  if (this->Gates.GetGate(edge).Kind == Gates::Offset)
   {
-    out.push_back(this->Heights.GetVertexInGate(edge, at - HalfBand));
-    out.push_back(this->Heights.GetVertexInGate(Gates::GetTwin(edge), 1.0 - (at + HalfBand)));
+    out.push_back(this->BorderRanges.GetVertexInGate(edge, at - HalfStrip));
+    out.push_back(this->BorderRanges.GetVertexInGate(Gates::GetTwin(edge), 1.0 - (at + HalfStrip)));
   }
   else
   {
-    out.push_back(this->Heights.GetVertexInGate(edge, at));
+    out.push_back(this->BorderRanges.GetVertexInGate(edge, at));
   }
 }
 
@@ -240,32 +241,32 @@ void lms3dPatchOutlines::AppendSide(int edge, Outline& outline, int& next) const
 }
 
 // Returns whether another attempt is due.
-bool lms3dPatchOutlines::MakeBands()
+bool lms3dPatchOutlines::MakeStrips()
 {
-  lms3dStepBands bands(this->Vertices);
-  this->Uneven.clear();
+  lms3dOffsetStrips strips(this->Vertices);
+  this->PatchesAtFlippedStrips.clear();
   const std::vector<Chain>& chains = this->Chains.GetChains();
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
-    if (this->IsStep(chains[i]) &&
-      !bands.AddBand(this->GetWholeLine(i, 0), this->GetWholeLine(i, 1)))
+    if (this->IsOffset(chains[i]) &&
+      !strips.AddStrip(this->GetWholeLine(i, 0), this->GetWholeLine(i, 1)))
     {
       const int edge = chains[i].Edges.front();
-      this->Uneven.push_back(this->Gates.GetPatch(edge));
-      this->Uneven.push_back(this->Gates.GetPatch(Gates::GetTwin(edge)));
-      this->Junctions.AddCare(this->Junctions.GetEndCell(chains[i], 0));
-      this->Junctions.AddCare(this->Junctions.GetEndCell(chains[i], 1));
+      this->PatchesAtFlippedStrips.push_back(this->Gates.GetPatch(edge));
+      this->PatchesAtFlippedStrips.push_back(this->Gates.GetPatch(Gates::GetTwin(edge)));
+      this->Junctions.RaiseFallback(this->Junctions.GetEndCell(chains[i], 0));
+      this->Junctions.RaiseFallback(this->Junctions.GetEndCell(chains[i], 1));
     }
   }
   for (std::int32_t i = 0; i < this->Junctions.GetNumberOfJunctions(); ++i)
   {
     if (this->Junctions.IsFirstOfCell(i))
     {
-      bands.FillRing(this->Junctions.GetRing(i));
+      strips.FillHole(this->Junctions.GetHole(i));
     }
   }
-  this->Bands = bands.GetTriangles();
-  return !this->Uneven.empty();
+  this->Strips = strips.GetTriangles();
+  return !this->PatchesAtFlippedStrips.empty();
 }
 
 // With the junctions at its ends, or its first vertex again where it is closed.

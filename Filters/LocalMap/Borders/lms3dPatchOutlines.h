@@ -8,9 +8,9 @@
 #define lms3dPatchOutlines_h
 
 #include "LocalMap/Borders/lms3dBorderChains.h"
-#include "LocalMap/Borders/lms3dBorderHeights.h"
 #include "LocalMap/Borders/lms3dBorderJunctions.h"
-#include "LocalMap/Borders/lms3dBorderLine.h"
+#include "LocalMap/Borders/lms3dBorderRanges.h"
+#include "LocalMap/Borders/lms3dMinimumLinkPath.h"
 
 #include <array>
 #include <cstdint>
@@ -33,10 +33,13 @@ public:
   const Outline& GetOutline(int patch) const { return this->Outlines[patch]; }
 
   /// The triangles of the bands and of the junctions of steps, facing the sensor.
-  const std::vector<std::array<std::int32_t, 3>>& GetBands() const { return this->Bands; }
+  const std::vector<std::array<std::int32_t, 3>>& GetStripTriangles() const { return this->Strips; }
 
   /// Patches beside a band that would not face the sensor.
-  const std::vector<std::int32_t>& GetUneven() const { return this->Uneven; }
+  const std::vector<std::int32_t>& GetPatchesAtFlippedStrips() const
+  {
+    return this->PatchesAtFlippedStrips;
+  }
 
 private:
   using Chain = lms3dBorderChains::Chain;
@@ -51,25 +54,25 @@ private:
 
   void StraightenChains();
   void NumberBends();
-  bool HasCare(const Chain& chain) const;
+  bool HasFallback(const Chain& chain) const;
   std::vector<lms3dMapVertex> Straighten(std::size_t number) const;
-  std::vector<lms3dBorderLine::Vertex> FindBends(
-    std::size_t number, const std::vector<lms3dBorderLine::Gate>& gates) const;
-  std::vector<lms3dBorderLine::Gate> GetLineGates(const Chain& chain) const;
-  void LimitReach(int edge, lms3dBorderLine::Gate& gate) const;
+  std::vector<lms3dMinimumLinkPath::Vertex> FindBends(
+    std::size_t number, const std::vector<lms3dMinimumLinkPath::Gate>& gates) const;
+  std::vector<lms3dMinimumLinkPath::Gate> GetLineGates(const Chain& chain) const;
+  void LimitExtension(int edge, lms3dMinimumLinkPath::Gate& gate) const;
   lms3dVector GetMiddle(std::int32_t a, std::int32_t b) const;
   void AppendVertices(int edge, double at, std::vector<lms3dMapVertex>& out) const;
-  bool IsStep(const Chain& chain) const;
+  bool IsOffset(const Chain& chain) const;
 
   void MakeLoops();
   void AppendSide(int edge, Outline& outline, int& next) const;
-  bool MakeBands();
+  bool MakeStrips();
   std::vector<std::int32_t> GetWholeLine(std::size_t chain, int side) const;
 
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;
   const lms3dBorderGates& Gates;
-  const lms3dBorderHeights Heights;
+  const lms3dBorderRanges BorderRanges;
   const lms3dBorderChains Chains;
   lms3dBorderJunctions Junctions;
   /// Of each chain the vertices, along a step those of both sides in turn.
@@ -78,8 +81,8 @@ private:
   std::vector<Line> Lines;
   std::vector<lms3dMapVertex> Vertices;
   std::vector<Outline> Outlines;
-  std::vector<std::array<std::int32_t, 3>> Bands;
-  std::vector<std::int32_t> Uneven;
+  std::vector<std::array<std::int32_t, 3>> Strips;
+  std::vector<std::int32_t> PatchesAtFlippedStrips;
 };
 
 #endif

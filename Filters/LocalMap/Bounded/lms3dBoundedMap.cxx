@@ -13,23 +13,23 @@ namespace
 {
 // Of the angle to the nearest neighbour, or of this angle in radians where that is far.
 constexpr double FacetShare = 0.25;
-constexpr double LargestAngle = 0.2;
+constexpr double MaximumAngle = 0.2;
 // Radians by which a beam may miss a triangle that is asked all the same.
 constexpr double BeamMargin = 1e-6;
 
-double GetAngleToNeighbor(const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place)
+double GetAngleToNeighbor(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index)
 {
-  const int row = sphere.GetRow(place);
-  const lms3dVector direction = sphere.GetDirection(place);
-  double least = LargestAngle;
+  const int row = sphere.GetRow(index);
+  const lms3dVector direction = sphere.GetDirection(index);
+  double least = MaximumAngle;
   for (int side = lms3dBeamSphere::Up; side <= lms3dBeamSphere::Left; ++side)
   {
-    if (!sphere.HasNeighbor(place, side) || (sphere.IsPoleRow(row) && side % 2 == 1))
+    if (!sphere.HasNeighbor(index, side) || (sphere.IsPoleRow(row) && side % 2 == 1))
     {
       continue;
     }
     const lms3dVector across =
-      lms3dCross(direction, sphere.GetDirection(sphere.GetNeighbor(place, side)));
+      lms3dCross(direction, sphere.GetDirection(sphere.GetNeighbor(index, side)));
     least = std::min(least, std::sqrt(lms3dDot(across, across)));
   }
   return least;
@@ -37,14 +37,14 @@ double GetAngleToNeighbor(const lms3dBeamSphere& sphere, lms3dBeamSphere::Place 
 } // namespace
 
 void lms3dBoundedMap::AddFacet(
-  const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place, double range)
+  const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range)
 {
-  const lms3dVector ahead = sphere.GetDirection(place);
-  const std::array<double, 2>& level = sphere.GetLevel(sphere.GetColumn(place));
+  const lms3dVector ahead = sphere.GetDirection(index);
+  const std::array<double, 2>& level = sphere.GetLevel(sphere.GetColumn(index));
   // To the right and up, as the sensor sees them.
   const lms3dVector right = { level[1], -level[0], 0.0 };
   const lms3dVector up = lms3dCross(right, ahead);
-  const double radius = range * FacetShare * GetAngleToNeighbor(sphere, place);
+  const double radius = range * FacetShare * GetAngleToNeighbor(sphere, index);
   constexpr double Corners[3][2] = { { -0.8660254037844386, -0.5 }, { 0.8660254037844386, -0.5 },
     { 0.0, 1.0 } };
   const std::int32_t first = static_cast<std::int32_t>(this->Points.size());

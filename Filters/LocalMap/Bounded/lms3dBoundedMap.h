@@ -34,7 +34,7 @@ struct lms3dBoundedMap
    * Adds a triangle around the return of a place, or around another range of its beam: facing the
    * sensor, small enough to meet no other beam. It is a patch of its own.
    */
-  void AddFacet(const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place, double range);
+  void AddFacet(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range);
 
   /// How far a point is from the nearest of the triangles that the beam towards it meets; infinite
   /// where it meets none.

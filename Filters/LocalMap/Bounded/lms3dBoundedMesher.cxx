@@ -4,9 +4,9 @@
 
 #include "LocalMap/Bounded/lms3dDeviationMeter.h"
 #include "LocalMap/Bounded/lms3dFacetedGrid.h"
-#include "LocalMap/Patches/lms3dPatchBorders.h"
 #include "LocalMap/Patches/lms3dPatchGrower.h"
 #include "LocalMap/Patches/lms3dPatchMerger.h"
+#include "LocalMap/Patches/lms3dPatchRelabeler.h"
 #include "LocalMap/Patches/lms3dRangeNoise.h"
 
 #include <tbb/parallel_for.h>
@@ -23,16 +23,16 @@ constexpr double GrowingDeviations = 4.0;
 // What the planes of a crease may differ by, as a share of the bound.
 constexpr double CreaseShare = 0.85;
 // Standard deviations of noise, as a share of the bound, at which patches give way to the grid.
-constexpr double LargestNoise = 0.75;
+constexpr double MaximumNoise = 0.75;
 // The same for the number of patches, as a share of the returns, and for scans of a few returns.
-constexpr double MostPatches = 0.05;
+constexpr double MaximumPatches = 0.05;
 constexpr double SmallScan = 256.0;
 // The share of the time that finding them takes.
 constexpr double PatchesDone = 0.4;
 
 // So often single returns may leave patches, and so large a share of one, before all of it is split.
 constexpr int PatientAttempts = 8;
-constexpr double MostUnmet = 0.01;
+constexpr double MaximumUncovered = 0.01;
 
 double GetLargestRange(const lms3dRangeGrid& grid)
 {
@@ -62,7 +62,7 @@ lms3dPatches lms3dBoundedMesher::FindPatches() const
     std::max(GrowingShare * this->MaximumError, GrowingDeviations * this->Noise);
   lms3dPatches patches = lms3dPatchGrower(this->Sphere, tolerance).Grow();
   lms3dPatchMerger(this->Sphere, patches, this->MaximumError).Merge();
-  lms3dPatchBorders borders(this->Sphere, patches, this->MaximumError, this->Noise);
+  lms3dPatchRelabeler borders(this->Sphere, patches, this->MaximumError, this->Noise);
   borders.Move();
   borders.TakeSpikes();
   return patches;
@@ -72,7 +72,7 @@ bool lms3dBoundedMesher::AreTooMany(const std::vector<int>& members) const
 {
   const std::int64_t patches =
     static_cast<std::int64_t>(members.size()) - std::count(members.begin(), members.end(), 0);
-  return patches > MostPatches * this->Sphere.GetNumberOfReturns() + SmallScan;
+  return patches > MaximumPatches * this->Sphere.GetNumberOfReturns() + SmallScan;
 }
 
 std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakeMap(const lms3dProgress& progress)
@@ -112,15 +112,15 @@ std::vector<lms3dVector> lms3dBoundedMesher::SpreadPoles()
       continue;
     }
     const bool isLowest = this->Sphere.GetBeam(0) == this->Grid.GetPoles()[i];
-    const Place place = isLowest ? 0 : this->Sphere.GetNumberOfRows() - 1;
+    const GridIndex index = isLowest ? 0 : this->Sphere.GetNumberOfRows() - 1;
     const auto [nearest, farthest] = std::minmax_element(ranges.begin(), ranges.end());
     const std::array<double, 2> near =
-      this->GetWithinBound(ranges, this->Sphere.GetRange(place), { *nearest, *farthest });
-    this->Sphere.SetPole(this->Sphere.GetRow(place), near[0], near[1]);
-    extremes.push_back(lms3dScale(this->Sphere.GetDirection(place), *nearest));
+      this->GetWithinBound(ranges, this->Sphere.GetRange(index), { *nearest, *farthest });
+    this->Sphere.SetPole(this->Sphere.GetRow(index), near[0], near[1]);
+    extremes.push_back(lms3dScale(this->Sphere.GetDirection(index), *nearest));
     if (*nearest < *farthest)
     {
-      extremes.push_back(lms3dScale(this->Sphere.GetDirection(place), *farthest));
+      extremes.push_back(lms3dScale(this->Sphere.GetDirection(index), *farthest));
     }
   }
   return extremes;
@@ -148,7 +148,7 @@ std::array<double, 2> lms3dBoundedMesher::GetWithinBound(
 
 std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgress& progress) const
 {
-  if (this->Noise > LargestNoise * this->MaximumError)
+  if (this->Noise > MaximumNoise * this->MaximumError)
   {
     return lms3dFacetedGrid(this->Grid, this->Joins, this->Sphere).MakeMap();
   }
@@ -178,12 +178,12 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
 // For returns that no patch could hold.
 void lms3dBoundedMesher::AddFacets(const lms3dPatches& patches, lms3dBoundedMap& map) const
 {
-  for (Place place = 0; place < this->Sphere.GetNumberOfPlaces(); ++place)
+  for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
-    if (patches.Labels[place] == lms3dPatches::None && this->Sphere.HasReturn(place) &&
-      !this->Sphere.IsRepeated(place))
+    if (patches.Labels[index] == lms3dPatches::None && this->Sphere.HasReturn(index) &&
+      !this->Sphere.IsRepeated(index))
     {
-      map.AddFacet(this->Sphere, place, this->Sphere.GetRange(place));
+      map.AddFacet(this->Sphere, index, this->Sphere.GetRange(index));
       ++map.ReturnsOnFacets;
     }
   }
@@ -208,12 +208,12 @@ bool lms3dBoundedMesher::TryToMesh(lms3dPatches& patches, const std::vector<int>
   for (std::size_t i = 0; i < members.size(); ++i)
   {
     failed[i] = members[i] > 0 && !meshes[i].IsValid;
-    if (!isPatient || MostUnmet * members[i] < static_cast<double>(meshes[i].Unmet.size()))
+    if (!isPatient || MaximumUncovered * members[i] < static_cast<double>(meshes[i].Unmet.size()))
     {
       meshes[i].Unmet.clear();
     }
   }
-  for (std::int32_t patch : outlines.GetUneven())
+  for (std::int32_t patch : outlines.GetPatchesAtFlippedStrips())
   {
     failed[patch] = true;
     meshes[patch].Unmet.clear();
@@ -238,7 +238,7 @@ void lms3dBoundedMesher::Append(const lms3dPatches& patches, const lms3dPatchOut
   };
   std::for_each(outlines.GetVertices().begin(), outlines.GetVertices().end(), addPoint);
   const std::int32_t shared = static_cast<std::int32_t>(map.Points.size());
-  map.Triangles = outlines.GetBands();
+  map.Triangles = outlines.GetStripTriangles();
   map.PatchIds.assign(map.Triangles.size(), lms3dBoundedMap::NoPatch);
   std::vector<lms3dDeviationMeter::Part> parts;
   for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -272,33 +272,33 @@ void lms3dBoundedMesher::Append(const lms3dPatches& patches, const lms3dPatchOut
 void lms3dBoundedMesher::Split(lms3dPatches& patches, const std::vector<int>& members,
   const std::vector<bool>& failed, const std::vector<lms3dPatchMesh>& meshes) const
 {
-  for (Place place = 0; place < this->Sphere.GetNumberOfPlaces(); ++place)
+  for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
-    const std::int32_t label = patches.Labels[place];
+    const std::int32_t label = patches.Labels[index];
     if (label < 0 || label >= static_cast<std::int32_t>(failed.size()) || !failed[label])
     {
       continue;
     }
-    const std::vector<Place>& unmet = meshes[label].Unmet;
-    const Place first = this->Sphere.IsRepeated(place) ? this->Sphere.GetRow(place) : place;
+    const std::vector<GridIndex>& unmet = meshes[label].Unmet;
+    const GridIndex first = this->Sphere.IsRepeated(index) ? this->Sphere.GetRow(index) : index;
     if (!unmet.empty() && !std::binary_search(unmet.begin(), unmet.end(), first))
     {
       continue;
     }
     if (members[label] == 1)
     {
-      patches.Labels[place] = lms3dPatches::None;
+      patches.Labels[index] = lms3dPatches::None;
       continue;
     }
-    if (this->Sphere.IsRepeated(place))
+    if (this->Sphere.IsRepeated(index))
     {
-      patches.Labels[place] = patches.Labels[this->Sphere.GetRow(place)];
+      patches.Labels[index] = patches.Labels[this->Sphere.GetRow(index)];
       continue;
     }
     lms3dPatches::Patch single;
-    single.Fit.Add(this->Sphere, place);
+    single.Fit.Add(this->Sphere, index);
     single.Plane = single.Fit.GetPlane();
-    patches.Labels[place] = static_cast<std::int32_t>(patches.Patches.size());
+    patches.Labels[index] = static_cast<std::int32_t>(patches.Patches.size());
     patches.Patches.push_back(single);
   }
 }

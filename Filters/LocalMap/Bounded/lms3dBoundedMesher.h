@@ -33,7 +33,7 @@ public:
   std::optional<lms3dBoundedMap> MakeMap(const lms3dProgress& progress);
 
 private:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
 
   lms3dPatches FindPatches() const;
   bool AreTooMany(const std::vector<int>& members) const;

@@ -3,7 +3,7 @@
 #include "LocalMap/Bounded/lms3dDeviationMeter.h"
 
 #include "Geometry/lms3dTriangleDistance.h"
-#include "LocalMap/Bounded/lms3dBeamsOfTriangle.h"
+#include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,11 +48,11 @@ double lms3dDeviationMeter::GetLargestAbove(const Part& part, double least) cons
   // Of each return the smallest comes first.
   std::sort(distances.begin(), distances.end());
   double largest = 0.0;
-  Place last = -1;
-  for (const auto& [place, distance] : distances)
+  GridIndex last = -1;
+  for (const auto& [index, distance] : distances)
   {
-    largest = place != last ? std::max(largest, distance) : largest;
-    last = place;
+    largest = index != last ? std::max(largest, distance) : largest;
+    last = index;
   }
   return largest;
 }
@@ -61,26 +61,26 @@ void lms3dDeviationMeter::Measure(
   const Part& part, std::size_t triangle, double least, Distances& distances) const
 {
   const auto getCorner = [&](int i)
-  { return lms3dCorner(this->Map.Points[this->Map.Triangles[triangle][i]]); };
-  const lms3dCorner a = getCorner(0);
-  const lms3dCorner b = getCorner(1);
-  const lms3dCorner c = getCorner(2);
-  const lms3dBeamsOfTriangle beams(this->Sphere, a, b, c, Margin);
+  { return lms3dTriangleCorner(this->Map.Points[this->Map.Triangles[triangle][i]]); };
+  const lms3dTriangleCorner a = getCorner(0);
+  const lms3dTriangleCorner b = getCorner(1);
+  const lms3dTriangleCorner c = getCorner(2);
+  const lms3dTriangleRasterizer beams(this->Sphere, a, b, c, Margin);
   const auto measure = [&](int column, int first, int last)
   {
     const lms3dColumnPlane inColumn(beams.GetPlane(), this->Sphere, column);
-    const Place start = this->Sphere.GetPlace(column, 0);
+    const GridIndex start = this->Sphere.GetIndex(column, 0);
     for (int row = first; row <= last; ++row)
     {
-      const Place place = start + row;
-      const double range = this->Sphere.GetRange(place);
+      const GridIndex index = start + row;
+      const double range = this->Sphere.GetRange(index);
       const double inverse =
         inColumn.GetInverseRange(this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]);
-      if (this->Patches.Labels[place] == part.Patch && !this->Sphere.IsPoleRow(row) &&
+      if (this->Patches.Labels[index] == part.Patch && !this->Sphere.IsPoleRow(row) &&
         !(std::abs(range - 1.0 / inverse) <= least))
       {
-        const lms3dVector point = lms3dScale(this->Sphere.GetDirection(place), range);
-        distances.emplace_back(place, lms3dGetDistance(point, a.Position, b.Position, c.Position));
+        const lms3dVector point = lms3dScale(this->Sphere.GetDirection(index), range);
+        distances.emplace_back(index, lms3dGetDistance(point, a.Position, b.Position, c.Position));
       }
     }
   };

@@ -45,8 +45,8 @@ public:
   double GetLargest(std::vector<Part> parts) const;
 
 private:
-  using Place = lms3dBeamSphere::Place;
-  using Distances = std::vector<std::pair<Place, double>>;
+  using GridIndex = lms3dBeamSphere::GridIndex;
+  using Distances = std::vector<std::pair<GridIndex, double>>;
 
   double GetLargest(const Part& part, double least) const;
   double GetLargestAbove(const Part& part, double least) const;

@@ -9,18 +9,18 @@
 #include <utility>
 
 // Of each vertex.
-std::vector<lms3dFacetedGrid::Place> lms3dFacetedGrid::FindPlaces() const
+std::vector<lms3dFacetedGrid::GridIndex> lms3dFacetedGrid::FindIndices() const
 {
-  std::vector<Place> places(this->Grid.GetReturns().size());
-  for (Place place = 0; place < this->Sphere.GetNumberOfPlaces(); ++place)
+  std::vector<GridIndex> indices(this->Grid.GetReturns().size());
+  for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
-    const int turn = this->Sphere.GetTurn(place);
-    if (turn >= 0 && this->Sphere.HasReturn(place))
+    const int turn = this->Sphere.GetTurn(index);
+    if (turn >= 0 && this->Sphere.HasReturn(index))
     {
-      places[this->Grid.GetVertex(turn, this->Sphere.GetBeam(place))] = place;
+      indices[this->Grid.GetVertex(turn, this->Sphere.GetBeam(index))] = index;
     }
   }
-  return places;
+  return indices;
 }
 
 // Three numbers each.
@@ -39,7 +39,7 @@ std::vector<std::int32_t> lms3dFacetedGrid::MakeTriangles(const lms3dBoundedMap&
       }
     }
   }
-  points.FillGhosts(this->Grid);
+  points.FillHalo(this->Grid);
   lms3dGridMesher mesher;
   mesher.ChooseTriangles(this->Grid, this->Joins, points);
   std::vector<std::int32_t> corners(3 * mesher.GetNumberOfTriangles());
@@ -75,13 +75,13 @@ std::vector<bool> lms3dFacetedGrid::AddTriangles(lms3dBoundedMap& map) const
 
 lms3dBoundedMap lms3dFacetedGrid::MakeMap() const
 {
-  const std::vector<Place> places = this->FindPlaces();
+  const std::vector<GridIndex> indices = this->FindIndices();
   lms3dBoundedMap map;
-  map.Points.reserve(places.size());
-  for (Place place : places)
+  map.Points.reserve(indices.size());
+  for (GridIndex index : indices)
   {
     map.Points.push_back(
-      lms3dScale(this->Sphere.GetDirection(place), this->Sphere.GetRange(place)));
+      lms3dScale(this->Sphere.GetDirection(index), this->Sphere.GetRange(index)));
   }
   const std::vector<bool> isMet = this->AddTriangles(map);
   map.PatchIds.assign(map.Triangles.size(), lms3dBoundedMap::NoPatch);
@@ -90,7 +90,7 @@ lms3dBoundedMap lms3dFacetedGrid::MakeMap() const
   {
     if (!isMet[vertex])
     {
-      map.AddFacet(this->Sphere, places[vertex], this->Sphere.GetRange(places[vertex]));
+      map.AddFacet(this->Sphere, indices[vertex], this->Sphere.GetRange(indices[vertex]));
       ++map.ReturnsOnFacets;
     }
   }

@@ -14,7 +14,7 @@
 class lms3dFacetedGrid
 {
 public:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
 
   /// Keeps references.
   lms3dFacetedGrid(
@@ -28,7 +28,7 @@ public:
   lms3dBoundedMap MakeMap() const;
 
 private:
-  std::vector<Place> FindPlaces() const;
+  std::vector<GridIndex> FindIndices() const;
   std::vector<std::int32_t> MakeTriangles(const lms3dBoundedMap& map) const;
   std::vector<bool> AddTriangles(lms3dBoundedMap& map) const;
 

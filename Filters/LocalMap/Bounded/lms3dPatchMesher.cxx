@@ -16,7 +16,7 @@ constexpr double LiftInBounds = 0.8;
 // The rounds of one new vertex a triangle, before all beams that are too far become vertices.
 constexpr int PatientRounds = 12;
 // The smallest cosine to the axis of projection.
-constexpr double SmallestCosine = 1e-6;
+constexpr double MinimumCosine = 1e-6;
 
 double GetLength(const lms3dVector& v)
 {
@@ -30,7 +30,7 @@ struct lms3dPatchMesher::Work
   /// A beam that meets a triangle too far from its return, and the range where it does.
   struct Miss
   {
-    Place Beam;
+    GridIndex Beam;
     int Triangle;
     double Range;
     double Deviation;
@@ -42,7 +42,7 @@ struct lms3dPatchMesher::Work
   std::vector<std::int32_t> Numbers;
   /// By the numbers of the triangulation: those of the outline, its frame, those that were added.
   std::vector<lms3dMapVertex> Vertices;
-  std::vector<lms3dCorner> Corners;
+  std::vector<lms3dTriangleCorner> Corners;
   std::unique_ptr<lms3dTriangulation> Triangulation;
   /// To the right and up, as the sensor sees them, and ahead.
   lms3dVector Axes[3];
@@ -95,7 +95,7 @@ lms3dPatchMesher::lms3dPatchMesher(const lms3dBeamSphere& sphere, const lms3dPat
   , Outlines(outlines)
   , MaximumError(maximumError)
   , Lift(std::min(LiftInBounds * maximumError, LiftInDeviations * noise))
-  , States(sphere.GetNumberOfPlaces(), IsUnmet)
+  , States(sphere.GetSize(), IsUnmet)
 {
 }
 
@@ -148,7 +148,7 @@ bool lms3dPatchMesher::ProjectAlong(Work& work, const lms3dVector& axis) const
   for (std::size_t i = 0; i < work.Numbers.size(); ++i)
   {
     const lms3dVector& direction = work.Vertices[i].Direction;
-    if (!(lms3dDot(ahead, direction) > SmallestCosine))
+    if (!(lms3dDot(ahead, direction) > MinimumCosine))
     {
       return false;
     }
@@ -220,12 +220,12 @@ bool lms3dPatchMesher::Check(Work& work)
 
 void lms3dPatchMesher::FindUnmet(Work& work) const
 {
-  for (Place place = 0; place < this->Sphere.GetNumberOfPlaces(); ++place)
+  for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
-    if (this->Patches.Labels[place] == work.Patch && this->States[place] == IsUnmet &&
-      !this->Sphere.IsRepeated(place))
+    if (this->Patches.Labels[index] == work.Patch && this->States[index] == IsUnmet &&
+      !this->Sphere.IsRepeated(index))
     {
-      work.Result.Unmet.push_back(place);
+      work.Result.Unmet.push_back(index);
     }
   }
 }
@@ -233,7 +233,7 @@ void lms3dPatchMesher::FindUnmet(Work& work) const
 bool lms3dPatchMesher::CheckTriangle(Work& work, int triangle)
 {
   const std::array<std::int32_t, 3>& corners = work.Triangulation->GetCorners(triangle);
-  const lms3dBeamsOfTriangle beams(
+  const lms3dTriangleRasterizer beams(
     this->Sphere, work.Corners[corners[0]], work.Corners[corners[1]], work.Corners[corners[2]]);
   bool areOwn = true;
   beams.ForColumns(
@@ -247,12 +247,12 @@ bool lms3dPatchMesher::CheckBeams(
   Work& work, int triangle, const lms3dPlane& plane, int column, int first, int last)
 {
   const lms3dColumnPlane inColumn(plane, this->Sphere, column);
-  const Place start = this->Sphere.GetPlace(column, 0);
+  const GridIndex start = this->Sphere.GetIndex(column, 0);
   double largest = work.Triangles[triangle].Deviation;
   for (int row = first; row <= last; ++row)
   {
-    const Place place = start + row;
-    if (this->Patches.Labels[place] != work.Patch)
+    const GridIndex index = start + row;
+    if (this->Patches.Labels[index] != work.Patch)
     {
       return false;
     }
@@ -260,22 +260,22 @@ bool lms3dPatchMesher::CheckBeams(
     {
       continue;
     }
-    if (this->States[place] == IsUnmet)
+    if (this->States[index] == IsUnmet)
     {
-      this->States[place] = IsMet;
+      this->States[index] = IsMet;
       ++work.Met;
     }
     const double inverse =
       inColumn.GetInverseRange(this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]);
     const double deviation =
-      std::abs(this->Sphere.GetRange(place) - 1.0 / inverse) + this->Sphere.GetSpread(row);
+      std::abs(this->Sphere.GetRange(index) - 1.0 / inverse) + this->Sphere.GetSpread(row);
     if (deviation <= this->MaximumError)
     {
       largest = std::max(largest, deviation);
     }
-    else if (this->States[place] != IsVertex)
+    else if (this->States[index] != IsVertex)
     {
-      work.AddMiss({ place, triangle, 1.0 / inverse, deviation });
+      work.AddMiss({ index, triangle, 1.0 / inverse, deviation });
     }
   }
   work.Triangles[triangle].Deviation = largest;

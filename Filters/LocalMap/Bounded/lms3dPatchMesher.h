@@ -8,7 +8,7 @@
 #define lms3dPatchMesher_h
 
 #include "LocalMap/Borders/lms3dPatchOutlines.h"
-#include "LocalMap/Bounded/lms3dBeamsOfTriangle.h"
+#include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
 #include "Triangulation/lms3dTriangulation.h"
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct lms3dPatchMesh
   /// No return is farther than so many metres from the triangle that its beam meets, along the beam.
   double DeviationOnBeams = 0.0;
   /// Where it is not valid only because beams of the patch meet no triangle: these, in order.
-  std::vector<lms3dBeamSphere::Place> Unmet;
+  std::vector<lms3dBeamSphere::GridIndex> Unmet;
 };
 
 /**
@@ -45,7 +45,7 @@ public:
   lms3dPatchMesh Mesh(int patch, int members);
 
 private:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
   struct Work;
 
   /// Of a beam in the mesh of its patch.

@@ -41,73 +41,75 @@ public:
   /// account.
   lms3dDepthStep(double depthStep, double degrees)
     : Absolute(depthStep)
-    , Relative(std::max(SmallestRelative, std::abs(degrees) * RadiansPerDegree))
-    , AreNeighbors(std::abs(degrees) < LargestStep)
+    , Relative(std::max(MinimumRelative, std::abs(degrees) * RadiansPerDegree))
+    , AreNeighbors(std::abs(degrees) < MaximumStep)
   {
     double sine, cosine;
     lms3dSinCosDegrees(degrees, sine, cosine);
     this->TwoCosines = 2.0 * cosine;
   }
 
-  enum Answer
+  enum Relation
   {
-    Apart,
+    Separate,
     Joined,
     /// The planes cross, and no third return says that the nearer side is straight.
-    Doubtful
+    Uncertain
   };
 
   /// Of two neighbours in the row of a fan, the second at `at[1]`; from at[-2] to at[3] there are
   /// ranges. 0 is a miss.
-  Answer Judge(const double* at) const
+  Relation Classify(const double* at) const
   {
-    if (this->AreEqual(at[0], at[1]) || this->AreOnePlane(at[-1], at[0], at[1], at[2], 0.0, 0.0))
+    if (this->AreRangesEqual(at[0], at[1]) ||
+      this->AreCoplanar(at[-1], at[0], at[1], at[2], 0.0, 0.0))
     {
       return Joined;
     }
-    if (!this->DoPlanesCross(at[-1], at[0], at[1], at[2], 0.0, 0.0))
+    if (!this->DoPlanesIntersect(at[-1], at[0], at[1], at[2], 0.0, 0.0))
     {
-      return Apart;
+      return Separate;
     }
     const bool isStraight = at[0] < at[1] ? this->IsStraight(at[-2], at[-1], at[0], 0.0)
                                           : this->IsStraight(at[3], at[2], at[1], 0.0);
-    return isStraight ? Joined : Doubtful;
+    return isStraight ? Joined : Uncertain;
   }
 
   ///@{
   /// The parts of this, for turns. Leans are in 1/metre, those of the return before the last.
-  bool AreEqual(double a, double b) const
+  bool AreRangesEqual(double a, double b) const
   {
     return this->AreReturns(a, b) && std::abs(a - b) <= this->GetTolerance(a, b);
   }
 
-  bool AreOnePlane(
-    double before, double a, double b, double after, double leanOfA, double leanOfB) const
+  bool AreCoplanar(
+    double before, double a, double b, double after, double tiltOfA, double tiltOfB) const
   {
     const double tolerance = this->GetTolerance(a, b);
     return this->AreReturns(a, b) &&
-      (this->GoOn(before, a, leanOfA).Meets(b, tolerance) ||
-        this->GoOn(after, b, leanOfB).Meets(a, tolerance));
+      (this->Extrapolate(before, a, tiltOfA).Meets(b, tolerance) ||
+        this->Extrapolate(after, b, tiltOfB).Meets(a, tolerance));
   }
 
-  bool DoPlanesCross(
-    double before, double a, double b, double after, double leanOfA, double leanOfB) const
+  bool DoPlanesIntersect(
+    double before, double a, double b, double after, double tiltOfA, double tiltOfB) const
   {
     const double tolerance = this->GetTolerance(a, b);
-    return this->AreReturns(a, b) && this->GoOn(before, a, leanOfA).Reaches(b, tolerance) &&
-      this->GoOn(after, b, leanOfB).Reaches(a, tolerance);
+    return this->AreReturns(a, b) && this->Extrapolate(before, a, tiltOfA).Reaches(b, tolerance) &&
+      this->Extrapolate(after, b, tiltOfB).Reaches(a, tolerance);
   }
 
-  bool IsStraight(double first, double second, double third, double leanOfSecond) const
+  bool IsStraight(double first, double second, double third, double tiltOfSecond) const
   {
     return this->AreReturns(first, second) && third > 0.0 &&
-      this->GoOn(first, second, leanOfSecond).Meets(third, this->GetTolerance(second, third));
+      this->Extrapolate(first, second, tiltOfSecond)
+        .Meets(third, this->GetTolerance(second, third));
   }
   ///@}
 
 private:
-  static constexpr double SmallestRelative = 0.02;
-  static constexpr double LargestStep = 180.0;
+  static constexpr double MinimumRelative = 0.02;
+  static constexpr double MaximumStep = 180.0;
   static constexpr double RadiansPerDegree = 3.14159265358979323846 / 180.0;
 
   /// Meets the next beam at the range Product / Slope, or nowhere without a slope above 0.
@@ -135,10 +137,10 @@ private:
     return this->Absolute + this->Relative * std::min(a, b);
   }
 
-  Plane GoOn(double before, double at, double lean) const
+  Plane Extrapolate(double before, double at, double tilt) const
   {
     const double product = before * at;
-    return before > 0.0 ? Plane{ product, this->TwoCosines * before - at + lean * product }
+    return before > 0.0 ? Plane{ product, this->TwoCosines * before - at + tilt * product }
                         : Plane{ at, 1.0 };
   }
 

@@ -28,7 +28,7 @@
 namespace
 {
 // Fewer are done before another thread can come.
-constexpr int FewestTriangles = 4096;
+constexpr int MinimumTrianglesPerTask = 4096;
 
 /// Where the vertices go.
 struct VertexArrays
@@ -81,7 +81,7 @@ struct VertexArrays
 
 void FillOffsets(int triangles, std::int32_t* offsets)
 {
-  tbb::parallel_for(tbb::blocked_range<int>(0, triangles + 1, FewestTriangles),
+  tbb::parallel_for(tbb::blocked_range<int>(0, triangles + 1, MinimumTrianglesPerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int i = range.begin(); i < range.end(); ++i)
@@ -93,7 +93,7 @@ void FillOffsets(int triangles, std::int32_t* offsets)
 
 void TurnRound(int triangles, std::int32_t* vertices)
 {
-  tbb::parallel_for(tbb::blocked_range<int>(0, triangles, FewestTriangles),
+  tbb::parallel_for(tbb::blocked_range<int>(0, triangles, MinimumTrianglesPerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int i = range.begin(); i < range.end(); ++i)
@@ -127,7 +127,7 @@ void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
   this->Points.SetShape(grid);
   tbb::parallel_for(
     0, grid.GetNumberOfTurns(), [&](int turn) { out.FillTurn(grid, turn, this->Points); });
-  this->Points.FillGhosts(grid);
+  this->Points.FillHalo(grid);
   this->Mesher.ChooseTriangles(grid, joins, this->Points);
   if (!progress(0.4))
   {

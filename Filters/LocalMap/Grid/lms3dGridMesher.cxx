@@ -181,7 +181,7 @@ void lms3dGridMesher::ChooseTriangles(
         std::fill_n(chosen, cells, 0);
       }
     });
-  this->Cells.FillGhosts(grid.IsClosed());
+  this->Cells.FillHalo(grid.IsClosed());
   std::partial_sum(
     this->FirstTriangles.begin(), this->FirstTriangles.end(), this->FirstTriangles.begin());
 }

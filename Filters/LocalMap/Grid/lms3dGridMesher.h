@@ -41,7 +41,7 @@ public:
   void FillTriangles(const lms3dRangeGrid& grid, std::int32_t* vertices) const;
 
 private:
-  lms3dGhostGrid<std::uint8_t> Cells{ 0 };
+  lms3dPaddedGrid<std::uint8_t> Cells{ 0 };
   /// Of each turn, and their number at the end.
   std::vector<std::int64_t> FirstTriangles;
 };

@@ -18,7 +18,7 @@ namespace
 using Vector = std::array<double, 3>;
 
 // Each range of turns looks at the strip before it once more, so it should not be short.
-constexpr int FewestTurns = 16;
+constexpr int MinimumTurnsPerTask = 16;
 
 Vector Scale(const Vector& v, double by)
 {
@@ -216,7 +216,7 @@ void lms3dFillNormals(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
   const lms3dGridPoints& points, const std::array<double, 3>& sensor, float* normals)
 {
   NormalWriter writer(grid, points, sensor, normals);
-  tbb::parallel_for(tbb::blocked_range<int>(0, grid.GetNumberOfTurns(), FewestTurns),
+  tbb::parallel_for(tbb::blocked_range<int>(0, grid.GetNumberOfTurns(), MinimumTurnsPerTask),
     [&](const tbb::blocked_range<int>& turns)
     {
       for (int beam = 0; beam < grid.GetNumberOfBeams();)

@@ -15,20 +15,20 @@
 class lms3dGridPoints
 {
 public:
-  /// As for lms3dGhostGrid.
+  /// As for lms3dPaddedGrid.
   void SetShape(const lms3dRangeGrid& grid)
   {
-    for (lms3dGhostGrid<double>& coordinates : this->OfAxis)
+    for (lms3dPaddedGrid<double>& coordinates : this->OfAxis)
     {
       coordinates.SetShape(grid.GetNumberOfTurns(), grid.GetNumberOfBeams());
     }
   }
 
-  void FillGhosts(const lms3dRangeGrid& grid)
+  void FillHalo(const lms3dRangeGrid& grid)
   {
-    for (lms3dGhostGrid<double>& coordinates : this->OfAxis)
+    for (lms3dPaddedGrid<double>& coordinates : this->OfAxis)
     {
-      coordinates.FillGhosts(grid.IsClosed());
+      coordinates.FillHalo(grid.IsClosed());
     }
   }
 
@@ -36,7 +36,7 @@ public:
   const double* GetRow(int axis, int turn) const { return this->OfAxis[axis].GetRow(turn); }
 
 private:
-  std::array<lms3dGhostGrid<double>, 3> OfAxis;
+  std::array<lms3dPaddedGrid<double>, 3> OfAxis;
 };
 
 #endif

@@ -8,7 +8,7 @@
 #define lms3dRangeGrid_h
 
 #include "Device/lms3dScanGeometry.h"
-#include "LocalMap/Grid/lms3dGhostGrid.h"
+#include "LocalMap/Grid/lms3dPaddedGrid.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@
  * Each place holds a range and a vertex. Vertices are numbered by turn, then beam. The places of a
  * pole, where the beams of all turns are one, share one vertex: the return with the median range.
  *
- * Around the grid lie ghosts (lms3dGhostGrid). Turns go round where it is closed, and beyond a pole a
+ * Around the grid lie ghosts (lms3dPaddedGrid). Turns go round where it is closed, and beyond a pole a
  * fan goes on in the opposite turn: of an odd number of turns in the two beside it, the nearer return
  * of which has planes go farther. Other ghosts have no return, and none has a vertex.
  */
@@ -33,7 +33,7 @@ public:
    * for the user, where a range is not a finite number above 0, or a beam is out of the grid or
    * given twice. Uses the threads of the calling TBB arena.
    */
-  void Place(const lms3dScanGeometry& geometry, const double* ranges, const int* beamIds,
+  void Build(const lms3dScanGeometry& geometry, const double* ranges, const int* beamIds,
     std::int64_t count);
 
   const lms3dScanGeometry& GetGeometry() const { return *this->Geometry; }
@@ -68,13 +68,13 @@ public:
   const std::vector<std::int32_t>& GetReturns() const { return this->Returns; }
 
 private:
-  void Sort(const double* ranges, const int* beamIds, std::int64_t count);
-  [[noreturn]] void Refuse(std::int64_t index, double range, int beamId) const;
-  void JoinPole(int beam, const double* ranges);
+  void AssignReturns(const double* ranges, const int* beamIds, std::int64_t count);
+  [[noreturn]] void ThrowBadReturn(std::int64_t index, double range, int beamId) const;
+  void CollapsePole(int beam, const double* ranges);
   void CountVertices();
   void FillTurn(int turn, const double* ranges);
-  void SpreadPole(int beam);
-  void GoOnBeyond(int end, int outwards);
+  void CopyPoleToTurns(int beam);
+  void FillHaloBeams(int end, int outwards);
   double GetOppositeRange(int turn, int beam) const;
 
   const std::int32_t* GetReturnsOfTurn(int turn) const;
@@ -86,8 +86,8 @@ private:
   std::vector<std::vector<double>> RangesOfPoles;
   /// By beam number, without ghosts.
   std::vector<std::int32_t> ReturnOfBeam;
-  lms3dGhostGrid<double> Ranges{ 0.0 };
-  lms3dGhostGrid<std::int32_t> Vertices{ NoVertex };
+  lms3dPaddedGrid<double> Ranges{ 0.0 };
+  lms3dPaddedGrid<std::int32_t> Vertices{ NoVertex };
   /// Of each turn, and their number at the end.
   std::vector<std::int32_t> FirstVertices;
   std::vector<std::int32_t> Returns;

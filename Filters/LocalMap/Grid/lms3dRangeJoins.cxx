@@ -11,10 +11,10 @@
 namespace
 {
 /// Finds how planes lean, for lms3dDepthStep.
-class LeanFinder
+class TiltFinder
 {
 public:
-  LeanFinder(const lms3dScanGeometry& geometry, const lms3dDepthStep& fanStep)
+  TiltFinder(const lms3dScanGeometry& geometry, const lms3dDepthStep& fanStep)
     : FanStep(fanStep)
   {
     double sine, cosine;
@@ -31,7 +31,7 @@ public:
   {
     const auto& [neighbor, ofRange, ofNeighbor] = this->Factors[beam];
     const double* first = ranges + std::min(beam, neighbor);
-    return neighbor != NoNeighbor && this->FanStep.Judge(first) == lms3dDepthStep::Joined
+    return neighbor != NoNeighbor && this->FanStep.Classify(first) == lms3dDepthStep::Joined
       ? ofRange / ranges[beam] + ofNeighbor / ranges[neighbor]
       : 0.0;
   }
@@ -71,13 +71,13 @@ private:
 };
 
 // Judges the neighbours along turns.
-class TurnJudge
+class TurnClassifier
 {
 public:
-  TurnJudge(
-    const lms3dRangeGrid& grid, int turn, const lms3dDepthStep& step, const LeanFinder& leans)
+  TurnClassifier(
+    const lms3dRangeGrid& grid, int turn, const lms3dDepthStep& step, const TiltFinder& tilts)
     : Step(step)
-    , Leans(leans)
+    , Tilts(tilts)
   {
     for (int i = 0; i < NumberOfRows; ++i)
     {
@@ -85,32 +85,32 @@ public:
     }
   }
 
-  lms3dDepthStep::Answer Judge(int beam) const
+  lms3dDepthStep::Relation Classify(int beam) const
   {
     // Most neighbours are equal.
-    if (this->Step.AreEqual(this->Rows[2][beam], this->Rows[3][beam]))
+    if (this->Step.AreRangesEqual(this->Rows[2][beam], this->Rows[3][beam]))
     {
       return lms3dDepthStep::Joined;
     }
     const auto [earlier, before, a, b, after, later] = this->GetRanges(beam);
     if (!(a > 0.0 && b > 0.0))
     {
-      return lms3dDepthStep::Apart;
+      return lms3dDepthStep::Separate;
     }
-    const double leanOfA = this->Leans.Find(this->Rows[2], beam);
-    const double leanOfB = this->Leans.Find(this->Rows[3], beam);
-    if (this->Step.AreOnePlane(before, a, b, after, leanOfA, leanOfB))
+    const double tiltOfA = this->Tilts.Find(this->Rows[2], beam);
+    const double tiltOfB = this->Tilts.Find(this->Rows[3], beam);
+    if (this->Step.AreCoplanar(before, a, b, after, tiltOfA, tiltOfB))
     {
       return lms3dDepthStep::Joined;
     }
-    if (!this->Step.DoPlanesCross(before, a, b, after, leanOfA, leanOfB))
+    if (!this->Step.DoPlanesIntersect(before, a, b, after, tiltOfA, tiltOfB))
     {
-      return lms3dDepthStep::Apart;
+      return lms3dDepthStep::Separate;
     }
     const bool isStraight = a < b
-      ? this->Step.IsStraight(earlier, before, a, this->FindLean(1, beam))
-      : this->Step.IsStraight(later, after, b, this->FindLean(4, beam));
-    return isStraight ? lms3dDepthStep::Joined : lms3dDepthStep::Doubtful;
+      ? this->Step.IsStraight(earlier, before, a, this->FindTilt(1, beam))
+      : this->Step.IsStraight(later, after, b, this->FindTilt(4, beam));
+    return isStraight ? lms3dDepthStep::Joined : lms3dDepthStep::Uncertain;
   }
 
 private:
@@ -123,13 +123,13 @@ private:
       this->Rows[4][beam], this->Rows[5][beam] };
   }
 
-  double FindLean(int row, int beam) const
+  double FindTilt(int row, int beam) const
   {
-    return this->Rows[row][beam] > 0.0 ? this->Leans.Find(this->Rows[row], beam) : 0.0;
+    return this->Rows[row][beam] > 0.0 ? this->Tilts.Find(this->Rows[row], beam) : 0.0;
   }
 
   const lms3dDepthStep& Step;
-  const LeanFinder& Leans;
+  const TiltFinder& Tilts;
   std::array<const double*, NumberOfRows> Rows;
 };
 
@@ -138,35 +138,35 @@ struct TurnFinds
 {
   int Turn;
   std::uint8_t* Flags;
-  std::vector<lms3dRangeJoins::Doubt>& Doubts;
+  std::vector<lms3dRangeJoins::UncertainJoin>& UncertainJoins;
 
-  void Add(int beam, lms3dRangeJoins::Flag towards, lms3dDepthStep::Answer answer)
+  void Add(int beam, lms3dRangeJoins::Flag towards, lms3dDepthStep::Relation relation)
   {
-    if (answer == lms3dDepthStep::Joined)
+    if (relation == lms3dDepthStep::Joined)
     {
       this->Flags[beam] |= towards;
     }
-    else if (answer == lms3dDepthStep::Doubtful)
+    else if (relation == lms3dDepthStep::Uncertain)
     {
-      this->Doubts.push_back({ this->Turn, beam, towards });
+      this->UncertainJoins.push_back({ this->Turn, beam, towards });
     }
   }
 };
 
-void JudgeFan(const lms3dRangeGrid& grid, const lms3dDepthStep& step, TurnFinds& finds)
+void ClassifyFan(const lms3dRangeGrid& grid, const lms3dDepthStep& step, TurnFinds& finds)
 {
   const double* ranges = grid.GetRanges(finds.Turn);
   for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
   {
-    finds.Add(beam, lms3dRangeJoins::AlongFan, step.Judge(ranges + beam));
+    finds.Add(beam, lms3dRangeJoins::AlongFan, step.Classify(ranges + beam));
   }
 }
 
-void JudgeTurn(const lms3dRangeGrid& grid, const TurnJudge& judge, TurnFinds& finds)
+void ClassifyTurn(const lms3dRangeGrid& grid, const TurnClassifier& classifier, TurnFinds& finds)
 {
   for (int beam = 0; beam < grid.GetNumberOfBeams(); ++beam)
   {
-    finds.Add(beam, lms3dRangeJoins::AlongTurn, judge.Judge(beam));
+    finds.Add(beam, lms3dRangeJoins::AlongTurn, classifier.Classify(beam));
   }
   // Of which there is no doubt.
   for (int pole : grid.GetPoles())
@@ -181,65 +181,65 @@ void lms3dRangeJoins::Find(const lms3dRangeGrid& grid, double depthStep)
   const lms3dScanGeometry& geometry = grid.GetGeometry();
   const lms3dDepthStep fanStep(depthStep, geometry.GetAlphaStep());
   const lms3dDepthStep turnStep(depthStep, geometry.GetBetaStep());
-  const LeanFinder leans(geometry, fanStep);
+  const TiltFinder tilts(geometry, fanStep);
   const int turns = grid.GetNumberOfTurns();
   this->Flags.SetShape(turns, grid.GetNumberOfBeams());
-  this->Doubts.resize(turns);
+  this->UncertainJoins.resize(turns);
   tbb::parallel_for(0, turns,
     [&](int turn)
     {
-      TurnFinds finds = { turn, this->Flags.GetRow(turn), this->Doubts[turn] };
+      TurnFinds finds = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn] };
       std::fill_n(finds.Flags, grid.GetNumberOfBeams(), 0);
-      finds.Doubts.clear();
+      finds.UncertainJoins.clear();
       if (grid.HasReturns(turn))
       {
-        JudgeFan(grid, fanStep, finds);
-        JudgeTurn(grid, TurnJudge(grid, turn, turnStep, leans), finds);
+        ClassifyFan(grid, fanStep, finds);
+        ClassifyTurn(grid, TurnClassifier(grid, turn, turnStep, tilts), finds);
       }
     });
-  this->Settle(grid);
-  this->Flags.FillGhosts(grid.IsClosed());
+  this->ResolveUncertainJoins(grid);
+  this->Flags.FillHalo(grid.IsClosed());
 }
 
 // All doubts are joined at first. Those beside a gap fall, one after the other, and the same ones stay
 // in whatever order; to and fro, long rows of them fall quickly.
-void lms3dRangeJoins::Settle(const lms3dRangeGrid& grid)
+void lms3dRangeJoins::ResolveUncertainJoins(const lms3dRangeGrid& grid)
 {
-  std::vector<Doubt> doubts;
-  for (const std::vector<Doubt>& ofTurn : this->Doubts)
+  std::vector<UncertainJoin> uncertain;
+  for (const std::vector<UncertainJoin>& ofTurn : this->UncertainJoins)
   {
-    doubts.insert(doubts.end(), ofTurn.begin(), ofTurn.end());
+    uncertain.insert(uncertain.end(), ofTurn.begin(), ofTurn.end());
   }
-  for (const Doubt& doubt : doubts)
+  for (const UncertainJoin& join : uncertain)
   {
-    this->Flags.GetRow(doubt.Turn)[doubt.Beam] |= doubt.Towards;
+    this->Flags.GetRow(join.Turn)[join.Beam] |= join.Towards;
   }
   std::size_t count;
   do
   {
-    count = doubts.size();
-    doubts.erase(std::remove_if(doubts.begin(), doubts.end(),
-                   [&](const Doubt& doubt) { return this->DropBesideGap(grid, doubt); }),
-      doubts.end());
-    std::reverse(doubts.begin(), doubts.end());
-  } while (doubts.size() < count);
+    count = uncertain.size();
+    uncertain.erase(std::remove_if(uncertain.begin(), uncertain.end(),
+                      [&](const UncertainJoin& join) { return this->DropBesideGap(grid, join); }),
+      uncertain.end());
+    std::reverse(uncertain.begin(), uncertain.end());
+  } while (uncertain.size() < count);
 }
 
-bool lms3dRangeJoins::DropBesideGap(const lms3dRangeGrid& grid, const Doubt& doubt)
+bool lms3dRangeJoins::DropBesideGap(const lms3dRangeGrid& grid, const UncertainJoin& join)
 {
-  const bool isWhole = this->IsWholeAround(grid, doubt);
+  const bool isWhole = this->IsWholeAround(grid, join);
   if (!isWhole)
   {
-    this->Flags.GetRow(doubt.Turn)[doubt.Beam] &= static_cast<std::uint8_t>(~doubt.Towards);
+    this->Flags.GetRow(join.Turn)[join.Beam] &= static_cast<std::uint8_t>(~join.Towards);
   }
   return !isWhole;
 }
 
-bool lms3dRangeJoins::IsWholeAround(const lms3dRangeGrid& grid, const Doubt& doubt) const
+bool lms3dRangeJoins::IsWholeAround(const lms3dRangeGrid& grid, const UncertainJoin& join) const
 {
-  const int turn = doubt.Turn;
-  const int beam = doubt.Beam;
-  if (doubt.Towards == AlongFan)
+  const int turn = join.Turn;
+  const int beam = join.Beam;
+  if (join.Towards == AlongFan)
   {
     const auto isWhole = [&](int cell, int beyond)
     {

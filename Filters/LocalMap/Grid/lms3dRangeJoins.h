@@ -18,7 +18,7 @@
  * surface is whole around them: if the other three sides of both cells beside them are joined, be it
  * for the same reason. So the silhouette of a thing, which ends at a sure step, is none. A pole
  * is not joined with itself from turn to turn, its places being one vertex. Places around the grid
- * may be asked for as well (lms3dGhostGrid).
+ * may be asked for as well (lms3dPaddedGrid).
  */
 class lms3dRangeJoins
 {
@@ -38,7 +38,7 @@ public:
   const std::uint8_t* GetRow(int turn) const { return this->Flags.GetRow(turn); }
 
   /// Neighbours of which their ranges do not tell.
-  struct Doubt
+  struct UncertainJoin
   {
     int Turn;
     int Beam;
@@ -46,14 +46,14 @@ public:
   };
 
 private:
-  void Settle(const lms3dRangeGrid& grid);
-  bool DropBesideGap(const lms3dRangeGrid& grid, const Doubt& doubt);
-  bool IsWholeAround(const lms3dRangeGrid& grid, const Doubt& doubt) const;
+  void ResolveUncertainJoins(const lms3dRangeGrid& grid);
+  bool DropBesideGap(const lms3dRangeGrid& grid, const UncertainJoin& join);
+  bool IsWholeAround(const lms3dRangeGrid& grid, const UncertainJoin& join) const;
   bool IsJoined(const lms3dRangeGrid& grid, int turn, int beam, Flag towards) const;
 
-  lms3dGhostGrid<std::uint8_t> Flags{ 0 };
+  lms3dPaddedGrid<std::uint8_t> Flags{ 0 };
   /// Of each turn.
-  std::vector<std::vector<Doubt>> Doubts;
+  std::vector<std::vector<UncertainJoin>> UncertainJoins;
 };
 
 #endif

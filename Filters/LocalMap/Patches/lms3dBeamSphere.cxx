@@ -15,7 +15,7 @@ namespace
 {
 constexpr double Pole = 90.0;
 constexpr double FullCircle = 360.0;
-constexpr double LargestGap = 120.0;
+constexpr double MaximumGap = 120.0;
 // Degrees between neighbours of a single beam, which has no step of its own.
 constexpr double StepOfNone = 1.0;
 constexpr double RadiansPerDegree = 3.14159265358979323846 / 180.0;
@@ -30,8 +30,8 @@ lms3dBeamSphere::lms3dBeamSphere(const lms3dRangeGrid& grid, const lms3dRangeJoi
   double betaStep = std::abs(geometry.GetBetaStep());
   alphaStep = alphaStep > 0.0 ? alphaStep : (betaStep > 0.0 ? betaStep : StepOfNone);
   betaStep = betaStep > 0.0 ? betaStep : alphaStep;
-  this->MakeRows(geometry.GetAlphaAngles(), std::min(alphaStep, LargestGap / 2));
-  this->MakeColumns(geometry.GetBetaAngles(), std::min(betaStep, LargestGap / 2), grid.IsClosed());
+  this->MakeRows(geometry.GetAlphaAngles(), std::min(alphaStep, MaximumGap / 2));
+  this->MakeColumns(geometry.GetBetaAngles(), std::min(betaStep, MaximumGap / 2), grid.IsClosed());
   this->Rows = static_cast<int>(this->RowTicks.size());
   this->Columns = static_cast<int>(this->ColumnTicks.size());
   this->LastColumn = this->Rows * (this->Columns - 1);
@@ -71,13 +71,13 @@ void lms3dBeamSphere::FillGaps(std::vector<Tick>& ticks, double step)
   for (std::size_t i = 0; i < ticks.size(); ++i)
   {
     filled.push_back(ticks[i]);
-    if (i + 1 == ticks.size() || ticks[i + 1].Angle - ticks[i].Angle <= LargestGap + AngleTolerance)
+    if (i + 1 == ticks.size() || ticks[i + 1].Angle - ticks[i].Angle <= MaximumGap + AngleTolerance)
     {
       continue;
     }
     const double first = ticks[i].Angle + (ticks[i].Source >= 0 ? step : 0.0);
     const double last = ticks[i + 1].Angle - (ticks[i + 1].Source >= 0 ? step : 0.0);
-    const int parts = static_cast<int>(std::ceil((last - first) / LargestGap));
+    const int parts = static_cast<int>(std::ceil((last - first) / MaximumGap));
     for (int part = ticks[i].Source >= 0 ? 0 : 1; part < parts; ++part)
     {
       filled.push_back({ first + part * (last - first) / parts, -1 });
@@ -155,7 +155,7 @@ void lms3dBeamSphere::MakeColumns(const std::vector<double>& angles, double step
 
 void lms3dBeamSphere::Fill(const lms3dRangeGrid& grid)
 {
-  this->Ranges.assign(this->GetNumberOfPlaces(), 0.0);
+  this->Ranges.assign(this->GetSize(), 0.0);
   this->Spreads.assign(this->Rows, 0.0);
   std::vector<int> returns(this->Columns);
   tbb::parallel_for(
@@ -167,7 +167,7 @@ void lms3dBeamSphere::Fill(const lms3dRangeGrid& grid)
 int lms3dBeamSphere::FillColumn(const lms3dRangeGrid& grid, int column)
 {
   const int turn = this->ColumnTicks[column].Source;
-  double* ranges = this->Ranges.data() + this->GetPlace(column, 0);
+  double* ranges = this->Ranges.data() + this->GetIndex(column, 0);
   int returns = 0;
   for (int row = 0; row < this->Rows; ++row)
   {
@@ -187,14 +187,14 @@ void lms3dBeamSphere::SetPole(int row, double nearest, double farthest)
 {
   for (int column = 0; column < this->Columns; ++column)
   {
-    this->Ranges[this->GetPlace(column, row)] = 0.5 * (nearest + farthest);
+    this->Ranges[this->GetIndex(column, row)] = 0.5 * (nearest + farthest);
   }
   this->Spreads[row] = 0.5 * (farthest - nearest);
 }
 
 void lms3dBeamSphere::Join(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins)
 {
-  this->Joins.assign(this->GetNumberOfPlaces(), 0);
+  this->Joins.assign(this->GetSize(), 0);
   tbb::parallel_for(0, this->Columns,
     [&](int column)
     {
@@ -213,7 +213,7 @@ void lms3dBeamSphere::JoinUp(const lms3dRangeGrid& grid, const lms3dRangeJoins& 
   }
   const bool beamsFall = grid.GetGeometry().GetAlphaStep() < 0.0;
   const std::uint8_t* flags = joins.GetRow(turn);
-  std::uint8_t* out = this->Joins.data() + this->GetPlace(column, 0);
+  std::uint8_t* out = this->Joins.data() + this->GetIndex(column, 0);
   for (int row = 0; row + 1 < this->Rows; ++row)
   {
     const int beam = this->RowTicks[row].Source;
@@ -236,7 +236,7 @@ void lms3dBeamSphere::JoinRight(
   const bool areNeighbors =
     turn >= 0 && next >= 0 && (first + 1) % grid.GetNumberOfTurns() == (turnsFall ? turn : next);
   const std::uint8_t* flags = areNeighbors ? joins.GetRow(first) : nullptr;
-  const Place start = this->GetPlace(column, 0);
+  const GridIndex start = this->GetIndex(column, 0);
   for (int row = 0; row < this->Rows; ++row)
   {
     const int beam = this->RowTicks[row].Source;

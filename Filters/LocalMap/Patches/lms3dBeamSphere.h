@@ -24,7 +24,7 @@
 class lms3dBeamSphere
 {
 public:
-  using Place = std::int32_t;
+  using GridIndex = std::int32_t;
 
   /// The sides of a place in the order of the clock, as the sensor sees them.
   enum Side : int
@@ -41,62 +41,61 @@ public:
 
   int GetNumberOfRows() const { return this->Rows; }
   int GetNumberOfColumns() const { return this->Columns; }
-  Place GetNumberOfPlaces() const { return this->Rows * this->Columns; }
-  Place GetPlace(int column, int row) const { return column * this->Rows + row; }
-  int GetColumn(Place place) const { return place / this->Rows; }
-  int GetRow(Place place) const { return place % this->Rows; }
+  GridIndex GetSize() const { return this->Rows * this->Columns; }
+  GridIndex GetIndex(int column, int row) const { return column * this->Rows + row; }
+  int GetColumn(GridIndex index) const { return index / this->Rows; }
+  int GetRow(GridIndex index) const { return index % this->Rows; }
 
   /// False below the lowest row and above the highest.
-  bool HasNeighbor(Place place, int side) const
+  bool HasNeighbor(GridIndex index, int side) const
   {
-    return side % 2 == 1 || this->GetRow(place) != (side == Up ? this->Rows - 1 : 0);
+    return side % 2 == 1 || this->GetRow(index) != (side == Up ? this->Rows - 1 : 0);
   }
 
   /// Of a place that has one there.
-  Place GetNeighbor(Place place, int side) const
+  GridIndex GetNeighbor(GridIndex index, int side) const
   {
     switch (side)
     {
       case Up:
-        return place + 1;
+        return index + 1;
       case Down:
-        return place - 1;
+        return index - 1;
       case Right:
-        return place + this->Rows < this->GetNumberOfPlaces() ? place + this->Rows
-                                                              : place - this->LastColumn;
+        return index + this->Rows < this->GetSize() ? index + this->Rows : index - this->LastColumn;
       default:
-        return place >= this->Rows ? place - this->Rows : place + this->LastColumn;
+        return index >= this->Rows ? index - this->Rows : index + this->LastColumn;
     }
   }
 
   /// Whether two neighbours lie on one surface, or are the same pole.
-  bool IsJoined(Place place, int side) const
+  bool IsJoined(GridIndex index, int side) const
   {
     switch (side)
     {
       case Up:
-        return this->Joins[place] & JoinedUp;
+        return this->Joins[index] & JoinedUp;
       case Right:
-        return this->Joins[place] & JoinedRight;
+        return this->Joins[index] & JoinedRight;
       default:
-        return this->Joins[this->GetNeighbor(place, side)] &
+        return this->Joins[this->GetNeighbor(index, side)] &
           (side == Down ? JoinedUp : JoinedRight);
     }
   }
 
   /// Metres, 0 where there is no return.
-  double GetRange(Place place) const { return this->Ranges[place]; }
+  double GetRange(GridIndex index) const { return this->Ranges[index]; }
   /// Half of the difference between the returns of a pole, which lie around its range; 0 elsewhere.
   double GetSpread(int row) const { return this->Spreads[row]; }
   /// The nearest and the farthest of the returns of a pole.
   void SetPole(int row, double nearest, double farthest);
   const double* GetRanges() const { return this->Ranges.data(); }
-  bool HasReturn(Place place) const { return this->Ranges[place] > 0.0; }
+  bool HasReturn(GridIndex index) const { return this->Ranges[index] > 0.0; }
 
   /// True for a pole's places but the first: repetitions of one return.
-  bool IsRepeated(Place place) const
+  bool IsRepeated(GridIndex index) const
   {
-    return place >= this->Rows && this->IsPoleRow(this->GetRow(place));
+    return index >= this->Rows && this->IsPoleRow(this->GetRow(index));
   }
   bool IsPoleRow(int row) const
   {
@@ -104,8 +103,8 @@ public:
   }
 
   /// The beam of a row and the turn of a column in the scan, -1 for ghosts.
-  int GetBeam(Place place) const { return this->RowTicks[this->GetRow(place)].Source; }
-  int GetTurn(Place place) const { return this->ColumnTicks[this->GetColumn(place)].Source; }
+  int GetBeam(GridIndex index) const { return this->RowTicks[this->GetRow(index)].Source; }
+  int GetTurn(GridIndex index) const { return this->ColumnTicks[this->GetColumn(index)].Source; }
 
   /// A pole counts once.
   int GetNumberOfReturns() const { return this->Returns; }
@@ -119,10 +118,10 @@ public:
   /// The level direction of a column: a direction is its cosine and the upward axis times its sine.
   const std::array<double, 2>& GetLevel(int column) const { return this->Levels[column]; }
 
-  lms3dVector GetDirection(Place place) const
+  lms3dVector GetDirection(GridIndex index) const
   {
-    const std::array<double, 2>& level = this->Levels[this->GetColumn(place)];
-    const int row = this->GetRow(place);
+    const std::array<double, 2>& level = this->Levels[this->GetColumn(index)];
+    const int row = this->GetRow(index);
     return { this->Cosines[row] * level[0], this->Cosines[row] * level[1], this->Sines[row] };
   }
 
@@ -153,7 +152,7 @@ private:
 
   int Rows = 0;
   int Columns = 0;
-  Place LastColumn = 0;
+  GridIndex LastColumn = 0;
   int Returns = 0;
   bool LowestIsPole = false;
   bool HighestIsPole = false;

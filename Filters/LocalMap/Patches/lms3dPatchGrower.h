@@ -23,28 +23,28 @@ public:
   lms3dPatches Grow();
 
 private:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
   using Span = lms3dPatches::Span;
 
   void GrowFromLattice(int stride);
   void GrowFromRest();
-  void GrowFrom(Place seed, lms3dPlane plane);
+  void GrowFrom(GridIndex seed, lms3dPlane plane);
   bool FitWindow(int column, int row, int stride, lms3dPlane& plane) const;
-  lms3dPlane FitCorner(Place seed) const;
+  lms3dPlane FitCorner(GridIndex seed) const;
 
-  void Flood(Place seed, const lms3dPlane& plane, lms3dPatches::Patch& patch);
-  Span FloodSpan(Place seed, const lms3dColumnPlane& plane);
+  void Flood(GridIndex seed, const lms3dPlane& plane, lms3dPatches::Patch& patch);
+  Span FloodSpan(GridIndex seed, const lms3dColumnPlane& plane);
   void QueueNeighbors(const Span& span, int side, const lms3dPlane& plane);
   void Release(lms3dPatches::Patch& patch);
   bool HasMoved(const lms3dPatches::Patch& patch, const lms3dPlane& plane) const;
 
-  bool IsFree(Place place) const { return this->Result.Labels[place] == lms3dPatches::Free; }
-  bool Fits(Place place, const lms3dPlane& plane) const;
+  bool IsFree(GridIndex index) const { return this->Result.Labels[index] == lms3dPatches::Free; }
+  bool Fits(GridIndex index, const lms3dPlane& plane) const;
 
   const lms3dBeamSphere& Sphere;
   const double Tolerance;
   lms3dPatches Result;
-  std::vector<Place> Queue;
+  std::vector<GridIndex> Queue;
 };
 
 #endif

@@ -22,7 +22,7 @@ public:
   void Merge();
 
 private:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
   using Pair = std::pair<std::int32_t, std::int32_t>;
 
   std::vector<Pair> FindNeighbors() const;

@@ -25,8 +25,8 @@ struct lms3dPatches
   /// Returns of a column, from one place to another, both included.
   struct Span
   {
-    lms3dBeamSphere::Place First;
-    lms3dBeamSphere::Place Last;
+    lms3dBeamSphere::GridIndex First;
+    lms3dBeamSphere::GridIndex Last;
   };
 
   struct Patch

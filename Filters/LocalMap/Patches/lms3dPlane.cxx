@@ -31,7 +31,7 @@ lms3dVector Solve(const std::array<double, 6>& m, const lms3dVector& right)
 
 void lms3dPlaneFit::Add(const lms3dBeamSphere& sphere, int column, int firstRow, int lastRow)
 {
-  const double* ranges = sphere.GetRanges() + sphere.GetPlace(column, 0);
+  const double* ranges = sphere.GetRanges() + sphere.GetIndex(column, 0);
   // Within the column's own plane a return has two coordinates.
   double level = 0.0;
   double up = 0.0;
@@ -67,11 +67,11 @@ void lms3dPlaneFit::Add(const lms3dBeamSphere& sphere, int column, int firstRow,
   this->Products[5] += upUp;
 }
 
-void lms3dPlaneFit::Add(const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place)
+void lms3dPlaneFit::Add(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index)
 {
-  const int row = sphere.GetRow(place);
+  const int row = sphere.GetRow(index);
   // Whichever of a pole's places it is.
-  this->Add(sphere, sphere.IsPoleRow(row) ? 0 : sphere.GetColumn(place), row, row);
+  this->Add(sphere, sphere.IsPoleRow(row) ? 0 : sphere.GetColumn(index), row, row);
 }
 
 void lms3dPlaneFit::Add(const lms3dPlaneFit& other)

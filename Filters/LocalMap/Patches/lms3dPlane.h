@@ -45,7 +45,7 @@ struct lms3dColumnPlane
 };
 
 /// Whether a return lies within a tolerance of a plane, both in metres along its beam.
-inline bool lms3dIsWithin(double range, double inverseRange, double tolerance)
+inline bool lms3dIsWithinTolerance(double range, double inverseRange, double tolerance)
 {
   return std::abs(range * inverseRange - 1.0) <= tolerance * inverseRange;
 }
@@ -56,7 +56,7 @@ class lms3dPlaneFit
 public:
   /// Adds the returns of a column from one row to another, both included.
   void Add(const lms3dBeamSphere& sphere, int column, int firstRow, int lastRow);
-  void Add(const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place);
+  void Add(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index);
   void Add(const lms3dPlaneFit& other);
 
   double GetNumberOfReturns() const { return this->Count; }

@@ -16,7 +16,7 @@ constexpr double DeviationOfMedian = 1.4826;
 
 void AppendRests(const lms3dBeamSphere& sphere, int column, std::vector<double>& rests)
 {
-  const double* ranges = sphere.GetRanges() + sphere.GetPlace(column, 0);
+  const double* ranges = sphere.GetRanges() + sphere.GetIndex(column, 0);
   const double* cosines = sphere.GetCosines();
   const double* sines = sphere.GetSines();
   for (int row = 1; row + 1 < sphere.GetNumberOfRows(); ++row)

@@ -16,7 +16,7 @@
 namespace
 {
 // Of the longest edge; a triangle that is lower than this has no area to speak of.
-constexpr double SmallestHeight = 1e-9;
+constexpr double MinimumHeight = 1e-9;
 
 // What a unit vector of single precision may be off.
 constexpr double NormalRounding = 1e-6;
@@ -36,7 +36,7 @@ void JudgeTriangle(const MapCase& map, std::size_t number, MapVerdict& verdict)
   const Vector& c = map.Points[k];
   const Vector normal = Cross(b - a, c - a);
   const double longest = std::max({ GetLength(b - a), GetLength(c - b), GetLength(a - c) });
-  const bool hasArea = GetLength(normal) > SmallestHeight * longest * longest;
+  const bool hasArea = GetLength(normal) > MinimumHeight * longest * longest;
   if (!hasArea || !(Dot(normal, a) < 0.0))
   {
     verdict.Add(hasArea ? "facing" : "area",
@@ -139,13 +139,13 @@ bool MayEnd(const MapCase& map, const ScanGrid::Place& place)
 void JudgeBoundary(const MapCase& map, const Edge& edge, MapVerdict& verdict)
 {
   constexpr double SamplesInACell = 4.0;
-  constexpr double MostSamples = 2000.0;
+  constexpr double MaximumSamples = 2000.0;
   const Vector& a = map.Points[edge.first];
   const Vector& b = map.Points[edge.second];
   const double angle = std::atan2(GetLength(Cross(a, b)), Dot(a, b));
   const double step = std::min(std::abs(map.Grid.GetFanStep()), std::abs(map.Grid.GetTurnStep()));
   const int samples =
-    static_cast<int>(std::clamp(std::ceil(SamplesInACell * angle / step), 1.0, MostSamples));
+    static_cast<int>(std::clamp(std::ceil(SamplesInACell * angle / step), 1.0, MaximumSamples));
   for (int i = 0; i < samples; ++i)
   {
     const double share = (i + 0.5) / samples;

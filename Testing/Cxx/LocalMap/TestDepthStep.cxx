@@ -49,13 +49,13 @@ std::vector<double> Scan(const std::vector<Line>& lines, double step, int count)
 }
 
 /// Of the range at a place and the next; beyond the ends nothing returned.
-lms3dDepthStep::Answer Judge(const std::vector<double>& ranges, double step, int place)
+lms3dDepthStep::Relation Classify(const std::vector<double>& ranges, double step, int place)
 {
   const auto get = [&](int i)
   { return i >= 0 && i < static_cast<int>(ranges.size()) ? ranges[i] : 0.0; };
   const double six[6] = { get(place - 2), get(place - 1), get(place), get(place + 1),
     get(place + 2), get(place + 3) };
-  return lms3dDepthStep(Tolerance, step).Judge(six + 2);
+  return lms3dDepthStep(Tolerance, step).Classify(six + 2);
 }
 
 /// The first beams of those that are not joined.
@@ -64,7 +64,7 @@ std::vector<int> FindSteps(const std::vector<double>& ranges, double step)
   std::vector<int> steps;
   for (int i = 0; i + 1 < static_cast<int>(ranges.size()); ++i)
   {
-    if (Judge(ranges, step, i) != lms3dDepthStep::Joined)
+    if (Classify(ranges, step, i) != lms3dDepthStep::Joined)
     {
       steps.push_back(i);
     }
@@ -98,7 +98,7 @@ TEST(DepthStep, DoubtsCreasesBesideTwoReturns)
   // The last two returns before the wall lie as if a surface led behind it; the one before them denies
   // that.
   const std::vector<double> ranges = { 1.9, 2.6, 3.5, 4.7, 4.72, 4.75 };
-  EXPECT_EQ(Judge(ranges, 1.0, 2), lms3dDepthStep::Doubtful);
+  EXPECT_EQ(Classify(ranges, 1.0, 2), lms3dDepthStep::Uncertain);
 }
 
 TEST(DepthStep, SeparatesAPoleFromTheWallBehind)

@@ -11,9 +11,9 @@
 #include "LocalMap/Patches/lms3dPlane.h"
 
 /// A corner of a triangle in the sensor frame.
-struct lms3dCorner
+struct lms3dTriangleCorner
 {
-  explicit lms3dCorner(const lms3dVector& position);
+  explicit lms3dTriangleCorner(const lms3dVector& position);
 
   lms3dVector Position;
   /// In radians, as the columns of the sphere have it.
@@ -26,12 +26,12 @@ struct lms3dCorner
  * a triangle follow each other: from where it passes one edge to where it passes another. Triangles
  * side by side compute the same number for their edge, so no beam falls between them.
  */
-class lms3dBeamsOfTriangle
+class lms3dTriangleRasterizer
 {
 public:
   /// Beams outside by no more than `margin`, radians, count as well.
-  lms3dBeamsOfTriangle(const lms3dBeamSphere& sphere, const lms3dCorner& a, const lms3dCorner& b,
-    const lms3dCorner& c, double margin = 0.0);
+  lms3dTriangleRasterizer(const lms3dBeamSphere& sphere, const lms3dTriangleCorner& a,
+    const lms3dTriangleCorner& b, const lms3dTriangleCorner& c, double margin = 0.0);
 
   const lms3dPlane& GetPlane() const { return this->Plane; }
 
@@ -53,7 +53,8 @@ public:
   }
 
 private:
-  void FindColumns(const lms3dCorner& a, const lms3dCorner& b, const lms3dCorner& c);
+  void FindColumns(
+    const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c);
   bool FindRows(int column, int& first, int& last) const;
 
   const lms3dBeamSphere& Sphere;

@@ -1,28 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LocalMap/Borders/lms3dBorderHeights.h"
+#include "LocalMap/Borders/lms3dBorderRanges.h"
 
 #include <cmath>
 
 namespace
 {
 using Gates = lms3dBorderGates;
-using Place = lms3dBeamSphere::Place;
+using GridIndex = lms3dBeamSphere::GridIndex;
 
 // Of the last change of range before a border: what it may change by up to a border with nothing
 // beyond, and up to one with more surface beyond.
-constexpr double ShareAtCut = 0.5;
+constexpr double ShareAtDepthStep = 0.5;
 constexpr double ShareWithin = 0.6;
 // What of a depth step either side may take beyond that.
 constexpr double ShareOfStep = 0.25;
 // Of a return's range, what the surface beside it may come near the sensor to, however wide the bound.
-constexpr double NearestShare = 0.1;
-constexpr int StepsOfReach = 8;
+constexpr double MinimumRangeShare = 0.1;
+constexpr int BisectionSteps = 8;
 // The same within a cell: how many places are tried, and how far towards the returns.
 constexpr int StepsInCell = 5;
 constexpr double ClosestInCell = 0.5;
 // In cells nearly as wide as half a circle.
-constexpr double SmallestCosine = 0.25;
+constexpr double MinimumCosine = 0.25;
 
 lms3dVector Normalize(const lms3dVector& v)
 {
@@ -30,15 +30,15 @@ lms3dVector Normalize(const lms3dVector& v)
 }
 
 // From a point of a cell a share of the way to the middle of some of its corners.
-lms3dBorderHeights::Weights MoveTowards(
-  int corners, const lms3dBorderHeights::Weights& weights, double share)
+lms3dBorderRanges::Weights MoveTowards(
+  int corners, const lms3dBorderRanges::Weights& weights, double share)
 {
   int count = 0;
   for (int i = 0; i < 4; ++i)
   {
     count += corners >> i & 1;
   }
-  lms3dBorderHeights::Weights moved;
+  lms3dBorderRanges::Weights moved;
   for (int i = 0; i < 4; ++i)
   {
     moved[i] = (1.0 - share) * weights[i] + ((corners >> i & 1) ? share / count : 0.0);
@@ -47,7 +47,7 @@ lms3dBorderHeights::Weights MoveTowards(
 }
 } // namespace
 
-lms3dBorderHeights::lms3dBorderHeights(
+lms3dBorderRanges::lms3dBorderRanges(
   const lms3dBeamSphere& sphere, const lms3dPatches& patches, const lms3dBorderGates& gates)
   : Sphere(sphere)
   , Patches(patches)
@@ -55,90 +55,90 @@ lms3dBorderHeights::lms3dBorderHeights(
 {
 }
 
-lms3dVector lms3dBorderHeights::GetPointInGate(int edge, double at) const
+lms3dVector lms3dBorderRanges::GetPointInGate(int edge, double at) const
 {
   const lms3dVector own = this->Sphere.GetDirection(this->Gates.GetOwner(edge));
   const lms3dVector other = this->Sphere.GetDirection(this->Gates.GetOwner(Gates::GetTwin(edge)));
   return lms3dAdd(lms3dScale(own, 1.0 - at), lms3dScale(other, at));
 }
 
-const lms3dPatches::Patch& lms3dBorderHeights::GetPatch(Place place) const
+const lms3dPatches::Patch& lms3dBorderRanges::GetPatch(GridIndex index) const
 {
-  return this->Patches.Patches[this->Patches.Labels[place]];
+  return this->Patches.Patches[this->Patches.Labels[index]];
 }
 
 // How much the range changes from the return before a place to that of the place, towards a side; 0 where
 // there is none of the patch.
-double lms3dBorderHeights::GetSlope(Place place, int side) const
+double lms3dBorderRanges::GetSlope(GridIndex index, int side) const
 {
   const int back = (side + 2) % 4;
-  if (!this->HasSlope(place, back) || !this->Sphere.IsJoined(place, back))
+  if (!this->HasSlope(index, back) || !this->Sphere.IsJoined(index, back))
   {
     return 0.0;
   }
-  const Place before = this->Sphere.GetNeighbor(place, back);
-  return this->Patches.Labels[before] == this->Patches.Labels[place]
-    ? std::abs(this->Sphere.GetRange(place) - this->Sphere.GetRange(before))
+  const GridIndex before = this->Sphere.GetNeighbor(index, back);
+  return this->Patches.Labels[before] == this->Patches.Labels[index]
+    ? std::abs(this->Sphere.GetRange(index) - this->Sphere.GetRange(before))
     : 0.0;
 }
 
-bool lms3dBorderHeights::HasSlope(Place place, int back) const
+bool lms3dBorderRanges::HasSlope(GridIndex index, int back) const
 {
-  return this->Sphere.HasNeighbor(place, back) &&
-    !this->Sphere.IsPoleRow(this->Sphere.GetRow(place));
+  return this->Sphere.HasNeighbor(index, back) &&
+    !this->Sphere.IsPoleRow(this->Sphere.GetRow(index));
 }
 
 // The same on the plane, where that rests on returns enough.
-double lms3dBorderHeights::GetSlopeOfPlane(Place place, int side) const
+double lms3dBorderRanges::GetSlopeOfPlane(GridIndex index, int side) const
 {
   const int back = (side + 2) % 4;
-  if (!this->HasSlope(place, back) || this->Gates.IsFew(this->Patches.Labels[place]))
+  if (!this->HasSlope(index, back) || this->Gates.HasFewReturns(this->Patches.Labels[index]))
   {
     return 0.0;
   }
-  const double inverse = this->GetPatch(place).Plane.GetInverseRange(
-    this->Sphere.GetDirection(this->Sphere.GetNeighbor(place, back)));
-  return inverse > 0.0 ? std::abs(this->Sphere.GetRange(place) - 1.0 / inverse) : 0.0;
+  const double inverse = this->GetPatch(index).Plane.GetInverseRange(
+    this->Sphere.GetDirection(this->Sphere.GetNeighbor(index, back)));
+  return inverse > 0.0 ? std::abs(this->Sphere.GetRange(index) - 1.0 / inverse) : 0.0;
 }
 
 // Around a range so many metres more or less, or on the plane through the return that faces the sensor:
 // at a direction whose cosine to that of the return is given.
-lms3dBorderHeights::Interval lms3dBorderHeights::GetInterval(
+lms3dBorderRanges::Interval lms3dBorderRanges::GetInterval(
   double range, double margin, double cosine) const
 {
-  return { std::max(NearestShare * range, range - margin),
-    range / std::max(SmallestCosine, cosine) + margin };
+  return { std::max(MinimumRangeShare * range, range - margin),
+    range / std::max(MinimumCosine, cosine) + margin };
 }
 
 // Where the range changes by so much from a return on.
-lms3dBorderHeights::Interval lms3dBorderHeights::GetInterval(
-  Place place, double change, const lms3dVector& unit) const
+lms3dBorderRanges::Interval lms3dBorderRanges::GetInterval(
+  GridIndex index, double change, const lms3dVector& unit) const
 {
-  return this->GetInterval(this->Sphere.GetRange(place), change + this->Gates.GetTolerance(),
-    lms3dDot(unit, this->Sphere.GetDirection(place)));
+  return this->GetInterval(this->Sphere.GetRange(index), change + this->Gates.GetTolerance(),
+    lms3dDot(unit, this->Sphere.GetDirection(index)));
 }
 
 // By how much the range may change from the last return before a cut to the border. Beside a miss nothing
 // is near that the plane could meet. At a depth step, both sides together leave half of it open, however
 // wide the bound.
-double lms3dBorderHeights::GetMarginAtCut(int edge) const
+double lms3dBorderRanges::GetMarginAtDepthStep(int edge) const
 {
-  const Place own = this->Gates.GetOwner(edge);
+  const GridIndex own = this->Gates.GetOwner(edge);
   const int side = this->Gates.GetSide(edge);
   const double other = this->Sphere.GetRange(this->Gates.GetOwner(Gates::GetTwin(edge)));
   if (other == 0.0)
   {
     const double slope = std::max(this->GetSlope(own, side), this->GetSlopeOfPlane(own, side));
-    return ShareAtCut * slope + this->Gates.GetTolerance();
+    return ShareAtDepthStep * slope + this->Gates.GetTolerance();
   }
   const double step = std::abs(this->Sphere.GetRange(own) - other);
-  return ShareAtCut * this->GetSlope(own, side) +
+  return ShareAtDepthStep * this->GetSlope(own, side) +
     std::min(this->Gates.GetTolerance(), ShareOfStep * step);
 }
 
-double lms3dBorderHeights::GetReach(int edge, double most) const
+double lms3dBorderRanges::GetExtension(int edge, double most) const
 {
-  const Place own = this->Gates.GetOwner(edge);
+  const GridIndex own = this->Gates.GetOwner(edge);
   const lms3dVector from = this->Sphere.GetDirection(own);
   const lms3dVector to = this->Sphere.GetDirection(this->Gates.GetOwner(Gates::GetTwin(edge)));
   const lms3dPlane& plane = this->GetPatch(own).Plane;
@@ -146,7 +146,7 @@ double lms3dBorderHeights::GetReach(int edge, double most) const
   const double there = plane.GetInverseRange(to);
   const double cosine = lms3dDot(from, to);
   const double range = this->Sphere.GetRange(own);
-  const double margin = this->GetMarginAtCut(edge);
+  const double margin = this->GetMarginAtDepthStep(edge);
   const auto isWithin = [&](double at)
   {
     // Of the point so far along the chord.
@@ -160,7 +160,7 @@ double lms3dBorderHeights::GetReach(int edge, double most) const
   }
   double within = 0.0;
   double beyond = most;
-  for (int step = 0; step < StepsOfReach; ++step)
+  for (int step = 0; step < BisectionSteps; ++step)
   {
     const double middle = 0.5 * (within + beyond);
     (isWithin(middle) ? within : beyond) = middle;
@@ -168,22 +168,22 @@ double lms3dBorderHeights::GetReach(int edge, double most) const
   return within;
 }
 
-lms3dMapVertex lms3dBorderHeights::GetVertexInGate(int edge, double at) const
+lms3dMapVertex lms3dBorderRanges::GetVertexInGate(int edge, double at) const
 {
-  const Place own = this->Gates.GetOwner(edge);
-  const Place other = this->Gates.GetOwner(Gates::GetTwin(edge));
+  const GridIndex own = this->Gates.GetOwner(edge);
+  const GridIndex other = this->Gates.GetOwner(Gates::GetTwin(edge));
   const lms3dVector unit = Normalize(this->GetPointInGate(edge, at));
   const double inverse = this->GetPatch(own).Plane.GetInverseRange(unit);
-  switch (this->Gates.GetGate(edge).Is)
+  switch (this->Gates.GetGate(edge).Kind)
   {
-    case Gates::Cut:
+    case Gates::DepthStep:
     {
       const double cosine = lms3dDot(unit, this->Sphere.GetDirection(own));
       const Interval interval =
-        this->GetInterval(this->Sphere.GetRange(own), this->GetMarginAtCut(edge), cosine);
+        this->GetInterval(this->Sphere.GetRange(own), this->GetMarginAtDepthStep(edge), cosine);
       return { unit, interval.Clamp(inverse) };
     }
-    case Gates::Step:
+    case Gates::Offset:
     {
       Interval interval = this->GetInterval(own, 0.0, unit);
       interval.Include(this->GetInterval(other, 0.0, unit));
@@ -195,13 +195,13 @@ lms3dMapVertex lms3dBorderHeights::GetVertexInGate(int edge, double at) const
 }
 
 // Where the planes meet or, between patches of few returns, straight from return to return.
-double lms3dBorderHeights::GetInverseAtCrease(int edge, double at, const lms3dVector& unit) const
+double lms3dBorderRanges::GetInverseAtCrease(int edge, double at, const lms3dVector& unit) const
 {
-  const Place own = this->Gates.GetOwner(edge);
-  const Place other = this->Gates.GetOwner(Gates::GetTwin(edge));
+  const GridIndex own = this->Gates.GetOwner(edge);
+  const GridIndex other = this->Gates.GetOwner(Gates::GetTwin(edge));
   const double here = this->GetPatch(own).Plane.GetInverseRange(unit);
   const double there = this->GetPatch(other).Plane.GetInverseRange(unit);
-  if (!this->AreOne(here, there))
+  if (!this->AreSameSurface(here, there))
   {
     const lms3dVector point = this->GetPointInGate(edge, at);
     return ((1.0 - at) / this->Sphere.GetRange(own) + at / this->Sphere.GetRange(other)) /
@@ -215,18 +215,18 @@ double lms3dBorderHeights::GetInverseAtCrease(int edge, double at, const lms3dVe
 }
 
 // Whether two inverse ranges mean the same surface.
-bool lms3dBorderHeights::AreOne(double inverse, double other) const
+bool lms3dBorderRanges::AreSameSurface(double inverse, double other) const
 {
   constexpr double Rounding = 1e-6;
   return inverse > 0.0 && other > 0.0 &&
     std::abs(inverse - other) <= (1.0 + Rounding) * this->Gates.GetTolerance() * inverse * other;
 }
 
-bool lms3dBorderHeights::AreFew(const Gates::Cell& cell, int corners) const
+bool lms3dBorderRanges::HaveFewReturns(const Gates::Cell& cell, int corners) const
 {
   for (int i = 0; i < 4; ++i)
   {
-    if ((corners >> i & 1) && !this->Gates.IsFew(this->Patches.Labels[cell.Corners[i]]))
+    if ((corners >> i & 1) && !this->Gates.HasFewReturns(this->Patches.Labels[cell.Corners[i]]))
     {
       return false;
     }
@@ -234,13 +234,13 @@ bool lms3dBorderHeights::AreFew(const Gates::Cell& cell, int corners) const
   return true;
 }
 
-bool lms3dBorderHeights::IsWhole(const Gates::Cell& cell) const
+bool lms3dBorderRanges::IsContinuous(const Gates::Cell& cell) const
 {
   for (int corner = 0; corner < 4; ++corner)
   {
     const int gate = this->Gates.GetCellGate(cell, corner);
     if (this->Patches.Labels[cell.Corners[corner]] < 0 ||
-      (gate != Gates::NoGate && this->Gates.GetGate(2 * gate).Is == Gates::Cut))
+      (gate != Gates::NoGate && this->Gates.GetGate(2 * gate).Kind == Gates::DepthStep))
     {
       return false;
     }
@@ -248,28 +248,29 @@ bool lms3dBorderHeights::IsWhole(const Gates::Cell& cell) const
   return true;
 }
 
-lms3dMapVertex lms3dBorderHeights::GetVertexInCell(
+lms3dMapVertex lms3dBorderRanges::GetVertexInCell(
   const Gates::Cell& cell, int corners, const Weights& weights) const
 {
-  const bool isWhole = this->IsWhole(cell);
+  const bool isContinuous = this->IsContinuous(cell);
   CellPoint point = this->GetPointInCell(cell, corners, weights);
-  if (isWhole && !this->AreOne(point.Least, point.Most) && this->AreFew(cell, corners))
+  if (isContinuous && !this->AreSameSurface(point.Minimum, point.Maximum) &&
+    this->HaveFewReturns(cell, corners))
   {
     return { point.Unit, this->GetStraightInCell(cell, weights) };
   }
-  Interval interval = this->GetIntervalInCell(cell, corners, isWhole, point.Unit);
+  Interval interval = this->GetIntervalInCell(cell, corners, isContinuous, point.Unit);
   // Beside a cut, rather nearer to the returns than off their planes.
-  for (int step = 1; !isWhole && step < StepsInCell && !interval.Holds(point.Mean); ++step)
+  for (int step = 1; !isContinuous && step < StepsInCell && !interval.Holds(point.Mean); ++step)
   {
     point = this->GetPointInCell(
       cell, corners, MoveTowards(corners, weights, ClosestInCell * step / (StepsInCell - 1)));
-    interval = this->GetIntervalInCell(cell, corners, isWhole, point.Unit);
+    interval = this->GetIntervalInCell(cell, corners, isContinuous, point.Unit);
   }
   return { point.Unit, interval.Clamp(point.Mean) };
 }
 
 // What the planes of the corners' patches say of a point.
-lms3dBorderHeights::CellPoint lms3dBorderHeights::GetPointInCell(
+lms3dBorderRanges::CellPoint lms3dBorderRanges::GetPointInCell(
   const Gates::Cell& cell, int corners, const Weights& weights) const
 {
   CellPoint point;
@@ -289,8 +290,8 @@ lms3dBorderHeights::CellPoint lms3dBorderHeights::GetPointInCell(
     {
       labels[i] = label;
       const double inverse = this->Patches.Patches[label].Plane.GetInverseRange(point.Unit);
-      point.Least = std::min(point.Least, inverse);
-      point.Most = std::max(point.Most, inverse);
+      point.Minimum = std::min(point.Minimum, inverse);
+      point.Maximum = std::max(point.Maximum, inverse);
       total += inverse;
       ++count;
     }
@@ -300,7 +301,7 @@ lms3dBorderHeights::CellPoint lms3dBorderHeights::GetPointInCell(
 }
 
 // Where the surface runs from return to return.
-double lms3dBorderHeights::GetStraightInCell(const Gates::Cell& cell, const Weights& weights) const
+double lms3dBorderRanges::GetStraightInCell(const Gates::Cell& cell, const Weights& weights) const
 {
   lms3dVector sum = { 0.0, 0.0, 0.0 };
   double inverse = 0.0;
@@ -312,30 +313,30 @@ double lms3dBorderHeights::GetStraightInCell(const Gates::Cell& cell, const Weig
   return inverse / std::sqrt(lms3dDot(sum, sum));
 }
 
-lms3dBorderHeights::Interval lms3dBorderHeights::GetIntervalInCell(
-  const Gates::Cell& cell, int corners, bool isWhole, const lms3dVector& unit) const
+lms3dBorderRanges::Interval lms3dBorderRanges::GetIntervalInCell(
+  const Gates::Cell& cell, int corners, bool isContinuous, const lms3dVector& unit) const
 {
   // From each corner of a cell, clockwise from the lower left one, into it.
   constexpr int Into[4][2] = { { lms3dBeamSphere::Up, lms3dBeamSphere::Right },
     { lms3dBeamSphere::Right, lms3dBeamSphere::Down },
     { lms3dBeamSphere::Down, lms3dBeamSphere::Left },
     { lms3dBeamSphere::Left, lms3dBeamSphere::Up } };
-  const double share = isWhole ? ShareWithin : ShareAtCut;
+  const double share = isContinuous ? ShareWithin : ShareAtDepthStep;
   const bool isBesideMiss = std::any_of(cell.Corners.begin(), cell.Corners.end(),
-    [&](Place place) { return !this->Sphere.HasReturn(place); });
-  const auto getSlope = [&](Place place, int side)
+    [&](GridIndex index) { return !this->Sphere.HasReturn(index); });
+  const auto getSlope = [&](GridIndex index, int side)
   {
-    const double slope = this->GetSlope(place, side);
-    return isBesideMiss ? std::max(slope, this->GetSlopeOfPlane(place, side)) : slope;
+    const double slope = this->GetSlope(index, side);
+    return isBesideMiss ? std::max(slope, this->GetSlopeOfPlane(index, side)) : slope;
   };
   Interval interval;
   for (int i = 0; i < 4; ++i)
   {
     if (corners >> i & 1)
     {
-      const Place place = cell.Corners[i];
-      const double change = share * (getSlope(place, Into[i][0]) + getSlope(place, Into[i][1]));
-      interval.Include(this->GetInterval(place, change, unit));
+      const GridIndex index = cell.Corners[i];
+      const double change = share * (getSlope(index, Into[i][0]) + getSlope(index, Into[i][1]));
+      interval.Include(this->GetInterval(index, change, unit));
     }
   }
   return interval;

@@ -7,7 +7,7 @@
 #ifndef lms3dStepBands_h
 #define lms3dStepBands_h
 
-#include "LocalMap/Borders/lms3dBorderHeights.h"
+#include "LocalMap/Borders/lms3dBorderRanges.h"
 
 #include <array>
 #include <cstdint>
@@ -17,23 +17,23 @@
  * Along a step each side has its own border. The two lie so close that no beam passes between them,
  * and a band of triangles joins them, so that the surface stays whole.
  */
-class lms3dStepBands
+class lms3dOffsetStrips
 {
 public:
   using Triangle = std::array<std::int32_t, 3>;
 
   /// Keeps a reference.
-  explicit lms3dStepBands(const std::vector<lms3dMapVertex>& vertices)
+  explicit lms3dOffsetStrips(const std::vector<lms3dMapVertex>& vertices)
     : Vertices(vertices)
   {
   }
 
   /// Between two lines of as many vertices, the first to the left; returns whether all triangles face
   /// the sensor.
-  bool AddBand(const std::vector<std::int32_t>& own, const std::vector<std::int32_t>& other);
+  bool AddStrip(const std::vector<std::int32_t>& own, const std::vector<std::int32_t>& other);
 
   /// Where three or four steps meet in a cell, their bands leave a hole between the junctions.
-  void FillRing(const std::vector<std::int32_t>& ring);
+  void FillHole(const std::vector<std::int32_t>& hole);
 
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LocalMap/Patches/lms3dPatchBorders.h"
+#include "LocalMap/Patches/lms3dPatchRelabeler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,13 @@ namespace
 // The noise that a plane explains, in standard deviations.
 constexpr double ExplainedDeviations = 4.0;
 constexpr int MovingPasses = 3;
-constexpr int LargestSpike = 8;
+constexpr int MaximumSpike = 8;
 // How far off a spike may be, in bounds and in standard deviations of the noise.
 constexpr double SpikeInBounds = 1.5;
 constexpr double SpikeInDeviations = 5.0;
 } // namespace
 
-lms3dPatchBorders::lms3dPatchBorders(
+lms3dPatchRelabeler::lms3dPatchRelabeler(
   const lms3dBeamSphere& sphere, lms3dPatches& patches, double maximumError, double noise)
   : Sphere(sphere)
   , Patches(patches)
@@ -27,62 +27,62 @@ lms3dPatchBorders::lms3dPatchBorders(
 }
 
 template <typename Visitor>
-void lms3dPatchBorders::ForJoinedNeighbors(Place place, const Visitor& visit) const
+void lms3dPatchRelabeler::ForJoinedNeighbors(GridIndex index, const Visitor& visit) const
 {
   for (int side = lms3dBeamSphere::Up; side <= lms3dBeamSphere::Left; ++side)
   {
-    if (this->Sphere.HasNeighbor(place, side) && this->Sphere.IsJoined(place, side))
+    if (this->Sphere.HasNeighbor(index, side) && this->Sphere.IsJoined(index, side))
     {
-      visit(this->Sphere.GetNeighbor(place, side));
+      visit(this->Sphere.GetNeighbor(index, side));
     }
   }
 }
 
-double lms3dPatchBorders::GetDeviation(Place place, int patch) const
+double lms3dPatchRelabeler::GetDeviation(GridIndex index, int patch) const
 {
   const double inverse =
-    this->Patches.Patches[patch].Plane.GetInverseRange(this->Sphere.GetDirection(place));
-  return inverse > 0.0 ? std::abs(this->Sphere.GetRange(place) - 1.0 / inverse)
+    this->Patches.Patches[patch].Plane.GetInverseRange(this->Sphere.GetDirection(index));
+  return inverse > 0.0 ? std::abs(this->Sphere.GetRange(index) - 1.0 / inverse)
                        : std::numeric_limits<double>::infinity();
 }
 
-void lms3dPatchBorders::SetLabel(Place place, std::int32_t label)
+void lms3dPatchRelabeler::SetLabel(GridIndex index, std::int32_t label)
 {
-  const int row = this->Sphere.GetRow(place);
+  const int row = this->Sphere.GetRow(index);
   if (!this->Sphere.IsPoleRow(row))
   {
-    this->Patches.Labels[place] = label;
+    this->Patches.Labels[index] = label;
     return;
   }
   for (int column = 0; column < this->Sphere.GetNumberOfColumns(); ++column)
   {
-    this->Patches.Labels[this->Sphere.GetPlace(column, row)] = label;
+    this->Patches.Labels[this->Sphere.GetIndex(column, row)] = label;
   }
 }
 
 // The places on both sides of all borders.
-std::vector<lms3dPatchBorders::Place> lms3dPatchBorders::FindBorder() const
+std::vector<lms3dPatchRelabeler::GridIndex> lms3dPatchRelabeler::FindBorder() const
 {
   const std::vector<std::int32_t>& labels = this->Patches.Labels;
-  std::vector<Place> border;
-  const auto look = [&](Place place, int side)
+  std::vector<GridIndex> border;
+  const auto look = [&](GridIndex index, int side)
   {
-    const Place other = this->Sphere.GetNeighbor(place, side);
-    if (labels[place] != labels[other] && this->Sphere.IsJoined(place, side))
+    const GridIndex other = this->Sphere.GetNeighbor(index, side);
+    if (labels[index] != labels[other] && this->Sphere.IsJoined(index, side))
     {
-      border.push_back(place);
+      border.push_back(index);
       border.push_back(other);
     }
   };
   const int rows = this->Sphere.GetNumberOfRows();
-  for (Place start = 0; start < this->Sphere.GetNumberOfPlaces(); start += rows)
+  for (GridIndex start = 0; start < this->Sphere.GetSize(); start += rows)
   {
-    for (Place place = start; place < start + rows; ++place)
+    for (GridIndex index = start; index < start + rows; ++index)
     {
-      look(place, lms3dBeamSphere::Right);
-      if (place + 1 < start + rows)
+      look(index, lms3dBeamSphere::Right);
+      if (index + 1 < start + rows)
       {
-        look(place, lms3dBeamSphere::Up);
+        look(index, lms3dBeamSphere::Up);
       }
     }
   }
@@ -91,17 +91,17 @@ std::vector<lms3dPatchBorders::Place> lms3dPatchBorders::FindBorder() const
   return border;
 }
 
-void lms3dPatchBorders::Move()
+void lms3dPatchRelabeler::Move()
 {
-  std::vector<Place> border = this->FindBorder();
+  std::vector<GridIndex> border = this->FindBorder();
   for (int pass = 0; pass < MovingPasses; ++pass)
   {
-    std::vector<Place> moved;
-    for (Place place : border)
+    std::vector<GridIndex> moved;
+    for (GridIndex index : border)
     {
-      if (this->MoveToBestNeighbor(place))
+      if (this->MoveToBestNeighbor(index))
       {
-        this->ForJoinedNeighbors(place, [&](Place other) { moved.push_back(other); });
+        this->ForJoinedNeighbors(index, [&](GridIndex other) { moved.push_back(other); });
       }
     }
     std::sort(moved.begin(), moved.end());
@@ -110,32 +110,32 @@ void lms3dPatchBorders::Move()
   }
 }
 
-bool lms3dPatchBorders::MoveToBestNeighbor(Place place)
+bool lms3dPatchRelabeler::MoveToBestNeighbor(GridIndex index)
 {
-  const std::int32_t own = this->Patches.Labels[place];
+  const std::int32_t own = this->Patches.Labels[index];
   std::int32_t best = own;
-  this->ForJoinedNeighbors(place,
-    [&](Place other)
+  this->ForJoinedNeighbors(index,
+    [&](GridIndex other)
     {
       const std::int32_t label = this->Patches.Labels[other];
-      if (label != best && label != own && this->IsBetter(place, label, best))
+      if (label != best && label != own && this->IsBetter(index, label, best))
       {
         best = label;
       }
     });
   if (best != own)
   {
-    this->SetLabel(place, best);
+    this->SetLabel(index, best);
   }
   return best != own;
 }
 
 // Where both planes explain a return, noise must not decide, but the side of their crease that it
 // lies on.
-bool lms3dPatchBorders::IsBetter(Place place, std::int32_t label, std::int32_t than) const
+bool lms3dPatchRelabeler::IsBetter(GridIndex index, std::int32_t label, std::int32_t than) const
 {
-  const double deviation = this->GetDeviation(place, label);
-  const double other = this->GetDeviation(place, than);
+  const double deviation = this->GetDeviation(index, label);
+  const double other = this->GetDeviation(index, than);
   const double explained =
     std::max(lms3dPatches::MergedShare * this->MaximumError, ExplainedDeviations * this->Noise);
   if (std::max(deviation, other) <= explained)
@@ -145,7 +145,7 @@ bool lms3dPatchBorders::IsBetter(Place place, std::int32_t label, std::int32_t t
     const lms3dVector across = lms3dSubtract(a.Plane.Q, b.Plane.Q);
     const double sideOfA = lms3dDot(across, a.Fit.GetCenter());
     const double sideOfB = lms3dDot(across, b.Fit.GetCenter());
-    const double side = lms3dDot(across, this->Sphere.GetDirection(place));
+    const double side = lms3dDot(across, this->Sphere.GetDirection(index));
     if (sideOfA * sideOfB < 0.0)
     {
       return side * sideOfA > 0.0;
@@ -154,40 +154,40 @@ bool lms3dPatchBorders::IsBetter(Place place, std::int32_t label, std::int32_t t
   return deviation < other;
 }
 
-void lms3dPatchBorders::TakeSpikes()
+void lms3dPatchRelabeler::TakeSpikes()
 {
   const std::vector<int> counts = this->Patches.CountMembers(this->Sphere);
-  std::vector<std::vector<Place>> members(counts.size());
-  for (Place place = 0; place < this->Sphere.GetNumberOfPlaces(); ++place)
+  std::vector<std::vector<GridIndex>> members(counts.size());
+  for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
-    const std::int32_t label = this->Patches.Labels[place];
-    if (label >= 0 && counts[label] <= LargestSpike && !this->Sphere.IsRepeated(place))
+    const std::int32_t label = this->Patches.Labels[index];
+    if (label >= 0 && counts[label] <= MaximumSpike && !this->Sphere.IsRepeated(index))
     {
-      members[label].push_back(place);
+      members[label].push_back(index);
     }
   }
-  for (const std::vector<Place>& spike : members)
+  for (const std::vector<GridIndex>& spike : members)
   {
     const int around = spike.empty() ? -1 : this->FindSurroundings(spike);
-    for (Place place : spike)
+    for (GridIndex index : spike)
     {
       if (around >= 0)
       {
-        this->SetLabel(place, around);
+        this->SetLabel(index, around);
       }
     }
   }
 }
 
 // The patch that most joined neighbours belong to, or -1 where that is too far off.
-int lms3dPatchBorders::FindSurroundings(const std::vector<Place>& members) const
+int lms3dPatchRelabeler::FindSurroundings(const std::vector<GridIndex>& members) const
 {
   const std::int32_t own = this->Patches.Labels[members.front()];
   std::vector<std::int32_t> labels;
-  for (Place place : members)
+  for (GridIndex index : members)
   {
-    this->ForJoinedNeighbors(place,
-      [&](Place other)
+    this->ForJoinedNeighbors(index,
+      [&](GridIndex other)
       {
         if (this->Patches.Labels[other] != own)
         {
@@ -212,6 +212,6 @@ int lms3dPatchBorders::FindSurroundings(const std::vector<Place>& members) const
     std::max(SpikeInBounds * this->MaximumError, SpikeInDeviations * this->Noise);
   const bool isNear = best >= 0 && 2 * most >= static_cast<std::ptrdiff_t>(labels.size()) &&
     std::all_of(members.begin(), members.end(),
-      [&](Place place) { return this->GetDeviation(place, best) <= farthest; });
+      [&](GridIndex index) { return this->GetDeviation(index, best) <= farthest; });
   return isNear ? best : -1;
 }

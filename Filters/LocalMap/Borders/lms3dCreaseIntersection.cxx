@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LocalMap/Borders/lms3dCellSlide.h"
+#include "LocalMap/Borders/lms3dCreaseIntersection.h"
 
 #include "LocalMap/Borders/lms3dBorderGates.h"
 
@@ -14,7 +14,7 @@ constexpr double Y[4] = { 0.0, 1.0, 1.0, 0.0 };
 constexpr double Margin = lms3dBorderGates::Margin;
 } // namespace
 
-void lms3dCellSlide::Move(const lms3dPoint2& offset)
+void lms3dCreaseIntersection::Move(const lms3dPoint2& offset)
 {
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -22,7 +22,7 @@ void lms3dCellSlide::Move(const lms3dPoint2& offset)
   }
 }
 
-void lms3dCellSlide::Run()
+void lms3dCreaseIntersection::Run()
 {
   constexpr int Steps = 4;
   for (int step = 0; step<Steps&& this->Count> 0; ++step)
@@ -31,7 +31,7 @@ void lms3dCellSlide::Run()
   }
 }
 
-std::array<double, 4> lms3dCellSlide::GetWeights() const
+std::array<double, 4> lms3dCreaseIntersection::GetWeights() const
 {
   std::array<double, 4> weights;
   for (int i = 0; i < 4; ++i)
@@ -42,7 +42,7 @@ std::array<double, 4> lms3dCellSlide::GetWeights() const
   return weights;
 }
 
-void lms3dCellSlide::Step()
+void lms3dCreaseIntersection::Step()
 {
   const double x = this->At[0];
   const double y = this->At[1];

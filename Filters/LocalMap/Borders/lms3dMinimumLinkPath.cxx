@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LocalMap/Borders/lms3dBorderLine.h"
+#include "LocalMap/Borders/lms3dMinimumLinkPath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace
 {
 // The cosine of the longest arc: far below a half circle, beyond which an arc turns round.
-constexpr double SmallestCosine = 0.5;
+constexpr double MinimumCosine = 0.5;
 
 // How much nearer to its left end a bend in the middle passes a gate.
 constexpr double LeftOfMiddle = 0.25;
@@ -23,13 +23,13 @@ bool IsFar(const lms3dVector& a, const lms3dVector& b)
 {
   const double product = lms3dDot(a, b);
   return product <= 0.0 ||
-    product * product < SmallestCosine * SmallestCosine * lms3dDot(a, a) * lms3dDot(b, b);
+    product * product < MinimumCosine * MinimumCosine * lms3dDot(a, a) * lms3dDot(b, b);
 }
 } // namespace
 
 /// The directions from an apex that pass all gates so far: between a point to the left and one to
 /// the right.
-struct lms3dBorderLine::Wedge
+struct lms3dMinimumLinkPath::Wedge
 {
   lms3dVector Apex;
   lms3dVector Left = { 0.0, 0.0, 0.0 };
@@ -84,8 +84,8 @@ struct lms3dBorderLine::Wedge
 };
 
 // The gates count from `shift` on, and start again behind the last.
-lms3dBorderLine::Vertex lms3dBorderLine::FindNext(const lms3dVector& apex, int first, int count,
-  int shift, const lms3dVector& end, bool& reachesEnd) const
+lms3dMinimumLinkPath::Vertex lms3dMinimumLinkPath::FindNext(const lms3dVector& apex, int first,
+  int count, int shift, const lms3dVector& end, bool& reachesEnd) const
 {
   const int size = static_cast<int>(this->Gates.size());
   const auto gate = [&](int i) -> const Gate& { return this->Gates[(i + shift) % size]; };
@@ -109,7 +109,7 @@ lms3dBorderLine::Vertex lms3dBorderLine::FindNext(const lms3dVector& apex, int f
   return reachesEnd ? Vertex{ count, 0.0 } : Vertex{ count - 1, wedge.GetBest(gate(count - 1)) };
 }
 
-std::vector<lms3dBorderLine::Vertex> lms3dBorderLine::Straighten(
+std::vector<lms3dMinimumLinkPath::Vertex> lms3dMinimumLinkPath::Straighten(
   const lms3dVector& start, const lms3dVector& end, bool bendsInFirst, bool bendsInLast) const
 {
   const int size = static_cast<int>(this->Gates.size());
@@ -134,7 +134,7 @@ std::vector<lms3dBorderLine::Vertex> lms3dBorderLine::Straighten(
 }
 
 // The vertices from an apex through some gates to the end.
-void lms3dBorderLine::Append(
+void lms3dMinimumLinkPath::Append(
   lms3dVector apex, int first, int count, const lms3dVector& end, std::vector<Vertex>& line) const
 {
   bool reachesEnd = false;
@@ -151,7 +151,7 @@ void lms3dBorderLine::Append(
   }
 }
 
-lms3dBorderLine::Vertex lms3dBorderLine::GetMiddle(
+lms3dMinimumLinkPath::Vertex lms3dMinimumLinkPath::GetMiddle(
   const lms3dVector& start, const lms3dVector& end) const
 {
   const int middle = static_cast<int>(this->Gates.size()) / 2;
@@ -162,7 +162,7 @@ lms3dBorderLine::Vertex lms3dBorderLine::GetMiddle(
 }
 
 // The first vertex is set as if the line came from the first gate, so it sits at a bend.
-std::vector<lms3dBorderLine::Vertex> lms3dBorderLine::StraightenClosed() const
+std::vector<lms3dMinimumLinkPath::Vertex> lms3dMinimumLinkPath::StraightenClosed() const
 {
   const int count = static_cast<int>(this->Gates.size());
   const lms3dVector origin = this->Gates[0].GetPoint(this->Gates[0].Best);

@@ -15,7 +15,7 @@
  * By Gauss and Newton's steps: between the corners of a cell, clockwise from the lower left one, the
  * differences of two planes' inverse ranges are bilinear.
  */
-class lms3dCellSlide
+class lms3dCreaseIntersection
 {
 public:
   /// The differences of two planes' inverse ranges at the corners; no more than four times.

@@ -26,19 +26,19 @@ struct lms3dMapVertex
  * or by the bound. Where planes of few returns do not meet, the surface runs straight from return to
  * return.
  */
-class lms3dBorderHeights
+class lms3dBorderRanges
 {
 public:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
   /// Of the corners of a cell.
   using Weights = std::array<double, 4>;
 
   /// Keeps references.
-  lms3dBorderHeights(
+  lms3dBorderRanges(
     const lms3dBeamSphere& sphere, const lms3dPatches& patches, const lms3dBorderGates& gates);
 
   /// The share of the way from an edge's owner to the other side of a cut that the surface may reach.
-  double GetReach(int edge, double most) const;
+  double GetExtension(int edge, double most) const;
 
   /// The vertex of an edge's owner at a share of the way to the other side.
   lms3dMapVertex GetVertexInGate(int edge, double at) const;
@@ -75,28 +75,28 @@ private:
   struct CellPoint
   {
     lms3dVector Unit;
-    double Least = std::numeric_limits<double>::infinity();
-    double Most = -std::numeric_limits<double>::infinity();
+    double Minimum = std::numeric_limits<double>::infinity();
+    double Maximum = -std::numeric_limits<double>::infinity();
     double Mean = 0.0;
   };
 
   lms3dVector GetPointInGate(int edge, double at) const;
   double GetInverseAtCrease(int edge, double at, const lms3dVector& unit) const;
-  const lms3dPatches::Patch& GetPatch(Place place) const;
-  double GetSlope(Place place, int side) const;
-  bool HasSlope(Place place, int back) const;
-  double GetSlopeOfPlane(Place place, int side) const;
-  double GetMarginAtCut(int edge) const;
+  const lms3dPatches::Patch& GetPatch(GridIndex index) const;
+  double GetSlope(GridIndex index, int side) const;
+  bool HasSlope(GridIndex index, int back) const;
+  double GetSlopeOfPlane(GridIndex index, int side) const;
+  double GetMarginAtDepthStep(int edge) const;
   Interval GetInterval(double range, double margin, double cosine) const;
-  Interval GetInterval(Place place, double change, const lms3dVector& unit) const;
-  Interval GetIntervalInCell(
-    const lms3dBorderGates::Cell& cell, int corners, bool isWhole, const lms3dVector& unit) const;
+  Interval GetInterval(GridIndex index, double change, const lms3dVector& unit) const;
+  Interval GetIntervalInCell(const lms3dBorderGates::Cell& cell, int corners, bool isContinuous,
+    const lms3dVector& unit) const;
   CellPoint GetPointInCell(
     const lms3dBorderGates::Cell& cell, int corners, const Weights& weights) const;
   double GetStraightInCell(const lms3dBorderGates::Cell& cell, const Weights& weights) const;
-  bool AreOne(double inverse, double other) const;
-  bool AreFew(const lms3dBorderGates::Cell& cell, int corners) const;
-  bool IsWhole(const lms3dBorderGates::Cell& cell) const;
+  bool AreSameSurface(double inverse, double other) const;
+  bool HaveFewReturns(const lms3dBorderGates::Cell& cell, int corners) const;
+  bool IsContinuous(const lms3dBorderGates::Cell& cell) const;
 
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;

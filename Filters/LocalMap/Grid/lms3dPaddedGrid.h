@@ -16,13 +16,13 @@
  * number of turns + 2 and beams -2 to the number of beams + 1 can be read.
  */
 template <typename T>
-class lms3dGhostGrid
+class lms3dPaddedGrid
 {
 public:
-  lms3dGhostGrid() = default;
+  lms3dPaddedGrid() = default;
 
   /// `outside` is the value of ghosts that repeat no place.
-  explicit lms3dGhostGrid(T outside)
+  explicit lms3dPaddedGrid(T outside)
     : Outside(outside)
   {
   }
@@ -43,36 +43,36 @@ public:
   const T* GetRow(int turn) const { return this->Values.data() + this->GetStart(turn); }
 
   /// To call when all turns are filled: beyond a closed grid's ends they go on with its other end.
-  void FillGhosts(bool isClosed)
+  void FillHalo(bool isClosed)
   {
-    for (int ghost = 1; ghost <= GhostsBefore; ++ghost)
+    for (int ghost = 1; ghost <= HaloTurnsBefore; ++ghost)
     {
-      this->FillGhost(-ghost, isClosed);
+      this->FillHaloTurn(-ghost, isClosed);
     }
-    for (int ghost = 0; ghost < GhostsAfter; ++ghost)
+    for (int ghost = 0; ghost < HaloTurnsAfter; ++ghost)
     {
-      this->FillGhost(this->Turns + ghost, isClosed);
+      this->FillHaloTurn(this->Turns + ghost, isClosed);
     }
   }
 
 private:
   // Of turns; the first turn is a neighbour of the last one, and has two neighbours more.
-  static constexpr int GhostsBefore = 2;
-  static constexpr int GhostsAfter = 3;
+  static constexpr int HaloTurnsBefore = 2;
+  static constexpr int HaloTurnsAfter = 3;
   // Of beams, on either side.
-  static constexpr int GhostsBeside = 2;
+  static constexpr int HaloBeams = 2;
 
   std::size_t GetNumberOfRows() const
   {
-    return static_cast<std::size_t>(this->Turns) + GhostsBefore + GhostsAfter;
+    return static_cast<std::size_t>(this->Turns) + HaloTurnsBefore + HaloTurnsAfter;
   }
-  std::size_t GetStride() const { return static_cast<std::size_t>(this->Beams) + 2 * GhostsBeside; }
+  std::size_t GetStride() const { return static_cast<std::size_t>(this->Beams) + 2 * HaloBeams; }
   std::size_t GetStart(int turn) const
   {
-    return (turn + GhostsBefore) * this->GetStride() + GhostsBeside;
+    return (turn + HaloTurnsBefore) * this->GetStride() + HaloBeams;
   }
 
-  void FillGhost(int ghost, bool isClosed)
+  void FillHaloTurn(int ghost, bool isClosed)
   {
     const int turn = (ghost % this->Turns + this->Turns) % this->Turns;
     if (isClosed)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LocalMap/Bounded/lms3dBeamsOfTriangle.h"
+#include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +20,16 @@ double GetTurn(double from, double to)
 }
 } // namespace
 
-lms3dCorner::lms3dCorner(const lms3dVector& position)
+lms3dTriangleCorner::lms3dTriangleCorner(const lms3dVector& position)
   : Position(position)
   , Azimuth(std::atan2(-position[1], position[0]))
   , IsPole(position[0] == 0.0 && position[1] == 0.0)
 {
 }
 
-lms3dBeamsOfTriangle::lms3dBeamsOfTriangle(const lms3dBeamSphere& sphere, const lms3dCorner& a,
-  const lms3dCorner& b, const lms3dCorner& c, double margin)
+lms3dTriangleRasterizer::lms3dTriangleRasterizer(const lms3dBeamSphere& sphere,
+  const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c,
+  double margin)
   : Sphere(sphere)
 {
   this->Edges[0] = lms3dCross(b.Position, a.Position);
@@ -50,8 +51,8 @@ lms3dBeamsOfTriangle::lms3dBeamsOfTriangle(const lms3dBeamSphere& sphere, const 
   this->FindColumns(a, b, c);
 }
 
-void lms3dBeamsOfTriangle::FindColumns(
-  const lms3dCorner& a, const lms3dCorner& b, const lms3dCorner& c)
+void lms3dTriangleRasterizer::FindColumns(
+  const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c)
 {
   const std::vector<double>& azimuths = this->Sphere.GetAzimuths();
   const int columns = this->Sphere.GetNumberOfColumns();
@@ -78,7 +79,7 @@ void lms3dBeamsOfTriangle::FindColumns(
   this->NumberOfColumns = static_cast<int>((last - first) + (wrapped - azimuths.begin()));
 }
 
-bool lms3dBeamsOfTriangle::FindRows(int column, int& first, int& last) const
+bool lms3dTriangleRasterizer::FindRows(int column, int& first, int& last) const
 {
   const std::array<double, 2>& level = this->Sphere.GetLevel(column);
   double low = -std::numeric_limits<double>::infinity();

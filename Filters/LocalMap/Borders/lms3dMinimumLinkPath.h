@@ -18,7 +18,7 @@
  * and subdivisions with minimum-link paths"; here the vertices lie within gates). As neighbouring
  * gates are sides of one convex cell, the line meets nothing between them.
  */
-class lms3dBorderLine
+class lms3dMinimumLinkPath
 {
 public:
   /// From one beam, left of the line, to one right of it, 0 to 1, and the part that may be passed.
@@ -45,7 +45,7 @@ public:
     double At;
   };
 
-  explicit lms3dBorderLine(const std::vector<Gate>& gates)
+  explicit lms3dMinimumLinkPath(const std::vector<Gate>& gates)
     : Gates(gates)
   {
   }

@@ -12,11 +12,11 @@
 #include <cstdint>
 #include <vector>
 
-class lms3dPatchBorders
+class lms3dPatchRelabeler
 {
 public:
   /// `maximumError` is the bound of the whole map, metres along the beam; `noise` that of ranges.
-  lms3dPatchBorders(
+  lms3dPatchRelabeler(
     const lms3dBeamSphere& sphere, lms3dPatches& patches, double maximumError, double noise);
 
   /// Gives each return at a border to the patch on whose side of the crease it lies, or whose plane
@@ -30,17 +30,17 @@ public:
   void TakeSpikes();
 
 private:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
 
-  std::vector<Place> FindBorder() const;
-  bool MoveToBestNeighbor(Place place);
-  bool IsBetter(Place place, std::int32_t label, std::int32_t than) const;
-  double GetDeviation(Place place, int patch) const;
-  void SetLabel(Place place, std::int32_t label);
-  int FindSurroundings(const std::vector<Place>& members) const;
+  std::vector<GridIndex> FindBorder() const;
+  bool MoveToBestNeighbor(GridIndex index);
+  bool IsBetter(GridIndex index, std::int32_t label, std::int32_t than) const;
+  double GetDeviation(GridIndex index, int patch) const;
+  void SetLabel(GridIndex index, std::int32_t label);
+  int FindSurroundings(const std::vector<GridIndex>& members) const;
 
   template <typename Visitor>
-  void ForJoinedNeighbors(Place place, const Visitor& visit) const;
+  void ForJoinedNeighbors(GridIndex index, const Visitor& visit) const;
 
   const lms3dBeamSphere& Sphere;
   lms3dPatches& Patches;
