@@ -7,10 +7,13 @@
 
 namespace
 {
-// Between beams so far apart, borders stay in the middle, lest a patch reaches behind the sensor.
+// If the cosine between two beams is below this, borders stay near the middle of their gate. A patch
+// could reach behind the sensor otherwise.
 constexpr double WideCosine = 0.6;
 constexpr double WideMargin = 0.45;
-constexpr double Few = 6.0;
+constexpr double MaximumFewReturns = 6.0;
+// Two planes count as parallel if their difference changes by less than this share of the limit.
+constexpr double ParallelShare = 1e-6;
 } // namespace
 
 lms3dBorderGates::lms3dBorderGates(
@@ -20,7 +23,7 @@ lms3dBorderGates::lms3dBorderGates(
   , Tolerance(tolerance)
 {
   this->FindGates();
-  this->FollowBorders();
+  this->LinkEdges();
 }
 
 void lms3dBorderGates::FindGates()
@@ -28,7 +31,7 @@ void lms3dBorderGates::FindGates()
   this->GateOf.assign(2 * static_cast<std::size_t>(this->Sphere.GetSize()), NoGate);
   const int rows = this->Sphere.GetNumberOfRows();
   const std::int32_t* labels = this->Patches.Labels.data();
-  // A depth step may run within a patch, as a slit.
+  // A depth step can end inside a patch, as a slit.
   const auto isGate = [&](GridIndex index, int side, GridIndex neighbor)
   {
     return labels[index] != labels[neighbor] ||
@@ -61,7 +64,7 @@ void lms3dBorderGates::AddGate(GridIndex index, int side)
     lms3dDot(this->Sphere.GetDirection(index), this->Sphere.GetDirection(other)) < WideCosine;
   const double margin = isWide ? WideMargin : Margin;
   Gate gate = { { index, other }, DepthStep, margin, 1.0 - margin, 0.5 };
-  // A return that has a facet of its own belongs to no patch.
+  // A return with a facet of its own belongs to no patch.
   if (this->Patches.Labels[index] >= 0 && this->Patches.Labels[other] >= 0 &&
     this->Sphere.IsJoined(index, side))
   {
@@ -70,8 +73,8 @@ void lms3dBorderGates::AddGate(GridIndex index, int side)
   this->Gates.push_back(gate);
 }
 
-// Along the chord of a gate both planes' inverse ranges are linear, and so is their difference. It
-// is a crease where that is small enough somewhere, best where it is 0.
+// Along the chord of a gate, the inverse ranges of both planes are linear, and so is their difference.
+// The gate is a crease if the difference is within the tolerance somewhere. It is best where it is 0.
 void lms3dBorderGates::Classify(Gate& gate) const
 {
   std::array<double, 2> differences;
@@ -89,9 +92,8 @@ void lms3dBorderGates::Classify(Gate& gate) const
   }
   gate.Kind = Offset;
   const double slope = differences[1] - differences[0];
-  if (std::abs(slope) <= limit * 1e-6)
+  if (std::abs(slope) <= limit * ParallelShare)
   {
-    // The planes are parallel here.
     gate.Kind = std::abs(differences[0]) <= limit ? Crease : Offset;
     return;
   }
@@ -114,10 +116,10 @@ void lms3dBorderGates::Classify(Gate& gate) const
 
 bool lms3dBorderGates::HasFewReturns(std::int32_t patch) const
 {
-  return this->Patches.Patches[patch].Fit.GetNumberOfReturns() <= Few;
+  return this->Patches.Patches[patch].Fit.GetNumberOfReturns() <= MaximumFewReturns;
 }
 
-void lms3dBorderGates::FollowBorders()
+void lms3dBorderGates::LinkEdges()
 {
   this->Next.assign(this->GetNumberOfEdges(), NoGate);
   for (int edge = 0; edge < this->GetNumberOfEdges(); ++edge)
@@ -138,7 +140,7 @@ int lms3dBorderGates::GetSide(int edge) const
   return (edge & 1) ? (side + 2) % 4 : side;
 }
 
-// Of a place on one of its sides, or NoGate.
+// The edge on one side of a beam, or NoGate.
 int lms3dBorderGates::GetEdge(GridIndex index, int side) const
 {
   const bool isSecond = side == lms3dBeamSphere::Down || side == lms3dBeamSphere::Left;
@@ -147,8 +149,8 @@ int lms3dBorderGates::GetEdge(GridIndex index, int side) const
   return gate == NoGate ? NoGate : 2 * gate + (isSecond ? 1 : 0);
 }
 
-// With the patch to the left, the border on the upper side of a place heads left, and so on. In the
-// cell that it comes to, it turns around the first place that is no longer the patch's.
+// With the patch to its left, the border on the upper side of a beam heads left, the border on the left
+// side heads down, and so on. In the next cell, it turns around the first beam that is not in the patch.
 int lms3dBorderGates::FindNext(int edge) const
 {
   const int side = this->GetSide(edge);
@@ -170,7 +172,7 @@ bool lms3dBorderGates::IsRegular(int edge) const
 {
   const int next = this->Next[edge];
   const GateKind kind = this->GetGate(edge).Kind;
-  // A slit ends where its border turns back.
+  // At the end of a slit, the border turns back to its own twin.
   return this->GetGate(next).Kind == kind && next != GetTwin(edge) &&
     (kind == DepthStep || this->Next[GetTwin(next)] == GetTwin(edge));
 }
@@ -187,7 +189,7 @@ lms3dBorderGates::Cell lms3dBorderGates::GetEndCell(int edge, int& corner) const
 {
   const int side = this->GetSide(edge);
   GridIndex index = this->GetOwner(edge);
-  // It ends up left of the owner, up right, down right or down left.
+  // The edge ends in the cell to the upper left of its owner, or upper right, lower right, lower left.
   corner = (side + 3) % 4;
   if (corner == 1 || corner == 2)
   {
@@ -205,4 +207,17 @@ int lms3dBorderGates::GetCellGate(const Cell& cell, int corner) const
   constexpr int First[4] = { 0, 1, 3, 0 };
   const GridIndex first = cell.Corners[First[corner]];
   return this->GateOf[2 * static_cast<std::size_t>(first) + (corner % 2)];
+}
+
+bool lms3dBorderGates::IsContinuous(const Cell& cell) const
+{
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    if (this->Patches.Labels[cell.Corners[corner]] < 0 ||
+      this->HasCellGate(cell, corner, DepthStep))
+    {
+      return false;
+    }
+  }
+  return true;
 }

@@ -2,76 +2,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief How far from the sensor the surface is at the borders of patches.
+ * @brief The ranges of the surface at the borders of patches.
  */
-#ifndef lms3dBorderHeights_h
-#define lms3dBorderHeights_h
+#ifndef lms3dBorderRanges_h
+#define lms3dBorderRanges_h
 
 #include "LocalMap/Borders/lms3dBorderGates.h"
+#include "LocalMap/Borders/lms3dRangeSupport.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 
-/// A point of the map: where it is seen, a unit vector, and the inverse of its range.
+/// A vertex of the map, in the sensor frame.
 struct lms3dMapVertex
 {
+  /// Of length 1.
   lms3dVector Direction;
+  /// 1/metre, above 0.
   double InverseRange;
 };
 
 /**
- * Borders lie in the planes of their patches, as far as the returns support those: beyond the last
- * return of a patch its range changes by no more than half of what it changed by before that return,
- * or by the bound. Where planes of few returns do not meet, the surface runs straight from return to
- * return.
+ * Gives border vertices their ranges. A border lies in the planes of its patches, within the ranges
+ * that returns support (lms3dRangeSupport). Where two patches of few returns meet and their planes do
+ * not, the surface runs straight from return to return.
+ *
+ * Gates, edges and cells are those of lms3dBorderGates.
  */
 class lms3dBorderRanges
 {
 public:
   using GridIndex = lms3dBeamSphere::GridIndex;
-  /// Of the corners of a cell.
+  using Cell = lms3dBorderGates::Cell;
+  /// A point of a cell, as bilinear weights of the corners' directions. Their sum is 1.
   using Weights = std::array<double, 4>;
 
   /// Keeps references.
   lms3dBorderRanges(
     const lms3dBeamSphere& sphere, const lms3dPatches& patches, const lms3dBorderGates& gates);
 
-  /// The share of the way from an edge's owner to the other side of a cut that the surface may reach.
-  double GetExtension(int edge, double most) const;
+  /// How far the surface may extend from an edge's owner into the gate of a depth step: a share of the
+  /// way to the other end, at most `maximum`.
+  double GetExtension(int edge, double maximum) const;
 
-  /// The vertex of an edge's owner at a share of the way to the other side.
+  /// The vertex in the gate of an edge, for the edge's patch. `at` is the share of the way from the
+  /// owner to the other end.
   lms3dMapVertex GetVertexInGate(int edge, double at) const;
 
-  /// Of the patches at some of the corners of a cell, those with their bits set: where the corners'
-  /// directions have so much weight each.
-  lms3dMapVertex GetVertexInCell(
-    const lms3dBorderGates::Cell& cell, int corners, const Weights& weights) const;
+  /// The vertex of a junction, which the patches at some corners of the cell share. `corners` gives
+  /// these as bits, at least one; each has a return. Beside a depth step, the vertex may move from
+  /// `weights` towards these corners, to lie on their planes.
+  lms3dMapVertex GetVertexInCell(const Cell& cell, int corners, const Weights& weights) const;
 
 private:
-  /// Ranges between which the surface may be; at first none.
-  struct Interval
-  {
-    double Nearest = std::numeric_limits<double>::infinity();
-    double Farthest = 0.0;
-
-    void Include(const Interval& other)
-    {
-      this->Nearest = std::min(this->Nearest, other.Nearest);
-      this->Farthest = std::max(this->Farthest, other.Farthest);
-    }
-    bool Holds(double inverseRange) const
-    {
-      return inverseRange * this->Nearest <= 1.0 && inverseRange * this->Farthest >= 1.0;
-    }
-    double Clamp(double inverseRange) const
-    {
-      // A plane that does not meet the beam has an inverse range below 0.
-      return std::min(std::max(inverseRange, 1.0 / this->Farthest), 1.0 / this->Nearest);
-    }
-  };
-
-  /// A place in a cell, and what the planes around it say of its inverse range.
+  /// A direction inside a cell, and the inverse ranges of some planes there, 1/metre.
   struct CellPoint
   {
     lms3dVector Unit;
@@ -82,25 +66,16 @@ private:
 
   lms3dVector GetPointInGate(int edge, double at) const;
   double GetInverseAtCrease(int edge, double at, const lms3dVector& unit) const;
-  const lms3dPatches::Patch& GetPatch(GridIndex index) const;
-  double GetSlope(GridIndex index, int side) const;
-  bool HasSlope(GridIndex index, int back) const;
-  double GetSlopeOfPlane(GridIndex index, int side) const;
-  double GetMarginAtDepthStep(int edge) const;
-  Interval GetInterval(double range, double margin, double cosine) const;
-  Interval GetInterval(GridIndex index, double change, const lms3dVector& unit) const;
-  Interval GetIntervalInCell(const lms3dBorderGates::Cell& cell, int corners, bool isContinuous,
-    const lms3dVector& unit) const;
-  CellPoint GetPointInCell(
-    const lms3dBorderGates::Cell& cell, int corners, const Weights& weights) const;
-  double GetStraightInCell(const lms3dBorderGates::Cell& cell, const Weights& weights) const;
+  const lms3dPlane& GetPlane(GridIndex index) const;
+  CellPoint GetPointInCell(const Cell& cell, int corners, const Weights& weights) const;
+  double InterpolateInCell(const Cell& cell, const Weights& weights) const;
   bool AreSameSurface(double inverse, double other) const;
-  bool HaveFewReturns(const lms3dBorderGates::Cell& cell, int corners) const;
-  bool IsContinuous(const lms3dBorderGates::Cell& cell) const;
+  bool HaveFewReturns(const Cell& cell, int corners) const;
 
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;
   const lms3dBorderGates& Gates;
+  const lms3dRangeSupport Support;
 };
 
 #endif

@@ -2,41 +2,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A point in a cell of four beams that moves to where planes meet.
+ * @brief The point of a cell at which its creases meet.
  */
-#ifndef lms3dCellSlide_h
-#define lms3dCellSlide_h
+#ifndef lms3dCreaseIntersection_h
+#define lms3dCreaseIntersection_h
 
 #include "Triangulation/lms3dOrientation.h"
 
 #include <array>
 
 /**
- * By Gauss and Newton's steps: between the corners of a cell, clockwise from the lower left one, the
- * differences of two planes' inverse ranges are bilinear.
+ * Finds the least-squares intersection of up to four creases in a cell of lms3dBorderGates, by the
+ * Gauss-Newton method. Between the corners of the cell, the difference of two planes' inverse ranges is
+ * bilinear; a crease is where it is 0. The search starts in the middle of the cell.
+ *
+ * Coordinates in the cell are 0 to 1, x to the right and y upwards. The point keeps a margin of
+ * lms3dBorderGates::Margin from the cell's sides. Corners are numbered clockwise from the lower left.
  */
 class lms3dCreaseIntersection
 {
 public:
-  /// The differences of two planes' inverse ranges at the corners; no more than four times.
+  /// Takes the difference of two planes' inverse ranges at each corner, 1/metre. At most four calls.
   void AddCrease(const std::array<double, 4>& differences)
   {
     this->Creases[this->Count++] = differences;
   }
 
-  /// By so much of the cell's width and height, but not out of it.
+  /// Moves the point by an offset, in cell coordinates.
   void Move(const lms3dPoint2& offset);
 
-  /// From where the point is to the nearest point on all creases, as far as there is one.
-  void Run();
+  /// Moves the point to the nearest point on all creases, or as near to them as it can come. Without a
+  /// crease, the point stays.
+  void Solve();
 
-  /// Of the corners, at the point.
+  /// The bilinear weights of the corners at the point.
   std::array<double, 4> GetWeights() const;
 
 private:
   void Step();
 
-  lms3dPoint2 At = { 0.5, 0.5 };
+  lms3dPoint2 Point = { 0.5, 0.5 };
   std::array<std::array<double, 4>, 4> Creases;
   int Count = 0;
 };

@@ -14,7 +14,7 @@ bool lms3dOffsetStrips::AddStrip(
   }
   return std::all_of(this->Triangles.begin() + static_cast<std::ptrdiff_t>(first),
     this->Triangles.end(),
-    [&](const std::array<std::int32_t, 3>& triangle)
+    [&](const Triangle& triangle)
     { return this->IsFacing(triangle[0], triangle[1], triangle[2]); });
 }
 
@@ -30,7 +30,7 @@ void lms3dOffsetStrips::FillHole(const std::vector<std::int32_t>& hole)
   }
 }
 
-// Counter-clockwise, cut along the diagonal that leaves both triangles facing the sensor.
+// Splits a counter-clockwise quadrilateral along the diagonal that lets both triangles face the sensor.
 void lms3dOffsetStrips::AddQuad(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d)
 {
   if (a == b || c == d || (this->IsFacing(a, b, c) && this->IsFacing(a, c, d)))

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The triangles between the two borders along a step.
+ * @brief The strips of triangles that close the surface along offsets.
  */
-#ifndef lms3dStepBands_h
-#define lms3dStepBands_h
+#ifndef lms3dOffsetStrips_h
+#define lms3dOffsetStrips_h
 
 #include "LocalMap/Borders/lms3dBorderRanges.h"
 
@@ -14,25 +14,28 @@
 #include <vector>
 
 /**
- * Along a step each side has its own border. The two lie so close that no beam passes between them,
- * and a band of triangles joins them, so that the surface stays whole.
+ * Along an offset (see lms3dBorderGates), each side has its own border. The two lie so close together
+ * that no beam passes between them. A strip of triangles joins them, so that the surface has no gap.
  */
 class lms3dOffsetStrips
 {
 public:
+  /// Numbers of vertices, counter-clockwise as the sensor sees them.
   using Triangle = std::array<std::int32_t, 3>;
 
-  /// Keeps a reference.
+  /// Keeps a reference to the vertices of the map.
   explicit lms3dOffsetStrips(const std::vector<lms3dMapVertex>& vertices)
     : Vertices(vertices)
   {
   }
 
-  /// Between two lines of as many vertices, the first to the left; returns whether all triangles face
-  /// the sensor.
+  /// Adds the triangles between two borders of equally many vertices in the same order, the first
+  /// border to the left of the second. Returns false if a triangle faces away from the sensor: the
+  /// strip is flipped there.
   bool AddStrip(const std::vector<std::int32_t>& own, const std::vector<std::int32_t>& other);
 
-  /// Where three or four steps meet in a cell, their bands leave a hole between the junctions.
+  /// Closes the hole of three or four vertices, counter-clockwise, that strips leave in a cell where
+  /// they meet. Smaller holes need no triangle.
   void FillHole(const std::vector<std::int32_t>& hole);
 
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }

@@ -6,40 +6,26 @@
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace
 {
 using Gates = lms3dBorderGates;
-
-// Half the width of a band, as a share of a gate: less than half of what borders keep off beams.
-constexpr double HalfStrip = 0.04;
-// How near to the middle of a gate borders may come that must not meet those beyond a cut, as a
-// share of the gate.
-constexpr double HalfSlit = 0.42;
-// A depth step of so many bounds cannot be bridged, however far the surfaces on both sides lean.
-constexpr double SafeStep = 6.0;
-// The grades of care for a band that turns over: its junctions stay in the middle of their cells, then
-// its lines pass every gate.
-constexpr int MaximumFallback = 2;
 } // namespace
 
 lms3dPatchOutlines::lms3dPatchOutlines(
   const lms3dBeamSphere& sphere, const lms3dPatches& patches, const lms3dBorderGates& gates)
-  : Sphere(sphere)
-  , Patches(patches)
+  : Patches(patches)
   , Gates(gates)
   , BorderRanges(sphere, patches, gates)
   , Chains(gates)
   , Junctions(sphere, patches, gates, this->Chains, this->BorderRanges)
-  , Lines(this->Chains.GetChains().size())
+  , Paths(sphere, gates, this->BorderRanges, this->Chains, this->Junctions)
+  , Bends(this->Chains.GetChains().size())
 {
-  for (int level = 0; level <= MaximumFallback; ++level)
+  for (int level = 0; level <= lms3dBorderJunctions::MaximumFallback; ++level)
   {
     this->Vertices = this->Junctions.Locate();
     this->StraightenChains();
-    if (!this->MakeStrips())
+    if (this->MakeStrips())
     {
       break;
     }
@@ -47,41 +33,29 @@ lms3dPatchOutlines::lms3dPatchOutlines(
   this->MakeLoops();
 }
 
-bool lms3dPatchOutlines::IsOffset(const Chain& chain) const
-{
-  return this->Gates.GetGate(chain.Edges.front()).Kind == Gates::Offset;
-}
-
-// Again only those that need more care now.
+// After the first attempt, only the chains near flipped strips change.
 void lms3dPatchOutlines::StraightenChains()
 {
   const std::vector<Chain>& chains = this->Chains.GetChains();
-  const bool isFirst = this->Bends.empty();
-  this->Bends.resize(chains.size());
+  const bool isFirst = this->Lines.empty();
   tbb::parallel_for(std::size_t(0), chains.size(),
     [&](std::size_t i)
     {
-      if (isFirst || this->HasFallback(chains[i]))
+      if (isFirst || this->Junctions.HasFallback(chains[i], lms3dBorderJunctions::JunctionsStay))
       {
-        this->Bends[i] = this->Straighten(i);
+        this->Bends[i] = this->Paths.Straighten(i, this->Vertices);
       }
     });
   this->NumberBends();
 }
 
-bool lms3dPatchOutlines::HasFallback(const Chain& chain) const
-{
-  return this->Junctions.HasFallback(this->Junctions.GetEndCell(chain, 0), 1) ||
-    this->Junctions.HasFallback(this->Junctions.GetEndCell(chain, 1), 1);
-}
-
 void lms3dPatchOutlines::NumberBends()
 {
+  this->Lines.assign(this->Bends.size(), {});
   for (std::size_t i = 0; i < this->Bends.size(); ++i)
   {
     Line& line = this->Lines[i];
-    line = {};
-    const bool isOffset = this->IsOffset(this->Chains.GetChains()[i]);
+    const bool isOffset = this->Chains.GetKind(i) == Gates::Offset;
     for (std::size_t j = 0; j < this->Bends[i].size(); ++j)
     {
       const std::int32_t number = static_cast<std::int32_t>(this->Vertices.size());
@@ -92,106 +66,6 @@ void lms3dPatchOutlines::NumberBends()
     {
       line.Other = line.Own;
     }
-  }
-}
-
-std::vector<lms3dMinimumLinkPath::Gate> lms3dPatchOutlines::GetLineGates(const Chain& chain) const
-{
-  std::vector<lms3dMinimumLinkPath::Gate> gates;
-  gates.reserve(chain.Edges.size());
-  for (int edge : chain.Edges)
-  {
-    const Gates::Gate& gate = this->Gates.GetGate(edge);
-    const bool isTurned = edge % 2 == 1;
-    gates.push_back({ this->Sphere.GetDirection(gate.Ends[isTurned ? 1 : 0]),
-      this->Sphere.GetDirection(gate.Ends[isTurned ? 0 : 1]), isTurned ? 1.0 - gate.High : gate.Low,
-      isTurned ? 1.0 - gate.Low : gate.High, isTurned ? 1.0 - gate.Best : gate.Best });
-    if (gate.Kind == Gates::DepthStep)
-    {
-      this->LimitExtension(edge, gates.back());
-    }
-  }
-  return gates;
-}
-
-// At a cut a surface goes no farther than its returns support, and not beyond the middle where it
-// might meet the surface on the other side: both may lean towards each other, or be one patch.
-void lms3dPatchOutlines::LimitExtension(int edge, lms3dMinimumLinkPath::Gate& gate) const
-{
-  const double own = this->Sphere.GetRange(this->Gates.GetOwner(edge));
-  const double other = this->Sphere.GetRange(this->Gates.GetOwner(Gates::GetTwin(edge)));
-  if (other > 0.0 && std::abs(own - other) < SafeStep * this->Gates.GetTolerance())
-  {
-    gate.High = std::max(gate.Low, std::min(gate.High, HalfSlit));
-  }
-  gate.High = std::max(gate.Low, this->BorderRanges.GetExtension(edge, gate.High));
-  gate.Best = std::min(gate.Best, gate.High);
-}
-
-std::vector<lms3dMapVertex> lms3dPatchOutlines::Straighten(std::size_t number) const
-{
-  const Chain& chain = this->Chains.GetChains()[number];
-  std::vector<lms3dMapVertex> vertices;
-  for (const lms3dMinimumLinkPath::Vertex& bend :
-    this->FindBends(number, this->GetLineGates(chain)))
-  {
-    this->AppendVertices(chain.Edges[bend.Gate], bend.At, vertices);
-  }
-  return vertices;
-}
-
-std::vector<lms3dMinimumLinkPath::Vertex> lms3dPatchOutlines::FindBends(
-  std::size_t number, const std::vector<lms3dMinimumLinkPath::Gate>& gates) const
-{
-  const Chain& chain = this->Chains.GetChains()[number];
-  const lms3dMinimumLinkPath line(gates);
-  if (this->Junctions.HasFallback(this->Junctions.GetEndCell(chain, 0), MaximumFallback) ||
-    this->Junctions.HasFallback(this->Junctions.GetEndCell(chain, 1), MaximumFallback))
-  {
-    std::vector<lms3dMinimumLinkPath::Vertex> bends;
-    bends.reserve(gates.size());
-    for (const lms3dMinimumLinkPath::Gate& gate : gates)
-    {
-      bends.push_back({ static_cast<int>(bends.size()), gate.Best });
-    }
-    return bends;
-  }
-  if (chain.IsClosed)
-  {
-    return line.StraightenClosed();
-  }
-  // Between the two lines of a step; they are one elsewhere.
-  const int side = this->IsOffset(chain) ? 1 : 0;
-  const lms3dVector from =
-    this->GetMiddle(this->Junctions.GetStart(number, 0), this->Junctions.GetStart(number, side));
-  const lms3dVector to =
-    this->GetMiddle(this->Junctions.GetEnd(number, 0), this->Junctions.GetEnd(number, side));
-  // The lips of a slit part in its first gate, each at the range of its own side.
-  std::vector<lms3dMinimumLinkPath::Vertex> bends = line.Straighten(
-    from, to, this->Junctions.IsEndOfSlit(number, 0), this->Junctions.IsEndOfSlit(number, 1));
-  if (bends.empty() && this->Junctions.NeedsBendAtSlit(number))
-  {
-    bends.push_back(line.GetMiddle(from, to));
-  }
-  return bends;
-}
-
-lms3dVector lms3dPatchOutlines::GetMiddle(std::int32_t a, std::int32_t b) const
-{
-  return lms3dAdd(this->Vertices[a].Direction, this->Vertices[b].Direction);
-}
-
-// One for both sides, or along a step two: of the own side and of the other.
-void lms3dPatchOutlines::AppendVertices(int edge, double at, std::vector<lms3dMapVertex>& out) const
-{
-  if (this->Gates.GetGate(edge).Kind == Gates::Offset)
-  {
-    out.push_back(this->BorderRanges.GetVertexInGate(edge, at - HalfStrip));
-    out.push_back(this->BorderRanges.GetVertexInGate(Gates::GetTwin(edge), 1.0 - (at + HalfStrip)));
-  }
-  else
-  {
-    out.push_back(this->BorderRanges.GetVertexInGate(edge, at));
   }
 }
 
@@ -216,7 +90,8 @@ void lms3dPatchOutlines::MakeLoops()
   }
 }
 
-// Of a chain, the side that an edge begins, and the edge that begins the next one.
+// Appends the side of a chain that begins with an edge. `next` receives the edge that begins the next
+// side.
 void lms3dPatchOutlines::AppendSide(int edge, Outline& outline, int& next) const
 {
   const std::int32_t side = this->Chains.GetChainOf(edge);
@@ -240,7 +115,7 @@ void lms3dPatchOutlines::AppendSide(int edge, Outline& outline, int& next) const
   }
 }
 
-// Returns whether another attempt is due.
+// Returns false if a strip is flipped.
 bool lms3dPatchOutlines::MakeStrips()
 {
   lms3dOffsetStrips strips(this->Vertices);
@@ -248,14 +123,13 @@ bool lms3dPatchOutlines::MakeStrips()
   const std::vector<Chain>& chains = this->Chains.GetChains();
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
-    if (this->IsOffset(chains[i]) &&
+    if (this->Chains.GetKind(i) == Gates::Offset &&
       !strips.AddStrip(this->GetWholeLine(i, 0), this->GetWholeLine(i, 1)))
     {
       const int edge = chains[i].Edges.front();
       this->PatchesAtFlippedStrips.push_back(this->Gates.GetPatch(edge));
       this->PatchesAtFlippedStrips.push_back(this->Gates.GetPatch(Gates::GetTwin(edge)));
-      this->Junctions.RaiseFallback(this->Junctions.GetEndCell(chains[i], 0));
-      this->Junctions.RaiseFallback(this->Junctions.GetEndCell(chains[i], 1));
+      this->Junctions.RaiseFallback(chains[i]);
     }
   }
   for (std::int32_t i = 0; i < this->Junctions.GetNumberOfJunctions(); ++i)
@@ -265,11 +139,11 @@ bool lms3dPatchOutlines::MakeStrips()
       strips.FillHole(this->Junctions.GetHole(i));
     }
   }
-  this->Strips = strips.GetTriangles();
-  return !this->PatchesAtFlippedStrips.empty();
+  this->StripTriangles = strips.GetTriangles();
+  return this->PatchesAtFlippedStrips.empty();
 }
 
-// With the junctions at its ends, or its first vertex again where it is closed.
+// One side of a chain with the junctions at its ends or, if it is closed, its first vertex again.
 std::vector<std::int32_t> lms3dPatchOutlines::GetWholeLine(std::size_t chain, int side) const
 {
   const Chain& edges = this->Chains.GetChains()[chain];
