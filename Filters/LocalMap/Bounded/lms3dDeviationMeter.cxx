@@ -10,18 +10,20 @@
 
 namespace
 {
+// Returns below this share of the largest possible deviation are measured only if none lies above.
 constexpr double FirstShare = 0.7;
+// Radians by which a beam may pass outside of a triangle that it hits.
 constexpr double Margin = 1e-6;
 } // namespace
 
 double lms3dDeviationMeter::GetLargest(std::vector<Part> parts) const
 {
-  std::stable_sort(
-    parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.OnBeams > b.OnBeams; });
+  std::stable_sort(parts.begin(), parts.end(),
+    [](const Part& a, const Part& b) { return a.MaximumAlongBeams > b.MaximumAlongBeams; });
   double largest = 0.0;
   for (const Part& part : parts)
   {
-    if (part.OnBeams <= largest)
+    if (part.MaximumAlongBeams <= largest)
     {
       break;
     }
@@ -30,22 +32,22 @@ double lms3dDeviationMeter::GetLargest(std::vector<Part> parts) const
   return largest;
 }
 
-// Of those above a distance; less where there are none.
-double lms3dDeviationMeter::GetLargest(const Part& part, double least) const
+// The largest deviation of a patch, or any number below the threshold if none exceeds it.
+double lms3dDeviationMeter::GetLargest(const Part& part, double threshold) const
 {
-  const double share = std::max(least, FirstShare * part.OnBeams);
+  const double share = std::max(threshold, FirstShare * part.MaximumAlongBeams);
   const double largest = this->GetLargestAbove(part, share);
-  return largest >= share ? largest : this->GetLargestAbove(part, std::max(least, largest));
+  return largest >= share ? largest : this->GetLargestAbove(part, std::max(threshold, largest));
 }
 
-double lms3dDeviationMeter::GetLargestAbove(const Part& part, double least) const
+double lms3dDeviationMeter::GetLargestAbove(const Part& part, double threshold) const
 {
   Distances distances;
-  for (std::size_t triangle = part.First; triangle < part.Last; ++triangle)
+  for (std::size_t triangle = part.First; triangle < part.End; ++triangle)
   {
-    this->Measure(part, triangle, least, distances);
+    this->Measure(part, triangle, threshold, distances);
   }
-  // Of each return the smallest comes first.
+  // For each return, the smallest distance comes first.
   std::sort(distances.begin(), distances.end());
   double largest = 0.0;
   GridIndex last = -1;
@@ -58,7 +60,7 @@ double lms3dDeviationMeter::GetLargestAbove(const Part& part, double least) cons
 }
 
 void lms3dDeviationMeter::Measure(
-  const Part& part, std::size_t triangle, double least, Distances& distances) const
+  const Part& part, std::size_t triangle, double threshold, Distances& distances) const
 {
   const auto getCorner = [&](int i)
   { return lms3dTriangleCorner(this->Map.Points[this->Map.Triangles[triangle][i]]); };
@@ -77,12 +79,12 @@ void lms3dDeviationMeter::Measure(
       const double inverse =
         inColumn.GetInverseRange(this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]);
       if (this->Patches.Labels[index] == part.Patch && !this->Sphere.IsPoleRow(row) &&
-        !(std::abs(range - 1.0 / inverse) <= least))
+        !(std::abs(range - 1.0 / inverse) <= threshold))
       {
         const lms3dVector point = lms3dScale(this->Sphere.GetDirection(index), range);
         distances.emplace_back(index, lms3dGetDistance(point, a.Position, b.Position, c.Position));
       }
     }
   };
-  beams.ForColumns(measure);
+  beams.ForEachColumn(measure);
 }

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-// Of each vertex.
+// The grid index of each vertex.
 std::vector<lms3dFacetedGrid::GridIndex> lms3dFacetedGrid::FindIndices() const
 {
   std::vector<GridIndex> indices(this->Grid.GetReturns().size());
@@ -23,7 +23,7 @@ std::vector<lms3dFacetedGrid::GridIndex> lms3dFacetedGrid::FindIndices() const
   return indices;
 }
 
-// Three numbers each.
+// The triangles of the plain grid, three numbers each.
 std::vector<std::int32_t> lms3dFacetedGrid::MakeTriangles(const lms3dBoundedMap& map) const
 {
   lms3dGridPoints points;
@@ -47,12 +47,12 @@ std::vector<std::int32_t> lms3dFacetedGrid::MakeTriangles(const lms3dBoundedMap&
   return corners;
 }
 
-// Returns which vertices have one.
+// Returns which vertices belong to a triangle.
 std::vector<bool> lms3dFacetedGrid::AddTriangles(lms3dBoundedMap& map) const
 {
   const std::vector<std::int32_t> corners = this->MakeTriangles(map);
   const bool isMirrored = this->Grid.GetGeometry().IsMirrored();
-  std::vector<bool> isMet(map.Points.size(), false);
+  std::vector<bool> isUsed(map.Points.size(), false);
   for (std::size_t i = 0; i < corners.size(); i += 3)
   {
     std::array<std::int32_t, 3> triangle = { corners[i], corners[i + 1], corners[i + 2] };
@@ -60,17 +60,17 @@ std::vector<bool> lms3dFacetedGrid::AddTriangles(lms3dBoundedMap& map) const
     {
       std::swap(triangle[1], triangle[2]);
     }
-    // A cell that is wider than half a circle has no front.
+    // In a cell that is wider than half a circle, a triangle can face away from the sensor.
     if (map.IsFacing(triangle))
     {
       map.Triangles.push_back(triangle);
       for (std::int32_t corner : triangle)
       {
-        isMet[corner] = true;
+        isUsed[corner] = true;
       }
     }
   }
-  return isMet;
+  return isUsed;
 }
 
 lms3dBoundedMap lms3dFacetedGrid::MakeMap() const
@@ -83,17 +83,17 @@ lms3dBoundedMap lms3dFacetedGrid::MakeMap() const
     map.Points.push_back(
       lms3dScale(this->Sphere.GetDirection(index), this->Sphere.GetRange(index)));
   }
-  const std::vector<bool> isMet = this->AddTriangles(map);
+  const std::vector<bool> isUsed = this->AddTriangles(map);
   map.PatchIds.assign(map.Triangles.size(), lms3dBoundedMap::NoPatch);
-  map.ReturnsOnGrid = std::count(isMet.begin(), isMet.end(), true);
-  for (std::size_t vertex = 0; vertex < isMet.size(); ++vertex)
+  map.ReturnsOnGrid = std::count(isUsed.begin(), isUsed.end(), true);
+  for (std::size_t vertex = 0; vertex < isUsed.size(); ++vertex)
   {
-    if (!isMet[vertex])
+    if (!isUsed[vertex])
     {
       map.AddFacet(this->Sphere, indices[vertex], this->Sphere.GetRange(indices[vertex]));
       ++map.ReturnsOnFacets;
     }
   }
-  map.DropUnusedPoints();
+  map.RemoveUnusedPoints();
   return map;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The beams of a scan as places on the sphere of directions, with misses all around.
+ * @brief The beams of a scan as a grid on the sphere of directions, with a halo of misses.
  */
 #ifndef lms3dBeamSphere_h
 #define lms3dBeamSphere_h
@@ -16,17 +16,32 @@
 #include <vector>
 
 /**
- * Rows of growing elevation and columns of growing platform angle, in the sensor frame. Where the
- * scan ends, ghosts go on with its steps: places that hold no return. So the columns always close
- * to a circle, no angle between neighbours exceeds 120 degrees, and every return but a pole has
- * four neighbours. The places of a pole, one in each column, hold the same return.
+ * Rows have growing elevations and columns growing platform angles, whichever way the device turned.
+ * Directions are in the sensor frame (lms3dScanGeometry.h), ranges in metres, angles in radians.
+ *
+ * Where the scan ends, a halo of directions without returns continues it. Therefore
+ *
+ * - the columns always close to a full circle,
+ * - neighbours are at most 120 degrees apart, and
+ * - every return that is not a pole has four neighbours.
+ *
+ * A pole, where the beams of all turns coincide, fills a whole row: one entry in each column, all with
+ * the same return.
+ *
+ * A GridIndex numbers the entries column by column, each from the lowest row to the highest.
  */
 class lms3dBeamSphere
 {
 public:
   using GridIndex = std::int32_t;
 
-  /// The sides of a place in the order of the clock, as the sensor sees them.
+  /**
+   * The largest number of entries, halo included: 2^28 - 1. Each entry has up to two gates, four edges
+   * and eight vertices at borders (lms3dBorderGates), which all are numbered by 32-bit integers.
+   */
+  static constexpr GridIndex MaximumSize = (1 << 28) - 1;
+
+  /// The sides of an entry, clockwise as the sensor sees them.
   enum Side : int
   {
     Up,
@@ -35,12 +50,20 @@ public:
     Left
   };
 
-  /// Throws std::runtime_error where angles do not grow or fall steadily, elevations exceed 90
-  /// degrees or turns 360.
+  /**
+   * Copies what it needs. Uses the threads of the calling TBB arena. Throws std::runtime_error, with a
+   * message for the user, if the angles are not strictly monotonic, if elevations exceed 90 degrees, if
+   * platform angles span a full circle or more without being closed, or if the grid would be too large.
+   */
   lms3dBeamSphere(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins);
+
+  /// Throws std::runtime_error, with a message for the user, if so many rows and columns have more than
+  /// MaximumSize entries.
+  static void CheckSize(std::int64_t rows, std::int64_t columns);
 
   int GetNumberOfRows() const { return this->Rows; }
   int GetNumberOfColumns() const { return this->Columns; }
+  /// The number of entries, halo included.
   GridIndex GetSize() const { return this->Rows * this->Columns; }
   GridIndex GetIndex(int column, int row) const { return column * this->Rows + row; }
   int GetColumn(GridIndex index) const { return index / this->Rows; }
@@ -52,7 +75,7 @@ public:
     return side % 2 == 1 || this->GetRow(index) != (side == Up ? this->Rows - 1 : 0);
   }
 
-  /// Of a place that has one there.
+  /// The neighbor on a side; it must exist.
   GridIndex GetNeighbor(GridIndex index, int side) const
   {
     switch (side)
@@ -68,7 +91,8 @@ public:
     }
   }
 
-  /// Whether two neighbours lie on one surface, or are the same pole.
+  /// Whether an entry and its neighbor on a side lie on one surface (lms3dRangeJoins), or are the same
+  /// pole.
   bool IsJoined(GridIndex index, int side) const
   {
     switch (side)
@@ -83,46 +107,51 @@ public:
     }
   }
 
-  /// Metres, 0 where there is no return.
+  /// 0 without a return.
   double GetRange(GridIndex index) const { return this->Ranges[index]; }
-  /// Half of the difference between the returns of a pole, which lie around its range; 0 elsewhere.
-  double GetSpread(int row) const { return this->Spreads[row]; }
-  /// The nearest and the farthest of the returns of a pole.
-  void SetPole(int row, double nearest, double farthest);
   const double* GetRanges() const { return this->Ranges.data(); }
   bool HasReturn(GridIndex index) const { return this->Ranges[index] > 0.0; }
 
-  /// True for a pole's places but the first: repetitions of one return.
-  bool IsRepeated(GridIndex index) const
-  {
-    return index >= this->Rows && this->IsPoleRow(this->GetRow(index));
-  }
+  /// Sets the nearest and the farthest return of a pole. Its range becomes their mean.
+  void SetPole(int row, double nearest, double farthest);
+  /// Half of the distance between these two returns, metres; 0 for rows that are not poles.
+  double GetPoleHalfSpread(int row) const { return this->PoleHalfSpreads[row]; }
+
   bool IsPoleRow(int row) const
   {
     return (row == 0 && this->LowestIsPole) || (row == this->Rows - 1 && this->HighestIsPole);
   }
+  /// Whether an entry repeats the return of a pole that column 0 has already.
+  bool IsPoleCopy(GridIndex index) const
+  {
+    return index >= this->Rows && this->IsPoleRow(this->GetRow(index));
+  }
 
-  /// The beam of a row and the turn of a column in the scan, -1 for ghosts.
-  int GetBeam(GridIndex index) const { return this->RowTicks[this->GetRow(index)].Source; }
-  int GetTurn(GridIndex index) const { return this->ColumnTicks[this->GetColumn(index)].Source; }
+  /// The beam and the turn of an entry in the scan, -1 in the halo.
+  int GetBeam(GridIndex index) const { return this->RowLines[this->GetRow(index)].ScanIndex; }
+  int GetTurn(GridIndex index) const { return this->ColumnLines[this->GetColumn(index)].ScanIndex; }
 
-  /// A pole counts once.
+  /// Counts each pole once.
   int GetNumberOfReturns() const { return this->Returns; }
 
+  /// The cosines and sines of the rows' elevations.
   const double* GetCosines() const { return this->Cosines.data(); }
   const double* GetSines() const { return this->Sines.data(); }
-  /// The tangents of the elevations, growing; infinite at the poles.
+  /// The tangents of the rows' elevations, growing; infinite at poles.
   const std::vector<double>& GetTangents() const { return this->Tangents; }
-  /// The platform angles in radians, growing, over less than a full circle.
+  /// The platform angles of the columns, growing, over less than a full circle.
   const std::vector<double>& GetAzimuths() const { return this->Azimuths; }
-  /// The level direction of a column: a direction is its cosine and the upward axis times its sine.
-  const std::array<double, 2>& GetLevel(int column) const { return this->Levels[column]; }
+  /// The x and y of the horizontal direction of a column. A beam is the row's cosine times this, plus
+  /// the row's sine times the z axis.
+  const std::array<double, 2>& GetHorizontal(int column) const { return this->Horizontals[column]; }
 
+  /// Of length 1.
   lms3dVector GetDirection(GridIndex index) const
   {
-    const std::array<double, 2>& level = this->Levels[this->GetColumn(index)];
+    const std::array<double, 2>& horizontal = this->Horizontals[this->GetColumn(index)];
     const int row = this->GetRow(index);
-    return { this->Cosines[row] * level[0], this->Cosines[row] * level[1], this->Sines[row] };
+    return { this->Cosines[row] * horizontal[0], this->Cosines[row] * horizontal[1],
+      this->Sines[row] };
   }
 
 private:
@@ -132,18 +161,17 @@ private:
     JoinedRight = 2
   };
 
-  /// An angle in degrees and the beam or turn that it belongs to, -1 for a ghost.
-  struct Tick
+  /// A row or column: its angle, degrees, and its beam or turn in the scan, -1 in the halo.
+  struct GridLine
   {
     double Angle;
-    int Source;
+    int ScanIndex;
   };
 
-  static std::vector<Tick> MakeTicks(const std::vector<double>& angles, const char* name);
-  static void FillGaps(std::vector<Tick>& ticks, double step);
+  static std::vector<GridLine> MakeLines(const std::vector<double>& angles, const char* name);
+  static void FillGaps(std::vector<GridLine>& lines, double step);
   void MakeRows(const std::vector<double>& angles, double step);
   void MakeColumns(const std::vector<double>& angles, double step, bool isClosed);
-  void SetRow(int row, double degrees);
   void Fill(const lms3dRangeGrid& grid);
   int FillColumn(const lms3dRangeGrid& grid, int column);
   void Join(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins);
@@ -152,19 +180,20 @@ private:
 
   int Rows = 0;
   int Columns = 0;
+  /// The index of the lowest entry of the last column.
   GridIndex LastColumn = 0;
   int Returns = 0;
   bool LowestIsPole = false;
   bool HighestIsPole = false;
-  std::vector<Tick> RowTicks;
-  std::vector<Tick> ColumnTicks;
+  std::vector<GridLine> RowLines;
+  std::vector<GridLine> ColumnLines;
   std::vector<double> Cosines;
   std::vector<double> Sines;
   std::vector<double> Tangents;
   std::vector<double> Azimuths;
-  std::vector<std::array<double, 2>> Levels;
+  std::vector<std::array<double, 2>> Horizontals;
   std::vector<double> Ranges;
-  std::vector<double> Spreads;
+  std::vector<double> PoleHalfSpreads;
   std::vector<std::uint8_t> Joins;
 };
 

@@ -3,23 +3,25 @@
 #include "LocalMap/Patches/lms3dPatchGrower.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace
 {
 constexpr int CoarsestStride = 16;
 constexpr int MaximumFloods = 5;
-// A plane that a new fit moves by less than this share of the tolerance stays.
-constexpr double Settled = 0.05;
+// A plane has converged if a new fit moves it by less than this share of the tolerance.
+constexpr double ConvergedShare = 0.05;
 } // namespace
 
 lms3dPatchGrower::lms3dPatchGrower(const lms3dBeamSphere& sphere, double tolerance)
   : Sphere(sphere)
   , Tolerance(tolerance)
+  , SeedPlanes(sphere, this->Result, tolerance)
 {
-  const GridIndex indices = sphere.GetSize();
-  this->Result.Labels.resize(indices);
-  for (GridIndex index = 0; index < indices; ++index)
+  this->Result.Labels.resize(sphere.GetSize());
+  for (GridIndex index = 0; index < sphere.GetSize(); ++index)
   {
     this->Result.Labels[index] = sphere.HasReturn(index) ? lms3dPatches::Free : lms3dPatches::None;
   }
@@ -31,7 +33,7 @@ lms3dPatches lms3dPatchGrower::Grow()
   {
     this->GrowFromLattice(stride);
   }
-  this->GrowFromRest();
+  this->GrowFromFreeReturns();
   return std::move(this->Result);
 }
 
@@ -42,86 +44,25 @@ void lms3dPatchGrower::GrowFromLattice(int stride)
     for (int row = stride / 2; row + stride / 2 < this->Sphere.GetNumberOfRows(); row += stride)
     {
       const GridIndex seed = this->Sphere.GetIndex(column, row);
-      lms3dPlane plane;
-      if (this->IsFree(seed) && this->FitWindow(column, row, stride, plane))
+      const std::optional<lms3dPlane> plane =
+        this->IsFree(seed) ? this->SeedPlanes.FitWindow(column, row, stride) : std::nullopt;
+      if (plane)
       {
-        this->GrowFrom(seed, plane);
+        this->GrowFrom(seed, *plane);
       }
     }
   }
 }
 
-// Asks a few returns of the window only: the flood asks all.
-bool lms3dPatchGrower::FitWindow(int column, int row, int stride, lms3dPlane& plane) const
-{
-  const int columns = this->Sphere.GetNumberOfColumns();
-  const int half = stride / 2;
-  const int step = std::max(1, half / 2);
-  std::array<GridIndex, 25> samples;
-  int count = 0;
-  lms3dPlaneFit fit;
-  for (int i = -half; i <= half; i += step)
-  {
-    for (int j = -half; j <= half; j += step)
-    {
-      const GridIndex index = this->Sphere.GetIndex((column + i + columns) % columns, row + j);
-      if (!this->IsFree(index))
-      {
-        return false;
-      }
-      fit.Add(this->Sphere, index);
-      samples[count++] = index;
-    }
-  }
-  plane = fit.GetPlane();
-  return std::all_of(samples.begin(), samples.begin() + count,
-    [&](GridIndex index) { return this->Fits(index, plane); });
-}
-
-void lms3dPatchGrower::GrowFromRest()
+void lms3dPatchGrower::GrowFromFreeReturns()
 {
   for (GridIndex seed = 0; seed < this->Sphere.GetSize(); ++seed)
   {
     if (this->IsFree(seed))
     {
-      this->GrowFrom(seed, this->FitCorner(seed));
+      this->GrowFrom(seed, this->SeedPlanes.FitNeighbors(seed));
     }
   }
-}
-
-// Through the seed and joined neighbours on two sides, or on one, or through the seed alone.
-lms3dPlane lms3dPatchGrower::FitCorner(GridIndex seed) const
-{
-  const auto isOpen = [&](int side)
-  {
-    return this->Sphere.HasNeighbor(seed, side) && this->Sphere.IsJoined(seed, side) &&
-      this->IsFree(this->Sphere.GetNeighbor(seed, side));
-  };
-  const bool isPole = this->Sphere.IsPoleRow(this->Sphere.GetRow(seed));
-  lms3dPlaneFit fit;
-  fit.Add(this->Sphere, seed);
-  for (int first : { lms3dBeamSphere::Up, lms3dBeamSphere::Down })
-  {
-    for (int second : { lms3dBeamSphere::Right, lms3dBeamSphere::Left })
-    {
-      if (!isPole && isOpen(first) && isOpen(second))
-      {
-        fit.Add(this->Sphere, this->Sphere.GetNeighbor(seed, first));
-        fit.Add(this->Sphere, this->Sphere.GetNeighbor(seed, second));
-        return fit.GetPlane();
-      }
-    }
-  }
-  for (int side :
-    { lms3dBeamSphere::Up, lms3dBeamSphere::Right, lms3dBeamSphere::Down, lms3dBeamSphere::Left })
-  {
-    if (!isPole && isOpen(side))
-    {
-      fit.Add(this->Sphere, this->Sphere.GetNeighbor(seed, side));
-      return fit.GetPlane();
-    }
-  }
-  return fit.GetPlane();
 }
 
 void lms3dPatchGrower::GrowFrom(GridIndex seed, lms3dPlane plane)
@@ -141,6 +82,7 @@ void lms3dPatchGrower::GrowFrom(GridIndex seed, lms3dPlane plane)
   this->Result.Patches.push_back(std::move(patch));
 }
 
+// Whether a new plane differs from the patch's plane by more than the convergence threshold.
 bool lms3dPatchGrower::HasMoved(const lms3dPatches::Patch& patch, const lms3dPlane& plane) const
 {
   if (patch.Fit.GetNumberOfReturns() < 3)
@@ -154,10 +96,11 @@ bool lms3dPatchGrower::HasMoved(const lms3dPatches::Patch& patch, const lms3dPla
       const double range = this->Sphere.GetRange(span.First);
       const double moved =
         plane.GetInverseRange(direction) - patch.Plane.GetInverseRange(direction);
-      return std::abs(moved) * range * range > Settled * this->Tolerance;
+      return std::abs(moved) * range * range > ConvergedShare * this->Tolerance;
     });
 }
 
+// Makes all returns of a patch free again.
 void lms3dPatchGrower::Release(lms3dPatches::Patch& patch)
 {
   for (const Span& span : patch.Spans)
@@ -219,7 +162,7 @@ lms3dPatches::Span lms3dPatchGrower::FloodSpan(GridIndex seed, const lms3dColumn
   return span;
 }
 
-// One place of each run: the flood of the run finds the others.
+// Queues one return of each run of fitting returns: the flood of the run finds the others.
 void lms3dPatchGrower::QueueNeighbors(const Span& span, int side, const lms3dPlane& plane)
 {
   const GridIndex first = this->Sphere.GetNeighbor(span.First, side);

@@ -7,9 +7,9 @@
 
 namespace
 {
-// Where one patch is so many times larger, its plane is the joint plane.
-constexpr double MuchLarger = 16.0;
-constexpr int MergingPasses = 4;
+// If one patch is so many times larger, its plane serves as the common plane.
+constexpr double MuchLargerRatio = 16.0;
+constexpr int MaximumPasses = 4;
 } // namespace
 
 lms3dPatchMerger::lms3dPatchMerger(
@@ -67,7 +67,7 @@ void lms3dPatchMerger::Merge()
 {
   const std::vector<Pair> pairs = this->FindNeighbors();
   bool hasMerged = true;
-  for (int pass = 0; pass < MergingPasses && hasMerged; ++pass)
+  for (int pass = 0; pass < MaximumPasses && hasMerged; ++pass)
   {
     hasMerged = false;
     for (const Pair& pair : pairs)
@@ -95,7 +95,7 @@ bool lms3dPatchMerger::TryToMerge(int large, int small)
     this->Join(large, small, a.Plane);
     return true;
   }
-  if (a.Fit.GetNumberOfReturns() > MuchLarger * b.Fit.GetNumberOfReturns())
+  if (a.Fit.GetNumberOfReturns() > MuchLargerRatio * b.Fit.GetNumberOfReturns())
   {
     return false;
   }

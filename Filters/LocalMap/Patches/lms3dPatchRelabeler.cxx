@@ -8,11 +8,13 @@
 
 namespace
 {
-// The noise that a plane explains, in standard deviations.
+// A plane explains returns within so many standard deviations of the noise.
 constexpr double ExplainedDeviations = 4.0;
-constexpr int MovingPasses = 3;
+constexpr int MaximumPasses = 3;
+// The largest number of returns of a spike.
 constexpr int MaximumSpike = 8;
-// How far off a spike may be, in bounds and in standard deviations of the noise.
+// The largest distance of a spike from the plane around it, in error bounds and in standard deviations of
+// the noise.
 constexpr double SpikeInBounds = 1.5;
 constexpr double SpikeInDeviations = 5.0;
 } // namespace
@@ -27,7 +29,7 @@ lms3dPatchRelabeler::lms3dPatchRelabeler(
 }
 
 template <typename Visitor>
-void lms3dPatchRelabeler::ForJoinedNeighbors(GridIndex index, const Visitor& visit) const
+void lms3dPatchRelabeler::ForEachJoinedNeighbor(GridIndex index, const Visitor& visit) const
 {
   for (int side = lms3dBeamSphere::Up; side <= lms3dBeamSphere::Left; ++side)
   {
@@ -60,7 +62,7 @@ void lms3dPatchRelabeler::SetLabel(GridIndex index, std::int32_t label)
   }
 }
 
-// The places on both sides of all borders.
+// The entries on both sides of all borders, sorted.
 std::vector<lms3dPatchRelabeler::GridIndex> lms3dPatchRelabeler::FindBorder() const
 {
   const std::vector<std::int32_t>& labels = this->Patches.Labels;
@@ -91,17 +93,17 @@ std::vector<lms3dPatchRelabeler::GridIndex> lms3dPatchRelabeler::FindBorder() co
   return border;
 }
 
-void lms3dPatchRelabeler::Move()
+void lms3dPatchRelabeler::RelabelBorders()
 {
   std::vector<GridIndex> border = this->FindBorder();
-  for (int pass = 0; pass < MovingPasses; ++pass)
+  for (int pass = 0; pass < MaximumPasses; ++pass)
   {
     std::vector<GridIndex> moved;
     for (GridIndex index : border)
     {
       if (this->MoveToBestNeighbor(index))
       {
-        this->ForJoinedNeighbors(index, [&](GridIndex other) { moved.push_back(other); });
+        this->ForEachJoinedNeighbor(index, [&](GridIndex other) { moved.push_back(other); });
       }
     }
     std::sort(moved.begin(), moved.end());
@@ -114,7 +116,7 @@ bool lms3dPatchRelabeler::MoveToBestNeighbor(GridIndex index)
 {
   const std::int32_t own = this->Patches.Labels[index];
   std::int32_t best = own;
-  this->ForJoinedNeighbors(index,
+  this->ForEachJoinedNeighbor(index,
     [&](GridIndex other)
     {
       const std::int32_t label = this->Patches.Labels[other];
@@ -130,8 +132,7 @@ bool lms3dPatchRelabeler::MoveToBestNeighbor(GridIndex index)
   return best != own;
 }
 
-// Where both planes explain a return, noise must not decide, but the side of their crease that it
-// lies on.
+// If both planes explain a return, the side of their crease decides instead of the noise.
 bool lms3dPatchRelabeler::IsBetter(GridIndex index, std::int32_t label, std::int32_t than) const
 {
   const double deviation = this->GetDeviation(index, label);
@@ -154,21 +155,21 @@ bool lms3dPatchRelabeler::IsBetter(GridIndex index, std::int32_t label, std::int
   return deviation < other;
 }
 
-void lms3dPatchRelabeler::TakeSpikes()
+void lms3dPatchRelabeler::AbsorbSpikes()
 {
   const std::vector<int> counts = this->Patches.CountMembers(this->Sphere);
   std::vector<std::vector<GridIndex>> members(counts.size());
   for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
     const std::int32_t label = this->Patches.Labels[index];
-    if (label >= 0 && counts[label] <= MaximumSpike && !this->Sphere.IsRepeated(index))
+    if (label >= 0 && counts[label] <= MaximumSpike && !this->Sphere.IsPoleCopy(index))
     {
       members[label].push_back(index);
     }
   }
   for (const std::vector<GridIndex>& spike : members)
   {
-    const int around = spike.empty() ? -1 : this->FindSurroundings(spike);
+    const int around = spike.empty() ? -1 : this->FindSurroundingPatch(spike);
     for (GridIndex index : spike)
     {
       if (around >= 0)
@@ -179,14 +180,14 @@ void lms3dPatchRelabeler::TakeSpikes()
   }
 }
 
-// The patch that most joined neighbours belong to, or -1 where that is too far off.
-int lms3dPatchRelabeler::FindSurroundings(const std::vector<GridIndex>& members) const
+// The patch of most joined neighbors, or -1 if its plane is too far away.
+int lms3dPatchRelabeler::FindSurroundingPatch(const std::vector<GridIndex>& members) const
 {
   const std::int32_t own = this->Patches.Labels[members.front()];
   std::vector<std::int32_t> labels;
   for (GridIndex index : members)
   {
-    this->ForJoinedNeighbors(index,
+    this->ForEachJoinedNeighbor(index,
       [&](GridIndex other)
       {
         if (this->Patches.Labels[other] != own)

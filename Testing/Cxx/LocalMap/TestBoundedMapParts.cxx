@@ -278,7 +278,7 @@ TEST(BeamsOfTriangle, MeetsEachBeamOnceOrOnASharedEdge)
         }
         const lms3dTriangleRasterizer beams(sphere, lms3dTriangleCorner(corners[0]),
           lms3dTriangleCorner(corners[1]), lms3dTriangleCorner(corners[2]));
-        beams.ForColumns(
+        beams.ForEachColumn(
           [&](int column, int first, int last)
           {
             for (int row = first; row <= last; ++row)
