@@ -41,7 +41,7 @@ std::vector<std::int32_t> lms3dFacetedGrid::MakeTriangles(const lms3dBoundedMap&
   }
   points.FillHalo(this->Grid);
   lms3dGridMesher mesher;
-  mesher.ChooseTriangles(this->Grid, this->Joins, points);
+  mesher.SelectTriangles(this->Grid, this->Joins, points);
   std::vector<std::int32_t> corners(3 * mesher.GetNumberOfTriangles());
   mesher.FillTriangles(this->Grid, corners.data());
   return corners;

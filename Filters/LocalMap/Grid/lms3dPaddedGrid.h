@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Values at the places of the grid of turns and beams, and on a ring of ghosts around it.
+ * @brief A grid of turns and beams, padded by a halo.
  */
-#ifndef lms3dGhostGrid_h
-#define lms3dGhostGrid_h
+#ifndef lms3dPaddedGrid_h
+#define lms3dPaddedGrid_h
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
 /**
- * Whoever looks at the neighbours of a place needs not ask where the grid ends: turns -2 to the
- * number of turns + 2 and beams -2 to the number of beams + 1 can be read.
+ * Holds one value for each beam of each turn. The halo around the grid lets loops read the neighbors of
+ * each beam without bounds checks: turns -2 to the number of turns + 2, and beams -2 to the number of
+ * beams + 1 can be read.
  */
 template <typename T>
 class lms3dPaddedGrid
@@ -21,13 +22,13 @@ class lms3dPaddedGrid
 public:
   lms3dPaddedGrid() = default;
 
-  /// `outside` is the value of ghosts that repeat no place.
+  /// `outside` is the value of the halo where it continues nothing.
   explicit lms3dPaddedGrid(T outside)
     : Outside(outside)
   {
   }
 
-  /// Keeps its memory, and its values where the shape is the same.
+  /// Sets the numbers of turns and beams. If they do not change, the values stay.
   void SetShape(int turns, int beams)
   {
     if (turns != this->Turns || beams != this->Beams)
@@ -38,28 +39,31 @@ public:
     }
   }
 
-  /// The element at i belongs to beam i of the turn.
+  ///@{
+  /// The values of a turn. Element i belongs to beam i; negative i reach into the halo.
   T* GetRow(int turn) { return this->Values.data() + this->GetStart(turn); }
   const T* GetRow(int turn) const { return this->Values.data() + this->GetStart(turn); }
+  ///@}
 
-  /// To call when all turns are filled: beyond a closed grid's ends they go on with its other end.
+  /// Fills the turns of the halo, after all turns of the grid are filled. If the grid is closed, they
+  /// repeat the turns at its other end.
   void FillHalo(bool isClosed)
   {
-    for (int ghost = 1; ghost <= HaloTurnsBefore; ++ghost)
+    for (int distance = 1; distance <= HaloTurnsBefore; ++distance)
     {
-      this->FillHaloTurn(-ghost, isClosed);
+      this->FillHaloTurn(-distance, isClosed);
     }
-    for (int ghost = 0; ghost < HaloTurnsAfter; ++ghost)
+    for (int distance = 0; distance < HaloTurnsAfter; ++distance)
     {
-      this->FillHaloTurn(this->Turns + ghost, isClosed);
+      this->FillHaloTurn(this->Turns + distance, isClosed);
     }
   }
 
 private:
-  // Of turns; the first turn is a neighbour of the last one, and has two neighbours more.
   static constexpr int HaloTurnsBefore = 2;
+  // One more than before: the turn after the last is compared with its own two neighbors.
   static constexpr int HaloTurnsAfter = 3;
-  // Of beams, on either side.
+  // On either side.
   static constexpr int HaloBeams = 2;
 
   std::size_t GetNumberOfRows() const
@@ -72,16 +76,16 @@ private:
     return (turn + HaloTurnsBefore) * this->GetStride() + HaloBeams;
   }
 
-  void FillHaloTurn(int ghost, bool isClosed)
+  void FillHaloTurn(int haloTurn, bool isClosed)
   {
-    const int turn = (ghost % this->Turns + this->Turns) % this->Turns;
+    const int turn = (haloTurn % this->Turns + this->Turns) % this->Turns;
     if (isClosed)
     {
-      std::copy_n(this->GetRow(turn), this->Beams, this->GetRow(ghost));
+      std::copy_n(this->GetRow(turn), this->Beams, this->GetRow(haloTurn));
     }
     else
     {
-      std::fill_n(this->GetRow(ghost), this->Beams, this->Outside);
+      std::fill_n(this->GetRow(haloTurn), this->Beams, this->Outside);
     }
   }
 

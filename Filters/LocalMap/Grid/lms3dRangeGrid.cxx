@@ -75,23 +75,23 @@ void lms3dRangeGrid::AssignReturns(const double* ranges, const int* beamIds, std
 
 void lms3dRangeGrid::ThrowBadReturn(std::int64_t index, double range, int beamId) const
 {
-  const std::string words = "Return " + std::to_string(index) + " of the scan has the ";
+  const std::string beginning = "Return " + std::to_string(index) + " of the scan has the ";
   const std::int64_t beams = static_cast<std::int64_t>(this->ReturnOfBeam.size());
   if (beamId < 0 || beamId >= beams)
   {
-    throw std::runtime_error(words + "BeamId " + std::to_string(beamId) + "; 0 to " +
+    throw std::runtime_error(beginning + "BeamId " + std::to_string(beamId) + "; 0 to " +
       std::to_string(beams - 1) + " are expected from AlphaAngles and BetaAngles.");
   }
   if (this->ReturnOfBeam[beamId] != NoReturn)
   {
-    throw std::runtime_error(words + "BeamId " + std::to_string(beamId) +
-      " of an earlier one. Give each beam at most one return.");
+    throw std::runtime_error(beginning + "BeamId " + std::to_string(beamId) +
+      " of an earlier return; at most one return for each beam is expected.");
   }
-  throw std::runtime_error(words + "Range " + std::to_string(range) +
+  throw std::runtime_error(beginning + "Range " + std::to_string(range) +
     "; a finite number of metres above 0 is expected. Remove beams that gave no return.");
 }
 
-// Leaves the pole to the first turn.
+// Keeps the return of median range in the first turn and removes the others.
 void lms3dRangeGrid::CollapsePole(int beam, const double* ranges)
 {
   std::vector<std::pair<double, std::int32_t>> returns;
@@ -159,7 +159,7 @@ void lms3dRangeGrid::CopyPoleToTurns(int beam)
   }
 }
 
-// Fills the ghosts beside the first beam or the last.
+// Fills the halo beside the first or the last beam.
 void lms3dRangeGrid::FillHaloBeams(int end, int outwards)
 {
   const bool goesOn = this->Closed && this->Geometry->IsPole(end);
