@@ -18,8 +18,8 @@ constexpr double MinimumRangeShare = 0.1;
 constexpr double MinimumCosine = 0.25;
 } // namespace
 
-// The change of range from the neighbor behind a return to the return, along the way to a side. 0 if
-// the neighbor is not joined or not in the patch.
+// The change of range from the neighbour behind a return to the return, along the way to a side. 0 if
+// the neighbour is not joined or not in the patch.
 double lms3dRangeSupport::GetSlope(GridIndex index, int side) const
 {
   const int back = (side + 2) % 4;

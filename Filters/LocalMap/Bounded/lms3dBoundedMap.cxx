@@ -11,7 +11,7 @@
 
 namespace
 {
-// The radius of a facet, as a share of the angle to the nearest neighbor, and the largest such angle,
+// The radius of a facet, as a share of the angle to the nearest neighbour, and the largest such angle,
 // radians.
 constexpr double FacetShare = 0.25;
 constexpr double MaximumAngle = 0.2;

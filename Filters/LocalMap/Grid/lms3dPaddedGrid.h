@@ -12,7 +12,7 @@
 #include <vector>
 
 /**
- * Holds one value for each beam of each turn. The halo around the grid lets loops read the neighbors of
+ * Holds one value for each beam of each turn. The halo around the grid lets loops read the neighbours of
  * each beam without bounds checks: turns -2 to the number of turns + 2, and beams -2 to the number of
  * beams + 1 can be read.
  */
@@ -61,7 +61,7 @@ public:
 
 private:
   static constexpr int HaloTurnsBefore = 2;
-  // One more than before: the turn after the last is compared with its own two neighbors.
+  // One more than before: the turn after the last is compared with its own two neighbours.
   static constexpr int HaloTurnsAfter = 3;
   // On either side.
   static constexpr int HaloBeams = 2;

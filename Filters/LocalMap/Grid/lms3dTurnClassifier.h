@@ -38,7 +38,7 @@ public:
 private:
   static constexpr int NoNeighbor = -1;
 
-  /// The tilt is OfRange / range + OfNeighbor / range of the neighbor.
+  /// The tilt is OfRange / range + OfNeighbor / range of the neighbour.
   struct TiltWeights
   {
     int Neighbor;
@@ -72,7 +72,7 @@ public:
   /// The relation of a beam to the same beam of the next turn.
   lms3dDepthStep::Relation Classify(int beam) const
   {
-    // Most neighbors are equal.
+    // Most neighbours are equal.
     if (this->Step.AreRangesEqual(this->Rows[2][beam], this->Rows[3][beam]))
     {
       return lms3dDepthStep::Joined;
@@ -99,7 +99,7 @@ public:
   }
 
 private:
-  // From two turns before the first neighbor to two after the second.
+  // From two turns before the first neighbour to two after the second.
   static constexpr int NumberOfRows = 6;
 
   std::array<double, NumberOfRows> GetRanges(int beam) const

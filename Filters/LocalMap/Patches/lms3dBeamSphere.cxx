@@ -15,14 +15,8 @@
 
 namespace
 {
-// Degrees.
-constexpr double Pole = 90.0;
-constexpr double FullCircle = 360.0;
-constexpr double MaximumGap = 120.0;
-// The step around a single beam, which has no step of its own.
+// The step around a single beam, which has no step of its own, degrees.
 constexpr double DefaultStep = 1.0;
-// For the rounding of angles.
-constexpr double AngleTolerance = 1e-6;
 } // namespace
 
 lms3dBeamSphere::lms3dBeamSphere(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins)
@@ -32,8 +26,8 @@ lms3dBeamSphere::lms3dBeamSphere(const lms3dRangeGrid& grid, const lms3dRangeJoi
   double betaStep = std::abs(geometry.GetBetaStep());
   alphaStep = alphaStep > 0.0 ? alphaStep : (betaStep > 0.0 ? betaStep : DefaultStep);
   betaStep = betaStep > 0.0 ? betaStep : alphaStep;
-  this->MakeRows(geometry.GetAlphaAngles(), std::min(alphaStep, MaximumGap / 2));
-  this->MakeColumns(geometry.GetBetaAngles(), std::min(betaStep, MaximumGap / 2), grid.IsClosed());
+  this->MakeRows(geometry.GetAlphaAngles(), alphaStep);
+  this->MakeColumns(geometry.GetBetaAngles(), betaStep, grid.IsClosed());
   CheckSize(static_cast<std::int64_t>(this->RowLines.size()),
     static_cast<std::int64_t>(this->ColumnLines.size()));
   this->Rows = static_cast<int>(this->RowLines.size());
@@ -54,79 +48,13 @@ void lms3dBeamSphere::CheckSize(std::int64_t rows, std::int64_t columns)
   }
 }
 
-// Lines in growing order.
-std::vector<lms3dBeamSphere::GridLine> lms3dBeamSphere::MakeLines(
-  const std::vector<double>& angles, const char* name)
-{
-  std::vector<GridLine> lines;
-  lines.reserve(angles.size());
-  for (double angle : angles)
-  {
-    lines.push_back({ angle, static_cast<int>(lines.size()) });
-  }
-  if (angles.size() > 1 && angles[1] < angles[0])
-  {
-    std::reverse(lines.begin(), lines.end());
-  }
-  const auto falls = [](const GridLine& a, const GridLine& b) { return !(a.Angle < b.Angle); };
-  const auto wrong = std::adjacent_find(lines.begin(), lines.end(), falls);
-  if (wrong != lines.end())
-  {
-    throw std::runtime_error("The scan's " + std::string(name) + " contains " +
-      std::to_string(wrong->Angle) + " next to " + std::to_string((wrong + 1)->Angle) +
-      "; strictly increasing or strictly decreasing angles are expected.");
-  }
-  return lines;
-}
-
-// Adds lines of the halo where neighbors are too far apart for a cell: one step from each beam, and more
-// in between.
-void lms3dBeamSphere::FillGaps(std::vector<GridLine>& lines, double step)
-{
-  std::vector<GridLine> filled;
-  for (std::size_t i = 0; i < lines.size(); ++i)
-  {
-    filled.push_back(lines[i]);
-    if (i + 1 == lines.size() || lines[i + 1].Angle - lines[i].Angle <= MaximumGap + AngleTolerance)
-    {
-      continue;
-    }
-    const double first = lines[i].Angle + (lines[i].ScanIndex >= 0 ? step : 0.0);
-    const double last = lines[i + 1].Angle - (lines[i + 1].ScanIndex >= 0 ? step : 0.0);
-    const int parts = static_cast<int>(std::ceil((last - first) / MaximumGap));
-    for (int part = lines[i].ScanIndex >= 0 ? 0 : 1; part < parts; ++part)
-    {
-      filled.push_back({ first + part * (last - first) / parts, -1 });
-    }
-    if (lines[i + 1].ScanIndex >= 0)
-    {
-      filled.push_back({ last, -1 });
-    }
-  }
-  lines = filled;
-}
-
 void lms3dBeamSphere::MakeRows(const std::vector<double>& angles, double step)
 {
-  std::vector<GridLine> lines = MakeLines(angles, "AlphaAngles");
-  if (lines.front().Angle < -Pole || lines.back().Angle > Pole)
-  {
-    throw std::runtime_error("The scan's AlphaAngles reach from " +
-      std::to_string(lines.front().Angle) + " to " + std::to_string(lines.back().Angle) +
-      "; elevations from -90 to 90 degrees are expected.");
-  }
-  this->LowestIsPole = lines.front().Angle == -Pole;
-  this->HighestIsPole = lines.back().Angle == Pole;
-  if (!this->LowestIsPole)
-  {
-    lines.insert(lines.begin(), { std::max(-Pole, lines.front().Angle - step), -1 });
-  }
-  if (!this->HighestIsPole)
-  {
-    lines.push_back({ std::min(Pole, lines.back().Angle + step), -1 });
-  }
-  FillGaps(lines, step);
-  for (const GridLine& line : lines)
+  const std::vector<lms3dGridLine> lines = lms3dMakeRowLines(angles, step);
+  // The halo surrounds rows that are not poles.
+  this->LowestIsPole = lines.front().ScanIndex >= 0;
+  this->HighestIsPole = lines.back().ScanIndex >= 0;
+  for (const lms3dGridLine& line : lines)
   {
     double sine, cosine;
     lms3dSinCosDegrees(line.Angle, sine, cosine);
@@ -140,26 +68,8 @@ void lms3dBeamSphere::MakeRows(const std::vector<double>& angles, double step)
 
 void lms3dBeamSphere::MakeColumns(const std::vector<double>& angles, double step, bool isClosed)
 {
-  std::vector<GridLine> lines = MakeLines(angles, "BetaAngles");
-  const double gap = FullCircle - (lines.back().Angle - lines.front().Angle);
-  if (!isClosed && gap <= AngleTolerance)
-  {
-    throw std::runtime_error("The scan's BetaAngles reach from " +
-      std::to_string(lines.front().Angle) + " to " + std::to_string(lines.back().Angle) +
-      "; a range of less than 360 degrees is expected.");
-  }
-  if (!isClosed && gap < 3.0 * step)
-  {
-    lines.push_back({ lines.back().Angle + gap / 2, -1 });
-  }
-  else if (!isClosed)
-  {
-    const double first = lines.front().Angle - step + FullCircle;
-    lines.push_back({ lines.back().Angle + step, -1 });
-    lines.push_back({ first, -1 });
-  }
-  FillGaps(lines, step);
-  for (const GridLine& line : lines)
+  const std::vector<lms3dGridLine> lines = lms3dMakeColumnLines(angles, step, isClosed);
+  for (const lms3dGridLine& line : lines)
   {
     double sine, cosine;
     lms3dSinCosDegrees(line.Angle, sine, cosine);
@@ -219,7 +129,7 @@ void lms3dBeamSphere::Join(const lms3dRangeGrid& grid, const lms3dRangeJoins& jo
     });
 }
 
-// The flag of two neighbors is stored at the first of them in the order of the scan.
+// The flag of two neighbours is stored at the first of them in the order of the scan.
 void lms3dBeamSphere::JoinUp(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, int column)
 {
   const int turn = this->ColumnLines[column].ScanIndex;

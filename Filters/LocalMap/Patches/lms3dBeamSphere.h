@@ -10,6 +10,7 @@
 #include "Geometry/lms3dVector.h"
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 #include "LocalMap/Grid/lms3dRangeJoins.h"
+#include "LocalMap/Patches/lms3dGridLines.h"
 
 #include <array>
 #include <cstdint>
@@ -75,7 +76,7 @@ public:
     return side % 2 == 1 || this->GetRow(index) != (side == Up ? this->Rows - 1 : 0);
   }
 
-  /// The neighbor on a side; it must exist.
+  /// The neighbour on a side; it must exist.
   GridIndex GetNeighbor(GridIndex index, int side) const
   {
     switch (side)
@@ -91,7 +92,7 @@ public:
     }
   }
 
-  /// Whether an entry and its neighbor on a side lie on one surface (lms3dRangeJoins), or are the same
+  /// Whether an entry and its neighbour on a side lie on one surface (lms3dRangeJoins), or are the same
   /// pole.
   bool IsJoined(GridIndex index, int side) const
   {
@@ -161,15 +162,6 @@ private:
     JoinedRight = 2
   };
 
-  /// A row or column: its angle, degrees, and its beam or turn in the scan, -1 in the halo.
-  struct GridLine
-  {
-    double Angle;
-    int ScanIndex;
-  };
-
-  static std::vector<GridLine> MakeLines(const std::vector<double>& angles, const char* name);
-  static void FillGaps(std::vector<GridLine>& lines, double step);
   void MakeRows(const std::vector<double>& angles, double step);
   void MakeColumns(const std::vector<double>& angles, double step, bool isClosed);
   void Fill(const lms3dRangeGrid& grid);
@@ -185,8 +177,8 @@ private:
   int Returns = 0;
   bool LowestIsPole = false;
   bool HighestIsPole = false;
-  std::vector<GridLine> RowLines;
-  std::vector<GridLine> ColumnLines;
+  std::vector<lms3dGridLine> RowLines;
+  std::vector<lms3dGridLine> ColumnLines;
   std::vector<double> Cosines;
   std::vector<double> Sines;
   std::vector<double> Tangents;

@@ -180,7 +180,7 @@ void lms3dPatchRelabeler::AbsorbSpikes()
   }
 }
 
-// The patch of most joined neighbors, or -1 if its plane is too far away.
+// The patch of most joined neighbours, or -1 if its plane is too far away.
 int lms3dPatchRelabeler::FindSurroundingPatch(const std::vector<GridIndex>& members) const
 {
   const std::int32_t own = this->Patches.Labels[members.front()];
