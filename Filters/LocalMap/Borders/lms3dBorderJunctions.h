@@ -80,7 +80,7 @@ private:
 
   struct Junction
   {
-    /// Of the cell.
+    /// The lower left corner, which identifies the cell.
     GridIndex LowerLeft;
     /// The corners of the cell whose patches share the vertex, as bits.
     std::uint8_t Corners;

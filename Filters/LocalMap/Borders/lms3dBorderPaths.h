@@ -35,8 +35,8 @@ public:
   }
 
   /// The vertices of a chain between its junctions, in order. Along an offset, each bend has two: one
-  /// for the chain's own side, then one for the other side. `vertices` starts with those of all
-  /// junctions. May be called for several chains at a time.
+  /// for the chain's own side, then one for the other side. `vertices` starts with the vertices of
+  /// all junctions. May be called for several chains at a time.
   std::vector<lms3dMapVertex> Straighten(
     std::size_t chain, const std::vector<lms3dMapVertex>& vertices) const;
 

@@ -70,7 +70,7 @@ double lms3dBorderRanges::GetExtension(int edge, double maximum) const
   const double margin = this->Support.GetMarginAtDepthStep(edge);
   const auto isSupported = [&](double at)
   {
-    // Of the point on the chord.
+    // The distance of the point on the chord from the sensor.
     const double length = std::sqrt(1.0 - 2.0 * at * (1.0 - at) * (1.0 - cosine));
     return lms3dRangeSupport::GetInterval(range, margin, (1.0 - at + at * cosine) / length)
       .Contains((here + at * (there - here)) / length);

@@ -16,7 +16,7 @@
 /// A vertex of the map, in the sensor frame.
 struct lms3dMapVertex
 {
-  /// Of length 1.
+  /// A unit vector.
   lms3dVector Direction;
   /// 1/metre, above 0.
   double InverseRange;
@@ -27,7 +27,7 @@ struct lms3dMapVertex
  * that returns support (lms3dRangeSupport). Where two patches of few returns meet and their planes do
  * not, the surface runs straight from return to return.
  *
- * Gates, edges and cells are those of lms3dBorderGates.
+ * See lms3dBorderGates for gates, edges and cells.
  */
 class lms3dBorderRanges
 {

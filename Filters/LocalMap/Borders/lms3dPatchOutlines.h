@@ -16,7 +16,7 @@
 /**
  * Puts the borders of all patches together, so that the patches' meshes fit without cracks and without
  * T-junctions. If a strip along an offset would face away from the sensor, the borders near it are made
- * again with less freedom (lms3dBorderJunctions::FallbackLevel).
+ * again under tighter rules (lms3dBorderJunctions::FallbackLevel).
  *
  * Vertices are numbered for the whole map, the junctions first. See lms3dBorderGates for the words.
  */
@@ -48,7 +48,7 @@ public:
     return this->StripTriangles;
   }
 
-  /// The patches on both sides of strips that face away from the sensor even without freedom.
+  /// The patches on both sides of strips that face away from the sensor even at the last fallback level.
   const std::vector<std::int32_t>& GetPatchesAtFlippedStrips() const
   {
     return this->PatchesAtFlippedStrips;

@@ -15,7 +15,7 @@
 namespace
 {
 // Patches grow with a smaller tolerance than they merge with, which leaves fewer of them on curved
-// surfaces: this share of the bound, or so many standard deviations of the noise.
+// surfaces: this share of the bound, or this number of standard deviations of the noise.
 constexpr double GrowingShare = 0.3;
 constexpr double GrowingDeviations = 4.0;
 // The standard deviation of the noise, as a share of the bound, above which the plain grid is made.
@@ -26,7 +26,7 @@ constexpr double MaximumPatchShare = 0.05;
 constexpr double SmallScan = 256.0;
 // The share of the time that finding patches takes.
 constexpr double PatchesDone = 0.4;
-// In so many attempts, patches may give up a few returns instead of being split.
+// The number of attempts in which patches may give up a few returns instead of being split.
 constexpr int ReleasingAttempts = 8;
 
 double GetLargestRange(const lms3dRangeGrid& grid)

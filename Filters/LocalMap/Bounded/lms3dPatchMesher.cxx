@@ -12,7 +12,8 @@ namespace
 // room for the returns beside it.
 constexpr double LiftInDeviations = 4.0;
 constexpr double LiftInBounds = 0.8;
-// In so many rounds, each triangle gets one new vertex. Then all beams beyond the bound become vertices.
+// The number of rounds in which each triangle gets one new vertex. Afterwards all beams beyond the bound
+// become vertices.
 constexpr int WorstOnlyRounds = 12;
 } // namespace
 
@@ -24,7 +25,7 @@ struct lms3dPatchMesher::Work
   {
     GridIndex Beam;
     int Triangle;
-    /// Of the hit, metres; negative if the plane of the triangle does not meet the beam.
+    /// The range of the hit, metres; negative if the plane of the triangle does not meet the beam.
     double Range;
     double Deviation;
   };

@@ -53,7 +53,7 @@ private:
   using GridIndex = lms3dBeamSphere::GridIndex;
   struct Work;
 
-  /// Of a beam in the mesh of its patch.
+  /// The state of a beam in the mesh of its patch.
   enum State : std::uint8_t
   {
     IsUncovered,

@@ -18,11 +18,11 @@
 
 /**
  * Projects the outline of a patch from the sensor onto a plane and triangulates it there (constrained
- * Delaunay). The plane is parallel to the patch's plane, so that distances are those of the surface; if
+ * Delaunay). The plane is parallel to the patch's plane, so that distances are true on the surface; if
  * parts of the outline lie behind it, the plane that faces the outline's mean direction takes its place.
  *
  * Vertices are numbered as the triangulation numbers them: the vertices of the outline in ascending
- * order, three of the triangulation's super-triangle, then those that Insert() adds.
+ * order, three of the triangulation's super-triangle, then the vertices that Insert() adds.
  */
 class lms3dPatchTriangulation
 {

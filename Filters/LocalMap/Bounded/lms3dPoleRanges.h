@@ -14,11 +14,11 @@
 /**
  * The beams of all turns coincide at a pole, so their returns become one vertex. Gives each pole of the
  * sphere the range that a vertex must have to be within `maximumError`, metres, of as many returns as
- * possible: of all returns if their ranges span at most twice that, otherwise of those within
- * `maximumError` of the median. See lms3dBeamSphere::SetPole().
+ * possible: of all returns if their ranges span at most twice that, otherwise of the
+ * returns within `maximumError` of the median. See lms3dBeamSphere::SetPole().
  *
  * Returns the nearest and the farthest return of each pole, in the sensor frame, metres. The largest
- * deviation of a pole is that of one of these.
+ * deviation of a pole belongs to one of these.
  */
 std::vector<lms3dVector> lms3dSetPoleRanges(
   const lms3dRangeGrid& grid, double maximumError, lms3dBeamSphere& sphere);

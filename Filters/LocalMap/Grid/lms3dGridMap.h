@@ -21,7 +21,7 @@ class lms3dGridMap
 public:
   /**
    * Fills an empty map with points in world coordinates, `Range` and normals, and with the triangles that
-   * the joins allow. If `progress` returns false, the map stays empty. `grid` and `joins` must be those
+   * the joins allow. If `progress` returns false, the map stays empty. `grid` and `joins` must be made
    * of the scan. Throws std::runtime_error, with a message for the user, if there are too many triangles
    * for 32-bit cells.
    */

@@ -24,7 +24,7 @@ public:
   /// Keeps a reference to `fanStep`, which decides whether neighbours in a fan lie on one surface.
   lms3dTiltFinder(const lms3dScanGeometry& geometry, const lms3dDepthStep& fanStep);
 
-  /// The tilt at a return. `ranges` are those of its turn, with the halo of lms3dRangeGrid. 0, as for an
+  /// The tilt at a return. `ranges` belong to its turn, with the halo of lms3dRangeGrid. 0, as for an
   /// upright plane, if the return beside it is not on its surface.
   double Find(const double* ranges, int beam) const
   {

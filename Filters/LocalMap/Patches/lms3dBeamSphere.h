@@ -58,8 +58,8 @@ public:
    */
   lms3dBeamSphere(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins);
 
-  /// Throws std::runtime_error, with a message for the user, if so many rows and columns have more than
-  /// MaximumSize entries.
+  /// Throws std::runtime_error, with a message for the user, if a grid of these numbers of rows and
+  /// columns has more than MaximumSize entries.
   static void CheckSize(std::int64_t rows, std::int64_t columns);
 
   int GetNumberOfRows() const { return this->Rows; }
@@ -146,7 +146,7 @@ public:
   /// the row's sine times the z axis.
   const std::array<double, 2>& GetHorizontal(int column) const { return this->Horizontals[column]; }
 
-  /// Of length 1.
+  /// A unit vector.
   lms3dVector GetDirection(GridIndex index) const
   {
     const std::array<double, 2>& horizontal = this->Horizontals[this->GetColumn(index)];

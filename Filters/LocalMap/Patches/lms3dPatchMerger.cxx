@@ -7,7 +7,7 @@
 
 namespace
 {
-// If one patch is so many times larger, its plane serves as the common plane.
+// If the ratio of the returns exceeds this, the larger patch keeps its plane.
 constexpr double MuchLargerRatio = 16.0;
 constexpr int MaximumPasses = 4;
 } // namespace

@@ -8,7 +8,7 @@
 
 namespace
 {
-// A plane explains returns within so many standard deviations of the noise.
+// A plane explains returns within this number of standard deviations of the noise.
 constexpr double ExplainedDeviations = 4.0;
 constexpr int MaximumPasses = 3;
 // The largest number of returns of a spike.

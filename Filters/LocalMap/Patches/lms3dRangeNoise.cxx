@@ -9,7 +9,7 @@
 
 namespace
 {
-// One column in so many is sampled.
+// Every eighth column is sampled.
 constexpr int Stride = 8;
 // The standard deviation of a normal distribution, in medians of the absolute value.
 constexpr double DeviationOfMedian = 1.4826;
@@ -23,7 +23,7 @@ void AppendResiduals(const lms3dBeamSphere& sphere, int column, std::vector<doub
   {
     if (ranges[row - 1] > 0.0 && ranges[row] > 0.0 && ranges[row + 1] > 0.0)
     {
-      // Of half of the angle from the row below to the row above.
+      // The cosine of half of the angle from the row below to the row above.
       const double cosine = 0.5 *
         (cosines[row] * (cosines[row - 1] + cosines[row + 1]) +
           sines[row] * (sines[row - 1] + sines[row + 1]));

@@ -11,9 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <set>
+#include <stdexcept>
 
 namespace
 {
@@ -157,7 +160,7 @@ TEST(Triangulation, TakesPointsIn)
   const double area = 0.75 * 64.0;
   lms3dTriangulation mesh(sieve.Points, sieve.Loops, sieve.Ends);
   ASSERT_TRUE(mesh.IsValid());
-  sieve.Points.resize(sieve.Points.size() + 3); // The frame's.
+  sieve.Points.resize(sieve.Points.size() + 3); // The super-triangle's.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> anywhere(0.01, 7.99);
   int taken = 0;
@@ -190,7 +193,7 @@ TEST(Triangulation, RefusesOutlinesThatCross)
   EXPECT_TRUE(lms3dTriangulation(points, { 0, 2, 1, 3 }, { 4 }).IsValid());
 }
 
-TEST(BorderLine, IsOneArcWhereOnePassesAllGates)
+TEST(MinimumLinkPath, IsOneArcIfOneArcPassesAllGates)
 {
   std::vector<lms3dMinimumLinkPath::Gate> gates;
   for (int i = -20; i <= 20; ++i)
@@ -218,7 +221,7 @@ TEST(BorderLine, IsOneArcWhereOnePassesAllGates)
   }
 }
 
-TEST(BorderLine, ClosesAroundABeamWithThreeVerticesOrMore)
+TEST(MinimumLinkPath, ClosesAroundABeamWithThreeVerticesOrMore)
 {
   std::vector<lms3dMinimumLinkPath::Gate> gates;
   const lms3dVector beam = { 1.0, 0.0, 0.0 };
@@ -259,7 +262,7 @@ TEST(PlaneFit, FindsThePlaneOfReturns)
   }
 }
 
-TEST(BeamsOfTriangle, MeetsEachBeamOnceOrOnASharedEdge)
+TEST(TriangleRasterizer, HitsEachBeamOnceOrOnASharedEdge)
 {
   // An octahedron around the sensor: its edges run along beams, its corners are beams and poles.
   const Ball ball(37, 36, 1.0);
@@ -299,7 +302,7 @@ TEST(BeamsOfTriangle, MeetsEachBeamOnceOrOnASharedEdge)
   }
 }
 
-TEST(BeamSphere, SurroundsEveryReturnByGhosts)
+TEST(BeamSphere, SurroundsEveryReturnByAHalo)
 {
   const double alpha[2] = { -10.0, 10.0 };
   const double beta[2] = { 30.0, 40.0 };
@@ -326,7 +329,21 @@ TEST(BeamSphere, SurroundsEveryReturnByGhosts)
   }
 }
 
-TEST(TriangleDistance, IsThatOfTheNearestPoint)
+TEST(BeamSphere, RefusesMoreDirectionsThanItCanNumber)
+{
+  EXPECT_NO_THROW(lms3dBeamSphere::CheckSize(363, 362));
+  EXPECT_NO_THROW(lms3dBeamSphere::CheckSize(1, lms3dBeamSphere::MaximumSize));
+  EXPECT_THROW(lms3dBeamSphere::CheckSize(1 << 14, 1 << 14), std::runtime_error);
+  // The product exceeds 32 bits, and a scan may have as many beams.
+  EXPECT_THROW(lms3dBeamSphere::CheckSize(46343, 46342), std::runtime_error);
+  EXPECT_THROW(
+    lms3dBeamSphere::CheckSize(std::int64_t(1) << 31, std::int64_t(1) << 31), std::runtime_error);
+  // Each direction has up to eight vertices at borders.
+  EXPECT_LE(8 * std::int64_t(lms3dBeamSphere::MaximumSize),
+    std::int64_t(std::numeric_limits<std::int32_t>::max()));
+}
+
+TEST(TriangleDistance, IsTheDistanceToTheNearestPoint)
 {
   const lms3dVector a = { 0, 0, 0 };
   const lms3dVector b = { 4, 0, 0 };
