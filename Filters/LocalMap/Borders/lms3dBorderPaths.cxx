@@ -49,7 +49,7 @@ std::vector<lms3dMinimumLinkPath::Gate> lms3dBorderPaths::GetPathGates(const Cha
 }
 
 // At a depth step, a surface extends no farther than its returns support. It also ends before the middle
-// of the gate if it could meet the surface beyond: both may tilt towards each other, or be one patch.
+// of the gate if it could meet the surface beyond: both may tilt towards each other or belong to one patch.
 void lms3dBorderPaths::LimitExtension(int edge, Path::Gate& gate) const
 {
   const double own = this->Sphere.GetRange(this->Gates.GetOwner(edge));
