@@ -28,13 +28,31 @@ vtkStandardNewMacro(vtkLMS3DSurfaceReconstructionFilter);
 
 namespace
 {
-// What of the whole work placing the returns takes, in the eyes of the progress bar.
-constexpr double PlaceShare = 0.3;
+// The share of the time, for the progress bar, that building the grid takes.
+constexpr double GridShare = 0.3;
+
+void CheckLength(const char* name, double value)
+{
+  if (std::isnan(value))
+  {
+    throw std::runtime_error(
+      std::string(name) + " is not a number; 0 or more metres are expected.");
+  }
+}
 } // namespace
 
+/// Keeps memory and tables from run to run.
 struct vtkLMS3DSurfaceReconstructionFilter::Internals
 {
-  /// Tables of sines and cosines are made for new angles only.
+  /// Fills an empty map. The scan must have returns. Lengths are metres. Uses the threads of the calling
+  /// TBB arena.
+  void MakeMap(const lms3dScanInput& scan, double maximumError, double depthStep,
+    const lms3dProgress& progress, vtkPolyData* map);
+
+  lms3dThreads Threads;
+
+private:
+  /// Makes tables of sines and cosines for new angles only.
   const lms3dScanGeometry& GetGeometry(const lms3dScanInput& scan)
   {
     if (!this->Geometry || !scan.HasAngles(*this->Geometry))
@@ -44,14 +62,38 @@ struct vtkLMS3DSurfaceReconstructionFilter::Internals
     return *this->Geometry;
   }
 
-  lms3dThreads Threads;
   lms3dRangeGrid Grid;
   lms3dRangeJoins Joins;
-  lms3dGridMap Map;
-
-private:
+  lms3dGridMap GridMap;
   std::unique_ptr<lms3dScanGeometry> Geometry;
 };
+
+void vtkLMS3DSurfaceReconstructionFilter::Internals::MakeMap(const lms3dScanInput& scan,
+  double maximumError, double depthStep, const lms3dProgress& progress, vtkPolyData* map)
+{
+  scan.CheckPoints();
+  this->Grid.Build(
+    this->GetGeometry(scan), scan.GetRanges(), scan.GetBeamIds(), scan.GetNumberOfReturns());
+  this->Joins.Find(this->Grid, depthStep);
+  if (!progress(GridShare))
+  {
+    return;
+  }
+  const auto progressOfRest = [&progress](double done)
+  { return progress(GridShare + done * (1.0 - GridShare)); };
+  if (maximumError > 0.0)
+  {
+    lms3dBoundedMesher mesher(this->Grid, this->Joins, maximumError);
+    if (const std::optional<lms3dBoundedMap> bounded = mesher.MakeMap(progressOfRest))
+    {
+      lms3dFillBoundedOutput(scan, *bounded, map);
+    }
+  }
+  else
+  {
+    this->GridMap.Fill(scan, this->Grid, this->Joins, progressOfRest, map);
+  }
+}
 
 vtkLMS3DSurfaceReconstructionFilter::vtkLMS3DSurfaceReconstructionFilter()
   : Internal(new Internals)
@@ -74,15 +116,20 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
   const std::string failure = lms3dFindFailure(
     [&]
     {
-      this->CheckProperties();
+      CheckLength("DepthStep", this->DepthStep);
+      CheckLength("MaximumError", this->MaximumError);
       const lms3dScanInput scan(vtkPolyData::GetData(inputVector[0]));
       if (scan.GetNumberOfReturns() > 0)
       {
         this->Internal->Threads.Run(this->NumberOfThreads,
-          [&] { this->MakeMap(scan, progress, vtkPolyData::GetData(outputVector)); });
+          [&]
+          {
+            this->Internal->MakeMap(scan, this->MaximumError, this->DepthStep, progress,
+              vtkPolyData::GetData(outputVector));
+          });
       }
     },
-    "There is not enough memory for the map. Scan with lower resolutions.");
+    "There is not enough memory for the map. Choose lower resolutions for the scan.");
   if (!failure.empty())
   {
     vtkErrorMacro(<< failure);
@@ -94,46 +141,6 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
     lms3dForgetOutputs(outputVector);
   }
   return 1;
-}
-
-void vtkLMS3DSurfaceReconstructionFilter::CheckProperties() const
-{
-  if (std::isnan(this->DepthStep))
-  {
-    throw std::runtime_error("DepthStep is not a number; 0 or more metres are expected.");
-  }
-  if (std::isnan(this->MaximumError))
-  {
-    throw std::runtime_error("MaximumError is not a number; 0 or more metres are expected.");
-  }
-}
-
-void vtkLMS3DSurfaceReconstructionFilter::MakeMap(
-  const lms3dScanInput& scan, const lms3dProgress& progress, vtkPolyData* map)
-{
-  scan.CheckPoints();
-  lms3dRangeGrid& grid = this->Internal->Grid;
-  grid.Place(this->Internal->GetGeometry(scan), scan.GetRanges(), scan.GetBeamIds(),
-    scan.GetNumberOfReturns());
-  this->Internal->Joins.Find(grid, this->DepthStep);
-  if (!progress(PlaceShare))
-  {
-    return;
-  }
-  const auto progressOfRest = [&progress](double done)
-  { return progress(PlaceShare + done * (1.0 - PlaceShare)); };
-  if (this->MaximumError > 0.0)
-  {
-    lms3dBoundedMesher mesher(grid, this->Internal->Joins, this->MaximumError);
-    if (const std::optional<lms3dBoundedMap> bounded = mesher.MakeMap(progressOfRest))
-    {
-      lms3dFillBoundedOutput(scan, *bounded, map);
-    }
-  }
-  else
-  {
-    this->Internal->Map.Fill(scan, grid, this->Internal->Joins, progressOfRest, map);
-  }
 }
 
 void vtkLMS3DSurfaceReconstructionFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -2,62 +2,64 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLMS3DSurfaceReconstructionFilter
- * @brief   reconstructs the local map, a surface, from the returns of a scan
+ * @brief   reconstructs the local map, a surface of triangles, from the returns of a scan
  *
- * vtkLMS3DSurfaceReconstructionFilter takes the scan of vtkLMS3DScanFilter and makes a surface of
- * triangles (the paper's local map, section 2.1 and Figure 5), of no more of them than MaximumError
- * asks for. The seam of a full circle is closed, and each pole, where the beams of all turns are
- * one, counts as the return of median range.
+ * vtkLMS3DSurfaceReconstructionFilter takes a scan of vtkLMS3DScanFilter and reconstructs the local map:
+ * a surface of few triangles within a given distance of every return. (Noise at a pole can exceed it.)
+ * The paper shows a local map in section 2.1 and Figure 5. If the scan covers a full circle, its seam is
+ * closed. The beams of all turns coincide at a pole; there the return of median range counts.
  *
- * With a MaximumError above 0, planes are fitted to the returns, the borders of the patches that
- * they explain are straightened, and the patches triangulated. Then every return is compared with
- * the triangle that its beam meets, and where it is too far, its beam becomes a vertex; so the bound
- * holds for each return, whatever the scene (of poles, see MaximumError). Where patches would have
- * fewer than twenty returns on average, or the noise of the ranges reaches three quarters of the
- * bound, the plain grid is made in place of that.
- * A return that neighbours none gets a small triangle that faces the sensor, so nothing that was
- * measured is lost. On curved things and below four standard deviations of noise, the map has more
- * triangles; the bound then counts from the noisy returns. Beyond the last returns of a surface it
- * goes on by less than a cell of the grid, midway to the next beam on average.
+ * With a MaximumError above 0, the filter fits planes to the returns, straightens the borders between the
+ * planar patches, and triangulates the patches. Then it compares every return with the triangle that its
+ * beam hits. If the return is too far away, the beam becomes a vertex. Therefore the bound holds for every
+ * return of any scene; see MaximumError for poles. If patches would have fewer than twenty returns on
+ * average, or if the noise of the ranges exceeds three quarters of the bound, the filter makes the plain
+ * grid instead. A return without neighbours on its surface gets a facet, a small triangle that faces the
+ * sensor, so no return is lost. Curved surfaces, and bounds below four standard deviations of the noise,
+ * need more triangles. With noise, the bound counts from the noisy returns. The surface extends beyond the
+ * last returns by less than a cell of the grid, on average midway to the next beam.
  *
- * With a MaximumError of 0, every return is a vertex, with two triangles for each cell of the grid of
- * beams and turns, along the shorter diagonal.
+ * With a MaximumError of 0, the filter makes the plain grid: every return is a vertex, and each cell of
+ * the grid of beams and turns has two triangles, divided along the shorter diagonal.
  *
- * Triangles never cross a depth step. Two neighbours lie on one surface where their ranges differ
- * by at most DepthStep plus 2 % of the nearer range (in scans coarser than 1.15 degrees the angle
- * between neighbours, in radians, takes the place of the 2 %), or where the plane that goes on from
- * either of them meets the other within that tolerance; so a floor that is met at a grazing angle
- * far away stays whole. They also do where the planes from both sides cross between the two, as
- * floor and wall do, if the last three returns of the nearer side lie on one plane, or if the surface
- * is whole all around; so a closed room stays closed however coarse the scan, without noise. Returns
- * are never joined across a beam without one, nor where beams or turns are 180 degrees apart or more.
- * (What lies on the plane of nearer returns by chance cannot be told from their surface.)
+ * No triangle crosses a depth step. Two neighbouring returns lie on one surface if
  *
- * The input needs the point data `Range` and `BeamId` and the field data `AlphaAngles`,
- * `BetaAngles` and `SensorToWorld` of the scan; returns may have been removed or moved. Each beam
- * may have one return. (With a MaximumError above 0, a return lies on its beam at its `Range`; the
- * coordinates of the points are not asked.) Of a scan of one turn or of one beam, which has no
- * cells, the plain grid has no triangles.
+ * - their ranges differ by at most DepthStep plus 2 % of the nearer range; in scans coarser than 1.15
+ *   degrees, the angle between neighbours, in radians, replaces the 2 %; or
+ * - the plane through either return and the returns before it meets the other within that tolerance, so
+ *   a floor at a grazing angle stays whole; or
+ * - the planes from both sides intersect between the two, as floor and wall do, and the last three
+ *   returns of the nearer side lie on one plane, or the surface is whole all around. So a closed room
+ *   without noise stays closed in the coarsest scan.
  *
- * The output is a vtkPolyData of triangles that face the sensor, with the point data `Range`
- * (float64, metres) and `Normals` (float32, units towards the sensor), those of the plain grid at its
- * points, the means of their triangles, and those of a bounded map at its triangles. The points of
- * the plain grid are the returns (of each pole the one); one that belongs to no triangle has the
- * direction to the sensor for its normal. A bounded map has more:
+ * Returns are never joined across a beam without a return, or across 180 degrees or more. (A return that
+ * lies by chance in the plane of nearer returns cannot be distinguished from their surface.)
  *
- * - cell data `PatchId` (int32): the triangle's patch, -1 for triangles that join patches across a
- *   step within one surface, and for those of the plain grid; a facet is a patch of its own;
- * - field data `NumberOfPatches`, `NumberOfReturns` and, of these, `NumberOfReturnsOnPatches`,
- *   `NumberOfReturnsOnGrid` (where the plain grid was made) and `NumberOfReturnsOnFacets`;
- * - field data `LargestDeviation` (float64, metres): the largest distance of a return from the
- *   triangle that its beam meets.
+ * The input needs the point data `Range` and `BeamId`, and the field data `AlphaAngles`, `BetaAngles` and
+ * `SensorToWorld` of the scan. Returns may have been removed or moved. Each beam may have at most one
+ * return. With a MaximumError above 0, a return lies on its beam at its `Range`; the coordinates of the
+ * points are not used. A scan of one turn or of one beam has no cells, so its plain grid has no triangles.
  *
- * Bad input gives an error that says what to do, the error code vtkErrorCode::UserError, and an
- * empty output: a missing array, a coordinate, an angle or a pose that is not finite, a range that is
- * not a finite number above 0, a BeamId that is out of the grid or that comes twice; for a bounded map
- * also elevations beyond 90 degrees, turns over more than a full circle, or angles that do not all grow
- * or all fall. A scan without returns gives
- * an empty map and no error. The output is the same to the bit for any NumberOfThreads.
+ * The output is a vtkPolyData of triangles that face the sensor, in world coordinates, metres. It has the
+ * point data `Range` (float64, metres) and `Normals` (float32, unit vectors towards the sensor). The plain
+ * grid has normals at its points, the means of the adjacent triangles' normals; a bounded map has normals
+ * of its triangles. The points of the plain grid are the returns, with one for each pole; a point without
+ * triangles has the direction to the sensor as its normal. A bounded map has these arrays as well:
+ *
+ * - cell data `PatchId` (int32): the patch of the triangle; a facet is a patch of its own. It is -1 for
+ *   triangles that join two patches along an offset within one surface, and for the plain grid.
+ * - field data `NumberOfPatches`, `NumberOfReturns`, and its parts `NumberOfReturnsOnPatches`,
+ *   `NumberOfReturnsOnGrid` (of the plain grid) and `NumberOfReturnsOnFacets`.
+ * - field data `LargestDeviation` (float64, metres): the largest distance from a return to the triangle
+ *   that its beam hits.
+ *
+ * Invalid input gives an error message that says what is expected, the error code
+ * vtkErrorCode::UserError, and an empty output. Invalid are: a missing array; a coordinate, angle or pose
+ * that is not finite; a range that is not a finite number above 0; a BeamId outside of the grid or of two
+ * returns. For a bounded map, invalid are also elevations beyond 90 degrees, turns over more than a full
+ * circle, angles that neither strictly increase nor strictly decrease, and scans of more than 268435455
+ * directions. A scan without returns gives an empty map and no error. The output is the same to the bit
+ * for any NumberOfThreads.
  *
  * @sa
  * vtkLMS3DScanFilter
@@ -68,10 +70,7 @@
 #include "vtkLMS3DFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <functional> // For std::function
 #include <memory> // For std::unique_ptr
-
-class lms3dScanInput;
 
 class VTKLMS3DFILTERS_EXPORT vtkLMS3DSurfaceReconstructionFilter : public vtkPolyDataAlgorithm
 {
@@ -82,10 +81,11 @@ public:
 
   ///@{
   /**
-   * The bound of the map's error, metres, at least 0: each beam that returned meets the surface
-   * within this of its return, so no return is farther from the surface. The returns of a pole are
-   * one vertex: where they span more than twice the bound, it holds for those that are within the
-   * bound of their median. 0 keeps every return as a vertex. The default is 0.01.
+   * The error bound of the map, metres, at least 0. Each beam with a return hits the surface within this
+   * distance of the return, so no return is farther from the surface. The returns of a pole are one
+   * vertex: if their ranges span more than twice the bound, it holds for the returns within the bound of
+   * their median. 0 makes every return a vertex. Values below 0 become 0; not-a-number is an error. The
+   * default is 0.01.
    */
   vtkSetClampMacro(MaximumError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumError, double);
@@ -93,10 +93,10 @@ public:
 
   ///@{
   /**
-   * The largest difference in range, metres, that neighbouring returns of one surface may have
-   * where no plane explains it. At least 0; a share of the nearer range, 2 % or more, is added. A
-   * smaller value separates things from what is close behind them, a larger one bridges more. The
-   * default is 0.1.
+   * The largest difference in range, metres, at least 0, between neighbouring returns of one surface,
+   * unless a plane explains a larger one. A share of the nearer range, at least 2 %, is added. A smaller
+   * value separates objects from what is close behind them; a larger value bridges more. Values below 0
+   * become 0; not-a-number is an error. The default is 0.1.
    */
   vtkSetClampMacro(DepthStep, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(DepthStep, double);
@@ -104,7 +104,8 @@ public:
 
   ///@{
   /**
-   * The number of threads, 0 to 1024; the default, 0, takes all cores.
+   * The number of threads, 0 to 1024. 0, the default, uses all cores. Other values are clamped. The
+   * output does not depend on it.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
@@ -124,11 +125,6 @@ private:
   double MaximumError = 0.01;
   double DepthStep = 0.1;
   int NumberOfThreads = 0;
-
-  void CheckProperties() const;
-  // Within the threads of the calling arena.
-  void MakeMap(
-    const lms3dScanInput& scan, const std::function<bool(double)>& progress, vtkPolyData* map);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -37,6 +37,11 @@ inline lms3dVector lms3dScale(const lms3dVector& v, double factor)
   return { v[0] * factor, v[1] * factor, v[2] * factor };
 }
 
+inline double lms3dGetLength(const lms3dVector& v)
+{
+  return std::sqrt(lms3dDot(v, v));
+}
+
 /// Of length 1; zero where the vector has no length or no finite one.
 inline lms3dVector lms3dNormalize(const lms3dVector& v)
 {

@@ -8,19 +8,20 @@
 namespace
 {
 constexpr const int (&Next)[3] = lms3dLinkedTriangles::Next;
-constexpr const int (&Last)[3] = lms3dLinkedTriangles::Last;
-// The frame around all points, in sizes of their box: far enough not to spoil shapes within.
-constexpr double FrameSize = 64.0;
+constexpr const int (&Previous)[3] = lms3dLinkedTriangles::Previous;
+// The size of the super-triangle, in sizes of the points' bounding box. It is far enough away not to
+// change the triangles of the points.
+constexpr double SuperTriangleSize = 64.0;
 } // namespace
 
 lms3dDelaunay::lms3dDelaunay(std::vector<lms3dPoint2> points)
-  : Points(AddFrame(std::move(points)))
-  , FirstOfFrame(static_cast<std::int32_t>(this->Points.size()) - 3)
+  : Points(AddSuperTriangle(std::move(points)))
+  , FirstOfSuperTriangle(static_cast<std::int32_t>(this->Points.size()) - 3)
   , Triangles(static_cast<std::int32_t>(this->Points.size()), this->Points.size())
 {
 }
 
-std::vector<lms3dPoint2> lms3dDelaunay::AddFrame(std::vector<lms3dPoint2> points)
+std::vector<lms3dPoint2> lms3dDelaunay::AddSuperTriangle(std::vector<lms3dPoint2> points)
 {
   lms3dPoint2 low = points.front();
   lms3dPoint2 high = low;
@@ -32,7 +33,7 @@ std::vector<lms3dPoint2> lms3dDelaunay::AddFrame(std::vector<lms3dPoint2> points
       high[axis] = std::max(high[axis], point[axis]);
     }
   }
-  const double size = FrameSize * std::max(high[0] - low[0], high[1] - low[1]);
+  const double size = SuperTriangleSize * std::max(high[0] - low[0], high[1] - low[1]);
   const lms3dPoint2 center = { 0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]) };
   points.push_back({ center[0] - size, center[1] - size });
   points.push_back({ center[0] + size, center[1] - size });
@@ -40,15 +41,15 @@ std::vector<lms3dPoint2> lms3dDelaunay::AddFrame(std::vector<lms3dPoint2> points
   return points;
 }
 
-// Walks towards the point, across edges that it lies behind. Among triangles that are not Delaunay's,
-// since edges are fixed, such a walk may come round; then nothing is found.
+// Walks towards the point, across edges behind which it lies. Constrained edges can make such a walk go in
+// circles; then the location has no triangle.
 lms3dDelaunay::Location lms3dDelaunay::Locate(const lms3dPoint2& point, int near) const
 {
   Location location = { near };
   int from = None;
   for (int step = 0; step <= this->Triangles.GetNumberOfTriangles(); ++step)
   {
-    const int across = this->FindWayOut(point, location.Triangle, from, location);
+    const int across = this->FindExitEdge(point, location.Triangle, from, location);
     if (across == None)
     {
       return location;
@@ -63,9 +64,9 @@ lms3dDelaunay::Location lms3dDelaunay::Locate(const lms3dPoint2& point, int near
   return { None };
 }
 
-// An edge that a point lies behind; or None, and where in the triangle it lies. The edge towards the
-// triangle that it was looked for before need not be asked.
-int lms3dDelaunay::FindWayOut(
+// Returns an edge behind which a point lies. If there is none, returns None and sets where in the triangle
+// the point lies. The edge to the triangle `from`, where the walk came from, is skipped.
+int lms3dDelaunay::FindExitEdge(
   const lms3dPoint2& point, int triangle, int from, Location& location) const
 {
   const lms3dLinkedTriangles::Triangle& here = this->Triangles.GetTriangle(triangle);
@@ -105,22 +106,22 @@ bool lms3dDelaunay::InsertAt(std::int32_t point, const Location& location)
   {
     for (int part : this->Triangles.SplitTriangle(point, location.Triangle))
     {
-      this->Suspect(part, point);
+      this->QueueEdge(part, point);
     }
   }
   else
   {
     const lms3dLinkedTriangles::Triangle& here = this->Triangles.GetTriangle(location.Triangle);
-    if (here.IsFixed[location.Edge] || here.Neighbors[location.Edge] == None)
+    if (here.IsConstrained[location.Edge] || here.Neighbors[location.Edge] == None)
     {
       return false;
     }
     for (int part : this->Triangles.SplitEdge(point, location.Triangle, location.Edge))
     {
-      this->Suspect(part, point);
+      this->QueueEdge(part, point);
     }
   }
-  this->Restore();
+  this->LegalizeEdges();
   return true;
 }
 
@@ -145,24 +146,24 @@ std::int32_t lms3dDelaunay::InsertInside(const lms3dPoint2& point, int near)
 
 int lms3dDelaunay::FindTriangle(std::int32_t a, std::int32_t b, int& edge) const
 {
-  if (!this->IsFrame(a))
+  if (!this->IsSuperTriangleCorner(a))
   {
-    return this->FindTriangleAround(a, b, edge);
+    return this->FindTriangleAt(a, b, edge);
   }
-  // No full turn around a corner of the frame.
-  const int other = this->FindTriangleAround(b, a, edge);
+  // The triangles at a corner of the super-triangle do not surround it.
+  const int other = this->FindTriangleAt(b, a, edge);
   const int triangle = this->Triangles.GetTriangle(other).Neighbors[edge];
   edge = this->Triangles.FindEdge(triangle, other);
   return triangle;
 }
 
-int lms3dDelaunay::FindTriangleAround(std::int32_t a, std::int32_t b, int& edge) const
+int lms3dDelaunay::FindTriangleAt(std::int32_t a, std::int32_t b, int& edge) const
 {
   int triangle = this->Triangles.GetTriangleAt(a);
   edge = this->Triangles.FindCorner(triangle, a);
   while (this->Triangles.GetTriangle(triangle).Corners[Next[edge]] != b)
   {
-    triangle = this->Triangles.GetTriangle(triangle).Neighbors[Last[edge]];
+    triangle = this->Triangles.GetTriangle(triangle).Neighbors[Previous[edge]];
     edge = this->Triangles.FindCorner(triangle, a);
   }
   return triangle;
@@ -177,25 +178,25 @@ bool lms3dDelaunay::IsConvex(int triangle, int edge) const
     this->Orient(opposite, corners[Next[edge]], apex) > 0;
 }
 
-bool lms3dDelaunay::IsBetterFlipped(int triangle, int edge) const
+bool lms3dDelaunay::IsIllegal(int triangle, int edge) const
 {
   const lms3dLinkedTriangles::Triangle& here = this->Triangles.GetTriangle(triangle);
-  return here.Neighbors[edge] != None && !here.IsFixed[edge] &&
+  return here.Neighbors[edge] != None && !here.IsConstrained[edge] &&
     lms3dIsInCircle(this->Points[here.Corners[0]], this->Points[here.Corners[1]],
       this->Points[here.Corners[2]], this->Points[this->Triangles.GetOpposite(triangle, edge)]) &&
     this->IsConvex(triangle, edge);
 }
 
-void lms3dDelaunay::Restore()
+void lms3dDelaunay::LegalizeEdges()
 {
-  while (!this->Suspects.empty())
+  while (!this->Pending.empty())
   {
-    const auto [triangle, apex] = this->Suspects.back();
-    this->Suspects.pop_back();
+    const auto [triangle, apex] = this->Pending.back();
+    this->Pending.pop_back();
     const lms3dLinkedTriangles::Triangle& here = this->Triangles.GetTriangle(triangle);
     const int corner = this->Triangles.FindCorner(triangle, apex);
     const int edge = Next[corner];
-    if (here.Corners[corner] != apex || !this->IsBetterFlipped(triangle, edge))
+    if (here.Corners[corner] != apex || !this->IsIllegal(triangle, edge))
     {
       continue;
     }
@@ -205,8 +206,8 @@ void lms3dDelaunay::Restore()
     // The four outer edges.
     for (int part : { triangle, other })
     {
-      this->Suspect(part, apex);
-      this->Suspect(part, opposite);
+      this->QueueEdge(part, apex);
+      this->QueueEdge(part, opposite);
     }
   }
 }

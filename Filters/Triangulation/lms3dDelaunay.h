@@ -15,52 +15,57 @@
 #include <vector>
 
 /**
- * Each point splits the triangle that it lies in, and edges are flipped as Delaunay's rule asks
- * (Lawson 1977, "Software for C1 surface interpolation"), but for those that are fixed. One triangle
- * around all points, the frame, is there at the beginning.
+ * Incremental construction with edge flips (Lawson 1977, "Software for C1 surface interpolation"): each
+ * point splits the triangle in which it lies, then illegal edges are flipped, except constrained ones. A
+ * super-triangle around all points is there from the beginning.
+ *
+ * Points are numbered in the order given; the corners of the super-triangle follow, then added points.
+ * Coordinates have any unit.
  */
 class lms3dDelaunay
 {
 public:
   static constexpr std::int32_t None = lms3dLinkedTriangles::None;
 
-  /// The points are not inserted yet; behind them come the three corners of the frame.
+  /// Takes at least one point. The points are not inserted yet.
   explicit lms3dDelaunay(std::vector<lms3dPoint2> points);
 
   const lms3dLinkedTriangles& GetTriangles() const { return this->Triangles; }
   lms3dLinkedTriangles& GetTriangles() { return this->Triangles; }
-  bool IsFrame(std::int32_t point) const
+  bool IsSuperTriangleCorner(std::int32_t point) const
   {
-    return point >= this->FirstOfFrame && point < this->FirstOfFrame + 3;
+    return point >= this->FirstOfSuperTriangle && point < this->FirstOfSuperTriangle + 3;
   }
 
-  /// Inserts one of the points, to be found from a triangle near by; false where there is a point
-  /// already or a fixed edge.
+  /// Inserts one of the points. The search for its triangle starts at triangle `near`. Returns false if
+  /// the point coincides with another one or lies on a constrained edge.
   bool Insert(std::int32_t point, int near);
 
-  /// The same for a new point inside the region; returns its number or None.
+  /// Adds a point and inserts it, if it lies in a triangle that is inside. Returns its number, or None as
+  /// Insert() returns false.
   std::int32_t InsertInside(const lms3dPoint2& point, int near);
 
-  /// 1 where the third point lies left of the line from the first to the second, -1 right, else 0.
+  /// 1 if point c lies left of the line from a to b, -1 if right, 0 if on it. Exact.
   int Orient(std::int32_t a, std::int32_t b, std::int32_t c) const
   {
     return lms3dGetOrientation(this->Points[a], this->Points[b], this->Points[c]);
   }
 
-  /// The triangle left of the edge from a to b, which exists.
+  /// The triangle to the left of the edge from a to b, which must exist. `edge` receives its number in
+  /// the triangle.
   int FindTriangle(std::int32_t a, std::int32_t b, int& edge) const;
 
-  /// Whether the two triangles at an edge form a convex quadrilateral.
+  /// Whether the two triangles at an edge form a strictly convex quadrilateral.
   bool IsConvex(int triangle, int edge) const;
 
-  /// Has Restore() look at the edge of a triangle opposite of one of its points.
-  void Suspect(int triangle, std::int32_t apex) { this->Suspects.push_back({ triangle, apex }); }
+  /// Queues the edge of a triangle opposite to one of its corners for LegalizeEdges().
+  void QueueEdge(int triangle, std::int32_t apex) { this->Pending.push_back({ triangle, apex }); }
 
-  /// Flips what Delaunay's rule asks for, starting at the suspects.
-  void Restore();
+  /// Flips all queued edges that violate the Delaunay criterion, and the edges that become illegal by it.
+  void LegalizeEdges();
 
 private:
-  /// Where a point lies: in a triangle, on one of its edges, or at a corner.
+  /// Where a point lies: inside a triangle, on one of its edges, or at a corner.
   struct Location
   {
     int Triangle;
@@ -68,17 +73,18 @@ private:
     bool IsCorner = false;
   };
 
-  static std::vector<lms3dPoint2> AddFrame(std::vector<lms3dPoint2> points);
+  static std::vector<lms3dPoint2> AddSuperTriangle(std::vector<lms3dPoint2> points);
   Location Locate(const lms3dPoint2& point, int near) const;
-  int FindWayOut(const lms3dPoint2& point, int triangle, int from, Location& location) const;
+  int FindExitEdge(const lms3dPoint2& point, int triangle, int from, Location& location) const;
   bool InsertAt(std::int32_t point, const Location& location);
-  int FindTriangleAround(std::int32_t a, std::int32_t b, int& edge) const;
-  bool IsBetterFlipped(int triangle, int edge) const;
+  int FindTriangleAt(std::int32_t a, std::int32_t b, int& edge) const;
+  bool IsIllegal(int triangle, int edge) const;
 
   std::vector<lms3dPoint2> Points;
-  std::int32_t FirstOfFrame;
+  std::int32_t FirstOfSuperTriangle;
   lms3dLinkedTriangles Triangles;
-  std::vector<std::array<std::int32_t, 2>> Suspects;
+  /// Edges to check: a triangle and the corner opposite to the edge.
+  std::vector<std::array<std::int32_t, 2>> Pending;
 };
 
 #endif

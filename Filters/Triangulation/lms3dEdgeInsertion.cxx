@@ -6,28 +6,29 @@ namespace
 {
 constexpr std::int32_t None = lms3dLinkedTriangles::None;
 constexpr const int (&Next)[3] = lms3dLinkedTriangles::Next;
-constexpr const int (&Last)[3] = lms3dLinkedTriangles::Last;
+constexpr const int (&Previous)[3] = lms3dLinkedTriangles::Previous;
 } // namespace
 
 bool lms3dEdgeInsertion::Insert(std::int32_t a, std::int32_t b)
 {
   int triangle;
   int edge;
-  if (a == b || this->FixIfPresent(a, b, triangle, edge))
+  if (a == b || this->ConstrainIfPresent(a, b, triangle, edge))
   {
     return a != b;
   }
-  if (triangle == None || !this->Untangle(a, b, triangle, edge))
+  if (triangle == None || !this->FlipCrossedEdges(a, b, triangle, edge))
   {
     return false;
   }
-  const bool isPresent = this->FixIfPresent(a, b, triangle, edge);
-  this->Delaunay.Restore();
+  const bool isPresent = this->ConstrainIfPresent(a, b, triangle, edge);
+  this->Delaunay.LegalizeEdges();
   return isPresent;
 }
 
-// Fixes the edge from a to b if there is one; otherwise gives the edge around a that it crosses.
-bool lms3dEdgeInsertion::FixIfPresent(std::int32_t a, std::int32_t b, int& crossed, int& edge)
+// Constrains the edge from a to b if it exists. Otherwise sets a triangle at a and its edge that the line
+// from a to b crosses.
+bool lms3dEdgeInsertion::ConstrainIfPresent(std::int32_t a, std::int32_t b, int& crossed, int& edge)
 {
   crossed = None;
   int triangle = this->Triangles.GetTriangleAt(a);
@@ -37,10 +38,10 @@ bool lms3dEdgeInsertion::FixIfPresent(std::int32_t a, std::int32_t b, int& cross
     const lms3dLinkedTriangles::Triangle& here = this->Triangles.GetTriangle(triangle);
     const int corner = this->Triangles.FindCorner(triangle, a);
     const std::int32_t right = here.Corners[Next[corner]];
-    const std::int32_t left = here.Corners[Last[corner]];
+    const std::int32_t left = here.Corners[Previous[corner]];
     if (right == b)
     {
-      this->Triangles.Fix(triangle, corner);
+      this->Triangles.Constrain(triangle, corner);
       return true;
     }
     if (this->Delaunay.Orient(a, b, right) < 0 && this->Delaunay.Orient(a, b, left) > 0)
@@ -49,19 +50,20 @@ bool lms3dEdgeInsertion::FixIfPresent(std::int32_t a, std::int32_t b, int& cross
       edge = Next[corner];
     }
     // Around a, counter-clockwise.
-    triangle = here.Neighbors[Last[corner]];
+    triangle = here.Neighbors[Previous[corner]];
   } while (triangle != start && triangle != None);
   return false;
 }
 
-// The edges across the line from a to b; false where one is fixed or a point lies in the way.
+// Finds the edges that cross the line from a to b. Returns false if one is constrained, or if a point lies
+// on the line.
 bool lms3dEdgeInsertion::FindCrossedEdges(
   std::int32_t a, std::int32_t b, int triangle, int edge, std::deque<Edge>& crossed) const
 {
   while (true)
   {
     const lms3dLinkedTriangles::Triangle& here = this->Triangles.GetTriangle(triangle);
-    if (here.IsFixed[edge])
+    if (here.IsConstrained[edge])
     {
       return false;
     }
@@ -79,12 +81,12 @@ bool lms3dEdgeInsertion::FindCrossedEdges(
       return false;
     }
     triangle = other;
-    edge = side > 0 ? Next[otherEdge] : Last[otherEdge];
+    edge = side > 0 ? Next[otherEdge] : Previous[otherEdge];
   }
 }
 
-// Flips the edges across the line from a to b until none is left.
-bool lms3dEdgeInsertion::Untangle(std::int32_t a, std::int32_t b, int triangle, int edge)
+// Flips the edges that cross the line from a to b until none is left.
+bool lms3dEdgeInsertion::FlipCrossedEdges(std::int32_t a, std::int32_t b, int triangle, int edge)
 {
   std::deque<Edge> crossed;
   if (!this->FindCrossedEdges(a, b, triangle, edge, crossed))
@@ -103,8 +105,8 @@ bool lms3dEdgeInsertion::Untangle(std::int32_t a, std::int32_t b, int triangle, 
   return true;
 }
 
-// Turns an edge across the line from a to b; returns whether it still lies across. An edge that
-// cannot be turned yet waits for others; there always is one that can.
+// Flips an edge that crosses the line from a to b. Returns whether it still crosses. An edge that cannot be
+// flipped yet has to wait; there always is one that can.
 bool lms3dEdgeInsertion::Flip(std::int32_t a, std::int32_t b, Edge& crossing)
 {
   int side;
@@ -119,8 +121,8 @@ bool lms3dEdgeInsertion::Flip(std::int32_t a, std::int32_t b, Edge& crossing)
   this->Triangles.Flip(triangle, side);
   for (int part : { triangle, other })
   {
-    this->Delaunay.Suspect(part, r);
-    this->Delaunay.Suspect(part, s);
+    this->Delaunay.QueueEdge(part, r);
+    this->Delaunay.QueueEdge(part, s);
   }
   crossing = { r, s };
   return r != a && r != b && s != a && s != b &&

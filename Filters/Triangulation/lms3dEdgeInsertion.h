@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Forces edges into a Delaunay triangulation.
+ * @brief Inserts constrained edges into a Delaunay triangulation.
  */
 #ifndef lms3dEdgeInsertion_h
 #define lms3dEdgeInsertion_h
@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <deque>
 
-/// By flips of the edges that are in the way (Sloan 1993, "A fast algorithm for generating constrained
+/// Flips the edges that cross the new edge (Sloan 1993, "A fast algorithm for generating constrained
 /// Delaunay triangulations").
 class lms3dEdgeInsertion
 {
@@ -25,16 +25,17 @@ public:
   {
   }
 
-  /// Fixes the edge from a to b; false where a fixed edge or a point is in the way.
+  /// Inserts the edge between two inserted points and constrains it. Returns false if a constrained edge
+  /// or a point is in the way, or if the points are the same.
   bool Insert(std::int32_t a, std::int32_t b);
 
 private:
   using Edge = std::array<std::int32_t, 2>;
 
-  bool FixIfPresent(std::int32_t a, std::int32_t b, int& crossed, int& edge);
+  bool ConstrainIfPresent(std::int32_t a, std::int32_t b, int& crossed, int& edge);
   bool FindCrossedEdges(
     std::int32_t a, std::int32_t b, int triangle, int edge, std::deque<Edge>& crossed) const;
-  bool Untangle(std::int32_t a, std::int32_t b, int triangle, int edge);
+  bool FlipCrossedEdges(std::int32_t a, std::int32_t b, int triangle, int edge);
   bool Flip(std::int32_t a, std::int32_t b, Edge& crossing);
 
   lms3dDelaunay& Delaunay;

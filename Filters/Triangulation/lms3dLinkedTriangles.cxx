@@ -14,7 +14,7 @@ lms3dLinkedTriangles::lms3dLinkedTriangles(std::int32_t points, std::size_t expe
   }
 }
 
-// Has a triangle, if there is one, name another neighbour in place of one.
+// Replaces a neighbour of a triangle, if there is a triangle.
 void lms3dLinkedTriangles::Relink(int triangle, int from, int to)
 {
   if (triangle != None)
@@ -32,8 +32,8 @@ std::array<int, 3> lms3dLinkedTriangles::SplitTriangle(std::int32_t point, int t
   for (int edge = 0; edge < 3; ++edge)
   {
     this->Triangles[parts[edge]] = { { old.Corners[edge], old.Corners[Next[edge]], point },
-      { old.Neighbors[edge], parts[Next[edge]], parts[Last[edge]] },
-      { old.IsFixed[edge], false, false }, old.IsInside };
+      { old.Neighbors[edge], parts[Next[edge]], parts[Previous[edge]] },
+      { old.IsConstrained[edge], false, false }, old.IsInside };
     this->Relink(old.Neighbors[edge], triangle, parts[edge]);
     this->TriangleAt[old.Corners[edge]] = parts[edge];
   }
@@ -41,7 +41,7 @@ std::array<int, 3> lms3dLinkedTriangles::SplitTriangle(std::int32_t point, int t
   return parts;
 }
 
-// Of the three parts of a triangle, the one along the edge has no area until it is flipped.
+// The part of the first triangle along the edge has no area until the edge is flipped.
 std::array<int, 4> lms3dLinkedTriangles::SplitEdge(std::int32_t point, int triangle, int edge)
 {
   const int other = this->Triangles[triangle].Neighbors[edge];
@@ -59,14 +59,14 @@ void lms3dLinkedTriangles::Flip(int triangle, int edge)
   // The edge runs from p to q in the triangle; r is opposite in it, s in the other.
   const std::int32_t p = a.Corners[edge];
   const std::int32_t q = a.Corners[Next[edge]];
-  const std::int32_t r = a.Corners[Last[edge]];
-  const std::int32_t s = b.Corners[Last[otherEdge]];
+  const std::int32_t r = a.Corners[Previous[edge]];
+  const std::int32_t s = b.Corners[Previous[otherEdge]];
   const int qr = a.Neighbors[Next[edge]];
   const int ps = b.Neighbors[Next[otherEdge]];
-  this->Triangles[triangle] = { { r, p, s }, { a.Neighbors[Last[edge]], ps, other },
-    { a.IsFixed[Last[edge]], b.IsFixed[Next[otherEdge]], false }, a.IsInside };
-  this->Triangles[other] = { { s, q, r }, { b.Neighbors[Last[otherEdge]], qr, triangle },
-    { b.IsFixed[Last[otherEdge]], a.IsFixed[Next[edge]], false }, b.IsInside };
+  this->Triangles[triangle] = { { r, p, s }, { a.Neighbors[Previous[edge]], ps, other },
+    { a.IsConstrained[Previous[edge]], b.IsConstrained[Next[otherEdge]], false }, a.IsInside };
+  this->Triangles[other] = { { s, q, r }, { b.Neighbors[Previous[otherEdge]], qr, triangle },
+    { b.IsConstrained[Previous[otherEdge]], a.IsConstrained[Next[edge]], false }, b.IsInside };
   this->Relink(ps, other, triangle);
   this->Relink(qr, triangle, other);
   this->TriangleAt[p] = triangle;
@@ -75,9 +75,9 @@ void lms3dLinkedTriangles::Flip(int triangle, int edge)
   this->TriangleAt[s] = other;
 }
 
-void lms3dLinkedTriangles::Fix(int triangle, int edge)
+void lms3dLinkedTriangles::Constrain(int triangle, int edge)
 {
   const int other = this->Triangles[triangle].Neighbors[edge];
-  this->Triangles[triangle].IsFixed[edge] = true;
-  this->Triangles[other].IsFixed[this->FindEdge(other, triangle)] = true;
+  this->Triangles[triangle].IsConstrained[edge] = true;
+  this->Triangles[other].IsConstrained[this->FindEdge(other, triangle)] = true;
 }

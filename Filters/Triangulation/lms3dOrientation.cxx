@@ -25,7 +25,7 @@ int lms3dGetOrientation(const lms3dPoint2& a, const lms3dPoint2& b, const lms3dP
   {
     return determinant > 0.0 ? 1 : -1;
   }
-  // Two for each of six products.
+  // Six products have two terms each.
   lms3dExactSum<12> exact;
   exact.AddProduct(a[0], b[1]);
   exact.AddProduct(-a[1], b[0]);

@@ -2,20 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief On which side of a line a point of the plane lies, without rounding.
+ * @brief The orientation and in-circle predicates of points in the plane.
  */
 #ifndef lms3dOrientation_h
 #define lms3dOrientation_h
 
 #include <array>
 
+/// x and y, in any unit.
 using lms3dPoint2 = std::array<double, 2>;
 
-/// Positive where c lies left of the line from a to b, negative right of it, 0 on it.
+/// 1 if c lies left of the line from a to b, -1 if right of it, 0 if on it. Exact for all finite
+/// coordinates whose products neither overflow nor underflow.
 int lms3dGetOrientation(const lms3dPoint2& a, const lms3dPoint2& b, const lms3dPoint2& c);
 
-/// True where d lies inside the circle through a, b, c, counter-clockwise, by more than rounding:
-/// so of the two diagonals of four points at most one is ever taken for the better.
+/// Whether d lies inside the circle through a, b and c (counter-clockwise) by more than a rounding error.
+/// Therefore, of the two diagonals of four points, at most one is ever preferred.
 bool lms3dIsInCircle(
   const lms3dPoint2& a, const lms3dPoint2& b, const lms3dPoint2& c, const lms3dPoint2& d);
 

@@ -57,7 +57,8 @@ bool lms3dTriangulation::InsertLoops(const Numbers& loops, const Numbers& loopEn
     loops, loopEnds, [&](std::int32_t a, std::int32_t b) { return insertion.Insert(a, b); });
 }
 
-// From the left sides of the loops inwards, which must lead to no right side.
+// Floods the triangles from the left sides of the loops. The loops are valid only if the flood reaches
+// neither a right side nor the super-triangle.
 bool lms3dTriangulation::MarkInside(const Numbers& loops, const Numbers& loopEnds)
 {
   std::vector<int> stack;
@@ -72,7 +73,7 @@ bool lms3dTriangulation::MarkInside(const Numbers& loops, const Numbers& loopEnd
   {
     const int triangle = stack.back();
     stack.pop_back();
-    if (this->IsAtFrame(triangle))
+    if (this->IsAtSuperTriangle(triangle))
     {
       return false;
     }
@@ -80,7 +81,7 @@ bool lms3dTriangulation::MarkInside(const Numbers& loops, const Numbers& loopEnd
       this->Delaunay.GetTriangles().GetTriangle(triangle);
     for (int side = 0; side < 3; ++side)
     {
-      if (!here.IsFixed[side])
+      if (!here.IsConstrained[side])
       {
         this->Enter(here.Neighbors[side], stack);
       }
@@ -100,9 +101,9 @@ void lms3dTriangulation::Enter(int triangle, std::vector<int>& stack)
   }
 }
 
-bool lms3dTriangulation::IsAtFrame(int triangle) const
+bool lms3dTriangulation::IsAtSuperTriangle(int triangle) const
 {
   const std::array<std::int32_t, 3>& corners = this->GetCorners(triangle);
   return std::any_of(corners.begin(), corners.end(),
-    [&](std::int32_t point) { return this->Delaunay.IsFrame(point); });
+    [&](std::int32_t point) { return this->Delaunay.IsSuperTriangleCorner(point); });
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The constrained Delaunay triangulation of a region with holes.
+ * @brief The constrained Delaunay triangulation of a polygon with holes.
  */
 #ifndef lms3dTriangulation_h
 #define lms3dTriangulation_h
@@ -14,10 +14,11 @@
 #include <vector>
 
 /**
- * Points are inserted one by one, then the edges of the outline are forced, and the triangles outside
- * of it are taken out. After that, points may be inserted inside. Orientations are exact, so the
- * triangles never overlap; whether a point lies in a circle is asked in plain arithmetic, so shapes
- * may miss the best by a rounding error.
+ * Inserts all points, then the edges of the outline, then marks the triangles inside. More points may be
+ * inserted inside afterwards. Orientation tests are exact, so triangles never overlap. The in-circle test
+ * is not, so shapes may differ from the Delaunay triangulation by a rounding error.
+ *
+ * Coordinates have any unit. Points are numbered as in lms3dDelaunay.
  */
 class lms3dTriangulation
 {
@@ -25,30 +26,33 @@ public:
   static constexpr std::int32_t None = lms3dDelaunay::None;
 
   /**
-   * `points` with counter-clockwise loops of their numbers (clockwise around holes) that end at
-   * `loopEnds`. Loops may meet at points, no more.
+   * `loops` holds the numbers of the outline's points, loop after loop: counter-clockwise loops around
+   * the polygon, clockwise loops around its holes. `loopEnds` holds the end of each loop in `loops`.
+   * Loops may touch at points only. There must be a point, and no two points may coincide.
    */
   lms3dTriangulation(std::vector<lms3dPoint2> points, const std::vector<std::int32_t>& loops,
     const std::vector<std::int32_t>& loopEnds);
 
-  /// False where loops cross, overlap or turn the wrong way; there is nothing else to ask then.
+  /// False if loops cross, overlap or have the wrong direction. No other method may be called then.
   bool IsValid() const { return this->Valid; }
 
+  /// Counts triangles inside and outside.
   int GetNumberOfTriangles() const { return this->Delaunay.GetTriangles().GetNumberOfTriangles(); }
-  /// Whether a triangle is a part of the region.
+  /// Whether a triangle belongs to the polygon.
   bool IsInside(int triangle) const
   {
     return this->Delaunay.GetTriangles().GetTriangle(triangle).IsInside;
   }
+  /// The points of a triangle, counter-clockwise.
   const std::array<std::int32_t, 3>& GetCorners(int triangle) const
   {
     return this->Delaunay.GetTriangles().GetTriangle(triangle).Corners;
   }
 
   /**
-   * Adds a point within the region, to be found from a triangle near by; returns its number
-   * (behind the given points and the three of a frame), or None where there is a point already, or
-   * an edge of the outline.
+   * Adds a point inside the polygon. The search for it starts at triangle `near`. Returns its number,
+   * which follows the given points, the three corners of the super-triangle and points added before.
+   * Returns None if the point lies outside, or if there is a point or an edge of the outline already.
    */
   std::int32_t Insert(const lms3dPoint2& point, int near)
   {
@@ -62,7 +66,7 @@ private:
   bool InsertLoops(const Numbers& loops, const Numbers& loopEnds);
   bool MarkInside(const Numbers& loops, const Numbers& loopEnds);
   void Enter(int triangle, std::vector<int>& stack);
-  bool IsAtFrame(int triangle) const;
+  bool IsAtSuperTriangle(int triangle) const;
   template <typename Visitor>
   static bool ForEdges(const Numbers& loops, const Numbers& loopEnds, const Visitor& visit);
 

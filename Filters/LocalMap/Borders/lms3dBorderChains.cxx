@@ -42,7 +42,7 @@ void lms3dBorderChains::FindChains()
 
 void lms3dBorderChains::AddChain(int first, std::vector<bool>& visited)
 {
-  const bool isShared = this->Gates.GetGate(first).Is != lms3dBorderGates::Cut;
+  const bool isShared = this->Gates.GetGate(first).Kind != lms3dBorderGates::DepthStep;
   Chain chain;
   chain.IsClosed = !this->IsStart(first);
   int edge = first;

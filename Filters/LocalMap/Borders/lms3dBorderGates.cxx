@@ -7,10 +7,13 @@
 
 namespace
 {
-// Between beams so far apart, borders stay in the middle, lest a patch reaches behind the sensor.
+// If the cosine between two beams is below this, borders stay near the middle of their gate. A patch
+// could reach behind the sensor otherwise.
 constexpr double WideCosine = 0.6;
 constexpr double WideMargin = 0.45;
-constexpr double Few = 6.0;
+constexpr double MaximumFewReturns = 6.0;
+// Two planes count as parallel if their difference changes by less than this share of the limit.
+constexpr double ParallelShare = 1e-6;
 } // namespace
 
 lms3dBorderGates::lms3dBorderGates(
@@ -20,59 +23,59 @@ lms3dBorderGates::lms3dBorderGates(
   , Tolerance(tolerance)
 {
   this->FindGates();
-  this->FollowBorders();
+  this->LinkEdges();
 }
 
 void lms3dBorderGates::FindGates()
 {
-  this->GateOf.assign(2 * static_cast<std::size_t>(this->Sphere.GetNumberOfPlaces()), NoGate);
+  this->GateOf.assign(2 * static_cast<std::size_t>(this->Sphere.GetSize()), NoGate);
   const int rows = this->Sphere.GetNumberOfRows();
   const std::int32_t* labels = this->Patches.Labels.data();
-  // A depth step may run within a patch, as a slit.
-  const auto isGate = [&](Place place, int side, Place neighbor)
+  // A depth step can end inside a patch, as a slit.
+  const auto isGate = [&](GridIndex index, int side, GridIndex neighbor)
   {
-    return labels[place] != labels[neighbor] ||
-      (labels[place] >= 0 && !this->Sphere.IsJoined(place, side));
+    return labels[index] != labels[neighbor] ||
+      (labels[index] >= 0 && !this->Sphere.IsJoined(index, side));
   };
   for (int column = 0; column < this->Sphere.GetNumberOfColumns(); ++column)
   {
-    const Place start = this->Sphere.GetPlace(column, 0);
-    const Place toRight = this->Sphere.GetNeighbor(start, lms3dBeamSphere::Right) - start;
-    for (Place place = start; place < start + rows; ++place)
+    const GridIndex start = this->Sphere.GetIndex(column, 0);
+    const GridIndex toRight = this->Sphere.GetNeighbor(start, lms3dBeamSphere::Right) - start;
+    for (GridIndex index = start; index < start + rows; ++index)
     {
-      if (place + 1 < start + rows && isGate(place, lms3dBeamSphere::Up, place + 1))
+      if (index + 1 < start + rows && isGate(index, lms3dBeamSphere::Up, index + 1))
       {
-        this->AddGate(place, lms3dBeamSphere::Up);
+        this->AddGate(index, lms3dBeamSphere::Up);
       }
-      if (isGate(place, lms3dBeamSphere::Right, place + toRight))
+      if (isGate(index, lms3dBeamSphere::Right, index + toRight))
       {
-        this->AddGate(place, lms3dBeamSphere::Right);
+        this->AddGate(index, lms3dBeamSphere::Right);
       }
     }
   }
 }
 
-void lms3dBorderGates::AddGate(Place place, int side)
+void lms3dBorderGates::AddGate(GridIndex index, int side)
 {
-  const Place other = this->Sphere.GetNeighbor(place, side);
-  this->GateOf[2 * static_cast<std::size_t>(place) + side] =
+  const GridIndex other = this->Sphere.GetNeighbor(index, side);
+  this->GateOf[2 * static_cast<std::size_t>(index) + side] =
     static_cast<std::int32_t>(this->Gates.size());
   const bool isWide =
-    lms3dDot(this->Sphere.GetDirection(place), this->Sphere.GetDirection(other)) < WideCosine;
+    lms3dDot(this->Sphere.GetDirection(index), this->Sphere.GetDirection(other)) < WideCosine;
   const double margin = isWide ? WideMargin : Margin;
-  Gate gate = { { place, other }, Cut, margin, 1.0 - margin, 0.5 };
-  // A return that has a facet of its own belongs to no patch.
-  if (this->Patches.Labels[place] >= 0 && this->Patches.Labels[other] >= 0 &&
-    this->Sphere.IsJoined(place, side))
+  Gate gate = { { index, other }, DepthStep, margin, 1.0 - margin, 0.5 };
+  // A return with a facet of its own belongs to no patch.
+  if (this->Patches.Labels[index] >= 0 && this->Patches.Labels[other] >= 0 &&
+    this->Sphere.IsJoined(index, side))
   {
-    this->Judge(gate);
+    this->Classify(gate);
   }
   this->Gates.push_back(gate);
 }
 
-// Along the chord of a gate both planes' inverse ranges are linear, and so is their difference. It
-// is a crease where that is small enough somewhere, best where it is 0.
-void lms3dBorderGates::Judge(Gate& gate) const
+// Along the chord of a gate, the inverse ranges of both planes are linear, and so is their difference.
+// The gate is a crease if the difference is within the tolerance somewhere. It is best where it is 0.
+void lms3dBorderGates::Classify(Gate& gate) const
 {
   std::array<double, 2> differences;
   double limit = this->Tolerance;
@@ -87,22 +90,21 @@ void lms3dBorderGates::Judge(Gate& gate) const
     differences[end] = inverse(0) - inverse(1);
     limit /= this->Sphere.GetRange(gate.Ends[end]);
   }
-  gate.Is = Step;
+  gate.Kind = Offset;
   const double slope = differences[1] - differences[0];
-  if (std::abs(slope) <= limit * 1e-6)
+  if (std::abs(slope) <= limit * ParallelShare)
   {
-    // The planes are parallel here.
-    gate.Is = std::abs(differences[0]) <= limit ? Crease : Step;
+    gate.Kind = std::abs(differences[0]) <= limit ? Crease : Offset;
     return;
   }
   const double center = -differences[0] / slope;
   const double halfWidth = limit / std::abs(slope);
   const double low = std::max(CreaseMargin, center - halfWidth);
   const double high = std::min(1.0 - CreaseMargin, center + halfWidth);
-  if (low > high && this->IsFew(this->Patches.Labels[gate.Ends[0]]) &&
-    this->IsFew(this->Patches.Labels[gate.Ends[1]]))
+  if (low > high && this->HasFewReturns(this->Patches.Labels[gate.Ends[0]]) &&
+    this->HasFewReturns(this->Patches.Labels[gate.Ends[1]]))
   {
-    gate.Is = Crease;
+    gate.Kind = Crease;
     return;
   }
   // Wide gates keep their margin.
@@ -112,12 +114,12 @@ void lms3dBorderGates::Judge(Gate& gate) const
   }
 }
 
-bool lms3dBorderGates::IsFew(std::int32_t patch) const
+bool lms3dBorderGates::HasFewReturns(std::int32_t patch) const
 {
-  return this->Patches.Patches[patch].Fit.GetNumberOfReturns() <= Few;
+  return this->Patches.Patches[patch].Fit.GetNumberOfReturns() <= MaximumFewReturns;
 }
 
-void lms3dBorderGates::FollowBorders()
+void lms3dBorderGates::LinkEdges()
 {
   this->Next.assign(this->GetNumberOfEdges(), NoGate);
   for (int edge = 0; edge < this->GetNumberOfEdges(); ++edge)
@@ -132,36 +134,36 @@ void lms3dBorderGates::FollowBorders()
 int lms3dBorderGates::GetSide(int edge) const
 {
   const int gate = edge / 2;
-  const Place first = this->Gates[gate].Ends[0];
+  const GridIndex first = this->Gates[gate].Ends[0];
   const bool isUp = this->GateOf[2 * static_cast<std::size_t>(first)] == gate;
   const int side = isUp ? lms3dBeamSphere::Up : lms3dBeamSphere::Right;
   return (edge & 1) ? (side + 2) % 4 : side;
 }
 
-// Of a place on one of its sides, or NoGate.
-int lms3dBorderGates::GetEdge(Place place, int side) const
+// The edge on one side of a beam, or NoGate.
+int lms3dBorderGates::GetEdge(GridIndex index, int side) const
 {
   const bool isSecond = side == lms3dBeamSphere::Down || side == lms3dBeamSphere::Left;
-  const Place first = isSecond ? this->Sphere.GetNeighbor(place, side) : place;
+  const GridIndex first = isSecond ? this->Sphere.GetNeighbor(index, side) : index;
   const int gate = this->GateOf[2 * static_cast<std::size_t>(first) + side % 2];
   return gate == NoGate ? NoGate : 2 * gate + (isSecond ? 1 : 0);
 }
 
-// With the patch to the left, the border on the upper side of a place heads left, and so on. In the
-// cell that it comes to, it turns around the first place that is no longer the patch's.
+// With the patch to its left, the border on the upper side of a beam heads left, the border on the left
+// side heads down, and so on. In the next cell, it turns around the first beam that is not in the patch.
 int lms3dBorderGates::FindNext(int edge) const
 {
   const int side = this->GetSide(edge);
   const int heading = (side + 3) % 4;
-  Place place = this->GetOwner(edge);
+  GridIndex index = this->GetOwner(edge);
   for (int turned : { heading, side, (side + 1) % 4, (side + 2) % 4 })
   {
-    const int next = this->GetEdge(place, turned);
+    const int next = this->GetEdge(index, turned);
     if (next != NoGate)
     {
       return next;
     }
-    place = this->Sphere.GetNeighbor(place, turned);
+    index = this->Sphere.GetNeighbor(index, turned);
   }
   return NoGate;
 }
@@ -169,15 +171,15 @@ int lms3dBorderGates::FindNext(int edge) const
 bool lms3dBorderGates::IsRegular(int edge) const
 {
   const int next = this->Next[edge];
-  const Kind kind = this->GetGate(edge).Is;
-  // A slit ends where its border turns back.
-  return this->GetGate(next).Is == kind && next != GetTwin(edge) &&
-    (kind == Cut || this->Next[GetTwin(next)] == GetTwin(edge));
+  const GateKind kind = this->GetGate(edge).Kind;
+  // At the end of a slit, the border turns back to its own twin.
+  return this->GetGate(next).Kind == kind && next != GetTwin(edge) &&
+    (kind == DepthStep || this->Next[GetTwin(next)] == GetTwin(edge));
 }
 
-lms3dBorderGates::Cell lms3dBorderGates::GetCell(Place lowerLeft) const
+lms3dBorderGates::Cell lms3dBorderGates::GetCell(GridIndex lowerLeft) const
 {
-  const Place upperLeft = this->Sphere.GetNeighbor(lowerLeft, lms3dBeamSphere::Up);
+  const GridIndex upperLeft = this->Sphere.GetNeighbor(lowerLeft, lms3dBeamSphere::Up);
   return { lowerLeft,
     { lowerLeft, upperLeft, this->Sphere.GetNeighbor(upperLeft, lms3dBeamSphere::Right),
       this->Sphere.GetNeighbor(lowerLeft, lms3dBeamSphere::Right) } };
@@ -186,23 +188,36 @@ lms3dBorderGates::Cell lms3dBorderGates::GetCell(Place lowerLeft) const
 lms3dBorderGates::Cell lms3dBorderGates::GetEndCell(int edge, int& corner) const
 {
   const int side = this->GetSide(edge);
-  Place place = this->GetOwner(edge);
-  // It ends up left of the owner, up right, down right or down left.
+  GridIndex index = this->GetOwner(edge);
+  // The edge ends in the cell to the upper left of its owner, or upper right, lower right, lower left.
   corner = (side + 3) % 4;
   if (corner == 1 || corner == 2)
   {
-    place = this->Sphere.GetNeighbor(place, lms3dBeamSphere::Down);
+    index = this->Sphere.GetNeighbor(index, lms3dBeamSphere::Down);
   }
   if (corner == 2 || corner == 3)
   {
-    place = this->Sphere.GetNeighbor(place, lms3dBeamSphere::Left);
+    index = this->Sphere.GetNeighbor(index, lms3dBeamSphere::Left);
   }
-  return this->GetCell(place);
+  return this->GetCell(index);
 }
 
 int lms3dBorderGates::GetCellGate(const Cell& cell, int corner) const
 {
   constexpr int First[4] = { 0, 1, 3, 0 };
-  const Place first = cell.Corners[First[corner]];
+  const GridIndex first = cell.Corners[First[corner]];
   return this->GateOf[2 * static_cast<std::size_t>(first) + (corner % 2)];
+}
+
+bool lms3dBorderGates::IsContinuous(const Cell& cell) const
+{
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    if (this->Patches.Labels[cell.Corners[corner]] < 0 ||
+      this->HasCellGate(cell, corner, DepthStep))
+    {
+      return false;
+    }
+  }
+  return true;
 }

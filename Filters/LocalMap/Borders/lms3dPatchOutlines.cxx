@@ -2,44 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Borders/lms3dPatchOutlines.h"
 
-#include "LocalMap/Borders/lms3dStepBands.h"
+#include "LocalMap/Borders/lms3dOffsetStrips.h"
 
 #include <tbb/parallel_for.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace
 {
 using Gates = lms3dBorderGates;
-
-// Half the width of a band, as a share of a gate: less than half of what borders keep off beams.
-constexpr double HalfBand = 0.04;
-// How near to the middle of a gate borders may come that must not meet those beyond a cut, as a
-// share of the gate.
-constexpr double HalfSlit = 0.42;
-// A depth step of so many bounds cannot be bridged, however far the surfaces on both sides lean.
-constexpr double SafeStep = 6.0;
-// The grades of care for a band that turns over: its junctions stay in the middle of their cells, then
-// its lines pass every gate.
-constexpr int MostCare = 2;
 } // namespace
 
 lms3dPatchOutlines::lms3dPatchOutlines(
   const lms3dBeamSphere& sphere, const lms3dPatches& patches, const lms3dBorderGates& gates)
-  : Sphere(sphere)
-  , Patches(patches)
+  : Patches(patches)
   , Gates(gates)
-  , Heights(sphere, patches, gates)
+  , BorderRanges(sphere, patches, gates)
   , Chains(gates)
-  , Junctions(sphere, patches, gates, this->Chains, this->Heights)
-  , Lines(this->Chains.GetChains().size())
+  , Junctions(sphere, patches, gates, this->Chains, this->BorderRanges)
+  , Paths(sphere, gates, this->BorderRanges, this->Chains, this->Junctions)
+  , Bends(this->Chains.GetChains().size())
 {
-  for (int care = 0; care <= MostCare; ++care)
+  for (int level = 0; level <= lms3dBorderJunctions::MaximumFallback; ++level)
   {
     this->Vertices = this->Junctions.Locate();
     this->StraightenChains();
-    if (!this->MakeBands())
+    if (this->MakeStrips())
     {
       break;
     }
@@ -47,150 +33,39 @@ lms3dPatchOutlines::lms3dPatchOutlines(
   this->MakeLoops();
 }
 
-bool lms3dPatchOutlines::IsStep(const Chain& chain) const
-{
-  return this->Gates.GetGate(chain.Edges.front()).Is == Gates::Step;
-}
-
-// Again only those that need more care now.
+// After the first attempt, only the chains near flipped strips change.
 void lms3dPatchOutlines::StraightenChains()
 {
   const std::vector<Chain>& chains = this->Chains.GetChains();
-  const bool isFirst = this->Bends.empty();
-  this->Bends.resize(chains.size());
+  const bool isFirst = this->Lines.empty();
   tbb::parallel_for(std::size_t(0), chains.size(),
     [&](std::size_t i)
     {
-      if (isFirst || this->HasCare(chains[i]))
+      if (isFirst || this->Junctions.HasFallback(chains[i], lms3dBorderJunctions::JunctionsStay))
       {
-        this->Bends[i] = this->Straighten(i);
+        this->Bends[i] = this->Paths.Straighten(i, this->Vertices);
       }
     });
   this->NumberBends();
 }
 
-bool lms3dPatchOutlines::HasCare(const Chain& chain) const
-{
-  return this->Junctions.IsSteady(this->Junctions.GetEndCell(chain, 0), 1) ||
-    this->Junctions.IsSteady(this->Junctions.GetEndCell(chain, 1), 1);
-}
-
 void lms3dPatchOutlines::NumberBends()
 {
+  this->Lines.assign(this->Bends.size(), {});
   for (std::size_t i = 0; i < this->Bends.size(); ++i)
   {
     Line& line = this->Lines[i];
-    line = {};
-    const bool isStep = this->IsStep(this->Chains.GetChains()[i]);
+    const bool isOffset = this->Chains.GetKind(i) == Gates::Offset;
     for (std::size_t j = 0; j < this->Bends[i].size(); ++j)
     {
       const std::int32_t number = static_cast<std::int32_t>(this->Vertices.size());
       this->Vertices.push_back(this->Bends[i][j]);
-      (isStep && j % 2 == 1 ? line.Other : line.Own).push_back(number);
+      (isOffset && j % 2 == 1 ? line.Other : line.Own).push_back(number);
     }
-    if (!isStep)
+    if (!isOffset)
     {
       line.Other = line.Own;
     }
-  }
-}
-
-std::vector<lms3dBorderLine::Gate> lms3dPatchOutlines::GetLineGates(const Chain& chain) const
-{
-  std::vector<lms3dBorderLine::Gate> gates;
-  gates.reserve(chain.Edges.size());
-  for (int edge : chain.Edges)
-  {
-    const Gates::Gate& gate = this->Gates.GetGate(edge);
-    const bool isTurned = edge % 2 == 1;
-    gates.push_back({ this->Sphere.GetDirection(gate.Ends[isTurned ? 1 : 0]),
-      this->Sphere.GetDirection(gate.Ends[isTurned ? 0 : 1]), isTurned ? 1.0 - gate.High : gate.Low,
-      isTurned ? 1.0 - gate.Low : gate.High, isTurned ? 1.0 - gate.Best : gate.Best });
-    if (gate.Is == Gates::Cut)
-    {
-      this->LimitReach(edge, gates.back());
-    }
-  }
-  return gates;
-}
-
-// At a cut a surface goes no farther than its returns support, and not beyond the middle where it
-// might meet the surface on the other side: both may lean towards each other, or be one patch.
-void lms3dPatchOutlines::LimitReach(int edge, lms3dBorderLine::Gate& gate) const
-{
-  const double own = this->Sphere.GetRange(this->Gates.GetOwner(edge));
-  const double other = this->Sphere.GetRange(this->Gates.GetOwner(Gates::GetTwin(edge)));
-  if (other > 0.0 && std::abs(own - other) < SafeStep * this->Gates.GetTolerance())
-  {
-    gate.High = std::max(gate.Low, std::min(gate.High, HalfSlit));
-  }
-  gate.High = std::max(gate.Low, this->Heights.GetReach(edge, gate.High));
-  gate.Best = std::min(gate.Best, gate.High);
-}
-
-std::vector<lms3dMapVertex> lms3dPatchOutlines::Straighten(std::size_t number) const
-{
-  const Chain& chain = this->Chains.GetChains()[number];
-  std::vector<lms3dMapVertex> vertices;
-  for (const lms3dBorderLine::Vertex& bend : this->FindBends(number, this->GetLineGates(chain)))
-  {
-    this->AppendVertices(chain.Edges[bend.Gate], bend.At, vertices);
-  }
-  return vertices;
-}
-
-std::vector<lms3dBorderLine::Vertex> lms3dPatchOutlines::FindBends(
-  std::size_t number, const std::vector<lms3dBorderLine::Gate>& gates) const
-{
-  const Chain& chain = this->Chains.GetChains()[number];
-  const lms3dBorderLine line(gates);
-  if (this->Junctions.IsSteady(this->Junctions.GetEndCell(chain, 0), MostCare) ||
-    this->Junctions.IsSteady(this->Junctions.GetEndCell(chain, 1), MostCare))
-  {
-    std::vector<lms3dBorderLine::Vertex> bends;
-    bends.reserve(gates.size());
-    for (const lms3dBorderLine::Gate& gate : gates)
-    {
-      bends.push_back({ static_cast<int>(bends.size()), gate.Best });
-    }
-    return bends;
-  }
-  if (chain.IsClosed)
-  {
-    return line.StraightenClosed();
-  }
-  // Between the two lines of a step; they are one elsewhere.
-  const int side = this->IsStep(chain) ? 1 : 0;
-  const lms3dVector from =
-    this->GetMiddle(this->Junctions.GetStart(number, 0), this->Junctions.GetStart(number, side));
-  const lms3dVector to =
-    this->GetMiddle(this->Junctions.GetEnd(number, 0), this->Junctions.GetEnd(number, side));
-  // The lips of a slit part in its first gate, each at the range of its own side.
-  std::vector<lms3dBorderLine::Vertex> bends = line.Straighten(
-    from, to, this->Junctions.IsEndOfSlit(number, 0), this->Junctions.IsEndOfSlit(number, 1));
-  if (bends.empty() && this->Junctions.IsLipOfSlit(number))
-  {
-    bends.push_back(line.GetMiddle(from, to));
-  }
-  return bends;
-}
-
-lms3dVector lms3dPatchOutlines::GetMiddle(std::int32_t a, std::int32_t b) const
-{
-  return lms3dAdd(this->Vertices[a].Direction, this->Vertices[b].Direction);
-}
-
-// One for both sides, or along a step two: of the own side and of the other.
-void lms3dPatchOutlines::AppendVertices(int edge, double at, std::vector<lms3dMapVertex>& out) const
-{
-  if (this->Gates.GetGate(edge).Is == Gates::Step)
-  {
-    out.push_back(this->Heights.GetVertexInGate(edge, at - HalfBand));
-    out.push_back(this->Heights.GetVertexInGate(Gates::GetTwin(edge), 1.0 - (at + HalfBand)));
-  }
-  else
-  {
-    out.push_back(this->Heights.GetVertexInGate(edge, at));
   }
 }
 
@@ -215,7 +90,8 @@ void lms3dPatchOutlines::MakeLoops()
   }
 }
 
-// Of a chain, the side that an edge begins, and the edge that begins the next one.
+// Appends the side of a chain that begins with an edge. `next` receives the edge that begins the next
+// side.
 void lms3dPatchOutlines::AppendSide(int edge, Outline& outline, int& next) const
 {
   const std::int32_t side = this->Chains.GetChainOf(edge);
@@ -239,36 +115,35 @@ void lms3dPatchOutlines::AppendSide(int edge, Outline& outline, int& next) const
   }
 }
 
-// Returns whether another attempt is due.
-bool lms3dPatchOutlines::MakeBands()
+// Returns false if a strip is flipped.
+bool lms3dPatchOutlines::MakeStrips()
 {
-  lms3dStepBands bands(this->Vertices);
-  this->Uneven.clear();
+  lms3dOffsetStrips strips(this->Vertices);
+  this->PatchesAtFlippedStrips.clear();
   const std::vector<Chain>& chains = this->Chains.GetChains();
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
-    if (this->IsStep(chains[i]) &&
-      !bands.AddBand(this->GetWholeLine(i, 0), this->GetWholeLine(i, 1)))
+    if (this->Chains.GetKind(i) == Gates::Offset &&
+      !strips.AddStrip(this->GetWholeLine(i, 0), this->GetWholeLine(i, 1)))
     {
       const int edge = chains[i].Edges.front();
-      this->Uneven.push_back(this->Gates.GetPatch(edge));
-      this->Uneven.push_back(this->Gates.GetPatch(Gates::GetTwin(edge)));
-      this->Junctions.AddCare(this->Junctions.GetEndCell(chains[i], 0));
-      this->Junctions.AddCare(this->Junctions.GetEndCell(chains[i], 1));
+      this->PatchesAtFlippedStrips.push_back(this->Gates.GetPatch(edge));
+      this->PatchesAtFlippedStrips.push_back(this->Gates.GetPatch(Gates::GetTwin(edge)));
+      this->Junctions.RaiseFallback(chains[i]);
     }
   }
   for (std::int32_t i = 0; i < this->Junctions.GetNumberOfJunctions(); ++i)
   {
     if (this->Junctions.IsFirstOfCell(i))
     {
-      bands.FillRing(this->Junctions.GetRing(i));
+      strips.FillHole(this->Junctions.GetHole(i));
     }
   }
-  this->Bands = bands.GetTriangles();
-  return !this->Uneven.empty();
+  this->StripTriangles = strips.GetTriangles();
+  return this->PatchesAtFlippedStrips.empty();
 }
 
-// With the junctions at its ends, or its first vertex again where it is closed.
+// One side of a chain with the junctions at its ends or, if it is closed, its first vertex again.
 std::vector<std::int32_t> lms3dPatchOutlines::GetWholeLine(std::size_t chain, int side) const
 {
   const Chain& edges = this->Chains.GetChains()[chain];

@@ -7,42 +7,58 @@
 #ifndef lms3dPatchOutlines_h
 #define lms3dPatchOutlines_h
 
-#include "LocalMap/Borders/lms3dBorderChains.h"
-#include "LocalMap/Borders/lms3dBorderHeights.h"
-#include "LocalMap/Borders/lms3dBorderJunctions.h"
-#include "LocalMap/Borders/lms3dBorderLine.h"
+#include "LocalMap/Borders/lms3dBorderPaths.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+/**
+ * Puts the borders of all patches together, so that the patches' meshes fit without cracks and without
+ * T-junctions. If a strip along an offset would face away from the sensor, the borders near it are made
+ * again under tighter rules (lms3dBorderJunctions::FallbackLevel).
+ *
+ * Vertices are numbered for the whole map, the junctions first. See lms3dBorderGates for the words.
+ */
 class lms3dPatchOutlines
 {
 public:
-  /// Loops of vertices, the patch to the left of each.
+  /// The polygon of a patch, with holes: closed loops of vertices, the patch to the left of each.
   struct Outline
   {
+    /// The loops one after the other.
     std::vector<std::int32_t> Vertices;
+    /// The end of each loop in Vertices.
     std::vector<std::int32_t> LoopEnds;
   };
 
+  /// Keeps references. Uses the threads of the calling TBB arena.
   lms3dPatchOutlines(
     const lms3dBeamSphere& sphere, const lms3dPatches& patches, const lms3dBorderGates& gates);
 
   const std::vector<lms3dMapVertex>& GetVertices() const { return this->Vertices; }
+
+  /// Empty for a patch without returns.
   const Outline& GetOutline(int patch) const { return this->Outlines[patch]; }
 
-  /// The triangles of the bands and of the junctions of steps, facing the sensor.
-  const std::vector<std::array<std::int32_t, 3>>& GetBands() const { return this->Bands; }
+  /// The triangles of all strips along offsets (lms3dOffsetStrips). They face the sensor, except where
+  /// GetPatchesAtFlippedStrips() says otherwise.
+  const std::vector<std::array<std::int32_t, 3>>& GetStripTriangles() const
+  {
+    return this->StripTriangles;
+  }
 
-  /// Patches beside a band that would not face the sensor.
-  const std::vector<std::int32_t>& GetUneven() const { return this->Uneven; }
+  /// The patches on both sides of strips that face away from the sensor even at the last fallback level.
+  const std::vector<std::int32_t>& GetPatchesAtFlippedStrips() const
+  {
+    return this->PatchesAtFlippedStrips;
+  }
 
 private:
   using Chain = lms3dBorderChains::Chain;
 
-  /// The vertices within a chain, and those of its other side in the same order: the same numbers
-  /// but along a step.
+  /// The numbers of a chain's vertices between its junctions, for its own side and for its other side
+  /// in the same order. Only along offsets do the two differ.
   struct Line
   {
     std::vector<std::int32_t> Own;
@@ -51,35 +67,24 @@ private:
 
   void StraightenChains();
   void NumberBends();
-  bool HasCare(const Chain& chain) const;
-  std::vector<lms3dMapVertex> Straighten(std::size_t number) const;
-  std::vector<lms3dBorderLine::Vertex> FindBends(
-    std::size_t number, const std::vector<lms3dBorderLine::Gate>& gates) const;
-  std::vector<lms3dBorderLine::Gate> GetLineGates(const Chain& chain) const;
-  void LimitReach(int edge, lms3dBorderLine::Gate& gate) const;
-  lms3dVector GetMiddle(std::int32_t a, std::int32_t b) const;
-  void AppendVertices(int edge, double at, std::vector<lms3dMapVertex>& out) const;
-  bool IsStep(const Chain& chain) const;
-
   void MakeLoops();
   void AppendSide(int edge, Outline& outline, int& next) const;
-  bool MakeBands();
+  bool MakeStrips();
   std::vector<std::int32_t> GetWholeLine(std::size_t chain, int side) const;
 
-  const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;
   const lms3dBorderGates& Gates;
-  const lms3dBorderHeights Heights;
+  const lms3dBorderRanges BorderRanges;
   const lms3dBorderChains Chains;
   lms3dBorderJunctions Junctions;
-  /// Of each chain the vertices, along a step those of both sides in turn.
+  const lms3dBorderPaths Paths;
+  /// The vertices of each chain, as lms3dBorderPaths returns them, and their numbers.
   std::vector<std::vector<lms3dMapVertex>> Bends;
-  /// Their numbers.
   std::vector<Line> Lines;
   std::vector<lms3dMapVertex> Vertices;
   std::vector<Outline> Outlines;
-  std::vector<std::array<std::int32_t, 3>> Bands;
-  std::vector<std::int32_t> Uneven;
+  std::vector<std::array<std::int32_t, 3>> StripTriangles;
+  std::vector<std::int32_t> PatchesAtFlippedStrips;
 };
 
 #endif

@@ -11,51 +11,48 @@
 
 namespace
 {
-// Of the angle to the nearest neighbour, or of this angle in radians where that is far.
+// The radius of a facet, as a share of the angle to the nearest neighbour, and the largest such angle,
+// radians.
 constexpr double FacetShare = 0.25;
-constexpr double LargestAngle = 0.2;
-// Radians by which a beam may miss a triangle that is asked all the same.
+constexpr double MaximumAngle = 0.2;
+// Radians by which a beam may pass outside of a triangle that it hits.
 constexpr double BeamMargin = 1e-6;
 
-double GetAngleToNeighbor(const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place)
+double GetAngleToNeighbor(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index)
 {
-  const int row = sphere.GetRow(place);
-  const lms3dVector direction = sphere.GetDirection(place);
-  double least = LargestAngle;
+  const int row = sphere.GetRow(index);
+  const lms3dVector direction = sphere.GetDirection(index);
+  double smallest = MaximumAngle;
   for (int side = lms3dBeamSphere::Up; side <= lms3dBeamSphere::Left; ++side)
   {
-    if (!sphere.HasNeighbor(place, side) || (sphere.IsPoleRow(row) && side % 2 == 1))
+    if (!sphere.HasNeighbor(index, side) || (sphere.IsPoleRow(row) && side % 2 == 1))
     {
       continue;
     }
     const lms3dVector across =
-      lms3dCross(direction, sphere.GetDirection(sphere.GetNeighbor(place, side)));
-    least = std::min(least, std::sqrt(lms3dDot(across, across)));
+      lms3dCross(direction, sphere.GetDirection(sphere.GetNeighbor(index, side)));
+    smallest = std::min(smallest, lms3dGetLength(across));
   }
-  return least;
+  return smallest;
 }
 } // namespace
 
 void lms3dBoundedMap::AddFacet(
-  const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place, double range)
+  const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range)
 {
-  const lms3dVector ahead = sphere.GetDirection(place);
-  const std::array<double, 2>& level = sphere.GetLevel(sphere.GetColumn(place));
-  // To the right and up, as the sensor sees them.
-  const lms3dVector right = { level[1], -level[0], 0.0 };
-  const lms3dVector up = lms3dCross(right, ahead);
-  const double radius = range * FacetShare * GetAngleToNeighbor(sphere, place);
+  const lms3dVector direction = sphere.GetDirection(index);
+  const std::array<double, 2>& horizontal = sphere.GetHorizontal(sphere.GetColumn(index));
+  // As the sensor sees them.
+  const lms3dVector right = { horizontal[1], -horizontal[0], 0.0 };
+  const lms3dVector up = lms3dCross(right, direction);
+  const double radius = range * FacetShare * GetAngleToNeighbor(sphere, index);
   constexpr double Corners[3][2] = { { -0.8660254037844386, -0.5 }, { 0.8660254037844386, -0.5 },
     { 0.0, 1.0 } };
   const std::int32_t first = static_cast<std::int32_t>(this->Points.size());
   for (const double* corner : Corners)
   {
-    lms3dVector point;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      point[axis] = range * ahead[axis] + radius * (corner[0] * right[axis] + corner[1] * up[axis]);
-    }
-    this->Points.push_back(point);
+    const lms3dVector offset = lms3dAdd(lms3dScale(right, corner[0]), lms3dScale(up, corner[1]));
+    this->Points.push_back(lms3dAdd(lms3dScale(direction, range), lms3dScale(offset, radius)));
   }
   this->Triangles.push_back({ first, first + 1, first + 2 });
   this->PatchIds.push_back(this->NumberOfPatches++);
@@ -63,8 +60,8 @@ void lms3dBoundedMap::AddFacet(
 
 double lms3dBoundedMap::GetDeviation(const lms3dVector& point) const
 {
-  const double range = std::sqrt(lms3dDot(point, point));
-  double least = std::numeric_limits<double>::infinity();
+  const double range = lms3dGetLength(point);
+  double nearest = std::numeric_limits<double>::infinity();
   for (const std::array<std::int32_t, 3>& triangle : this->Triangles)
   {
     const lms3dVector& a = this->Points[triangle[0]];
@@ -73,14 +70,14 @@ double lms3dBoundedMap::GetDeviation(const lms3dVector& point) const
     const auto isInside = [&](const lms3dVector& p, const lms3dVector& q)
     {
       const lms3dVector edge = lms3dCross(q, p);
-      return lms3dDot(edge, point) >= -BeamMargin * range * std::sqrt(lms3dDot(edge, edge));
+      return lms3dDot(edge, point) >= -BeamMargin * range * lms3dGetLength(edge);
     };
     if (isInside(a, b) && isInside(b, c) && isInside(c, a))
     {
-      least = std::min(least, lms3dGetDistance(point, a, b, c));
+      nearest = std::min(nearest, lms3dGetDistance(point, a, b, c));
     }
   }
-  return least;
+  return nearest;
 }
 
 bool lms3dBoundedMap::IsFacing(const std::array<std::int32_t, 3>& triangle) const
@@ -89,7 +86,7 @@ bool lms3dBoundedMap::IsFacing(const std::array<std::int32_t, 3>& triangle) cons
            this->Points[triangle[2]]) < 0.0;
 }
 
-void lms3dBoundedMap::DropUnusedPoints()
+void lms3dBoundedMap::RemoveUnusedPoints()
 {
   std::vector<std::int32_t> numbers(this->Points.size(), -1);
   std::vector<lms3dVector> used;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A local map within an error bound, in the sensor frame.
+ * @brief The local map within an error bound, in the sensor frame.
  */
 #ifndef lms3dBoundedMap_h
 #define lms3dBoundedMap_h
@@ -15,35 +15,41 @@
 
 struct lms3dBoundedMap
 {
-  /// In place of a patch: triangles that join patches across a step, and those of the plain grid.
+  /// The patch of triangles that join patches along an offset, and of the triangles of the plain grid.
   static constexpr std::int32_t NoPatch = -1;
 
+  /// In the sensor frame, metres.
   std::vector<lms3dVector> Points;
+  /// Numbers of points, counter-clockwise as the sensor sees them.
   std::vector<std::array<std::int32_t, 3>> Triangles;
-  /// Of each triangle.
+  /// One patch for each triangle, 0 to NumberOfPatches - 1, or NoPatch.
   std::vector<std::int32_t> PatchIds;
 
   std::int32_t NumberOfPatches = 0;
+  ///@{
+  /// How many returns each kind of triangle represents. All returns of a pole count.
   std::int64_t ReturnsOnPatches = 0;
   std::int64_t ReturnsOnGrid = 0;
   std::int64_t ReturnsOnFacets = 0;
-  /// The largest distance, metres, of a return to the triangle that its beam meets.
+  ///@}
+  /// The largest distance, metres, from a return to the triangle that its beam hits.
   double LargestDeviation = 0.0;
 
   /**
-   * Adds a triangle around the return of a place, or around another range of its beam: facing the
-   * sensor, small enough to meet no other beam. It is a patch of its own.
+   * Adds a facet: a small triangle around the point of a beam at `range` metres. It faces the sensor, is
+   * too small to be hit by any other beam, and is a patch of its own.
    */
-  void AddFacet(const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place, double range);
+  void AddFacet(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range);
 
-  /// How far a point is from the nearest of the triangles that the beam towards it meets; infinite
-  /// where it meets none.
+  /// The distance, metres, from a point to the nearest triangle that the beam through the point hits;
+  /// infinite if it hits none. Looks at all triangles.
   double GetDeviation(const lms3dVector& point) const;
 
   /// Whether the sensor sees a triangle's corners counter-clockwise.
   bool IsFacing(const std::array<std::int32_t, 3>& triangle) const;
 
-  void DropUnusedPoints();
+  /// Removes the points that belong to no triangle and renumbers the others.
+  void RemoveUnusedPoints();
 };
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "Device/lms3dScanInput.h"
 #include "Geometry/lms3dTriangleDistance.h"
+#include "Pipeline/lms3dArray.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -18,21 +19,10 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
-template <typename ArrayT>
-vtkSmartPointer<ArrayT> MakeArray(const char* name, std::size_t count, int components = 1)
-{
-  auto array = vtkSmartPointer<ArrayT>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
-  return array;
-}
-
-// The upper left of a matrix of four columns times a vector.
+// Applies the rotation of a row-major 4 x 4 matrix.
 lms3dVector Rotate(const double* matrix, const lms3dVector& v)
 {
   lms3dVector rotated;
@@ -46,8 +36,8 @@ lms3dVector Rotate(const double* matrix, const lms3dVector& v)
 
 void FillPoints(const lms3dBoundedMap& bounded, const double* matrix, vtkPolyData* map)
 {
-  const auto coordinates = MakeArray<vtkDoubleArray>("Points", bounded.Points.size(), 3);
-  const auto ranges = MakeArray<vtkDoubleArray>("Range", bounded.Points.size());
+  const auto coordinates = lms3dMakeArray<vtkDoubleArray>("Points", bounded.Points.size(), 3);
+  const auto ranges = lms3dMakeArray<vtkDoubleArray>("Range", bounded.Points.size());
   double* out = coordinates->GetPointer(0);
   double* range = ranges->GetPointer(0);
   for (const lms3dVector& point : bounded.Points)
@@ -57,7 +47,7 @@ void FillPoints(const lms3dBoundedMap& bounded, const double* matrix, vtkPolyDat
     {
       *out++ = rotated[axis] + matrix[4 * axis + 3];
     }
-    *range++ = std::sqrt(lms3dDot(point, point));
+    *range++ = lms3dGetLength(point);
   }
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
@@ -68,17 +58,14 @@ void FillPoints(const lms3dBoundedMap& bounded, const double* matrix, vtkPolyDat
 void FillTriangles(const lms3dBoundedMap& bounded, vtkPolyData* map)
 {
   const std::size_t count = bounded.Triangles.size();
-  const auto connectivity = MakeArray<vtkIdTypeArray>("Connectivity", 3 * count);
-  const auto offsets = MakeArray<vtkIdTypeArray>("Offsets", count + 1);
-  const auto patches = MakeArray<vtkIntArray>("PatchId", count);
+  const auto connectivity = lms3dMakeArray<vtkIdTypeArray>("Connectivity", 3 * count);
+  const auto offsets = lms3dMakeArray<vtkIdTypeArray>("Offsets", count + 1);
+  const auto patches = lms3dMakeArray<vtkIntArray>("PatchId", count);
   vtkIdType* corner = connectivity->GetPointer(0);
-  vtkIdType* offset = offsets->GetPointer(0);
-  *offset = 0;
+  lms3dFillOffsets(offsets->GetPointer(0), count, 3);
   for (const std::array<std::int32_t, 3>& triangle : bounded.Triangles)
   {
     corner = std::copy(triangle.begin(), triangle.end(), corner);
-    offset[1] = offset[0] + 3;
-    ++offset;
   }
   std::copy(bounded.PatchIds.begin(), bounded.PatchIds.end(), patches->GetPointer(0));
   vtkNew<vtkCellArray> polygons;
@@ -87,17 +74,18 @@ void FillTriangles(const lms3dBoundedMap& bounded, vtkPolyData* map)
   map->GetCellData()->AddArray(patches);
 }
 
-// Of the triangles: those of points would smear the shading of large triangles across creases.
+// Fills the normals of triangles. Normals of points would blur the shading of large triangles across
+// creases.
 void FillNormals(const lms3dBoundedMap& bounded, const double* matrix, vtkPolyData* map)
 {
-  const auto normals = MakeArray<vtkFloatArray>("Normals", bounded.Triangles.size(), 3);
+  const auto normals = lms3dMakeArray<vtkFloatArray>("Normals", bounded.Triangles.size(), 3);
   float* out = normals->GetPointer(0);
   for (const auto& [a, b, c] : bounded.Triangles)
   {
     const lms3dVector normal = Rotate(matrix,
       lms3dGetWeightedNormal(
         { bounded.Points[a].data(), bounded.Points[b].data(), bounded.Points[c].data() }));
-    const double length = std::sqrt(lms3dDot(normal, normal));
+    const double length = lms3dGetLength(normal);
     for (double component : normal)
     {
       *out++ = static_cast<float>(component / length);
@@ -109,7 +97,7 @@ void FillNormals(const lms3dBoundedMap& bounded, const double* matrix, vtkPolyDa
 template <typename ArrayT, typename T>
 void AddField(vtkPolyData* map, const char* name, T value)
 {
-  const auto array = MakeArray<ArrayT>(name, 1);
+  const auto array = lms3dMakeArray<ArrayT>(name, 1);
   array->SetValue(0, value);
   map->GetFieldData()->AddArray(array);
 }

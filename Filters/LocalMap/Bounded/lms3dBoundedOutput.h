@@ -12,7 +12,8 @@
 class lms3dScanInput;
 class vtkPolyData;
 
-/// Points in world coordinates with `Range` and normal, triangles with `PatchId`, and the counts.
+/// Fills the arrays that the public header of vtkLMS3DSurfaceReconstructionFilter lists for a bounded map.
+/// Points are in world coordinates, metres. `map` must be empty.
 void lms3dFillBoundedOutput(
   const lms3dScanInput& scan, const lms3dBoundedMap& bounded, vtkPolyData* map);
 

@@ -3,25 +3,27 @@
 #include "LocalMap/Bounded/lms3dDeviationMeter.h"
 
 #include "Geometry/lms3dTriangleDistance.h"
-#include "LocalMap/Bounded/lms3dBeamsOfTriangle.h"
+#include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
+// Returns below this share of the largest possible deviation are measured only if none lies above.
 constexpr double FirstShare = 0.7;
+// Radians by which a beam may pass outside of a triangle that it hits.
 constexpr double Margin = 1e-6;
 } // namespace
 
 double lms3dDeviationMeter::GetLargest(std::vector<Part> parts) const
 {
-  std::stable_sort(
-    parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.OnBeams > b.OnBeams; });
+  std::stable_sort(parts.begin(), parts.end(),
+    [](const Part& a, const Part& b) { return a.MaximumAlongBeams > b.MaximumAlongBeams; });
   double largest = 0.0;
   for (const Part& part : parts)
   {
-    if (part.OnBeams <= largest)
+    if (part.MaximumAlongBeams <= largest)
     {
       break;
     }
@@ -30,59 +32,59 @@ double lms3dDeviationMeter::GetLargest(std::vector<Part> parts) const
   return largest;
 }
 
-// Of those above a distance; less where there are none.
-double lms3dDeviationMeter::GetLargest(const Part& part, double least) const
+// The largest deviation of a patch, or any number below the threshold if none exceeds it.
+double lms3dDeviationMeter::GetLargest(const Part& part, double threshold) const
 {
-  const double share = std::max(least, FirstShare * part.OnBeams);
+  const double share = std::max(threshold, FirstShare * part.MaximumAlongBeams);
   const double largest = this->GetLargestAbove(part, share);
-  return largest >= share ? largest : this->GetLargestAbove(part, std::max(least, largest));
+  return largest >= share ? largest : this->GetLargestAbove(part, std::max(threshold, largest));
 }
 
-double lms3dDeviationMeter::GetLargestAbove(const Part& part, double least) const
+double lms3dDeviationMeter::GetLargestAbove(const Part& part, double threshold) const
 {
   Distances distances;
-  for (std::size_t triangle = part.First; triangle < part.Last; ++triangle)
+  for (std::size_t triangle = part.First; triangle < part.End; ++triangle)
   {
-    this->Measure(part, triangle, least, distances);
+    this->Measure(part, triangle, threshold, distances);
   }
-  // Of each return the smallest comes first.
+  // For each return, the smallest distance comes first.
   std::sort(distances.begin(), distances.end());
   double largest = 0.0;
-  Place last = -1;
-  for (const auto& [place, distance] : distances)
+  GridIndex last = -1;
+  for (const auto& [index, distance] : distances)
   {
-    largest = place != last ? std::max(largest, distance) : largest;
-    last = place;
+    largest = index != last ? std::max(largest, distance) : largest;
+    last = index;
   }
   return largest;
 }
 
 void lms3dDeviationMeter::Measure(
-  const Part& part, std::size_t triangle, double least, Distances& distances) const
+  const Part& part, std::size_t triangle, double threshold, Distances& distances) const
 {
   const auto getCorner = [&](int i)
-  { return lms3dCorner(this->Map.Points[this->Map.Triangles[triangle][i]]); };
-  const lms3dCorner a = getCorner(0);
-  const lms3dCorner b = getCorner(1);
-  const lms3dCorner c = getCorner(2);
-  const lms3dBeamsOfTriangle beams(this->Sphere, a, b, c, Margin);
+  { return lms3dTriangleCorner(this->Map.Points[this->Map.Triangles[triangle][i]]); };
+  const lms3dTriangleCorner a = getCorner(0);
+  const lms3dTriangleCorner b = getCorner(1);
+  const lms3dTriangleCorner c = getCorner(2);
+  const lms3dTriangleRasterizer beams(this->Sphere, a, b, c, Margin);
   const auto measure = [&](int column, int first, int last)
   {
     const lms3dColumnPlane inColumn(beams.GetPlane(), this->Sphere, column);
-    const Place start = this->Sphere.GetPlace(column, 0);
+    const GridIndex start = this->Sphere.GetIndex(column, 0);
     for (int row = first; row <= last; ++row)
     {
-      const Place place = start + row;
-      const double range = this->Sphere.GetRange(place);
+      const GridIndex index = start + row;
+      const double range = this->Sphere.GetRange(index);
       const double inverse =
         inColumn.GetInverseRange(this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]);
-      if (this->Patches.Labels[place] == part.Patch && !this->Sphere.IsPoleRow(row) &&
-        !(std::abs(range - 1.0 / inverse) <= least))
+      if (this->Patches.Labels[index] == part.Patch && !this->Sphere.IsPoleRow(row) &&
+        !(std::abs(range - 1.0 / inverse) <= threshold))
       {
-        const lms3dVector point = lms3dScale(this->Sphere.GetDirection(place), range);
-        distances.emplace_back(place, lms3dGetDistance(point, a.Position, b.Position, c.Position));
+        const lms3dVector point = lms3dScale(this->Sphere.GetDirection(index), range);
+        distances.emplace_back(index, lms3dGetDistance(point, a.Position, b.Position, c.Position));
       }
     }
   };
-  beams.ForColumns(measure);
+  beams.ForEachColumn(measure);
 }

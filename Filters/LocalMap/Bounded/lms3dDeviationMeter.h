@@ -15,23 +15,24 @@
 #include <vector>
 
 /**
- * The distance of a return is that to the nearest of its patch's triangles that its beam meets, or
- * all but meets: a beam along an edge belongs to both sides.
+ * The deviation of a return is its distance to the nearest of its patch's triangles that its beam
+ * hits. A beam along an edge hits the triangles on both sides. All distances are metres.
  */
 class lms3dDeviationMeter
 {
 public:
-  /// The triangles of a patch, from one of the map's to before another.
+  /// The triangles of one patch.
   struct Part
   {
     std::int32_t Patch;
+    /// The numbers of the patch's triangles in the map, from First to before End.
     std::size_t First;
-    std::size_t Last;
-    /// No return is farther along its beam, metres.
-    double OnBeams;
+    std::size_t End;
+    /// No return is farther from the patch's triangles along its beam.
+    double MaximumAlongBeams;
   };
 
-  /// Keeps references.
+  /// Keeps references. The map may hold other triangles as well.
   lms3dDeviationMeter(
     const lms3dBeamSphere& sphere, const lms3dPatches& patches, const lms3dBoundedMap& map)
     : Sphere(sphere)
@@ -40,17 +41,18 @@ public:
   {
   }
 
-  /// The largest distance, metres, of all returns of these patches but those of poles. Few are
-  /// measured: those that may be the farthest.
+  /// The largest deviation of all returns of the patches, except the returns of poles. Measures only
+  /// the few returns whose deviation can be the largest.
   double GetLargest(std::vector<Part> parts) const;
 
 private:
-  using Place = lms3dBeamSphere::Place;
-  using Distances = std::vector<std::pair<Place, double>>;
+  using GridIndex = lms3dBeamSphere::GridIndex;
+  using Distances = std::vector<std::pair<GridIndex, double>>;
 
-  double GetLargest(const Part& part, double least) const;
-  double GetLargestAbove(const Part& part, double least) const;
-  void Measure(const Part& part, std::size_t triangle, double least, Distances& distances) const;
+  double GetLargest(const Part& part, double threshold) const;
+  double GetLargestAbove(const Part& part, double threshold) const;
+  void Measure(
+    const Part& part, std::size_t triangle, double threshold, Distances& distances) const;
 
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;

@@ -8,22 +8,22 @@
 #include <algorithm>
 #include <utility>
 
-// Of each vertex.
-std::vector<lms3dFacetedGrid::Place> lms3dFacetedGrid::FindPlaces() const
+// The grid index of each vertex.
+std::vector<lms3dFacetedGrid::GridIndex> lms3dFacetedGrid::FindIndices() const
 {
-  std::vector<Place> places(this->Grid.GetReturns().size());
-  for (Place place = 0; place < this->Sphere.GetNumberOfPlaces(); ++place)
+  std::vector<GridIndex> indices(this->Grid.GetReturns().size());
+  for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
-    const int turn = this->Sphere.GetTurn(place);
-    if (turn >= 0 && this->Sphere.HasReturn(place))
+    const int turn = this->Sphere.GetTurn(index);
+    if (turn >= 0 && this->Sphere.HasReturn(index))
     {
-      places[this->Grid.GetVertex(turn, this->Sphere.GetBeam(place))] = place;
+      indices[this->Grid.GetVertex(turn, this->Sphere.GetBeam(index))] = index;
     }
   }
-  return places;
+  return indices;
 }
 
-// Three numbers each.
+// The triangles of the plain grid, three numbers each.
 std::vector<std::int32_t> lms3dFacetedGrid::MakeTriangles(const lms3dBoundedMap& map) const
 {
   lms3dGridPoints points;
@@ -39,20 +39,20 @@ std::vector<std::int32_t> lms3dFacetedGrid::MakeTriangles(const lms3dBoundedMap&
       }
     }
   }
-  points.FillGhosts(this->Grid);
+  points.FillHalo(this->Grid);
   lms3dGridMesher mesher;
-  mesher.ChooseTriangles(this->Grid, this->Joins, points);
+  mesher.SelectTriangles(this->Grid, this->Joins, points);
   std::vector<std::int32_t> corners(3 * mesher.GetNumberOfTriangles());
   mesher.FillTriangles(this->Grid, corners.data());
   return corners;
 }
 
-// Returns which vertices have one.
+// Returns which vertices belong to a triangle.
 std::vector<bool> lms3dFacetedGrid::AddTriangles(lms3dBoundedMap& map) const
 {
   const std::vector<std::int32_t> corners = this->MakeTriangles(map);
   const bool isMirrored = this->Grid.GetGeometry().IsMirrored();
-  std::vector<bool> isMet(map.Points.size(), false);
+  std::vector<bool> isUsed(map.Points.size(), false);
   for (std::size_t i = 0; i < corners.size(); i += 3)
   {
     std::array<std::int32_t, 3> triangle = { corners[i], corners[i + 1], corners[i + 2] };
@@ -60,40 +60,40 @@ std::vector<bool> lms3dFacetedGrid::AddTriangles(lms3dBoundedMap& map) const
     {
       std::swap(triangle[1], triangle[2]);
     }
-    // A cell that is wider than half a circle has no front.
+    // In a cell that is wider than half a circle, a triangle can face away from the sensor.
     if (map.IsFacing(triangle))
     {
       map.Triangles.push_back(triangle);
       for (std::int32_t corner : triangle)
       {
-        isMet[corner] = true;
+        isUsed[corner] = true;
       }
     }
   }
-  return isMet;
+  return isUsed;
 }
 
 lms3dBoundedMap lms3dFacetedGrid::MakeMap() const
 {
-  const std::vector<Place> places = this->FindPlaces();
+  const std::vector<GridIndex> indices = this->FindIndices();
   lms3dBoundedMap map;
-  map.Points.reserve(places.size());
-  for (Place place : places)
+  map.Points.reserve(indices.size());
+  for (GridIndex index : indices)
   {
     map.Points.push_back(
-      lms3dScale(this->Sphere.GetDirection(place), this->Sphere.GetRange(place)));
+      lms3dScale(this->Sphere.GetDirection(index), this->Sphere.GetRange(index)));
   }
-  const std::vector<bool> isMet = this->AddTriangles(map);
+  const std::vector<bool> isUsed = this->AddTriangles(map);
   map.PatchIds.assign(map.Triangles.size(), lms3dBoundedMap::NoPatch);
-  map.ReturnsOnGrid = std::count(isMet.begin(), isMet.end(), true);
-  for (std::size_t vertex = 0; vertex < isMet.size(); ++vertex)
+  map.ReturnsOnGrid = std::count(isUsed.begin(), isUsed.end(), true);
+  for (std::size_t vertex = 0; vertex < isUsed.size(); ++vertex)
   {
-    if (!isMet[vertex])
+    if (!isUsed[vertex])
     {
-      map.AddFacet(this->Sphere, places[vertex], this->Sphere.GetRange(places[vertex]));
+      map.AddFacet(this->Sphere, indices[vertex], this->Sphere.GetRange(indices[vertex]));
       ++map.ReturnsOnFacets;
     }
   }
-  map.DropUnusedPoints();
+  map.RemoveUnusedPoints();
   return map;
 }

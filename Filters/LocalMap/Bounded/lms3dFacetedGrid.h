@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Makes the bounded map of a scan that patches would not simplify.
+ * @brief Makes the bounded map of a scan that planar patches would not simplify.
  */
 #ifndef lms3dFacetedGrid_h
 #define lms3dFacetedGrid_h
@@ -10,13 +10,16 @@
 #include "LocalMap/Bounded/lms3dBoundedMap.h"
 #include "LocalMap/Grid/lms3dRangeJoins.h"
 
-/// The triangles of the plain grid, each return a vertex, and a facet for each return without one.
+/**
+ * Makes the triangles of the plain grid, with each return as a vertex, and a facet for each return that
+ * belongs to no triangle. The deviation of every return is 0, except at poles.
+ */
 class lms3dFacetedGrid
 {
 public:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
 
-  /// Keeps references.
+  /// Keeps references. `sphere` must be made of the same grid and joins.
   lms3dFacetedGrid(
     const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, const lms3dBeamSphere& sphere)
     : Grid(grid)
@@ -25,10 +28,11 @@ public:
   {
   }
 
+  /// Uses the threads of the calling TBB arena.
   lms3dBoundedMap MakeMap() const;
 
 private:
-  std::vector<Place> FindPlaces() const;
+  std::vector<GridIndex> FindIndices() const;
   std::vector<std::int32_t> MakeTriangles(const lms3dBoundedMap& map) const;
   std::vector<bool> AddTriangles(lms3dBoundedMap& map) const;
 

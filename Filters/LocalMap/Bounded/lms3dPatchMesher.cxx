@@ -4,88 +4,72 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 namespace
 {
-// How far a vertex may be off its return: as noise is at most, and in the bound with some room for
-// the returns beside it.
+// How far a new vertex may lie off its return: as far as noise reaches, and within the bound with some
+// room for the returns beside it.
 constexpr double LiftInDeviations = 4.0;
 constexpr double LiftInBounds = 0.8;
-// The rounds of one new vertex a triangle, before all beams that are too far become vertices.
-constexpr int PatientRounds = 12;
-// The smallest cosine to the axis of projection.
-constexpr double SmallestCosine = 1e-6;
-
-double GetLength(const lms3dVector& v)
-{
-  return std::sqrt(lms3dDot(v, v));
-}
-
+// The number of rounds in which each triangle gets one new vertex. Afterwards all beams beyond the bound
+// become vertices.
+constexpr int WorstOnlyRounds = 12;
 } // namespace
 
+/// The mesh of one patch while it is refined.
 struct lms3dPatchMesher::Work
 {
-  /// A beam that meets a triangle too far from its return, and the range where it does.
-  struct Miss
+  /// A beam that hits a triangle beyond the bound.
+  struct Violation
   {
-    Place Beam;
+    GridIndex Beam;
     int Triangle;
+    /// The range of the hit, metres; negative if the plane of the triangle does not meet the beam.
     double Range;
     double Deviation;
   };
 
-  int Patch;
-  int Members;
-  /// The numbers of the outlines' vertices, sorted.
-  std::vector<std::int32_t> Numbers;
-  /// By the numbers of the triangulation: those of the outline, its frame, those that were added.
-  std::vector<lms3dMapVertex> Vertices;
-  std::vector<lms3dCorner> Corners;
-  std::unique_ptr<lms3dTriangulation> Triangulation;
-  /// To the right and up, as the sensor sees them, and ahead.
-  lms3dVector Axes[3];
-  bool IsPatient = true;
-  int Met = 0;
-  /// All triangles have been met, by beams of the patch alone.
-  bool IsMetByItsOwn = false;
-  std::vector<Miss> Misses;
-  /// A triangle when its beams were met, and the largest distance along them that is in the bound.
-  struct Checked
+  /// The corners of a triangle when its beams were last checked, and the largest deviation within the
+  /// bound.
+  struct CheckedTriangle
   {
     std::array<std::int32_t, 3> Corners = { -1, -1, -1 };
     double Deviation = 0.0;
   };
 
-  std::vector<Checked> Triangles;
-  lms3dPatchMesh Result;
-
-  void Add(const lms3dMapVertex& vertex)
+  Work(const lms3dPatchOutlines& outlines, int patch, int members, const lms3dPlane& plane)
+    : Patch(patch)
+    , Members(members)
+    , Triangulation(outlines, patch, plane.Q)
   {
-    this->Vertices.push_back(vertex);
-    this->Corners.emplace_back(lms3dScale(vertex.Direction, 1.0 / vertex.InverseRange));
   }
 
-  /// While patient, the worst of each triangle.
-  void AddMiss(const Miss& miss)
+  /// Keeps the worst violation of each triangle, or all.
+  void AddViolation(const Violation& violation)
   {
-    if (!this->IsPatient || this->Misses.empty() || this->Misses.back().Triangle != miss.Triangle)
+    if (!this->KeepsWorstOnly || this->Violations.empty() ||
+      this->Violations.back().Triangle != violation.Triangle)
     {
-      this->Misses.push_back(miss);
+      this->Violations.push_back(violation);
     }
-    else if (miss.Deviation > this->Misses.back().Deviation)
+    else if (violation.Deviation > this->Violations.back().Deviation)
     {
-      this->Misses.back() = miss;
+      this->Violations.back() = violation;
     }
   }
 
-  lms3dPoint2 GetPoint(const lms3dVector& direction) const
-  {
-    const double ahead = lms3dDot(this->Axes[2], direction);
-    return { lms3dDot(this->Axes[0], direction) / ahead,
-      lms3dDot(this->Axes[1], direction) / ahead };
-  }
+  const int Patch;
+  const int Members;
+  lms3dPatchTriangulation Triangulation;
+  bool KeepsWorstOnly = true;
+  /// The number of the patch's beams that hit a triangle.
+  int Covered = 0;
+  /// Whether all triangles have been checked, and only beams of the patch hit them.
+  bool CoversOwnBeamsOnly = false;
+  double DeviationOnBeams = 0.0;
+  std::vector<Violation> Violations;
+  std::vector<CheckedTriangle> Triangles;
 };
 
 lms3dPatchMesher::lms3dPatchMesher(const lms3dBeamSphere& sphere, const lms3dPatches& patches,
@@ -94,92 +78,39 @@ lms3dPatchMesher::lms3dPatchMesher(const lms3dBeamSphere& sphere, const lms3dPat
   , Patches(patches)
   , Outlines(outlines)
   , MaximumError(maximumError)
-  , Lift(std::min(LiftInBounds * maximumError, LiftInDeviations * noise))
-  , States(sphere.GetNumberOfPlaces(), IsUnmet)
+  , MaximumLift(std::min(LiftInBounds * maximumError, LiftInDeviations * noise))
+  , States(sphere.GetSize(), IsUncovered)
 {
 }
 
 lms3dPatchMesh lms3dPatchMesher::Mesh(int patch, int members)
 {
-  Work work;
-  work.Patch = patch;
-  work.Members = members;
-  if (this->Project(work) && this->Refine(work))
+  lms3dPatchMesh mesh;
+  Work work(this->Outlines, patch, members, this->Patches.Patches[patch].Plane);
+  if (work.Triangulation.IsValid() && this->Refine(work))
   {
-    this->Finish(work);
+    mesh.IsValid = true;
+    mesh.Added = work.Triangulation.GetAddedVertices();
+    mesh.Triangles = work.Triangulation.GetTriangles();
+    mesh.DeviationOnBeams = work.DeviationOnBeams;
   }
-  else if (work.IsMetByItsOwn)
+  else if (work.CoversOwnBeamsOnly)
   {
-    this->FindUnmet(work);
+    mesh.Uncovered = this->FindUncovered(patch);
   }
-  return std::move(work.Result);
-}
-
-// Along the patch's plane, or where its outline leaves what can be seen of it, ahead.
-bool lms3dPatchMesher::Project(Work& work) const
-{
-  work.Numbers = this->Outlines.GetOutline(work.Patch).Vertices;
-  std::sort(work.Numbers.begin(), work.Numbers.end());
-  work.Numbers.erase(std::unique(work.Numbers.begin(), work.Numbers.end()), work.Numbers.end());
-  lms3dVector ahead = { 0.0, 0.0, 0.0 };
-  for (std::int32_t number : work.Numbers)
-  {
-    work.Add(this->Outlines.GetVertices()[number]);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      ahead[axis] += work.Vertices.back().Direction[axis];
-    }
-  }
-  return work.Numbers.size() >= 3 &&
-    (this->ProjectAlong(work, this->Patches.Patches[work.Patch].Plane.Q) ||
-      this->ProjectAlong(work, ahead));
-}
-
-bool lms3dPatchMesher::ProjectAlong(Work& work, const lms3dVector& axis) const
-{
-  work.Axes[2] = lms3dScale(axis, 1.0 / GetLength(axis));
-  const lms3dVector& ahead = work.Axes[2];
-  const lms3dVector other =
-    std::abs(ahead[2]) < 0.7 ? lms3dVector{ 0.0, 0.0, 1.0 } : lms3dVector{ 1.0, 0.0, 0.0 };
-  const lms3dVector right = lms3dCross(ahead, other);
-  work.Axes[0] = lms3dScale(right, 1.0 / GetLength(right));
-  work.Axes[1] = lms3dCross(work.Axes[0], ahead);
-  std::vector<lms3dPoint2> points;
-  for (std::size_t i = 0; i < work.Numbers.size(); ++i)
-  {
-    const lms3dVector& direction = work.Vertices[i].Direction;
-    if (!(lms3dDot(ahead, direction) > SmallestCosine))
-    {
-      return false;
-    }
-    points.push_back(work.GetPoint(direction));
-  }
-  const lms3dPatchOutlines::Outline& outline = this->Outlines.GetOutline(work.Patch);
-  std::vector<std::int32_t> loops;
-  for (std::int32_t number : outline.Vertices)
-  {
-    loops.push_back(static_cast<std::int32_t>(
-      std::lower_bound(work.Numbers.begin(), work.Numbers.end(), number) - work.Numbers.begin()));
-  }
-  work.Triangulation =
-    std::make_unique<lms3dTriangulation>(std::move(points), loops, outline.LoopEnds);
-  return work.Triangulation->IsValid();
+  return mesh;
 }
 
 bool lms3dPatchMesher::Refine(Work& work)
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    work.Add({ work.Axes[2], 1.0 }); // In the place of the frame's corners.
-  }
   for (int round = 0;; ++round)
   {
-    work.IsPatient = round < PatientRounds;
+    work.KeepsWorstOnly = round < WorstOnlyRounds;
     if (!this->Check(work))
     {
       return false;
     }
-    if (work.Misses.empty())
+    if (work.Violations.empty())
     {
       return true;
     }
@@ -190,53 +121,56 @@ bool lms3dPatchMesher::Refine(Work& work)
   }
 }
 
-// A triangle that is as before has no miss: it would have got a vertex.
+// An unchanged triangle has no violation: it would have got a new vertex.
 bool lms3dPatchMesher::Check(Work& work)
 {
-  work.Misses.clear();
-  work.IsMetByItsOwn = false;
-  work.Result.DeviationOnBeams = 0.0;
-  work.Triangles.resize(work.Triangulation->GetNumberOfTriangles());
-  for (int i = 0; i < work.Triangulation->GetNumberOfTriangles(); ++i)
+  work.Violations.clear();
+  work.CoversOwnBeamsOnly = false;
+  work.DeviationOnBeams = 0.0;
+  work.Triangles.resize(work.Triangulation.GetNumberOfTriangles());
+  for (int i = 0; i < work.Triangulation.GetNumberOfTriangles(); ++i)
   {
-    if (!work.Triangulation->IsInside(i))
+    if (!work.Triangulation.IsInside(i))
     {
       continue;
     }
-    Work::Checked& triangle = work.Triangles[i];
-    if (triangle.Corners != work.Triangulation->GetCorners(i))
+    Work::CheckedTriangle& triangle = work.Triangles[i];
+    if (triangle.Corners != work.Triangulation.GetCorners(i))
     {
-      triangle = { work.Triangulation->GetCorners(i) };
+      triangle = { work.Triangulation.GetCorners(i) };
       if (!this->CheckTriangle(work, i))
       {
         return false;
       }
     }
-    work.Result.DeviationOnBeams = std::max(work.Result.DeviationOnBeams, triangle.Deviation);
+    work.DeviationOnBeams = std::max(work.DeviationOnBeams, triangle.Deviation);
   }
-  work.IsMetByItsOwn = true;
-  return work.Met == work.Members;
+  work.CoversOwnBeamsOnly = true;
+  return work.Covered == work.Members;
 }
 
-void lms3dPatchMesher::FindUnmet(Work& work) const
+std::vector<lms3dPatchMesher::GridIndex> lms3dPatchMesher::FindUncovered(int patch) const
 {
-  for (Place place = 0; place < this->Sphere.GetNumberOfPlaces(); ++place)
+  std::vector<GridIndex> uncovered;
+  for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
-    if (this->Patches.Labels[place] == work.Patch && this->States[place] == IsUnmet &&
-      !this->Sphere.IsRepeated(place))
+    if (this->Patches.Labels[index] == patch && this->States[index] == IsUncovered &&
+      !this->Sphere.IsPoleCopy(index))
     {
-      work.Result.Unmet.push_back(place);
+      uncovered.push_back(index);
     }
   }
+  return uncovered;
 }
 
+// Returns false if a beam of another patch hits the triangle.
 bool lms3dPatchMesher::CheckTriangle(Work& work, int triangle)
 {
-  const std::array<std::int32_t, 3>& corners = work.Triangulation->GetCorners(triangle);
-  const lms3dBeamsOfTriangle beams(
-    this->Sphere, work.Corners[corners[0]], work.Corners[corners[1]], work.Corners[corners[2]]);
+  const std::array<std::int32_t, 3>& corners = work.Triangulation.GetCorners(triangle);
+  const lms3dTriangleRasterizer beams(this->Sphere, work.Triangulation.GetVertex(corners[0]),
+    work.Triangulation.GetVertex(corners[1]), work.Triangulation.GetVertex(corners[2]));
   bool areOwn = true;
-  beams.ForColumns(
+  beams.ForEachColumn(
     [&](int column, int first, int last) {
       areOwn = areOwn && this->CheckBeams(work, triangle, beams.GetPlane(), column, first, last);
     });
@@ -247,12 +181,12 @@ bool lms3dPatchMesher::CheckBeams(
   Work& work, int triangle, const lms3dPlane& plane, int column, int first, int last)
 {
   const lms3dColumnPlane inColumn(plane, this->Sphere, column);
-  const Place start = this->Sphere.GetPlace(column, 0);
+  const GridIndex start = this->Sphere.GetIndex(column, 0);
   double largest = work.Triangles[triangle].Deviation;
   for (int row = first; row <= last; ++row)
   {
-    const Place place = start + row;
-    if (this->Patches.Labels[place] != work.Patch)
+    const GridIndex index = start + row;
+    if (this->Patches.Labels[index] != work.Patch)
     {
       return false;
     }
@@ -260,73 +194,49 @@ bool lms3dPatchMesher::CheckBeams(
     {
       continue;
     }
-    if (this->States[place] == IsUnmet)
+    if (this->States[index] == IsUncovered)
     {
-      this->States[place] = IsMet;
-      ++work.Met;
+      this->States[index] = IsCovered;
+      ++work.Covered;
     }
     const double inverse =
       inColumn.GetInverseRange(this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]);
     const double deviation =
-      std::abs(this->Sphere.GetRange(place) - 1.0 / inverse) + this->Sphere.GetSpread(row);
+      std::abs(this->Sphere.GetRange(index) - 1.0 / inverse) + this->Sphere.GetPoleHalfSpread(row);
     if (deviation <= this->MaximumError)
     {
       largest = std::max(largest, deviation);
     }
-    else if (this->States[place] != IsVertex)
+    else if (this->States[index] != IsVertex)
     {
-      work.AddMiss({ place, triangle, 1.0 / inverse, deviation });
+      work.AddViolation({ index, triangle, 1.0 / inverse, deviation });
     }
   }
   work.Triangles[triangle].Deviation = largest;
   return true;
 }
 
+// Returns false if a vertex cannot be inserted.
 bool lms3dPatchMesher::InsertBeams(Work& work)
 {
-  for (const Work::Miss& miss : work.Misses)
+  for (const Work::Violation& violation : work.Violations)
   {
-    if (this->States[miss.Beam] == IsVertex)
+    if (this->States[violation.Beam] == IsVertex)
     {
       continue; // On the edge of two triangles.
     }
-    this->States[miss.Beam] = IsVertex;
-    const lms3dVector direction = this->Sphere.GetDirection(miss.Beam);
-    const double range = this->Sphere.GetRange(miss.Beam);
-    const double spread = this->Sphere.GetSpread(this->Sphere.GetRow(miss.Beam));
-    const double rest = std::max(0.0, this->Lift - spread);
-    const double lifted = miss.Range > range ? range + rest : range - rest;
-    const std::int32_t number = work.Triangulation->Insert(work.GetPoint(direction), miss.Triangle);
-    // Behind the horizon of its triangle a beam has no range to start from.
-    const bool isLiftable = lifted > 0.0 && miss.Range > 0.0;
-    if (number == lms3dTriangulation::None)
+    this->States[violation.Beam] = IsVertex;
+    const double range = this->Sphere.GetRange(violation.Beam);
+    const double halfSpread = this->Sphere.GetPoleHalfSpread(this->Sphere.GetRow(violation.Beam));
+    const double lift = std::max(0.0, this->MaximumLift - halfSpread);
+    const double lifted = violation.Range > range ? range + lift : range - lift;
+    const bool isLiftable = lifted > 0.0 && violation.Range > 0.0;
+    if (!work.Triangulation.Insert(
+          { this->Sphere.GetDirection(violation.Beam), 1.0 / (isLiftable ? lifted : range) },
+          violation.Triangle))
     {
       return false;
     }
-    work.Add({ direction, 1.0 / (isLiftable ? lifted : range) });
   }
   return true;
-}
-
-void lms3dPatchMesher::Finish(Work& work) const
-{
-  const std::int32_t shared = static_cast<std::int32_t>(work.Numbers.size());
-  const std::int32_t firstAdded = shared + 3;
-  const std::int32_t outlineVertices =
-    static_cast<std::int32_t>(this->Outlines.GetVertices().size());
-  lms3dPatchMesh& result = work.Result;
-  result.IsValid = true;
-  result.Added.assign(work.Vertices.begin() + firstAdded, work.Vertices.end());
-  for (int i = 0; i < work.Triangulation->GetNumberOfTriangles(); ++i)
-  {
-    if (work.Triangulation->IsInside(i))
-    {
-      std::array<std::int32_t, 3> corners = work.Triangulation->GetCorners(i);
-      for (std::int32_t& corner : corners)
-      {
-        corner = corner < shared ? work.Numbers[corner] : outlineVertices + corner - firstAdded;
-      }
-      result.Triangles.push_back(corners);
-    }
-  }
 }

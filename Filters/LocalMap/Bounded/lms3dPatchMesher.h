@@ -2,77 +2,80 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Triangulates a patch, and makes sure of the bound for each of its returns.
+ * @brief Triangulates a patch so that the error bound holds for each of its returns.
  */
 #ifndef lms3dPatchMesher_h
 #define lms3dPatchMesher_h
 
-#include "LocalMap/Borders/lms3dPatchOutlines.h"
-#include "LocalMap/Bounded/lms3dBeamsOfTriangle.h"
-#include "Triangulation/lms3dTriangulation.h"
+#include "LocalMap/Bounded/lms3dPatchTriangulation.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
-/// The triangles of a patch. Numbers from the number of the outlines' vertices on are those of Added.
+/// The triangles of a patch.
 struct lms3dPatchMesh
 {
+  /// If false, only Uncovered has a meaning.
   bool IsValid = false;
+  /// The vertices that only this patch has. They are numbered from the number of the outlines' vertices.
   std::vector<lms3dMapVertex> Added;
+  /// Numbers of vertices, counter-clockwise as the sensor sees them.
   std::vector<std::array<std::int32_t, 3>> Triangles;
-  /// No return is farther than so many metres from the triangle that its beam meets, along the beam.
+  /// No return is farther from the triangle that its beam hits, along the beam, metres.
   double DeviationOnBeams = 0.0;
-  /// Where it is not valid only because beams of the patch meet no triangle: these, in order.
-  std::vector<lms3dBeamSphere::Place> Unmet;
+  /// If the mesh is not valid only because some beams of the patch hit no triangle: these beams, sorted.
+  std::vector<lms3dBeamSphere::GridIndex> Uncovered;
 };
 
 /**
- * The outline is triangulated as it is seen against the patch's plane, where nearness is that of the
- * surface itself. Then the beams of every triangle are compared with it, and where a return is
- * farther from the triangle than the bound, measured along the beam, the beam becomes a vertex: at
- * its return or, where the ranges are noisy, off it towards the triangle, by as much as noise and
- * bound allow, so that the surface does not follow the noise. That goes on until no return is too
- * far: at worst, all are vertices. A mesh is not valid where the outline crosses itself, or where a
- * triangle meets a beam that is not the patch's, or none one that is.
+ * Triangulates the outline of a patch (lms3dPatchTriangulation), then casts all beams at the triangles.
+ * If a return is farther than the bound from the triangle that its beam hits, measured along the beam,
+ * the beam becomes a vertex, until no return is too far. In the worst case, all returns are vertices, so
+ * the bound always holds. A new vertex lies at its return or, if ranges are noisy, off it towards the
+ * triangle, as far as noise and bound allow, so that the surface does not follow the noise.
+ *
+ * A mesh is not valid if the outline crosses itself, if a triangle is hit by a beam of another patch, or
+ * if a beam of the patch hits no triangle.
  */
 class lms3dPatchMesher
 {
 public:
+  /// Keeps references. `maximumError` is the bound and `noise` the standard deviation of ranges, metres.
   lms3dPatchMesher(const lms3dBeamSphere& sphere, const lms3dPatches& patches,
     const lms3dPatchOutlines& outlines, double maximumError, double noise);
 
-  /// `members` is the number of the patch's returns; may be called for several patches at a time.
+  /// Meshes one patch. `members` is the number of its returns, at least one. May be called for several
+  /// patches at a time, once for each.
   lms3dPatchMesh Mesh(int patch, int members);
 
 private:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
   struct Work;
 
-  /// Of a beam in the mesh of its patch.
+  /// The state of a beam in the mesh of its patch.
   enum State : std::uint8_t
   {
-    IsUnmet,
-    IsMet,
+    IsUncovered,
+    IsCovered,
     IsVertex
   };
 
-  bool Project(Work& work) const;
-  bool ProjectAlong(Work& work, const lms3dVector& axis) const;
   bool Refine(Work& work);
   bool Check(Work& work);
   bool CheckTriangle(Work& work, int triangle);
   bool CheckBeams(
     Work& work, int triangle, const lms3dPlane& plane, int column, int first, int last);
-  void FindUnmet(Work& work) const;
   bool InsertBeams(Work& work);
-  void Finish(Work& work) const;
+  std::vector<GridIndex> FindUncovered(int patch) const;
 
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;
   const lms3dPatchOutlines& Outlines;
   const double MaximumError;
-  /// How far a vertex may be off its return, metres.
-  const double Lift;
+  /// How far a new vertex may lie off its return, metres.
+  const double MaximumLift;
+  /// By grid index. Threads write to the beams of their own patches only.
   std::vector<State> States;
 };
 

@@ -27,20 +27,20 @@
 
 namespace
 {
-// Fewer are done before another thread can come.
-constexpr int FewestTriangles = 4096;
+// With fewer triangles, starting another thread takes longer than the work.
+constexpr int MinimumTrianglesPerTask = 4096;
 
-/// Where the vertices go.
+/// Copies the returns to the points of the map and to the grid of points.
 struct VertexArrays
 {
-  // A pole is a vertex of the first turn, though a place of every.
-  void FillTurn(const lms3dRangeGrid& grid, int turn, lms3dGridPoints& places) const
+  // All turns share the entry of a pole; its vertex belongs to the first turn.
+  void FillTurn(const lms3dRangeGrid& grid, int turn, lms3dGridPoints& gridPoints) const
   {
     const std::int32_t* vertices = grid.GetVertices(turn);
     const std::int32_t* returns = grid.GetReturns().data();
-    double* x = places.GetRow(0, turn);
-    double* y = places.GetRow(1, turn);
-    double* z = places.GetRow(2, turn);
+    double* x = gridPoints.GetRow(0, turn);
+    double* y = gridPoints.GetRow(1, turn);
+    double* z = gridPoints.GetRow(2, turn);
     if (!grid.HasReturns(turn))
     {
       for (double* row : { x, y, z })
@@ -81,7 +81,7 @@ struct VertexArrays
 
 void FillOffsets(int triangles, std::int32_t* offsets)
 {
-  tbb::parallel_for(tbb::blocked_range<int>(0, triangles + 1, FewestTriangles),
+  tbb::parallel_for(tbb::blocked_range<int>(0, triangles + 1, MinimumTrianglesPerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int i = range.begin(); i < range.end(); ++i)
@@ -91,9 +91,9 @@ void FillOffsets(int triangles, std::int32_t* offsets)
     });
 }
 
-void TurnRound(int triangles, std::int32_t* vertices)
+void ReverseTriangles(int triangles, std::int32_t* vertices)
 {
-  tbb::parallel_for(tbb::blocked_range<int>(0, triangles, FewestTriangles),
+  tbb::parallel_for(tbb::blocked_range<int>(0, triangles, MinimumTrianglesPerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int i = range.begin(); i < range.end(); ++i)
@@ -103,14 +103,15 @@ void TurnRound(int triangles, std::int32_t* vertices)
     });
 }
 
-// Cells are told by 32 bits.
+// Cell arrays have 32 bits.
 int CheckNumber(std::int64_t triangles)
 {
-  constexpr int Most = std::numeric_limits<std::int32_t>::max() / 3;
-  if (triangles > Most)
+  constexpr int Maximum = std::numeric_limits<std::int32_t>::max() / 3;
+  if (triangles > Maximum)
   {
     throw std::runtime_error("The map would have " + std::to_string(triangles) +
-      " triangles; at most " + std::to_string(Most) + " are possible. Choose lower resolutions.");
+      " triangles; at most " + std::to_string(Maximum) +
+      " are possible. Choose lower resolutions.");
   }
   return static_cast<int>(triangles);
 }
@@ -127,8 +128,8 @@ void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
   this->Points.SetShape(grid);
   tbb::parallel_for(
     0, grid.GetNumberOfTurns(), [&](int turn) { out.FillTurn(grid, turn, this->Points); });
-  this->Points.FillGhosts(grid);
-  this->Mesher.ChooseTriangles(grid, joins, this->Points);
+  this->Points.FillHalo(grid);
+  this->Mesher.SelectTriangles(grid, joins, this->Points);
   if (!progress(0.4))
   {
     return;
@@ -142,7 +143,7 @@ void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
   FillOffsets(triangles, offsets->GetPointer(0));
   if (grid.GetGeometry().IsMirrored())
   {
-    TurnRound(triangles, connectivity->GetPointer(0));
+    ReverseTriangles(triangles, connectivity->GetPointer(0));
   }
   if (!progress(0.7))
   {

@@ -14,13 +14,17 @@
 class lms3dScanInput;
 class vtkPolyData;
 
-/// Makes one map after the other, in memory that is used again. To be called in the TBB arena whose
-/// threads it is to use.
+/// Fills maps in which every return is a vertex. Reuses the memory of earlier maps. Uses the threads of
+/// the calling TBB arena.
 class lms3dGridMap
 {
 public:
-  /// Every vertex of the grid with `Range` and normal, and its triangles; nothing where `progress`
-  /// stopped it.
+  /**
+   * Fills an empty map with points in world coordinates, `Range` and normals, and with the triangles that
+   * the joins allow. If `progress` returns false, the map stays empty. `grid` and `joins` must be made
+   * of the scan. Throws std::runtime_error, with a message for the user, if there are too many triangles
+   * for 32-bit cells.
+   */
   void Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
     const lms3dProgress& progress, vtkPolyData* map);
 

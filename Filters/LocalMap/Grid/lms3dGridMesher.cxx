@@ -14,32 +14,33 @@ namespace
 constexpr unsigned Even = 0b0101;
 constexpr unsigned Odd = 0b1010;
 
-constexpr int Count(unsigned bits)
+constexpr int CountBits(unsigned bits)
 {
   return (bits & 1) + (bits >> 1 & 1) + (bits >> 2 & 1) + (bits >> 3 & 1);
 }
 
-// Bit i of `sides` tells whether corner i is joined with the next. The diagonal between two corners
-// cuts off the triangles of the others. More triangles go before shortness.
-constexpr std::uint8_t ChooseCell(unsigned sides, bool isEvenDiagonalShorter)
+// Returns the triangles of a cell. Bit i of `sides` is set if corner i is joined with the next. A diagonal
+// gives the triangles of the two corners beside it. The diagonal of more triangles wins, then the
+// shorter.
+constexpr std::uint8_t SelectTrianglesOfCell(unsigned sides, bool isEvenDiagonalShorter)
 {
   const unsigned sidesBefore = (sides << 1 | sides >> 3) & 0b1111;
   const unsigned whole = sides & sidesBefore;
-  const int even = Count(whole & Even);
-  const int odd = Count(whole & Odd);
+  const int even = CountBits(whole & Even);
+  const int odd = CountBits(whole & Odd);
   const bool takeOdd = odd > even || (odd == even && isEvenDiagonalShorter);
   return static_cast<std::uint8_t>(whole & (takeOdd ? Odd : Even));
 }
 
 using CellTable = std::array<std::uint8_t, 32>;
 
-// By the sides, and 16 more where the diagonal from corner 0 to corner 2 is the shorter.
+// The index is the sides, plus 16 if the diagonal from corner 0 to corner 2 is the shorter.
 constexpr CellTable MakeCellTable()
 {
   CellTable table{};
   for (unsigned i = 0; i < table.size(); ++i)
   {
-    table[i] = ChooseCell(i % 16, i >= 16);
+    table[i] = SelectTrianglesOfCell(i % 16, i >= 16);
   }
   return table;
 }
@@ -51,7 +52,7 @@ double Square(double x)
   return x * x;
 }
 
-// By how much, for each cell, the square of the diagonal from corner 1 to 3 is the greater.
+// Subtracts the squared diagonals of each cell: from corner 1 to 3, minus from corner 0 to 2.
 void CompareDiagonals(const lms3dGridPoints& points, int turn, int cells, double* excess)
 {
   const double* hereX = points.GetRow(0, turn);
@@ -70,7 +71,7 @@ void CompareDiagonals(const lms3dGridPoints& points, int turn, int cells, double
   }
 }
 
-// Bit i tells whether corner i of a cell is joined with the next.
+// Sets bit i of a cell if its corner i is joined with the next.
 void FindSides(const lms3dRangeJoins& joins, int turn, int cells, std::uint8_t* sides)
 {
   const std::uint8_t* here = joins.GetRow(turn);
@@ -83,8 +84,8 @@ void FindSides(const lms3dRangeJoins& joins, int turn, int cells, std::uint8_t* 
   }
 }
 
-// The triangle of a cell with a pole has three sides along the grid.
-void KeepWholePoleCells(const std::vector<int>& poles, int cells, std::uint8_t* sides)
+// The triangle of a cell at a pole has three sides along the grid; removes all if one is not joined.
+void ClearIncompletePoleCells(const std::vector<int>& poles, int cells, std::uint8_t* sides)
 {
   constexpr std::uint8_t AfterPole = 0b1110;
   constexpr std::uint8_t BeforePole = 0b1011;
@@ -102,31 +103,31 @@ void KeepWholePoleCells(const std::vector<int>& poles, int cells, std::uint8_t* 
   }
 }
 
-void ChooseStrip(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
-  const lms3dGridPoints& points, int turn, std::uint8_t* chosen)
+void SelectTrianglesOfTurn(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
+  const lms3dGridPoints& points, int turn, std::uint8_t* selected)
 {
   const int cells = grid.GetNumberOfBeams() - 1;
   std::vector<double> excess(cells);
   CompareDiagonals(points, turn, cells, excess.data());
-  FindSides(joins, turn, cells, chosen);
-  KeepWholePoleCells(grid.GetPoles(), cells, chosen);
+  FindSides(joins, turn, cells, selected);
+  ClearIncompletePoleCells(grid.GetPoles(), cells, selected);
   for (int i = 0; i < cells; ++i)
   {
-    chosen[i] = Table[chosen[i] | (excess[i] >= 0.0 ? 16 : 0)];
+    selected[i] = Table[selected[i] | (excess[i] >= 0.0 ? 16 : 0)];
   }
 }
 
-int CountTriangles(const std::uint8_t* chosen, int cells)
+int CountTriangles(const std::uint8_t* selected, int cells)
 {
   int triangles = 0;
   for (int i = 0; i < cells; ++i)
   {
-    triangles += Count(chosen[i]);
+    triangles += CountBits(selected[i]);
   }
   return triangles;
 }
 
-std::int32_t* Put(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t* out)
+std::int32_t* WriteTriangle(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t* out)
 {
   out[0] = a;
   out[1] = b;
@@ -134,33 +135,33 @@ std::int32_t* Put(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t* 
   return out + 3;
 }
 
-void FillStrip(const std::uint8_t* cells, const std::int32_t* here, const std::int32_t* next,
-  int count, std::int32_t* out)
+void FillTrianglesOfTurn(const std::uint8_t* cells, const std::int32_t* here,
+  const std::int32_t* next, int count, std::int32_t* out)
 {
   for (int i = 0; i < count; ++i)
   {
     const std::int32_t corners[] = { here[i], next[i], next[i + 1], here[i + 1] };
     if (cells[i] & 1)
     {
-      out = Put(corners[3], corners[0], corners[1], out);
+      out = WriteTriangle(corners[3], corners[0], corners[1], out);
     }
     if (cells[i] & 2)
     {
-      out = Put(corners[0], corners[1], corners[2], out);
+      out = WriteTriangle(corners[0], corners[1], corners[2], out);
     }
     if (cells[i] & 4)
     {
-      out = Put(corners[1], corners[2], corners[3], out);
+      out = WriteTriangle(corners[1], corners[2], corners[3], out);
     }
     if (cells[i] & 8)
     {
-      out = Put(corners[2], corners[3], corners[0], out);
+      out = WriteTriangle(corners[2], corners[3], corners[0], out);
     }
   }
 }
 } // namespace
 
-void lms3dGridMesher::ChooseTriangles(
+void lms3dGridMesher::SelectTriangles(
   const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, const lms3dGridPoints& points)
 {
   const int turns = grid.GetNumberOfTurns();
@@ -170,18 +171,18 @@ void lms3dGridMesher::ChooseTriangles(
   tbb::parallel_for(0, turns,
     [&](int turn)
     {
-      std::uint8_t* chosen = this->Cells.GetRow(turn);
+      std::uint8_t* selected = this->Cells.GetRow(turn);
       if (grid.HasReturns(turn))
       {
-        ChooseStrip(grid, joins, points, turn, chosen);
-        this->FirstTriangles[turn + 1] = CountTriangles(chosen, cells);
+        SelectTrianglesOfTurn(grid, joins, points, turn, selected);
+        this->FirstTriangles[turn + 1] = CountTriangles(selected, cells);
       }
       else
       {
-        std::fill_n(chosen, cells, 0);
+        std::fill_n(selected, cells, 0);
       }
     });
-  this->Cells.FillGhosts(grid.IsClosed());
+  this->Cells.FillHalo(grid.IsClosed());
   std::partial_sum(
     this->FirstTriangles.begin(), this->FirstTriangles.end(), this->FirstTriangles.begin());
 }
@@ -193,8 +194,9 @@ void lms3dGridMesher::FillTriangles(const lms3dRangeGrid& grid, std::int32_t* ve
     {
       if (this->FirstTriangles[turn] < this->FirstTriangles[turn + 1])
       {
-        FillStrip(this->Cells.GetRow(turn), grid.GetVertices(turn), grid.GetVertices(turn + 1),
-          grid.GetNumberOfBeams() - 1, vertices + 3 * this->FirstTriangles[turn]);
+        FillTrianglesOfTurn(this->Cells.GetRow(turn), grid.GetVertices(turn),
+          grid.GetVertices(turn + 1), grid.GetNumberOfBeams() - 1,
+          vertices + 3 * this->FirstTriangles[turn]);
       }
     });
 }

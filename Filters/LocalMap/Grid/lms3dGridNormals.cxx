@@ -15,37 +15,20 @@
 
 namespace
 {
-using Vector = std::array<double, 3>;
+// Each task computes the turn before its first one again, so it should not be short.
+constexpr int MinimumTurnsPerTask = 16;
 
-// Each range of turns looks at the strip before it once more, so it should not be short.
-constexpr int FewestTurns = 16;
-
-Vector Scale(const Vector& v, double by)
-{
-  return { v[0] * by, v[1] * by, v[2] * by };
-}
-
-Vector Add(const Vector& a, const Vector& b)
-{
-  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
-}
-
-double GetInverseLength(const Vector& v)
-{
-  return 1.0 / std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-// Not so where triangles are missing, or too small or too large for the square of an area.
+// False if a vertex has no triangles, or if squared areas underflow or overflow.
 bool IsProperScale(double scale)
 {
   return scale > 0.0 && scale < std::numeric_limits<double>::infinity();
 }
 
-/// Fetches what a tile sums, turn after turn.
+/// Gives the kernels the points that a tile of beams needs, turn after turn.
 class NormalTile
 {
 public:
-  /// For the beams `firstBeam` to GetEndBeam(), which have a point before them and one after.
+  /// Takes the beams from `firstBeam` to before GetEndBeam().
   NormalTile(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
     const lms3dGridPoints& points, int firstBeam)
     : Kernels(lms3dGetPacketKernels())
@@ -59,7 +42,7 @@ public:
   int GetFirstBeam() const { return this->FirstCell + 1; }
   int GetEndBeam() const { return this->FirstCell + this->Cells; }
 
-  /// To the turn before the first, then always to the next.
+  /// Moves to a turn. The first call takes the turn before the first one needed, each other call the next.
   void MoveTo(int turn)
   {
     const std::uint8_t* cells = this->Mesher.GetCells(turn) + this->FirstCell;
@@ -80,22 +63,22 @@ public:
     this->WasEmpty = isEmpty;
   }
 
-  Vector GetSum(int beam) const
+  lms3dVector GetSum(int beam) const
   {
     const int i = beam - this->FirstCell;
     return !this->HasSums
-      ? Vector{}
-      : Vector{ this->Tile.Sum[0][i], this->Tile.Sum[1][i], this->Tile.Sum[2][i] };
+      ? lms3dVector{}
+      : lms3dVector{ this->Tile.Sum[0][i], this->Tile.Sum[1][i], this->Tile.Sum[2][i] };
   }
 
-  /// 1 / length of the sum; not proper where there is none.
+  /// 1 / length of the sum; 0 if there is no sum. See IsProperScale().
   double GetScale(int beam) const
   {
     return this->HasSums ? this->Tile.Scale[beam - this->FirstCell] : 0.0;
   }
 
 private:
-  // With nothing from the strip before.
+  // Starts without sums from the turn before.
   void Begin(int turn)
   {
     this->Fetch(turn);
@@ -129,8 +112,8 @@ private:
 class NormalWriter
 {
 public:
-  NormalWriter(const lms3dRangeGrid& grid, const lms3dGridPoints& points,
-    const std::array<double, 3>& sensor, float* normals)
+  NormalWriter(const lms3dRangeGrid& grid, const lms3dGridPoints& points, const lms3dVector& sensor,
+    float* normals)
     : Grid(grid)
     , Points(points)
     , Sensor(sensor)
@@ -140,7 +123,7 @@ public:
   {
   }
 
-  /// A pole is a vertex of the first turn, to which all turns add.
+  /// Writes the normals of a turn, and keeps the sums of its poles.
   void WriteTurn(int turn, const NormalTile& tile)
   {
     const std::int32_t* vertices = this->Grid.GetVertices(turn);
@@ -162,29 +145,29 @@ public:
     }
   }
 
-  /// After all turns.
+  /// Adds the sums of all turns. To be called after all turns.
   void WritePoles()
   {
     const std::vector<int>& poles = this->Grid.GetPoles();
     for (std::size_t i = 0; i < poles.size(); ++i)
     {
-      Vector sum = {};
+      lms3dVector sum = {};
       for (std::size_t part = i; part < this->PoleSums.size(); part += poles.size())
       {
-        sum = Add(sum, this->PoleSums[part]);
+        sum = lms3dAdd(sum, this->PoleSums[part]);
       }
       if (this->Grid.HasReturn(0, poles[i]))
       {
-        this->Write(0, poles[i], sum, GetInverseLength(sum));
+        this->Write(0, poles[i], sum, 1.0 / lms3dGetLength(sum));
       }
     }
   }
 
 private:
-  void Write(int turn, int beam, const Vector& sum, double scale)
+  void Write(int turn, int beam, const lms3dVector& sum, double scale)
   {
-    const Vector normal = IsProperScale(scale) ? Scale(sum, this->Sign * scale)
-                                               : this->GetDirectionToSensor(turn, beam);
+    const lms3dVector normal = IsProperScale(scale) ? lms3dScale(sum, this->Sign * scale)
+                                                    : this->GetDirectionToSensor(turn, beam);
     float* out = this->Normals + 3 * static_cast<std::ptrdiff_t>(this->Grid.GetVertex(turn, beam));
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -192,31 +175,31 @@ private:
     }
   }
 
-  Vector GetDirectionToSensor(int turn, int beam) const
+  lms3dVector GetDirectionToSensor(int turn, int beam) const
   {
-    Vector way = this->Sensor;
+    lms3dVector way = this->Sensor;
     for (int axis = 0; axis < 3; ++axis)
     {
       way[axis] -= this->Points.GetRow(axis, turn)[beam];
     }
-    return Scale(way, 1.0 / std::hypot(way[0], way[1], way[2]));
+    return lms3dScale(way, 1.0 / std::hypot(way[0], way[1], way[2]));
   }
 
   const lms3dRangeGrid& Grid;
   const lms3dGridPoints& Points;
-  const Vector Sensor;
+  const lms3dVector Sensor;
   float* const Normals;
-  /// The sums face the sensor, or away from it.
+  /// -1 if the sums face away from the sensor.
   const double Sign;
-  std::vector<Vector> PoleSums;
+  std::vector<lms3dVector> PoleSums;
 };
 } // namespace
 
 void lms3dFillNormals(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
-  const lms3dGridPoints& points, const std::array<double, 3>& sensor, float* normals)
+  const lms3dGridPoints& points, const lms3dVector& sensor, float* normals)
 {
   NormalWriter writer(grid, points, sensor, normals);
-  tbb::parallel_for(tbb::blocked_range<int>(0, grid.GetNumberOfTurns(), FewestTurns),
+  tbb::parallel_for(tbb::blocked_range<int>(0, grid.GetNumberOfTurns(), MinimumTurnsPerTask),
     [&](const tbb::blocked_range<int>& turns)
     {
       for (int beam = 0; beam < grid.GetNumberOfBeams();)

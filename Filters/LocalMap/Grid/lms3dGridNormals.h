@@ -7,18 +7,17 @@
 #ifndef lms3dGridNormals_h
 #define lms3dGridNormals_h
 
+#include "Geometry/lms3dVector.h"
 #include "LocalMap/Grid/lms3dGridMesher.h"
 #include "LocalMap/Grid/lms3dGridPoints.h"
 
-#include <array>
-
 /**
- * Writes three components for each vertex of the grid: the mean of its triangles' normals, weighted
- * by their areas, of length 1; the direction to the sensor where it has no triangle. Sums go over
- * a turn's triangles and never from thread to thread, so that they are the same for any number of
- * threads. Uses those of the calling TBB arena.
+ * Writes the unit normal of each vertex of the grid, three components each: the mean of its triangles'
+ * normals, weighted by area, or the direction to the sensor if the vertex has no triangle. `points` and
+ * `sensor` are in one frame, metres. Uses the threads of the calling TBB arena; each sum runs over a
+ * vertex's triangles in a fixed order, so the result is the same for any number of threads.
  */
 void lms3dFillNormals(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
-  const lms3dGridPoints& points, const std::array<double, 3>& sensor, float* normals);
+  const lms3dGridPoints& points, const lms3dVector& sensor, float* normals);
 
 #endif

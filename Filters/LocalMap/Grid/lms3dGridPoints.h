@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The coordinates of the returns at their places in the grid.
+ * @brief The coordinates of the returns of a range grid.
  */
 #ifndef lms3dGridPoints_h
 #define lms3dGridPoints_h
@@ -11,32 +11,37 @@
 
 #include <array>
 
-/// A grid for each coordinate, so that loops over a turn are vectorized; 0 where there is no return.
+/// One padded grid for each coordinate, metres, so that compilers vectorize loops over a turn. The caller
+/// chooses the frame. Coordinates are 0 without a return.
 class lms3dGridPoints
 {
 public:
-  /// As for lms3dGhostGrid.
+  /// Takes the shape of a range grid; see lms3dPaddedGrid::SetShape().
   void SetShape(const lms3dRangeGrid& grid)
   {
-    for (lms3dGhostGrid<double>& coordinates : this->OfAxis)
+    for (lms3dPaddedGrid<double>& coordinates : this->OfAxis)
     {
       coordinates.SetShape(grid.GetNumberOfTurns(), grid.GetNumberOfBeams());
     }
   }
 
-  void FillGhosts(const lms3dRangeGrid& grid)
+  /// To be called after all turns are filled; see lms3dPaddedGrid::FillHalo().
+  void FillHalo(const lms3dRangeGrid& grid)
   {
-    for (lms3dGhostGrid<double>& coordinates : this->OfAxis)
+    for (lms3dPaddedGrid<double>& coordinates : this->OfAxis)
     {
-      coordinates.FillGhosts(grid.IsClosed());
+      coordinates.FillHalo(grid.IsClosed());
     }
   }
 
+  ///@{
+  /// The coordinates of a turn's returns along an axis, 0 to 2, by beam.
   double* GetRow(int axis, int turn) { return this->OfAxis[axis].GetRow(turn); }
   const double* GetRow(int axis, int turn) const { return this->OfAxis[axis].GetRow(turn); }
+  ///@}
 
 private:
-  std::array<lms3dGhostGrid<double>, 3> OfAxis;
+  std::array<lms3dPaddedGrid<double>, 3> OfAxis;
 };
 
 #endif

@@ -14,15 +14,15 @@
 namespace
 {
 constexpr std::int32_t NoReturn = -1;
-constexpr double LargestRange = std::numeric_limits<double>::max();
+constexpr double MaximumRange = std::numeric_limits<double>::max();
 } // namespace
 
-void lms3dRangeGrid::Place(
+void lms3dRangeGrid::Build(
   const lms3dScanGeometry& geometry, const double* ranges, const int* beamIds, std::int64_t count)
 {
   this->Geometry = &geometry;
   this->Closed = geometry.IsClosed();
-  this->Sort(ranges, beamIds, count);
+  this->AssignReturns(ranges, beamIds, count);
   this->Poles.clear();
   this->RangesOfPoles.clear();
   for (int beam = 0; beam < this->GetNumberOfBeams(); ++beam)
@@ -30,7 +30,7 @@ void lms3dRangeGrid::Place(
     if (geometry.IsPole(beam))
     {
       this->Poles.push_back(beam);
-      this->JoinPole(beam, ranges);
+      this->CollapsePole(beam, ranges);
     }
   }
 
@@ -42,13 +42,13 @@ void lms3dRangeGrid::Place(
   this->HasPole = false;
   for (int beam : this->Poles)
   {
-    this->SpreadPole(beam);
+    this->CopyPoleToTurns(beam);
     this->HasPole |= this->HasReturn(0, beam);
   }
-  this->GoOnBeyond(0, -1);
-  this->GoOnBeyond(this->GetNumberOfBeams() - 1, 1);
-  this->Ranges.FillGhosts(this->Closed);
-  this->Vertices.FillGhosts(this->Closed);
+  this->FillHaloBeams(0, -1);
+  this->FillHaloBeams(this->GetNumberOfBeams() - 1, 1);
+  this->Ranges.FillHalo(this->Closed);
+  this->Vertices.FillHalo(this->Closed);
 }
 
 const std::int32_t* lms3dRangeGrid::GetReturnsOfTurn(int turn) const
@@ -56,7 +56,7 @@ const std::int32_t* lms3dRangeGrid::GetReturnsOfTurn(int turn) const
   return this->ReturnOfBeam.data() + static_cast<std::ptrdiff_t>(turn) * this->GetNumberOfBeams();
 }
 
-void lms3dRangeGrid::Sort(const double* ranges, const int* beamIds, std::int64_t count)
+void lms3dRangeGrid::AssignReturns(const double* ranges, const int* beamIds, std::int64_t count)
 {
   const std::int64_t beams =
     static_cast<std::int64_t>(this->GetNumberOfBeams()) * this->GetNumberOfTurns();
@@ -65,41 +65,41 @@ void lms3dRangeGrid::Sort(const double* ranges, const int* beamIds, std::int64_t
   {
     const int beam = beamIds[i];
     if (beam < 0 || beam >= beams || this->ReturnOfBeam[beam] != NoReturn ||
-      !(ranges[i] > 0.0 && ranges[i] <= LargestRange))
+      !(ranges[i] > 0.0 && ranges[i] <= MaximumRange))
     {
-      this->Refuse(i, ranges[i], beam);
+      this->ThrowBadReturn(i, ranges[i], beam);
     }
     this->ReturnOfBeam[beam] = static_cast<std::int32_t>(i);
   }
 }
 
-void lms3dRangeGrid::Refuse(std::int64_t index, double range, int beamId) const
+void lms3dRangeGrid::ThrowBadReturn(std::int64_t index, double range, int beamId) const
 {
-  const std::string words = "Return " + std::to_string(index) + " of the scan has the ";
+  const std::string beginning = "Return " + std::to_string(index) + " of the scan has the ";
   const std::int64_t beams = static_cast<std::int64_t>(this->ReturnOfBeam.size());
   if (beamId < 0 || beamId >= beams)
   {
-    throw std::runtime_error(words + "BeamId " + std::to_string(beamId) + "; 0 to " +
+    throw std::runtime_error(beginning + "BeamId " + std::to_string(beamId) + "; 0 to " +
       std::to_string(beams - 1) + " are expected from AlphaAngles and BetaAngles.");
   }
   if (this->ReturnOfBeam[beamId] != NoReturn)
   {
-    throw std::runtime_error(words + "BeamId " + std::to_string(beamId) +
-      " of an earlier one. Give each beam at most one return.");
+    throw std::runtime_error(beginning + "BeamId " + std::to_string(beamId) +
+      " of an earlier return; at most one return for each beam is expected.");
   }
-  throw std::runtime_error(words + "Range " + std::to_string(range) +
+  throw std::runtime_error(beginning + "Range " + std::to_string(range) +
     "; a finite number of metres above 0 is expected. Remove beams that gave no return.");
 }
 
-// Leaves the pole to the first turn.
-void lms3dRangeGrid::JoinPole(int beam, const double* ranges)
+// Keeps the return of median range in the first turn and removes the others.
+void lms3dRangeGrid::CollapsePole(int beam, const double* ranges)
 {
   std::vector<std::pair<double, std::int32_t>> returns;
   std::vector<double>& all = this->RangesOfPoles.emplace_back();
   for (int turn = 0; turn < this->GetNumberOfTurns(); ++turn)
   {
-    const std::size_t place = static_cast<std::size_t>(turn) * this->GetNumberOfBeams() + beam;
-    const std::int32_t found = std::exchange(this->ReturnOfBeam[place], NoReturn);
+    const std::size_t index = static_cast<std::size_t>(turn) * this->GetNumberOfBeams() + beam;
+    const std::int32_t found = std::exchange(this->ReturnOfBeam[index], NoReturn);
     if (found != NoReturn)
     {
       returns.emplace_back(ranges[found], found);
@@ -150,7 +150,7 @@ void lms3dRangeGrid::FillTurn(int turn, const double* ranges)
   }
 }
 
-void lms3dRangeGrid::SpreadPole(int beam)
+void lms3dRangeGrid::CopyPoleToTurns(int beam)
 {
   for (int turn = 1; turn < this->GetNumberOfTurns(); ++turn)
   {
@@ -159,8 +159,8 @@ void lms3dRangeGrid::SpreadPole(int beam)
   }
 }
 
-// Fills the ghosts beside the first beam or the last.
-void lms3dRangeGrid::GoOnBeyond(int end, int outwards)
+// Fills the halo beside the first or the last beam.
+void lms3dRangeGrid::FillHaloBeams(int end, int outwards)
 {
   const bool goesOn = this->Closed && this->Geometry->IsPole(end);
   for (int distance : { 1, 2 })

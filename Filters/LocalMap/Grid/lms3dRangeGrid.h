@@ -2,25 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The returns of a scan at their places in the grid of beams and turns.
+ * @brief The returns of a scan, sorted into the grid of turns and beams.
  */
 #ifndef lms3dRangeGrid_h
 #define lms3dRangeGrid_h
 
 #include "Device/lms3dScanGeometry.h"
-#include "LocalMap/Grid/lms3dGhostGrid.h"
+#include "LocalMap/Grid/lms3dPaddedGrid.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 /**
- * Each place holds a range and a vertex. Vertices are numbered by turn, then beam. The places of a
- * pole, where the beams of all turns are one, share one vertex: the return with the median range.
+ * Each beam of each turn has a range, metres, 0 without a return, and a vertex number. Vertices are
+ * numbered by turn, then by beam.
  *
- * Around the grid lie ghosts (lms3dGhostGrid). Turns go round where it is closed, and beyond a pole a
- * fan goes on in the opposite turn: of an odd number of turns in the two beside it, the nearer return
- * of which has planes go farther. Other ghosts have no return, and none has a vertex.
+ * A pole is a beam along the platform's axis; it is the same in every turn. All its entries share one
+ * vertex: the return of median range.
+ *
+ * A halo surrounds the grid (lms3dPaddedGrid). If the turns close a full circle, the halo repeats them,
+ * and beyond a pole a fan continues in the opposite turn. (An odd number of turns has no opposite turn;
+ * the nearer return of the two turns beside it is used, whose planes extend farther.) Elsewhere the halo
+ * has no returns. It never has vertices.
  */
 class lms3dRangeGrid
 {
@@ -28,12 +32,14 @@ public:
   static constexpr std::int32_t NoVertex = -1;
 
   /**
-   * Takes a scan in, in the memory of the one before. `ranges` and `beamIds` belong to `count`
-   * returns, in any order; the geometry is kept by reference. Throws std::runtime_error, with words
-   * for the user, where a range is not a finite number above 0, or a beam is out of the grid or
-   * given twice. Uses the threads of the calling TBB arena.
+   * Replaces the content by a scan and reuses the memory. `ranges`, metres, and `beamIds` (turn times
+   * number of beams plus beam) belong to `count` returns, in any order. Keeps a reference to the
+   * geometry. Uses the threads of the calling TBB arena.
+   *
+   * Throws std::runtime_error, with a message for the user, if a range is not a finite number above 0,
+   * or if a beam is outside of the grid or has two returns.
    */
-  void Place(const lms3dScanGeometry& geometry, const double* ranges, const int* beamIds,
+  void Build(const lms3dScanGeometry& geometry, const double* ranges, const int* beamIds,
     std::int64_t count);
 
   const lms3dScanGeometry& GetGeometry() const { return *this->Geometry; }
@@ -41,20 +47,20 @@ public:
   int GetNumberOfTurns() const { return this->Geometry->GetNumberOfTurns(); }
   bool IsClosed() const { return this->Closed; }
 
-  /// The beams that are the same in every turn.
+  /// The beams that are poles.
   const std::vector<int>& GetPoles() const { return this->Poles; }
-  /// Of each pole the ranges of all returns, metres, in no order.
+  /// The ranges of all returns of each pole, metres, in no particular order.
   const std::vector<std::vector<double>>& GetRangesOfPoles() const { return this->RangesOfPoles; }
 
-  /// For each beam of a turn metres, 0 where there is no return.
+  /// The range of each beam of a turn.
   const double* GetRanges(int turn) const { return this->Ranges.GetRow(turn); }
-  /// For each beam of a turn a vertex or NoVertex.
+  /// The vertex of each beam of a turn, or NoVertex.
   const std::int32_t* GetVertices(int turn) const { return this->Vertices.GetRow(turn); }
 
-  /// The first vertex of a turn, or of a turn after it. Poles are vertices of turn 0.
+  /// The first vertex of a turn or, if it has none, of the turns after it. Poles belong to turn 0.
   std::int32_t GetFirstVertex(int turn) const { return this->FirstVertices[turn]; }
 
-  /// Whether a turn has any, that of a pole included.
+  /// Whether a turn has a return, of a pole or another.
   bool HasReturns(int turn) const
   {
     return this->HasPole || this->FirstVertices[turn] < this->FirstVertices[turn + 1];
@@ -64,17 +70,17 @@ public:
   std::int32_t GetVertex(int turn, int beam) const { return this->GetVertices(turn)[beam]; }
   bool HasReturn(int turn, int beam) const { return this->GetRange(turn, beam) > 0.0; }
 
-  /// For each vertex the number of the return that it is.
+  /// The number of the return of each vertex, as in the arrays given to Build().
   const std::vector<std::int32_t>& GetReturns() const { return this->Returns; }
 
 private:
-  void Sort(const double* ranges, const int* beamIds, std::int64_t count);
-  [[noreturn]] void Refuse(std::int64_t index, double range, int beamId) const;
-  void JoinPole(int beam, const double* ranges);
+  void AssignReturns(const double* ranges, const int* beamIds, std::int64_t count);
+  [[noreturn]] void ThrowBadReturn(std::int64_t index, double range, int beamId) const;
+  void CollapsePole(int beam, const double* ranges);
   void CountVertices();
   void FillTurn(int turn, const double* ranges);
-  void SpreadPole(int beam);
-  void GoOnBeyond(int end, int outwards);
+  void CopyPoleToTurns(int beam);
+  void FillHaloBeams(int end, int outwards);
   double GetOppositeRange(int turn, int beam) const;
 
   const std::int32_t* GetReturnsOfTurn(int turn) const;
@@ -84,11 +90,11 @@ private:
   bool HasPole = false;
   std::vector<int> Poles;
   std::vector<std::vector<double>> RangesOfPoles;
-  /// By beam number, without ghosts.
+  /// The return of each BeamId.
   std::vector<std::int32_t> ReturnOfBeam;
-  lms3dGhostGrid<double> Ranges{ 0.0 };
-  lms3dGhostGrid<std::int32_t> Vertices{ NoVertex };
-  /// Of each turn, and their number at the end.
+  lms3dPaddedGrid<double> Ranges{ 0.0 };
+  lms3dPaddedGrid<std::int32_t> Vertices{ NoVertex };
+  /// The first vertex of each turn, then the number of all vertices.
   std::vector<std::int32_t> FirstVertices;
   std::vector<std::int32_t> Returns;
 };

@@ -14,11 +14,13 @@
 #include <vector>
 
 /**
- * For each place two flags, by lms3dDepthStep. Where that is in doubt, neighbours are joined if the
- * surface is whole around them: if the other three sides of both cells beside them are joined, be it
- * for the same reason. So the silhouette of a thing, which ends at a sure step, is none. A pole
- * is not joined with itself from turn to turn, its places being one vertex. Places around the grid
- * may be asked for as well (lms3dGhostGrid).
+ * Holds two flags for each beam of each turn, set if the beam lies on one surface with the next beam or
+ * with the next turn (lms3dDepthStep). If that is uncertain, neighbours are joined if the surface is whole
+ * around them: the three other sides of both adjacent cells are joined. So the silhouette of an object,
+ * which ends at a certain depth step, is not joined.
+ *
+ * The entries of a pole are one vertex and not joined from turn to turn. The halo of the grid can be read
+ * as well (lms3dPaddedGrid).
  */
 class lms3dRangeJoins
 {
@@ -31,14 +33,15 @@ public:
     AlongTurn = 2
   };
 
-  /// Uses the threads of the calling TBB arena.
+  /// Finds all joins. `depthStep` is metres, at least 0. Reuses the memory. Uses the threads of the
+  /// calling TBB arena.
   void Find(const lms3dRangeGrid& grid, double depthStep);
 
   /// The flags for each beam of a turn.
   const std::uint8_t* GetRow(int turn) const { return this->Flags.GetRow(turn); }
 
-  /// Neighbours of which their ranges do not tell.
-  struct Doubt
+  /// A beam and its neighbour, whose ranges alone do not decide.
+  struct UncertainJoin
   {
     int Turn;
     int Beam;
@@ -46,14 +49,14 @@ public:
   };
 
 private:
-  void Settle(const lms3dRangeGrid& grid);
-  bool DropBesideGap(const lms3dRangeGrid& grid, const Doubt& doubt);
-  bool IsWholeAround(const lms3dRangeGrid& grid, const Doubt& doubt) const;
+  void ResolveUncertainJoins(const lms3dRangeGrid& grid);
+  bool DropBesideGap(const lms3dRangeGrid& grid, const UncertainJoin& join);
+  bool IsWholeAround(const lms3dRangeGrid& grid, const UncertainJoin& join) const;
   bool IsJoined(const lms3dRangeGrid& grid, int turn, int beam, Flag towards) const;
 
-  lms3dGhostGrid<std::uint8_t> Flags{ 0 };
-  /// Of each turn.
-  std::vector<std::vector<Doubt>> Doubts;
+  lms3dPaddedGrid<std::uint8_t> Flags{ 0 };
+  /// By turn.
+  std::vector<std::vector<UncertainJoin>> UncertainJoins;
 };
 
 #endif

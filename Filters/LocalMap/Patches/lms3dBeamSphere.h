@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The beams of a scan as places on the sphere of directions, with misses all around.
+ * @brief The beams of a scan as a grid on the sphere of directions, with a halo of misses.
  */
 #ifndef lms3dBeamSphere_h
 #define lms3dBeamSphere_h
@@ -10,23 +10,39 @@
 #include "Geometry/lms3dVector.h"
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 #include "LocalMap/Grid/lms3dRangeJoins.h"
+#include "LocalMap/Patches/lms3dGridLines.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
 /**
- * Rows of growing elevation and columns of growing platform angle, in the sensor frame. Where the
- * scan ends, ghosts go on with its steps: places that hold no return. So the columns always close
- * to a circle, no angle between neighbours exceeds 120 degrees, and every return but a pole has
- * four neighbours. The places of a pole, one in each column, hold the same return.
+ * Rows have growing elevations and columns growing platform angles, whichever way the device turned.
+ * Directions are in the sensor frame (lms3dScanGeometry.h), ranges in metres, angles in radians.
+ *
+ * Where the scan ends, a halo of directions without returns continues it. Therefore
+ *
+ * - the columns always close to a full circle,
+ * - neighbours are at most 120 degrees apart, and
+ * - every return that is not a pole has four neighbours.
+ *
+ * A pole, where the beams of all turns coincide, fills a whole row: one entry in each column, all with
+ * the same return.
+ *
+ * A GridIndex numbers the entries column by column, each from the lowest row to the highest.
  */
 class lms3dBeamSphere
 {
 public:
-  using Place = std::int32_t;
+  using GridIndex = std::int32_t;
 
-  /// The sides of a place in the order of the clock, as the sensor sees them.
+  /**
+   * The largest number of entries, halo included: 2^28 - 1. Each entry has up to two gates, four edges
+   * and eight vertices at borders (lms3dBorderGates), which all are numbered by 32-bit integers.
+   */
+  static constexpr GridIndex MaximumSize = (1 << 28) - 1;
+
+  /// The sides of an entry, clockwise as the sensor sees them.
   enum Side : int
   {
     Up,
@@ -35,95 +51,108 @@ public:
     Left
   };
 
-  /// Throws std::runtime_error where angles do not grow or fall steadily, elevations exceed 90
-  /// degrees or turns 360.
+  /**
+   * Copies what it needs. Uses the threads of the calling TBB arena. Throws std::runtime_error, with a
+   * message for the user, if the angles are not strictly monotonic, if elevations exceed 90 degrees, if
+   * platform angles span a full circle or more without being closed, or if the grid would be too large.
+   */
   lms3dBeamSphere(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins);
+
+  /// Throws std::runtime_error, with a message for the user, if a grid of these numbers of rows and
+  /// columns has more than MaximumSize entries.
+  static void CheckSize(std::int64_t rows, std::int64_t columns);
 
   int GetNumberOfRows() const { return this->Rows; }
   int GetNumberOfColumns() const { return this->Columns; }
-  Place GetNumberOfPlaces() const { return this->Rows * this->Columns; }
-  Place GetPlace(int column, int row) const { return column * this->Rows + row; }
-  int GetColumn(Place place) const { return place / this->Rows; }
-  int GetRow(Place place) const { return place % this->Rows; }
+  /// The number of entries, halo included.
+  GridIndex GetSize() const { return this->Rows * this->Columns; }
+  GridIndex GetIndex(int column, int row) const { return column * this->Rows + row; }
+  int GetColumn(GridIndex index) const { return index / this->Rows; }
+  int GetRow(GridIndex index) const { return index % this->Rows; }
 
   /// False below the lowest row and above the highest.
-  bool HasNeighbor(Place place, int side) const
+  bool HasNeighbor(GridIndex index, int side) const
   {
-    return side % 2 == 1 || this->GetRow(place) != (side == Up ? this->Rows - 1 : 0);
+    return side % 2 == 1 || this->GetRow(index) != (side == Up ? this->Rows - 1 : 0);
   }
 
-  /// Of a place that has one there.
-  Place GetNeighbor(Place place, int side) const
+  /// The neighbour on a side; it must exist.
+  GridIndex GetNeighbor(GridIndex index, int side) const
   {
     switch (side)
     {
       case Up:
-        return place + 1;
+        return index + 1;
       case Down:
-        return place - 1;
+        return index - 1;
       case Right:
-        return place + this->Rows < this->GetNumberOfPlaces() ? place + this->Rows
-                                                              : place - this->LastColumn;
+        return index + this->Rows < this->GetSize() ? index + this->Rows : index - this->LastColumn;
       default:
-        return place >= this->Rows ? place - this->Rows : place + this->LastColumn;
+        return index >= this->Rows ? index - this->Rows : index + this->LastColumn;
     }
   }
 
-  /// Whether two neighbours lie on one surface, or are the same pole.
-  bool IsJoined(Place place, int side) const
+  /// Whether an entry and its neighbour on a side lie on one surface (lms3dRangeJoins), or are the same
+  /// pole.
+  bool IsJoined(GridIndex index, int side) const
   {
     switch (side)
     {
       case Up:
-        return this->Joins[place] & JoinedUp;
+        return this->Joins[index] & JoinedUp;
       case Right:
-        return this->Joins[place] & JoinedRight;
+        return this->Joins[index] & JoinedRight;
       default:
-        return this->Joins[this->GetNeighbor(place, side)] &
+        return this->Joins[this->GetNeighbor(index, side)] &
           (side == Down ? JoinedUp : JoinedRight);
     }
   }
 
-  /// Metres, 0 where there is no return.
-  double GetRange(Place place) const { return this->Ranges[place]; }
-  /// Half of the difference between the returns of a pole, which lie around its range; 0 elsewhere.
-  double GetSpread(int row) const { return this->Spreads[row]; }
-  /// The nearest and the farthest of the returns of a pole.
-  void SetPole(int row, double nearest, double farthest);
+  /// 0 without a return.
+  double GetRange(GridIndex index) const { return this->Ranges[index]; }
   const double* GetRanges() const { return this->Ranges.data(); }
-  bool HasReturn(Place place) const { return this->Ranges[place] > 0.0; }
+  bool HasReturn(GridIndex index) const { return this->Ranges[index] > 0.0; }
 
-  /// True for a pole's places but the first: repetitions of one return.
-  bool IsRepeated(Place place) const
-  {
-    return place >= this->Rows && this->IsPoleRow(this->GetRow(place));
-  }
+  /// Sets the nearest and the farthest return of a pole. Its range becomes their mean.
+  void SetPole(int row, double nearest, double farthest);
+  /// Half of the distance between these two returns, metres; 0 for rows that are not poles.
+  double GetPoleHalfSpread(int row) const { return this->PoleHalfSpreads[row]; }
+
   bool IsPoleRow(int row) const
   {
     return (row == 0 && this->LowestIsPole) || (row == this->Rows - 1 && this->HighestIsPole);
   }
+  /// Whether an entry repeats the return of a pole that column 0 has already.
+  bool IsPoleCopy(GridIndex index) const
+  {
+    return index >= this->Rows && this->IsPoleRow(this->GetRow(index));
+  }
 
-  /// The beam of a row and the turn of a column in the scan, -1 for ghosts.
-  int GetBeam(Place place) const { return this->RowTicks[this->GetRow(place)].Source; }
-  int GetTurn(Place place) const { return this->ColumnTicks[this->GetColumn(place)].Source; }
+  /// The beam and the turn of an entry in the scan, -1 in the halo.
+  int GetBeam(GridIndex index) const { return this->RowLines[this->GetRow(index)].ScanIndex; }
+  int GetTurn(GridIndex index) const { return this->ColumnLines[this->GetColumn(index)].ScanIndex; }
 
-  /// A pole counts once.
+  /// Counts each pole once.
   int GetNumberOfReturns() const { return this->Returns; }
 
+  /// The cosines and sines of the rows' elevations.
   const double* GetCosines() const { return this->Cosines.data(); }
   const double* GetSines() const { return this->Sines.data(); }
-  /// The tangents of the elevations, growing; infinite at the poles.
+  /// The tangents of the rows' elevations, growing; infinite at poles.
   const std::vector<double>& GetTangents() const { return this->Tangents; }
-  /// The platform angles in radians, growing, over less than a full circle.
+  /// The platform angles of the columns, growing, over less than a full circle.
   const std::vector<double>& GetAzimuths() const { return this->Azimuths; }
-  /// The level direction of a column: a direction is its cosine and the upward axis times its sine.
-  const std::array<double, 2>& GetLevel(int column) const { return this->Levels[column]; }
+  /// The x and y of the horizontal direction of a column. A beam is the row's cosine times this, plus
+  /// the row's sine times the z axis.
+  const std::array<double, 2>& GetHorizontal(int column) const { return this->Horizontals[column]; }
 
-  lms3dVector GetDirection(Place place) const
+  /// A unit vector.
+  lms3dVector GetDirection(GridIndex index) const
   {
-    const std::array<double, 2>& level = this->Levels[this->GetColumn(place)];
-    const int row = this->GetRow(place);
-    return { this->Cosines[row] * level[0], this->Cosines[row] * level[1], this->Sines[row] };
+    const std::array<double, 2>& horizontal = this->Horizontals[this->GetColumn(index)];
+    const int row = this->GetRow(index);
+    return { this->Cosines[row] * horizontal[0], this->Cosines[row] * horizontal[1],
+      this->Sines[row] };
   }
 
 private:
@@ -133,18 +162,8 @@ private:
     JoinedRight = 2
   };
 
-  /// An angle in degrees and the beam or turn that it belongs to, -1 for a ghost.
-  struct Tick
-  {
-    double Angle;
-    int Source;
-  };
-
-  static std::vector<Tick> MakeTicks(const std::vector<double>& angles, const char* name);
-  static void FillGaps(std::vector<Tick>& ticks, double step);
   void MakeRows(const std::vector<double>& angles, double step);
   void MakeColumns(const std::vector<double>& angles, double step, bool isClosed);
-  void SetRow(int row, double degrees);
   void Fill(const lms3dRangeGrid& grid);
   int FillColumn(const lms3dRangeGrid& grid, int column);
   void Join(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins);
@@ -153,19 +172,20 @@ private:
 
   int Rows = 0;
   int Columns = 0;
-  Place LastColumn = 0;
+  /// The index of the lowest entry of the last column.
+  GridIndex LastColumn = 0;
   int Returns = 0;
   bool LowestIsPole = false;
   bool HighestIsPole = false;
-  std::vector<Tick> RowTicks;
-  std::vector<Tick> ColumnTicks;
+  std::vector<lms3dGridLine> RowLines;
+  std::vector<lms3dGridLine> ColumnLines;
   std::vector<double> Cosines;
   std::vector<double> Sines;
   std::vector<double> Tangents;
   std::vector<double> Azimuths;
-  std::vector<std::array<double, 2>> Levels;
+  std::vector<std::array<double, 2>> Horizontals;
   std::vector<double> Ranges;
-  std::vector<double> Spreads;
+  std::vector<double> PoleHalfSpreads;
   std::vector<std::uint8_t> Joins;
 };
 

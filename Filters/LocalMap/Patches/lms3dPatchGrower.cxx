@@ -3,25 +3,27 @@
 #include "LocalMap/Patches/lms3dPatchGrower.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace
 {
 constexpr int CoarsestStride = 16;
 constexpr int MaximumFloods = 5;
-// A plane that a new fit moves by less than this share of the tolerance stays.
-constexpr double Settled = 0.05;
+// A plane has converged if a new fit moves it by less than this share of the tolerance.
+constexpr double ConvergedShare = 0.05;
 } // namespace
 
 lms3dPatchGrower::lms3dPatchGrower(const lms3dBeamSphere& sphere, double tolerance)
   : Sphere(sphere)
   , Tolerance(tolerance)
+  , SeedPlanes(sphere, this->Result, tolerance)
 {
-  const Place places = sphere.GetNumberOfPlaces();
-  this->Result.Labels.resize(places);
-  for (Place place = 0; place < places; ++place)
+  this->Result.Labels.resize(sphere.GetSize());
+  for (GridIndex index = 0; index < sphere.GetSize(); ++index)
   {
-    this->Result.Labels[place] = sphere.HasReturn(place) ? lms3dPatches::Free : lms3dPatches::None;
+    this->Result.Labels[index] = sphere.HasReturn(index) ? lms3dPatches::Free : lms3dPatches::None;
   }
 }
 
@@ -31,7 +33,7 @@ lms3dPatches lms3dPatchGrower::Grow()
   {
     this->GrowFromLattice(stride);
   }
-  this->GrowFromRest();
+  this->GrowFromFreeReturns();
   return std::move(this->Result);
 }
 
@@ -41,90 +43,29 @@ void lms3dPatchGrower::GrowFromLattice(int stride)
   {
     for (int row = stride / 2; row + stride / 2 < this->Sphere.GetNumberOfRows(); row += stride)
     {
-      const Place seed = this->Sphere.GetPlace(column, row);
-      lms3dPlane plane;
-      if (this->IsFree(seed) && this->FitWindow(column, row, stride, plane))
+      const GridIndex seed = this->Sphere.GetIndex(column, row);
+      const std::optional<lms3dPlane> plane =
+        this->IsFree(seed) ? this->SeedPlanes.FitWindow(column, row, stride) : std::nullopt;
+      if (plane)
       {
-        this->GrowFrom(seed, plane);
+        this->GrowFrom(seed, *plane);
       }
     }
   }
 }
 
-// Asks a few returns of the window only: the flood asks all.
-bool lms3dPatchGrower::FitWindow(int column, int row, int stride, lms3dPlane& plane) const
+void lms3dPatchGrower::GrowFromFreeReturns()
 {
-  const int columns = this->Sphere.GetNumberOfColumns();
-  const int half = stride / 2;
-  const int step = std::max(1, half / 2);
-  std::array<Place, 25> samples;
-  int count = 0;
-  lms3dPlaneFit fit;
-  for (int i = -half; i <= half; i += step)
-  {
-    for (int j = -half; j <= half; j += step)
-    {
-      const Place place = this->Sphere.GetPlace((column + i + columns) % columns, row + j);
-      if (!this->IsFree(place))
-      {
-        return false;
-      }
-      fit.Add(this->Sphere, place);
-      samples[count++] = place;
-    }
-  }
-  plane = fit.GetPlane();
-  return std::all_of(samples.begin(), samples.begin() + count,
-    [&](Place place) { return this->Fits(place, plane); });
-}
-
-void lms3dPatchGrower::GrowFromRest()
-{
-  for (Place seed = 0; seed < this->Sphere.GetNumberOfPlaces(); ++seed)
+  for (GridIndex seed = 0; seed < this->Sphere.GetSize(); ++seed)
   {
     if (this->IsFree(seed))
     {
-      this->GrowFrom(seed, this->FitCorner(seed));
+      this->GrowFrom(seed, this->SeedPlanes.FitNeighbors(seed));
     }
   }
 }
 
-// Through the seed and joined neighbours on two sides, or on one, or through the seed alone.
-lms3dPlane lms3dPatchGrower::FitCorner(Place seed) const
-{
-  const auto isOpen = [&](int side)
-  {
-    return this->Sphere.HasNeighbor(seed, side) && this->Sphere.IsJoined(seed, side) &&
-      this->IsFree(this->Sphere.GetNeighbor(seed, side));
-  };
-  const bool isPole = this->Sphere.IsPoleRow(this->Sphere.GetRow(seed));
-  lms3dPlaneFit fit;
-  fit.Add(this->Sphere, seed);
-  for (int first : { lms3dBeamSphere::Up, lms3dBeamSphere::Down })
-  {
-    for (int second : { lms3dBeamSphere::Right, lms3dBeamSphere::Left })
-    {
-      if (!isPole && isOpen(first) && isOpen(second))
-      {
-        fit.Add(this->Sphere, this->Sphere.GetNeighbor(seed, first));
-        fit.Add(this->Sphere, this->Sphere.GetNeighbor(seed, second));
-        return fit.GetPlane();
-      }
-    }
-  }
-  for (int side :
-    { lms3dBeamSphere::Up, lms3dBeamSphere::Right, lms3dBeamSphere::Down, lms3dBeamSphere::Left })
-  {
-    if (!isPole && isOpen(side))
-    {
-      fit.Add(this->Sphere, this->Sphere.GetNeighbor(seed, side));
-      return fit.GetPlane();
-    }
-  }
-  return fit.GetPlane();
-}
-
-void lms3dPatchGrower::GrowFrom(Place seed, lms3dPlane plane)
+void lms3dPatchGrower::GrowFrom(GridIndex seed, lms3dPlane plane)
 {
   lms3dPatches::Patch patch;
   for (int flood = 1;; ++flood)
@@ -141,6 +82,7 @@ void lms3dPatchGrower::GrowFrom(Place seed, lms3dPlane plane)
   this->Result.Patches.push_back(std::move(patch));
 }
 
+// Whether a new plane differs from the patch's plane by more than the convergence threshold.
 bool lms3dPatchGrower::HasMoved(const lms3dPatches::Patch& patch, const lms3dPlane& plane) const
 {
   if (patch.Fit.GetNumberOfReturns() < 3)
@@ -154,10 +96,11 @@ bool lms3dPatchGrower::HasMoved(const lms3dPatches::Patch& patch, const lms3dPla
       const double range = this->Sphere.GetRange(span.First);
       const double moved =
         plane.GetInverseRange(direction) - patch.Plane.GetInverseRange(direction);
-      return std::abs(moved) * range * range > Settled * this->Tolerance;
+      return std::abs(moved) * range * range > ConvergedShare * this->Tolerance;
     });
 }
 
+// Makes all returns of a patch free again.
 void lms3dPatchGrower::Release(lms3dPatches::Patch& patch)
 {
   for (const Span& span : patch.Spans)
@@ -169,20 +112,20 @@ void lms3dPatchGrower::Release(lms3dPatches::Patch& patch)
   patch.Fit = {};
 }
 
-void lms3dPatchGrower::Flood(Place seed, const lms3dPlane& plane, lms3dPatches::Patch& patch)
+void lms3dPatchGrower::Flood(GridIndex seed, const lms3dPlane& plane, lms3dPatches::Patch& patch)
 {
   const int rows = this->Sphere.GetNumberOfRows();
   this->Queue.assign(1, seed);
   while (!this->Queue.empty())
   {
-    const Place place = this->Queue.back();
+    const GridIndex index = this->Queue.back();
     this->Queue.pop_back();
-    if (!this->IsFree(place))
+    if (!this->IsFree(index))
     {
       continue;
     }
-    const int column = this->Sphere.GetColumn(place);
-    const Span span = this->FloodSpan(place, lms3dColumnPlane(plane, this->Sphere, column));
+    const int column = this->Sphere.GetColumn(index);
+    const Span span = this->FloodSpan(index, lms3dColumnPlane(plane, this->Sphere, column));
     patch.Spans.push_back(span);
     patch.Fit.Add(this->Sphere, column, span.First - column * rows, span.Last - column * rows);
     this->QueueNeighbors(span, lms3dBeamSphere::Left, plane);
@@ -190,15 +133,15 @@ void lms3dPatchGrower::Flood(Place seed, const lms3dPlane& plane, lms3dPatches::
   }
 }
 
-lms3dPatches::Span lms3dPatchGrower::FloodSpan(Place seed, const lms3dColumnPlane& plane)
+lms3dPatches::Span lms3dPatchGrower::FloodSpan(GridIndex seed, const lms3dColumnPlane& plane)
 {
-  const Place column = seed - this->Sphere.GetRow(seed);
-  const Place end = column + this->Sphere.GetNumberOfRows() - 1;
-  const auto fits = [&](Place place)
+  const GridIndex column = seed - this->Sphere.GetRow(seed);
+  const GridIndex end = column + this->Sphere.GetNumberOfRows() - 1;
+  const auto fits = [&](GridIndex index)
   {
-    const int row = place - column;
-    return this->IsFree(place) &&
-      lms3dIsWithin(this->Sphere.GetRange(place),
+    const int row = index - column;
+    return this->IsFree(index) &&
+      lms3dIsWithinTolerance(this->Sphere.GetRange(index),
         plane.GetInverseRange(this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]),
         this->Tolerance);
   };
@@ -219,22 +162,22 @@ lms3dPatches::Span lms3dPatchGrower::FloodSpan(Place seed, const lms3dColumnPlan
   return span;
 }
 
-// One place of each run: the flood of the run finds the others.
+// Queues one return of each run of fitting returns: the flood of the run finds the others.
 void lms3dPatchGrower::QueueNeighbors(const Span& span, int side, const lms3dPlane& plane)
 {
-  const Place first = this->Sphere.GetNeighbor(span.First, side);
+  const GridIndex first = this->Sphere.GetNeighbor(span.First, side);
   const int column = this->Sphere.GetColumn(first);
-  const Place offset = first - span.First;
-  const Place start = this->Sphere.GetPlace(column, 0);
-  const Place joinOffset = side == lms3dBeamSphere::Left ? offset : 0;
+  const GridIndex offset = first - span.First;
+  const GridIndex start = this->Sphere.GetIndex(column, 0);
+  const GridIndex joinOffset = side == lms3dBeamSphere::Left ? offset : 0;
   const lms3dColumnPlane inColumn(plane, this->Sphere, column);
   bool isRun = false;
-  for (Place place = span.First; place <= span.Last; ++place)
+  for (GridIndex index = span.First; index <= span.Last; ++index)
   {
-    const Place next = place + offset;
+    const GridIndex next = index + offset;
     const bool isOpen = this->IsFree(next) &&
-      this->Sphere.IsJoined(place + joinOffset, lms3dBeamSphere::Right) &&
-      lms3dIsWithin(this->Sphere.GetRange(next),
+      this->Sphere.IsJoined(index + joinOffset, lms3dBeamSphere::Right) &&
+      lms3dIsWithinTolerance(this->Sphere.GetRange(next),
         inColumn.GetInverseRange(
           this->Sphere.GetCosines()[next - start], this->Sphere.GetSines()[next - start]),
         this->Tolerance);
@@ -246,8 +189,8 @@ void lms3dPatchGrower::QueueNeighbors(const Span& span, int side, const lms3dPla
   }
 }
 
-bool lms3dPatchGrower::Fits(Place place, const lms3dPlane& plane) const
+bool lms3dPatchGrower::Fits(GridIndex index, const lms3dPlane& plane) const
 {
-  return lms3dIsWithin(this->Sphere.GetRange(place),
-    plane.GetInverseRange(this->Sphere.GetDirection(place)), this->Tolerance);
+  return lms3dIsWithinTolerance(this->Sphere.GetRange(index),
+    plane.GetInverseRange(this->Sphere.GetDirection(index)), this->Tolerance);
 }

@@ -8,43 +8,47 @@
 #define lms3dPatchGrower_h
 
 #include "LocalMap/Patches/lms3dPatches.h"
+#include "LocalMap/Patches/lms3dSeedPlanes.h"
+
+#include <vector>
 
 /**
- * From seeds on ever finer lattices, patches flood the neighbours that are joined and within the
- * tolerance (metres along the beam) of the plane, column by column. The plane is fitted anew to
- * what a flood reached, and the flood repeated, until the plane stays. What no larger patch takes
- * ends up in patches of a few returns, or of one.
+ * Region growing. Seeds lie on ever finer lattices. From each seed, a patch floods the joined neighbours
+ * that are within the tolerance of its plane, column by column. The plane is fitted to the flooded
+ * returns and the flood repeats, until the plane converges. Finally, each return without a patch becomes
+ * a seed, so every return gets a patch, if only of its own.
  */
 class lms3dPatchGrower
 {
 public:
+  /// Keeps a reference to the sphere. `tolerance` is metres along the beam, above 0.
   lms3dPatchGrower(const lms3dBeamSphere& sphere, double tolerance);
 
+  /// Returns the patches. To be called once.
   lms3dPatches Grow();
 
 private:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
   using Span = lms3dPatches::Span;
 
   void GrowFromLattice(int stride);
-  void GrowFromRest();
-  void GrowFrom(Place seed, lms3dPlane plane);
-  bool FitWindow(int column, int row, int stride, lms3dPlane& plane) const;
-  lms3dPlane FitCorner(Place seed) const;
-
-  void Flood(Place seed, const lms3dPlane& plane, lms3dPatches::Patch& patch);
-  Span FloodSpan(Place seed, const lms3dColumnPlane& plane);
+  void GrowFromFreeReturns();
+  void GrowFrom(GridIndex seed, lms3dPlane plane);
+  void Flood(GridIndex seed, const lms3dPlane& plane, lms3dPatches::Patch& patch);
+  Span FloodSpan(GridIndex seed, const lms3dColumnPlane& plane);
   void QueueNeighbors(const Span& span, int side, const lms3dPlane& plane);
   void Release(lms3dPatches::Patch& patch);
   bool HasMoved(const lms3dPatches::Patch& patch, const lms3dPlane& plane) const;
 
-  bool IsFree(Place place) const { return this->Result.Labels[place] == lms3dPatches::Free; }
-  bool Fits(Place place, const lms3dPlane& plane) const;
+  bool IsFree(GridIndex index) const { return this->Result.Labels[index] == lms3dPatches::Free; }
+  bool Fits(GridIndex index, const lms3dPlane& plane) const;
 
   const lms3dBeamSphere& Sphere;
   const double Tolerance;
   lms3dPatches Result;
-  std::vector<Place> Queue;
+  const lms3dSeedPlanes SeedPlanes;
+  /// Entries from which the flood goes on.
+  std::vector<GridIndex> Queue;
 };
 
 #endif

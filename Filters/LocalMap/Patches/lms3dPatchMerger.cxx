@@ -7,9 +7,9 @@
 
 namespace
 {
-// Where one patch is so many times larger, its plane is the joint plane.
-constexpr double MuchLarger = 16.0;
-constexpr int MergingPasses = 4;
+// If the ratio of the returns exceeds this, the larger patch keeps its plane.
+constexpr double MuchLargerRatio = 16.0;
+constexpr int MaximumPasses = 4;
 } // namespace
 
 lms3dPatchMerger::lms3dPatchMerger(
@@ -26,11 +26,11 @@ std::vector<lms3dPatchMerger::Pair> lms3dPatchMerger::FindNeighbors() const
 {
   const std::vector<std::int32_t>& labels = this->Patches.Labels;
   std::vector<Pair> pairs;
-  const auto add = [&](Place place, int side)
+  const auto add = [&](GridIndex index, int side)
   {
-    const std::int32_t a = labels[place];
-    const std::int32_t b = labels[this->Sphere.GetNeighbor(place, side)];
-    if (a != b && this->Sphere.IsJoined(place, side))
+    const std::int32_t a = labels[index];
+    const std::int32_t b = labels[this->Sphere.GetNeighbor(index, side)];
+    if (a != b && this->Sphere.IsJoined(index, side))
     {
       pairs.emplace_back(std::min(a, b), std::max(a, b));
     }
@@ -40,11 +40,11 @@ std::vector<lms3dPatchMerger::Pair> lms3dPatchMerger::FindNeighbors() const
   {
     for (int row = 0; row < rows; ++row)
     {
-      const Place place = this->Sphere.GetPlace(column, row);
-      add(place, lms3dBeamSphere::Right);
+      const GridIndex index = this->Sphere.GetIndex(column, row);
+      add(index, lms3dBeamSphere::Right);
       if (row + 1 < rows)
       {
-        add(place, lms3dBeamSphere::Up);
+        add(index, lms3dBeamSphere::Up);
       }
     }
   }
@@ -67,7 +67,7 @@ void lms3dPatchMerger::Merge()
 {
   const std::vector<Pair> pairs = this->FindNeighbors();
   bool hasMerged = true;
-  for (int pass = 0; pass < MergingPasses && hasMerged; ++pass)
+  for (int pass = 0; pass < MaximumPasses && hasMerged; ++pass)
   {
     hasMerged = false;
     for (const Pair& pair : pairs)
@@ -95,7 +95,7 @@ bool lms3dPatchMerger::TryToMerge(int large, int small)
     this->Join(large, small, a.Plane);
     return true;
   }
-  if (a.Fit.GetNumberOfReturns() > MuchLarger * b.Fit.GetNumberOfReturns())
+  if (a.Fit.GetNumberOfReturns() > MuchLargerRatio * b.Fit.GetNumberOfReturns())
   {
     return false;
   }
@@ -116,12 +116,12 @@ bool lms3dPatchMerger::Explains(const lms3dPlane& plane, const lms3dPatches::Pat
     [&](const lms3dPatches::Span& span)
     {
       const int column = this->Sphere.GetColumn(span.First);
-      const Place start = this->Sphere.GetPlace(column, 0);
+      const GridIndex start = this->Sphere.GetIndex(column, 0);
       const lms3dColumnPlane inColumn(plane, this->Sphere, column);
-      for (Place place = span.First; place <= span.Last; ++place)
+      for (GridIndex index = span.First; index <= span.Last; ++index)
       {
-        const int row = place - start;
-        if (!lms3dIsWithin(this->Sphere.GetRange(place),
+        const int row = index - start;
+        if (!lms3dIsWithinTolerance(this->Sphere.GetRange(index),
               inColumn.GetInverseRange(
                 this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]),
               this->Tolerance))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Merges patches that one plane explains.
+ * @brief Merges neighbouring patches that one plane explains.
  */
 #ifndef lms3dPatchMerger_h
 #define lms3dPatchMerger_h
@@ -12,17 +12,23 @@
 #include <utility>
 #include <vector>
 
+/**
+ * Two patches merge if joined returns lie side by side, and if all returns of the smaller patch are
+ * within the tolerance of the larger patch's plane, or all returns of both are within the tolerance of
+ * their common least-squares plane. A few passes follow until nothing merges, with union-find for the labels.
+ */
 class lms3dPatchMerger
 {
 public:
-  /// `maximumError` is the bound of the whole map, metres along the beam.
+  /// Keeps references. `maximumError` is the error bound of the map, metres along the beam; the tolerance
+  /// is lms3dPatches::MergedShare of it.
   lms3dPatchMerger(const lms3dBeamSphere& sphere, lms3dPatches& patches, double maximumError);
 
-  /// Patches side by side become one where a plane of either, or of both, explains all returns.
+  /// Merges the patches and updates their labels. The larger patch keeps its number.
   void Merge();
 
 private:
-  using Place = lms3dBeamSphere::Place;
+  using GridIndex = lms3dBeamSphere::GridIndex;
   using Pair = std::pair<std::int32_t, std::int32_t>;
 
   std::vector<Pair> FindNeighbors() const;
@@ -35,6 +41,7 @@ private:
   const lms3dBeamSphere& Sphere;
   lms3dPatches& Patches;
   const double Tolerance;
+  /// The union-find forest of patches.
   std::vector<int> Parents;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Planar patches: which patch each return belongs to, and the patches' planes.
+ * @brief Planar patches: the patch of each return, and the plane of each patch.
  */
 #ifndef lms3dPatches_h
 #define lms3dPatches_h
@@ -12,35 +12,42 @@
 #include <cstdint>
 #include <vector>
 
+/**
+ * A patch is a set of returns that one plane explains. lms3dPatchGrower makes patches, lms3dPatchMerger
+ * merges them, lms3dPatchRelabeler refines their borders.
+ */
 struct lms3dPatches
 {
-  /// Of places without a return.
+  /// The label of grid entries that belong to no patch: without a return, or with a facet.
   static constexpr std::int32_t None = -1;
-  /// Of returns that no patch has taken yet.
+  /// The label of returns that have no patch yet, while patches grow.
   static constexpr std::int32_t Free = -2;
 
-  /// The share of the bound that merged planes may use up; the borders need the rest.
+  /// The share of the error bound within which merged planes must explain their returns. Borders need
+  /// the rest.
   static constexpr double MergedShare = 0.8;
 
-  /// Returns of a column, from one place to another, both included.
+  /// Consecutive returns of one column, both ends included.
   struct Span
   {
-    lms3dBeamSphere::Place First;
-    lms3dBeamSphere::Place Last;
+    lms3dBeamSphere::GridIndex First;
+    lms3dBeamSphere::GridIndex Last;
   };
 
   struct Patch
   {
     lms3dPlane Plane;
     lms3dPlaneFit Fit;
+    /// The returns that grew the patch. Not updated when labels change later.
     std::vector<Span> Spans;
   };
 
-  /// The number of each patch's returns; a pole is one.
+  /// The number of returns that have the label of each patch. A pole counts once.
   std::vector<int> CountMembers(const lms3dBeamSphere& sphere) const;
 
-  /// For each place the patch of its return; all places of a pole have one.
+  /// By grid index: the number of a patch, None or Free. All entries of a pole have the same label.
   std::vector<std::int32_t> Labels;
+  /// Patches without returns keep their number.
   std::vector<Patch> Patches;
 };
 

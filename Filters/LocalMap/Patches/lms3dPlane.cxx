@@ -4,11 +4,12 @@
 
 namespace
 {
-// The weight of the plane that faces the sensor: enough to decide what returns leave open, too
-// little to move what they determine.
+// The weight of the plane that faces the sensor. It decides what the returns leave open, and is too small
+// to change what they determine.
 constexpr double FacingWeight = 1e-10;
 
-// By the factors L D L^T: the weight leaves pivots of 1e-10, which a determinant would drown.
+// Solves m x = right by the factors L D L^T. The weight above leaves pivots of 1e-10, which would be lost
+// in a determinant.
 lms3dVector Solve(const std::array<double, 6>& m, const lms3dVector& right)
 {
   const double d0 = m[0];
@@ -31,13 +32,13 @@ lms3dVector Solve(const std::array<double, 6>& m, const lms3dVector& right)
 
 void lms3dPlaneFit::Add(const lms3dBeamSphere& sphere, int column, int firstRow, int lastRow)
 {
-  const double* ranges = sphere.GetRanges() + sphere.GetPlace(column, 0);
-  // Within the column's own plane a return has two coordinates.
-  double level = 0.0;
-  double up = 0.0;
-  double levelLevel = 0.0;
-  double levelUp = 0.0;
-  double upUp = 0.0;
+  const double* ranges = sphere.GetRanges() + sphere.GetIndex(column, 0);
+  // In the plane of the column, a return has two coordinates.
+  double sumX = 0.0;
+  double sumZ = 0.0;
+  double xx = 0.0;
+  double xz = 0.0;
+  double zz = 0.0;
   int count = 0;
   for (int row = firstRow; row <= lastRow; ++row)
   {
@@ -47,40 +48,37 @@ void lms3dPlaneFit::Add(const lms3dBeamSphere& sphere, int column, int firstRow,
     }
     const double x = ranges[row] * sphere.GetCosines()[row];
     const double z = ranges[row] * sphere.GetSines()[row];
-    level += x;
-    up += z;
-    levelLevel += x * x;
-    levelUp += x * z;
-    upUp += z * z;
+    sumX += x;
+    sumZ += z;
+    xx += x * x;
+    xz += x * z;
+    zz += z * z;
     ++count;
   }
-  const std::array<double, 2>& axis = sphere.GetLevel(column);
+  const std::array<double, 2>& axis = sphere.GetHorizontal(column);
   this->Count += count;
-  this->Sum[0] += level * axis[0];
-  this->Sum[1] += level * axis[1];
-  this->Sum[2] += up;
-  this->Products[0] += levelLevel * axis[0] * axis[0];
-  this->Products[1] += levelLevel * axis[0] * axis[1];
-  this->Products[2] += levelUp * axis[0];
-  this->Products[3] += levelLevel * axis[1] * axis[1];
-  this->Products[4] += levelUp * axis[1];
-  this->Products[5] += upUp;
+  this->Sum[0] += sumX * axis[0];
+  this->Sum[1] += sumX * axis[1];
+  this->Sum[2] += sumZ;
+  this->Products[0] += xx * axis[0] * axis[0];
+  this->Products[1] += xx * axis[0] * axis[1];
+  this->Products[2] += xz * axis[0];
+  this->Products[3] += xx * axis[1] * axis[1];
+  this->Products[4] += xz * axis[1];
+  this->Products[5] += zz;
 }
 
-void lms3dPlaneFit::Add(const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place)
+void lms3dPlaneFit::Add(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index)
 {
-  const int row = sphere.GetRow(place);
-  // Whichever of a pole's places it is.
-  this->Add(sphere, sphere.IsPoleRow(row) ? 0 : sphere.GetColumn(place), row, row);
+  const int row = sphere.GetRow(index);
+  // For a pole, the entry in column 0.
+  this->Add(sphere, sphere.IsPoleRow(row) ? 0 : sphere.GetColumn(index), row, row);
 }
 
 void lms3dPlaneFit::Add(const lms3dPlaneFit& other)
 {
   this->Count += other.Count;
-  for (int i = 0; i < 3; ++i)
-  {
-    this->Sum[i] += other.Sum[i];
-  }
+  this->Sum = lms3dAdd(this->Sum, other.Sum);
   for (int i = 0; i < 6; ++i)
   {
     this->Products[i] += other.Products[i];
@@ -95,8 +93,8 @@ lms3dPlane lms3dPlaneFit::GetPlane() const
   matrix[0] += weight;
   matrix[3] += weight;
   matrix[5] += weight;
-  // The plane through the mean m of the returns that faces the sensor is m / m.m. To fit the
-  // difference from it keeps its digits.
+  // The plane through the mean m of the returns that faces the sensor is m / m.m. Solving for the
+  // difference from it preserves precision.
   lms3dVector facing;
   for (int i = 0; i < 3; ++i)
   {
@@ -108,14 +106,5 @@ lms3dPlane lms3dPlaneFit::GetPlane() const
     this->Sum[1] - (p[1] * facing[0] + p[3] * facing[1] + p[4] * facing[2]),
     this->Sum[2] - (p[2] * facing[0] + p[4] * facing[1] + p[5] * facing[2]) };
   const lms3dVector difference = Solve(matrix, rest);
-  return { { facing[0] + difference[0], facing[1] + difference[1], facing[2] + difference[2] } };
-}
-
-double lms3dPlaneFit::GetSquaredResidual(const lms3dPlane& plane) const
-{
-  const lms3dVector& q = plane.Q;
-  const std::array<double, 6>& p = this->Products;
-  return q[0] * q[0] * p[0] + q[1] * q[1] * p[3] + q[2] * q[2] * p[5] +
-    2.0 * (q[0] * q[1] * p[1] + q[0] * q[2] * p[2] + q[1] * q[2] * p[4]) -
-    2.0 * lms3dDot(q, this->Sum) + this->Count;
+  return { lms3dAdd(facing, difference) };
 }

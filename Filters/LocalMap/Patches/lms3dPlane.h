@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Planes as the sensor sees them, and the fit of a plane to returns.
+ * @brief Planes as the sensor sees them, and the least-squares plane of returns.
  */
 #ifndef lms3dPlane_h
 #define lms3dPlane_h
@@ -12,70 +12,77 @@
 #include <cmath>
 
 /**
- * A plane that does not pass through the sensor has one vector q with q.p = 1 for each of its
- * points p. A beam along d meets it where 1 / range = q.d: on a plane, the inverse of the range is
- * linear in the direction, whatever the angles of the beams.
+ * A plane in the sensor frame that does not pass through the sensor. It has one vector q, 1/metre, with
+ * q.p = 1 for each of its points p: q is the normal divided by the distance. A beam of direction d (of
+ * length 1) meets the plane where 1 / range = q.d. Therefore, on a plane, the inverse range is linear in
+ * the direction.
  */
 struct lms3dPlane
 {
   lms3dVector Q;
 
+  /// 1/metre. If it is not above 0, the beam does not meet the plane.
   double GetInverseRange(const lms3dVector& direction) const
   {
     return lms3dDot(this->Q, direction);
   }
 };
 
-/// A plane in the frame of a column: one loop of two products a beam compares a whole column.
+/// A plane restricted to one column of lms3dBeamSphere, where it has two coordinates: evaluating a beam
+/// takes two products.
 struct lms3dColumnPlane
 {
   lms3dColumnPlane(const lms3dPlane& plane, const lms3dBeamSphere& sphere, int column)
-    : Level(plane.Q[0] * sphere.GetLevel(column)[0] + plane.Q[1] * sphere.GetLevel(column)[1])
-    , Upward(plane.Q[2])
+    : Horizontal(
+        plane.Q[0] * sphere.GetHorizontal(column)[0] + plane.Q[1] * sphere.GetHorizontal(column)[1])
+    , Vertical(plane.Q[2])
   {
   }
 
+  /// 1/metre, for the cosine and sine of a row's elevation.
   double GetInverseRange(double cosine, double sine) const
   {
-    return this->Level * cosine + this->Upward * sine;
+    return this->Horizontal * cosine + this->Vertical * sine;
   }
 
-  double Level;
-  double Upward;
+  double Horizontal;
+  double Vertical;
 };
 
-/// Whether a return lies within a tolerance of a plane, both in metres along its beam.
-inline bool lms3dIsWithin(double range, double inverseRange, double tolerance)
+/// Whether a return at `range` lies within a tolerance, metres along its beam, of a plane that the beam
+/// meets at 1 / `inverseRange`. False if the beam does not meet the plane.
+inline bool lms3dIsWithinTolerance(double range, double inverseRange, double tolerance)
 {
   return std::abs(range * inverseRange - 1.0) <= tolerance * inverseRange;
 }
 
-/// The sums over returns that the best plane follows from.
+/// The sums over returns from which their least-squares plane follows. A pole counts once: only its
+/// entry in column 0 is added.
 class lms3dPlaneFit
 {
 public:
-  /// Adds the returns of a column from one row to another, both included.
+  /// Adds the returns of a column from one row to another, both included. All must have returns.
   void Add(const lms3dBeamSphere& sphere, int column, int firstRow, int lastRow);
-  void Add(const lms3dBeamSphere& sphere, lms3dBeamSphere::Place place);
+  /// Adds one return.
+  void Add(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index);
+  /// Adds all returns of another fit.
   void Add(const lms3dPlaneFit& other);
 
   double GetNumberOfReturns() const { return this->Count; }
-  /// Towards the center of the returns, of any length.
+  /// A vector towards the center of the returns, of any length.
   const lms3dVector& GetCenter() const { return this->Sum; }
 
   /**
-   * The plane of least squares of q.p - 1. Where the returns leave it open, as one return or a row
-   * of them does, the plane that faces the sensor most.
+   * The plane that minimizes the sum of the squares of q.p - 1. If the returns do not determine a plane,
+   * as one return or a straight row of returns does not, the plane that faces the sensor most. There
+   * must be a return.
    */
   lms3dPlane GetPlane() const;
-
-  /// The sum of the squares of q.p - 1.
-  double GetSquaredResidual(const lms3dPlane& plane) const;
 
 private:
   double Count = 0.0;
   lms3dVector Sum = { 0.0, 0.0, 0.0 };
-  /// xx, xy, xz, yy, yz, zz.
+  /// The sums of xx, xy, xz, yy, yz, zz.
   std::array<double, 6> Products = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Tells the noise of ranges from the scan itself.
+ * @brief Estimates the noise of ranges from the scan itself.
  */
 #ifndef lms3dRangeNoise_h
 #define lms3dRangeNoise_h
@@ -10,10 +10,10 @@
 #include "LocalMap/Patches/lms3dBeamSphere.h"
 
 /**
- * The standard deviation of ranges, metres. On any plane neighbours w of 1/range in a column obey
- * w[i-1] + w[i+1] = 2 cos(step) w[i], so what is left of that, times the range squared, is noise of
- * six times its variance; its median is little moved by creases and steps. 0 where no three returns
- * follow each other.
+ * Returns the standard deviation of ranges, metres. On a plane, three consecutive inverse ranges w of a
+ * column satisfy w[i-1] + w[i+1] = 2 cos(step) w[i]. The residual of that equation, times the squared
+ * range, has six times the variance of the noise. The median of the residuals is robust against creases
+ * and depth steps. Returns 0 if no three consecutive beams returned.
  */
 double lms3dEstimateNoise(const lms3dBeamSphere& sphere);
 

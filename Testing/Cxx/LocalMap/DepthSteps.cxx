@@ -12,7 +12,7 @@
 
 namespace
 {
-// On the other side of a beam than the next one.
+// The neighbour of a beam opposite to the next one.
 ScanGrid::Beam GetBefore(const ScanGrid::Beam& beam, const ScanGrid::Beam& next)
 {
   return { 2 * beam.Turn - next.Turn, 2 * beam.Number - next.Number };
@@ -46,8 +46,8 @@ double DepthSteps::GetTolerance(const Beam& a, const Beam& b) const
     std::max(0.02, this->GetStep(a, b)) * std::min(this->GetRange(a), this->GetRange(b));
 }
 
-// The range of b where the surface goes on as from the beam before a to a: infinite where it does
-// not come to b, a's own where there is nothing before.
+// The range of b if the surface continues as from the beam before a to a: infinite if the surface does not
+// reach b, the range of a if there is no return before.
 double DepthSteps::Predict(const Beam& a, const Beam& b) const
 {
   const Beam last = { 2 * a.Turn - b.Turn, 2 * a.Number - b.Number };
@@ -64,7 +64,7 @@ double DepthSteps::Predict(const Beam& a, const Beam& b) const
   return hasAside ? Invert(this->PredictInverse(last, a, b)) : this->PredictAlong(a, b);
 }
 
-// The same from these alone, on a plane that is square to theirs.
+// The same from the two returns alone, on a plane at a right angle to the plane of their beams.
 double DepthSteps::PredictAlong(const Beam& a, const Beam& b) const
 {
   const double at = this->GetRange(a);
@@ -72,7 +72,7 @@ double DepthSteps::PredictAlong(const Beam& a, const Beam& b) const
   return before == 0.0 ? at : Invert(2.0 * std::cos(this->GetStep(a, b)) / at - 1.0 / before);
 }
 
-// Beyond a pole of a full circle it is the nearer of the opposite turns' returns beside the pole.
+// Beyond a pole of a full circle, returns the nearer range of the opposite turns beside the pole.
 double DepthSteps::GetRangeBefore(const Beam& before, const Beam& a) const
 {
   const bool isBeyond = before.Number < 0 || before.Number >= this->Grid.GetNumberOfBeams();
@@ -125,7 +125,7 @@ bool DepthSteps::AreJoined(const Beam& a, const Beam& b, const Predictions& pred
                                                : this->IsStraight(b, a, ofBFromBefore))));
 }
 
-// Whether the beam before a and the one before that say where a is.
+// Whether the two returns before a predict the range of a.
 bool DepthSteps::IsStraight(const Beam& a, const Beam& b, double predicted) const
 {
   const Beam before = GetBefore(a, b);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Which neighbours are on one surface by the words of the filter's header.
+ * @brief Decides which neighbours lie on one surface, as the filter's public header defines it.
  */
 #ifndef DepthSteps_h
 #define DepthSteps_h
@@ -12,22 +12,23 @@
 #include <array>
 
 /**
- * A beam a and its neighbour b are joined where both returned and
- * - their ranges differ by no more than the tolerance: DepthStep and a share of the nearer range, 2
- *   % or the angle between them where that is more; or
- * - the plane through either and the beam before it goes on to the other within the tolerance; or
- * - the planes from both sides go on to the other or behind it, within the tolerance, and the nearer
- *   side is straight, its last three returns on one plane within their tolerance: the planes cross
- *   between a and b, as those at the crease of a room do.
+ * A beam a and its neighbour b are joined if both returned and one of these holds:
  *
- * Along a turn the plane is that of the beam's neighbour towards the horizon, too, if they are joined,
- * and else upright. Beyond a pole of a full circle, the opposite turn comes.
+ * - Their ranges differ by at most the tolerance: DepthStep plus a share of the nearer range, 2 % or the
+ *   angle between the beams if that is more.
+ * - The plane through either return and the return before it meets the other within the tolerance.
+ * - The planes from both sides meet the other beam at its return or behind it, within the tolerance, and
+ *   the nearer side is straight: its last three returns lie on one plane, within their tolerance. Then the
+ *   planes intersect between a and b, as at the crease of a room.
  *
- * Beams half a circle apart have nothing between them.
+ * Along a turn, the plane also passes through the beam's neighbour towards the horizon if the two are
+ * joined; otherwise it is upright. Beyond a pole of a full circle, the opposite turn follows.
  *
- * They are apart, for sure, where the surfaces on both sides end before they would meet. Between
- * the two are cases of which a scan does not tell: planes that cross between a and b as those at the
- * edge of a box do, of which one side may be hidden, or as those of a crease, beside two returns.
+ * Beams half a circle apart have no surface between them.
+ *
+ * Two beams are certainly apart if the surfaces on both sides end before they would meet. In the cases in
+ * between, a scan does not determine the surface: planes can intersect between a and b at the edge of a
+ * box that hides one side, or at a crease that has only two returns beside it.
  */
 class DepthSteps
 {
@@ -46,8 +47,8 @@ public:
   double GetTolerance(const Beam& a, const Beam& b) const;
 
 private:
-  /// Ranges, of one where the surface goes on to it: of b from a, of a from b, and of a and b from
-  /// the beams before them.
+  /// The ranges at which the surface would continue: at b from a, at a from b, at a from the beam before a,
+  /// and at b from the beam behind b.
   using Predictions = std::array<double, 4>;
 
   bool HaveReturned(const Beam& a, const Beam& b) const;

@@ -37,7 +37,7 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const std::vector<do
   return array;
 }
 
-// Box and Muller's.
+// By the method of Box and Muller.
 double GetNormal(Random& random)
 {
   const double radius = std::sqrt(-2.0 * std::log(1.0 - random.Get()));
@@ -48,7 +48,7 @@ void MixIn(vtkFieldData* data, std::vector<std::uint64_t>& hashes)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    if (vtkDataArray* array = data->GetArray(i)) // Names of shapes are words.
+    if (vtkDataArray* array = data->GetArray(i)) // Arrays of strings are not numeric.
     {
       hashes.push_back(Hash(array));
     }
@@ -133,8 +133,8 @@ vtkSmartPointer<vtkPolyData> AddNoise(vtkPolyData* scan, double sigma, Random& r
     Vector point;
     noisy->GetPoint(i, point.data());
     const double range = ranges->GetTuple1(i);
-    const double most = std::min(4.0 * sigma, 0.5 * range);
-    const double moved = range + std::clamp(sigma * GetNormal(random), -most, most);
+    const double maximum = std::min(4.0 * sigma, 0.5 * range);
+    const double moved = range + std::clamp(sigma * GetNormal(random), -maximum, maximum);
     const Vector to = sensor + moved / range * (point - sensor);
     noisy->GetPoints()->SetPoint(i, to.data());
     ranges->SetTuple1(i, moved);

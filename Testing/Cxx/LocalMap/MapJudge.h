@@ -23,7 +23,7 @@ struct MapCase
   MapCase(vtkPolyData* scan, vtkPolyData* map, const MapPromise& promise);
 
   bool IsPlain() const { return this->Promise.MaximumError == 0.0; }
-  /// What is rounding at such a range.
+  /// The tolerance for rounding at a range, metres.
   static double GetRounding(double range) { return 1e-9 * range; }
 
   const MapPromise& Promise;
@@ -43,13 +43,13 @@ std::string ToWords(const Vector& point);
 void JudgeShape(const MapCase& map, MapVerdict& verdict);
 /// Edges alone, which the laws of boundaries need to be sound.
 void JudgeEdges(const MapCase& map, MapVerdict& verdict);
-/// Distances from returns, and what beams and rays between them meet.
+/// Distances from returns, and what beams and the rays between them hit.
 void JudgeDistances(const MapCase& map, const TriangleTree& surface, MapVerdict& verdict);
 void JudgeBeams(const MapCase& map, const MapNeighbours& neighbours, const TriangleTree& surface,
   MapVerdict& verdict);
 void JudgeDepthSteps(const MapCase& map, const MapNeighbours& neighbours,
   const TriangleTree& surface, MapVerdict& verdict);
-/// What the filter tells of the map; the deviation in the verdict must be known.
+/// The field data of the map. The verdict must contain the deviations already.
 void JudgeFieldData(const MapCase& map, MapVerdict& verdict);
 
 #endif

@@ -103,7 +103,7 @@ void JudgePatches(const MapCase& map, MapVerdict& verdict)
     verdict.Add("field data", "there is no PatchId of int32");
     return;
   }
-  // Of triangles between patches it is below 0.
+  // Triangles between patches have a PatchId below 0.
   std::set<double> ids;
   for (vtkIdType i = 0; i < patches->GetNumberOfTuples(); ++i)
   {
@@ -112,12 +112,12 @@ void JudgePatches(const MapCase& map, MapVerdict& verdict)
       ids.insert(patches->GetTuple1(i));
     }
   }
-  const double told = GetFieldValue(map.Map, "NumberOfPatches", verdict);
-  if (told != static_cast<double>(ids.size()) || (!ids.empty() && *ids.rbegin() != told - 1.0))
+  const double number = GetFieldValue(map.Map, "NumberOfPatches", verdict);
+  if (number != static_cast<double>(ids.size()) || (!ids.empty() && *ids.rbegin() != number - 1.0))
   {
     verdict.Add("field data",
-      "NumberOfPatches is " + std::to_string(told) + " of " + std::to_string(ids.size()) +
-        " in PatchId");
+      "NumberOfPatches is " + std::to_string(number) + ", but PatchId has " +
+        std::to_string(ids.size()));
   }
 }
 
@@ -149,15 +149,15 @@ void JudgeFieldData(const MapCase& map, MapVerdict& verdict)
   }
   JudgePatches(map, verdict);
   JudgeCounts(map, verdict);
-  // A beam may meet a triangle that is not the nearest to its return: that one will do.
-  const double told = GetFieldValue(map.Map, "LargestDeviation", verdict);
-  const double rounding = 1e-9 + 1e-6 * told;
-  if (!(told >= verdict.LargestDeviation - rounding &&
-        told <= verdict.LargestDeviationOnBeams + rounding))
+  // A beam may hit a triangle that is not the nearest to its return; its distance is accepted.
+  const double deviation = GetFieldValue(map.Map, "LargestDeviation", verdict);
+  const double rounding = 1e-9 + 1e-6 * deviation;
+  if (!(deviation >= verdict.LargestDeviation - rounding &&
+        deviation <= verdict.LargestDeviationOnBeams + rounding))
   {
     std::ostringstream words;
-    words << "LargestDeviation is " << told << " in place of " << verdict.LargestDeviation << " to "
-          << verdict.LargestDeviationOnBeams;
+    words << "LargestDeviation is " << deviation << " instead of " << verdict.LargestDeviation
+          << " to " << verdict.LargestDeviationOnBeams;
     verdict.Add("field data", words.str());
   }
 }

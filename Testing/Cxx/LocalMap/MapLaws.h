@@ -4,35 +4,35 @@
  * @file
  * @brief The laws of the local map, and a judge that finds where a map breaks them.
  *
- * The judge knows the scan, the map, and the scene where there is one; it shares no code with the
- * filter. Lengths are held to 1e-9 of the range, directions to 1e-9 radians.
+ * The judge uses the scan, the map and, if there is one, the scene. It shares no code with the filter.
+ * Lengths have a tolerance of 1e-9 of the range, directions of 1e-9 radians.
  *
- * - bound: no return is farther from the surface than MaximumError. With a MaximumError of 0 each
- *   return is a vertex. A pole is one vertex: where no range is within MaximumError of all its
- *   returns, that of median range counts.
- * - beam: each beam that returned meets the surface. (Of a plain grid, where its return has a
- *   triangle.)
- * - free space: what a beam that returned meets is within MaximumError, and the noise, of the
- *   scene, or no farther from it than what joined neighbours span: so is the plain grid at a crease.
- * - between beams: there, where nothing was measured, the surface may be off by half a cell more; of
- *   a bounded map, whose borders pass between beams, at four places and one in a thousand by more. It may also
- *   go on in the plane that a neighbouring beam saw, or that its return and two more of the same surface
- *   lie in: within twice the bound, as a plane that is off by the bound at one beam and by as much to
- *   the other side at the next one is half a cell further.
- * - miss: no beam without a return meets the surface.
- * - bridge: between neighbours on both sides of a depth step, one of the scene too where there is a
- *   scene, the surface has a gap or a jump.
- * - crack: between four beams whose ranges are within DepthStep there is surface.
+ * - bound: no return is farther from the surface than MaximumError. With a MaximumError of 0, each return
+ *   is a vertex. A pole is one vertex: if no range is within MaximumError of all its returns, the return
+ *   of median range counts.
+ * - beam: each beam that returned hits the surface. (In a plain grid, if its return has a triangle.)
+ * - free space: what a beam that returned hits is within MaximumError and the noise of the scene, or no
+ *   farther from it than what joined neighbours span, as the plain grid is at a crease.
+ * - between beams: there, where nothing was measured, the surface may be off by half a cell more. A
+ *   bounded map, whose borders pass between beams, may be off by more at four places and one in a
+ *   thousand. The surface may also continue in the plane that a neighbouring beam hit, or in the plane of
+ *   that beam's return and two more of the same surface, within twice the bound: a plane that is off by
+ *   the bound at one beam and by as much to the other side at the next is off by twice the bound half a
+ *   cell further.
+ * - miss: no beam without a return hits the surface.
+ * - bridge: between neighbours on both sides of a depth step (of the scene, too, if there is a scene), the
+ *   surface has a gap or a jump.
+ * - crack: between four beams whose ranges are within DepthStep, there is surface.
  * - overhang: no vertex is a whole cell away from all returns.
- * - edge: at most two triangles share an edge, and they turn the same way.
+ * - edge: at most two triangles share an edge, in opposite directions.
  * - boundary: an edge of one triangle lies at a depth step, a miss or the border of the scan.
  * - T-junction: no vertex lies inside an edge.
  * - facing: each triangle faces the sensor.
- * - area: each triangle has an area, and three corners.
- * - point: coordinates are finite, and each point belongs to a triangle. (Not of a plain grid.)
- * - range, normal: `Range` is the distance from the sensor; `Normals` of points are units towards it,
- *   those of triangles their own.
- * - field data: what the filter tells of the map is so.
+ * - area: each triangle has an area and three corners.
+ * - point: coordinates are finite, and each point belongs to a triangle. (Not in a plain grid.)
+ * - range, normal: `Range` is the distance from the sensor. `Normals` of points are unit vectors towards
+ *   it; `Normals` of triangles are the triangles' normals.
+ * - field data: the field data of the map are right.
  */
 #ifndef MapLaws_h
 #define MapLaws_h
@@ -46,12 +46,12 @@
 
 class vtkPolyData;
 
-/// What the map owes.
+/// The parameters of the laws.
 struct MapPromise
 {
   double MaximumError = 0.01;
   double DepthStep = 0.1;
-  /// The triangles that were scanned, cell by cell those of the scan's CellId, or none.
+  /// The triangles that were scanned, numbered as the scan's CellId, or none.
   vtkPolyData* Scene = nullptr;
   /// How far returns were moved along their beams, at most.
   double Noise = 0.0;
@@ -60,10 +60,10 @@ struct MapPromise
 class MapVerdict
 {
 public:
-  /// Of several breaches of a law the words of the worst are kept.
+  /// Adds a breach of a law. The description of the worst breach of each law is kept.
   void Add(const std::string& law, const std::string& words, double amount = 0.0);
 
-  /// Forgives breaches of a law if they are no more than so many.
+  /// Removes the breaches of a law if there are at most `count`.
   void Allow(const std::string& law, double count);
 
   bool IsLawful() const { return this->Breaches.empty(); }
@@ -71,7 +71,7 @@ public:
 
   /// Metres: the largest distance from a return to the surface; of a plain grid to a vertex.
   double LargestDeviation = 0.0;
-  /// The same from the nearest triangle that the return's own beam meets.
+  /// The same from the nearest triangle that the return's own beam hits.
   double LargestDeviationOnBeams = 0.0;
   vtkIdType NumberOfBoundaryEdges = 0;
   vtkIdType EulerCharacteristic = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Scenes that are hard to map, of triangles alone, with a sensor in each.
+ * @brief Scenes of triangles that are hard to map, with a sensor in each.
  */
 #ifndef MapScenes_h
 #define MapScenes_h
@@ -30,7 +30,7 @@ struct MapScene
   int BetaResolution = 90;
 };
 
-/// Throws std::runtime_error for a name that is not among those of GetMapSceneNames().
+/// Throws std::runtime_error for a name that GetMapSceneNames() does not contain.
 MapScene MakeMapScene(const std::string& name);
 std::vector<std::string> GetMapSceneNames();
 

@@ -15,10 +15,10 @@
 
 namespace
 {
-// Of the longest edge; a triangle that is lower than this has no area to speak of.
-constexpr double SmallestHeight = 1e-9;
+// The smallest height of a triangle, as a share of its longest edge, at which it has an area.
+constexpr double MinimumHeight = 1e-9;
 
-// What a unit vector of single precision may be off.
+// The tolerance for unit vectors in single precision.
 constexpr double NormalRounding = 1e-6;
 
 using Edge = std::pair<vtkIdType, vtkIdType>;
@@ -36,7 +36,7 @@ void JudgeTriangle(const MapCase& map, std::size_t number, MapVerdict& verdict)
   const Vector& c = map.Points[k];
   const Vector normal = Cross(b - a, c - a);
   const double longest = std::max({ GetLength(b - a), GetLength(c - b), GetLength(a - c) });
-  const bool hasArea = GetLength(normal) > SmallestHeight * longest * longest;
+  const bool hasArea = GetLength(normal) > MinimumHeight * longest * longest;
   if (!hasArea || !(Dot(normal, a) < 0.0))
   {
     verdict.Add(hasArea ? "facing" : "area",
@@ -45,11 +45,11 @@ void JudgeTriangle(const MapCase& map, std::size_t number, MapVerdict& verdict)
   }
   if (vtkDataArray* normals = map.Map->GetCellData()->GetNormals())
   {
-    Vector told;
-    normals->GetTuple(static_cast<vtkIdType>(number), told.data());
-    if (!(GetLength(told - Normalize(normal)) <= NormalRounding))
+    Vector given;
+    normals->GetTuple(static_cast<vtkIdType>(number), given.data());
+    if (!(GetLength(given - Normalize(normal)) <= NormalRounding))
     {
-      verdict.Add("normal", "triangle " + std::to_string(number) + " has " + ToWords(told));
+      verdict.Add("normal", "triangle " + std::to_string(number) + " has " + ToWords(given));
     }
   }
 }
@@ -64,10 +64,10 @@ void JudgePoint(const MapCase& map, vtkIdType number, MapVerdict& verdict)
     verdict.Add("point", describe());
     return;
   }
-  const double told = map.Map->GetPointData()->GetArray("Range")->GetTuple1(number);
-  if (!(std::abs(told - range) <= MapCase::GetRounding(range)))
+  const double given = map.Map->GetPointData()->GetArray("Range")->GetTuple1(number);
+  if (!(std::abs(given - range) <= MapCase::GetRounding(range)))
   {
-    verdict.Add("range", describe() + " has the Range " + std::to_string(told));
+    verdict.Add("range", describe() + " has the Range " + std::to_string(given));
   }
   if (vtkDataArray* normals = map.Map->GetPointData()->GetNormals())
   {
@@ -101,7 +101,7 @@ void JudgeUse(const MapCase& map, MapVerdict& verdict)
   verdict.EulerCharacteristic = std::count(isUsed.begin(), isUsed.end(), true);
 }
 
-// Outside of the grid, but not beyond a pole, where other turns go on.
+// Whether a beam lies outside of the grid. Beyond a pole, other turns continue.
 bool IsBorder(const ScanGrid& grid, const ScanGrid::Beam& beam)
 {
   const int last = grid.GetNumberOfBeams() - 1;
@@ -110,7 +110,7 @@ bool IsBorder(const ScanGrid& grid, const ScanGrid::Beam& beam)
   return !grid.Contains(beam) && !isBeyondPole;
 }
 
-// Whether the surface may end at a place: the beams up to two cells away tell.
+// Whether the surface may end at a place, judged by the beams up to two cells away.
 bool MayEnd(const MapCase& map, const ScanGrid::Place& place)
 {
   for (const ScanGrid::Beam& beam : map.Grid.GetBeamsAround(place, 2.0))
@@ -135,17 +135,17 @@ bool MayEnd(const MapCase& map, const ScanGrid::Place& place)
   return false;
 }
 
-// Looks at an edge at each quarter of a cell.
+// Samples an edge at each quarter of a cell.
 void JudgeBoundary(const MapCase& map, const Edge& edge, MapVerdict& verdict)
 {
   constexpr double SamplesInACell = 4.0;
-  constexpr double MostSamples = 2000.0;
+  constexpr double MaximumSamples = 2000.0;
   const Vector& a = map.Points[edge.first];
   const Vector& b = map.Points[edge.second];
   const double angle = std::atan2(GetLength(Cross(a, b)), Dot(a, b));
   const double step = std::min(std::abs(map.Grid.GetFanStep()), std::abs(map.Grid.GetTurnStep()));
   const int samples =
-    static_cast<int>(std::clamp(std::ceil(SamplesInACell * angle / step), 1.0, MostSamples));
+    static_cast<int>(std::clamp(std::ceil(SamplesInACell * angle / step), 1.0, MaximumSamples));
   for (int i = 0; i < samples; ++i)
   {
     const double share = (i + 0.5) / samples;

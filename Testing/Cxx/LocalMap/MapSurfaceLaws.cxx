@@ -14,12 +14,12 @@ namespace
 using Beam = ScanGrid::Beam;
 using Place = ScanGrid::Place;
 
-// Whether there is a range within the bound of all returns of a pole, which are one vertex.
-// Between beams, three places for each beam, a bounded map may be off at so many of all, and in coarse
-// scans at a few.
+// Between beams, at three places for each beam, a bounded map may be off at this share of all places, plus
+// this number of places in coarse scans.
 constexpr double ShareBetweenBeams = 1e-3;
-constexpr double FewBetweenBeams = 4.0;
+constexpr double AllowedBetweenBeams = 4.0;
 
+// Whether one vertex can be within the bound of all returns of a pole.
 bool CanBeOneVertex(const MapCase& map, const Beam& pole)
 {
   std::vector<double> ranges;
@@ -31,8 +31,8 @@ bool CanBeOneVertex(const MapCase& map, const Beam& pole)
   return *farthest - *nearest <= 2.0 * map.Promise.MaximumError;
 }
 
-// How far from the surface a return may be. Where a pole cannot reach all its returns, it is the one
-// of median range.
+// How far from the surface a return may be. If the vertex of a pole cannot be within the bound of all
+// returns, the return of median range counts.
 double GetBound(const MapCase& map, vtkIdType number)
 {
   const ScanGrid& grid = map.Grid;
@@ -43,7 +43,7 @@ double GetBound(const MapCase& map, vtkIdType number)
     (CanBeOneVertex(map, beam) ? 0.0 : offMedian);
 }
 
-// From the triangles that the return's beam meets.
+// The distance from the nearest triangle that the return's beam hits.
 double GetDeviationOnBeam(const Vector& point, const TriangleTree& surface)
 {
   std::vector<TriangleTree::Hit> hits;
@@ -56,7 +56,7 @@ double GetDeviationOnBeam(const Vector& point, const TriangleTree& surface)
   return nearest;
 }
 
-// Of a plain grid: the distance from its vertices. That of a pole is the return of its median.
+// The distances from the vertices of a plain grid. The vertex of a pole is its return of median range.
 std::vector<double> GetDeviationsFromVertices(const MapCase& map)
 {
   const std::set<Vector> vertices(map.Points.begin(), map.Points.end());
@@ -71,7 +71,7 @@ std::vector<double> GetDeviationsFromVertices(const MapCase& map)
   return deviations;
 }
 
-// From the whole surface, as each bound asks.
+// The distances from the whole surface.
 std::vector<double> GetDeviations(
   const MapCase& map, const TriangleTree& surface, MapVerdict& verdict)
 {
@@ -85,7 +85,7 @@ std::vector<double> GetDeviations(
   return deviations;
 }
 
-// What a beam that returned meets.
+// Judges what a beam that returned hits.
 void JudgeHits(const MapCase& map, const MapNeighbours& neighbours, const Beam& beam,
   const std::vector<TriangleTree::Hit>& hits, MapVerdict& verdict)
 {
@@ -112,8 +112,8 @@ void JudgeHits(const MapCase& map, const MapNeighbours& neighbours, const Beam& 
   }
 }
 
-// Whether all rays close around a beam meet surface: one that ends at the beam, or has a corner
-// there, does not count.
+// Whether all rays close around a beam hit surface. Surface that ends at the beam, or has a corner there,
+// does not count.
 bool IsCovered(const MapCase& map, const TriangleTree& surface, const Beam& beam)
 {
   constexpr double Offset = 1e-3;
@@ -247,7 +247,7 @@ void JudgeBeams(const MapCase& map, const MapNeighbours& neighbours, const Trian
   if (!map.IsPlain())
   {
     const double places = 3.0 * map.Grid.GetNumberOfTurns() * map.Grid.GetNumberOfBeams();
-    verdict.Allow("between beams", FewBetweenBeams + ShareBetweenBeams * places);
+    verdict.Allow("between beams", AllowedBetweenBeams + ShareBetweenBeams * places);
   }
   JudgeOverhang(map, verdict);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/lms3dTriangleDistance.h"
-#include "LocalMap/Borders/lms3dBorderLine.h"
-#include "LocalMap/Bounded/lms3dBeamsOfTriangle.h"
+#include "LocalMap/Borders/lms3dMinimumLinkPath.h"
+#include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
 #include "LocalMap/Patches/lms3dPlane.h"
 #include "Triangulation/lms3dOrientation.h"
 #include "Triangulation/lms3dTriangulation.h"
@@ -11,9 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <set>
+#include <stdexcept>
 
 namespace
 {
@@ -89,7 +92,7 @@ struct Ball
     const std::vector<double> ranges(static_cast<std::size_t>(beams) * turns, range);
     std::vector<int> ids(ranges.size());
     std::iota(ids.begin(), ids.end(), 0);
-    this->Grid.Place(this->Geometry, ranges.data(), ids.data(), beams * turns);
+    this->Grid.Build(this->Geometry, ranges.data(), ids.data(), beams * turns);
     this->Joins.Find(this->Grid, 0.1);
   }
 
@@ -157,7 +160,7 @@ TEST(Triangulation, TakesPointsIn)
   const double area = 0.75 * 64.0;
   lms3dTriangulation mesh(sieve.Points, sieve.Loops, sieve.Ends);
   ASSERT_TRUE(mesh.IsValid());
-  sieve.Points.resize(sieve.Points.size() + 3); // The frame's.
+  sieve.Points.resize(sieve.Points.size() + 3); // The super-triangle's.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> anywhere(0.01, 7.99);
   int taken = 0;
@@ -190,9 +193,9 @@ TEST(Triangulation, RefusesOutlinesThatCross)
   EXPECT_TRUE(lms3dTriangulation(points, { 0, 2, 1, 3 }, { 4 }).IsValid());
 }
 
-TEST(BorderLine, IsOneArcWhereOnePassesAllGates)
+TEST(MinimumLinkPath, IsOneArcIfOneArcPassesAllGates)
 {
-  std::vector<lms3dBorderLine::Gate> gates;
+  std::vector<lms3dMinimumLinkPath::Gate> gates;
   for (int i = -20; i <= 20; ++i)
   {
     // Gates around the arc in the plane y = z / 7, with the left to the north.
@@ -203,24 +206,24 @@ TEST(BorderLine, IsOneArcWhereOnePassesAllGates)
   }
   const lms3dVector start = { std::cos(-0.21), -std::sin(-0.21), -std::sin(-0.21) / 7.0 };
   const lms3dVector end = { std::cos(0.21), -std::sin(0.21), -std::sin(0.21) / 7.0 };
-  EXPECT_TRUE(lms3dBorderLine(gates).Straighten(start, end).empty());
+  EXPECT_TRUE(lms3dMinimumLinkPath(gates).Straighten(start, end).empty());
 
   // A bump forces two bends or three, all within the gates' parts.
   gates[20].Low = 0.0;
   gates[20].High = 0.05;
-  const auto line = lms3dBorderLine(gates).Straighten(start, end);
+  const auto line = lms3dMinimumLinkPath(gates).Straighten(start, end);
   EXPECT_GE(line.size(), 1u);
   EXPECT_LE(line.size(), 3u);
-  for (const lms3dBorderLine::Vertex& vertex : line)
+  for (const lms3dMinimumLinkPath::Vertex& vertex : line)
   {
     EXPECT_GE(vertex.At, gates[vertex.Gate].Low);
     EXPECT_LE(vertex.At, gates[vertex.Gate].High);
   }
 }
 
-TEST(BorderLine, ClosesAroundABeamWithThreeVerticesOrMore)
+TEST(MinimumLinkPath, ClosesAroundABeamWithThreeVerticesOrMore)
 {
-  std::vector<lms3dBorderLine::Gate> gates;
+  std::vector<lms3dMinimumLinkPath::Gate> gates;
   const lms3dVector beam = { 1.0, 0.0, 0.0 };
   // Up, left, down and right as the sensor sees them: counter-clockwise.
   for (const lms3dVector& other : { lms3dVector{ 1.0, 0.0, 0.1 }, lms3dVector{ 1.0, 0.1, 0.0 },
@@ -228,7 +231,7 @@ TEST(BorderLine, ClosesAroundABeamWithThreeVerticesOrMore)
   {
     gates.push_back({ beam, other, 0.1, 0.9, 0.5 });
   }
-  EXPECT_GE(lms3dBorderLine(gates).StraightenClosed().size(), 3u);
+  EXPECT_GE(lms3dMinimumLinkPath(gates).StraightenClosed().size(), 3u);
 }
 
 TEST(PlaneFit, FindsThePlaneOfReturns)
@@ -236,11 +239,11 @@ TEST(PlaneFit, FindsThePlaneOfReturns)
   const Ball ball(31, 24, 2.0);
   const lms3dBeamSphere sphere(ball.Grid, ball.Joins);
   lms3dPlaneFit single;
-  const lms3dBeamSphere::Place place = sphere.GetPlace(5, 12);
-  single.Add(sphere, place);
+  const lms3dBeamSphere::GridIndex index = sphere.GetIndex(5, 12);
+  single.Add(sphere, index);
   // One return: the plane that faces the sensor.
   const lms3dPlane plane = single.GetPlane();
-  const lms3dVector direction = sphere.GetDirection(place);
+  const lms3dVector direction = sphere.GetDirection(index);
   for (int axis = 0; axis < 3; ++axis)
   {
     EXPECT_NEAR(plane.Q[axis], direction[axis] / 2.0, 1e-5);
@@ -249,22 +252,22 @@ TEST(PlaneFit, FindsThePlaneOfReturns)
 
   // Three returns: their own plane.
   lms3dPlaneFit three;
-  for (lms3dBeamSphere::Place each : { place, place + 1, sphere.GetPlace(6, 12) })
+  for (lms3dBeamSphere::GridIndex each : { index, index + 1, sphere.GetIndex(6, 12) })
   {
     three.Add(sphere, each);
   }
-  for (lms3dBeamSphere::Place each : { place, place + 1, sphere.GetPlace(6, 12) })
+  for (lms3dBeamSphere::GridIndex each : { index, index + 1, sphere.GetIndex(6, 12) })
   {
     EXPECT_NEAR(three.GetPlane().GetInverseRange(sphere.GetDirection(each)), 0.5, 1e-8);
   }
 }
 
-TEST(BeamsOfTriangle, MeetsEachBeamOnceOrOnASharedEdge)
+TEST(TriangleRasterizer, HitsEachBeamOnceOrOnASharedEdge)
 {
   // An octahedron around the sensor: its edges run along beams, its corners are beams and poles.
   const Ball ball(37, 36, 1.0);
   const lms3dBeamSphere sphere(ball.Grid, ball.Joins);
-  std::vector<int> met(sphere.GetNumberOfPlaces(), 0);
+  std::vector<int> met(sphere.GetSize(), 0);
   for (double x : { -1.0, 1.0 })
   {
     for (double y : { -1.0, 1.0 })
@@ -276,30 +279,30 @@ TEST(BeamsOfTriangle, MeetsEachBeamOnceOrOnASharedEdge)
         {
           std::swap(corners[0], corners[1]);
         }
-        const lms3dBeamsOfTriangle beams(
-          sphere, lms3dCorner(corners[0]), lms3dCorner(corners[1]), lms3dCorner(corners[2]));
-        beams.ForColumns(
+        const lms3dTriangleRasterizer beams(sphere, lms3dTriangleCorner(corners[0]),
+          lms3dTriangleCorner(corners[1]), lms3dTriangleCorner(corners[2]));
+        beams.ForEachColumn(
           [&](int column, int first, int last)
           {
             for (int row = first; row <= last; ++row)
             {
-              ++met[sphere.GetPlace(column, row)];
+              ++met[sphere.GetIndex(column, row)];
             }
           });
       }
     }
   }
-  for (lms3dBeamSphere::Place place = 0; place < sphere.GetNumberOfPlaces(); ++place)
+  for (lms3dBeamSphere::GridIndex index = 0; index < sphere.GetSize(); ++index)
   {
-    EXPECT_GE(met[place], 1) << "row " << sphere.GetRow(place) << " of " << sphere.GetColumn(place);
-    const lms3dVector direction = sphere.GetDirection(place);
+    EXPECT_GE(met[index], 1) << "row " << sphere.GetRow(index) << " of " << sphere.GetColumn(index);
+    const lms3dVector direction = sphere.GetDirection(index);
     const bool isInside =
       std::all_of(direction.begin(), direction.end(), [](double x) { return std::abs(x) > 1e-9; });
-    EXPECT_TRUE(!isInside || met[place] == 1);
+    EXPECT_TRUE(!isInside || met[index] == 1);
   }
 }
 
-TEST(BeamSphere, SurroundsEveryReturnByGhosts)
+TEST(BeamSphere, SurroundsEveryReturnByAHalo)
 {
   const double alpha[2] = { -10.0, 10.0 };
   const double beta[2] = { 30.0, 40.0 };
@@ -307,26 +310,40 @@ TEST(BeamSphere, SurroundsEveryReturnByGhosts)
   const std::vector<double> ranges(4, 3.0);
   const std::vector<int> ids = { 0, 1, 2, 3 };
   lms3dRangeGrid grid;
-  grid.Place(geometry, ranges.data(), ids.data(), 4);
+  grid.Build(geometry, ranges.data(), ids.data(), 4);
   lms3dRangeJoins joins;
   joins.Find(grid, 0.1);
   const lms3dBeamSphere sphere(grid, joins);
   EXPECT_EQ(sphere.GetNumberOfReturns(), 4);
-  for (lms3dBeamSphere::Place place = 0; place < sphere.GetNumberOfPlaces(); ++place)
+  for (lms3dBeamSphere::GridIndex index = 0; index < sphere.GetSize(); ++index)
   {
-    const int row = sphere.GetRow(place);
-    if (sphere.HasReturn(place))
+    const int row = sphere.GetRow(index);
+    if (sphere.HasReturn(index))
     {
       EXPECT_GT(row, 0);
       EXPECT_LT(row, sphere.GetNumberOfRows() - 1);
     }
     const lms3dVector right =
-      sphere.GetDirection(sphere.GetNeighbor(place, lms3dBeamSphere::Right));
-    EXPECT_GE(lms3dDot(sphere.GetDirection(place), right), -0.5 - 1e-9) << "120 degrees at most";
+      sphere.GetDirection(sphere.GetNeighbor(index, lms3dBeamSphere::Right));
+    EXPECT_GE(lms3dDot(sphere.GetDirection(index), right), -0.5 - 1e-9) << "120 degrees at most";
   }
 }
 
-TEST(TriangleDistance, IsThatOfTheNearestPoint)
+TEST(BeamSphere, RefusesMoreDirectionsThanItCanNumber)
+{
+  EXPECT_NO_THROW(lms3dBeamSphere::CheckSize(363, 362));
+  EXPECT_NO_THROW(lms3dBeamSphere::CheckSize(1, lms3dBeamSphere::MaximumSize));
+  EXPECT_THROW(lms3dBeamSphere::CheckSize(1 << 14, 1 << 14), std::runtime_error);
+  // The product exceeds 32 bits, and a scan may have as many beams.
+  EXPECT_THROW(lms3dBeamSphere::CheckSize(46343, 46342), std::runtime_error);
+  EXPECT_THROW(
+    lms3dBeamSphere::CheckSize(std::int64_t(1) << 31, std::int64_t(1) << 31), std::runtime_error);
+  // Each direction has up to eight vertices at borders.
+  EXPECT_LE(8 * std::int64_t(lms3dBeamSphere::MaximumSize),
+    std::int64_t(std::numeric_limits<std::int32_t>::max()));
+}
+
+TEST(TriangleDistance, IsTheDistanceToTheNearestPoint)
 {
   const lms3dVector a = { 0, 0, 0 };
   const lms3dVector b = { 4, 0, 0 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which neighbours along one fan are on one surface, on profiles whose answer is known.
+ * Checks which neighbours along one fan lie on one surface, on profiles with known results.
  */
 #include "LocalMap/Grid/lms3dDepthStep.h"
 
@@ -19,7 +19,8 @@ namespace
 {
 constexpr double Tolerance = 0.1;
 
-/// A straight line in the plane of the fan: at that distance, met at a right angle at `angle`.
+/// A straight line in the plane of the fan at a distance, metres. The beam at `Angle`, degrees, hits it at
+/// a right angle.
 struct Line
 {
   double Distance;
@@ -32,7 +33,7 @@ struct Line
   }
 };
 
-/// The ranges of equal steps from 0 degrees on, of the line that each beam meets first.
+/// The ranges of beams in equal steps from 0 degrees on, each of the line that it hits first.
 std::vector<double> Scan(const std::vector<Line>& lines, double step, int count)
 {
   std::vector<double> ranges;
@@ -48,23 +49,23 @@ std::vector<double> Scan(const std::vector<Line>& lines, double step, int count)
   return ranges;
 }
 
-/// Of the range at a place and the next; beyond the ends nothing returned.
-lms3dDepthStep::Answer Judge(const std::vector<double>& ranges, double step, int place)
+/// The relation of the range at an index to the next one. Beyond the ends, there are no returns.
+lms3dDepthStep::Relation Classify(const std::vector<double>& ranges, double step, int place)
 {
   const auto get = [&](int i)
   { return i >= 0 && i < static_cast<int>(ranges.size()) ? ranges[i] : 0.0; };
   const double six[6] = { get(place - 2), get(place - 1), get(place), get(place + 1),
     get(place + 2), get(place + 3) };
-  return lms3dDepthStep(Tolerance, step).Judge(six + 2);
+  return lms3dDepthStep(Tolerance, step).Classify(six + 2);
 }
 
-/// The first beams of those that are not joined.
+/// The first beam of each pair of neighbours that is not joined.
 std::vector<int> FindSteps(const std::vector<double>& ranges, double step)
 {
   std::vector<int> steps;
   for (int i = 0; i + 1 < static_cast<int>(ranges.size()); ++i)
   {
-    if (Judge(ranges, step, i) != lms3dDepthStep::Joined)
+    if (Classify(ranges, step, i) != lms3dDepthStep::Joined)
     {
       steps.push_back(i);
     }
@@ -95,10 +96,10 @@ TEST(DepthStep, JoinsTheCreasesOfAnyRoom)
 
 TEST(DepthStep, DoubtsCreasesBesideTwoReturns)
 {
-  // The last two returns before the wall lie as if a surface led behind it; the one before them denies
-  // that.
+  // The last two returns before the wall lie on a line that leads behind it. The return before them does
+  // not lie on that line.
   const std::vector<double> ranges = { 1.9, 2.6, 3.5, 4.7, 4.72, 4.75 };
-  EXPECT_EQ(Judge(ranges, 1.0, 2), lms3dDepthStep::Doubtful);
+  EXPECT_EQ(Classify(ranges, 1.0, 2), lms3dDepthStep::Uncertain);
 }
 
 TEST(DepthStep, SeparatesAPoleFromTheWallBehind)
@@ -125,8 +126,8 @@ TEST(DepthStep, SeparatesAPoleFromMisses)
 
 TEST(DepthStep, SeparatesWhatBeginsInFrontOfItsNeighbor)
 {
-  // Beams meet a floor one metre below. From beam 10 on, a table top lies 40 cm above it, so what is
-  // farther than the floor's last return is in front of the floor's plane, and of that return's too.
+  // Beams meet a floor one metre below. From beam 10 on, a table top lies 40 cm above it, so
+  // returns farther than the last one of the floor lie in front of the floor's plane.
   std::vector<double> ranges;
   const Line floor = { 1.0, -85.0 };
   const Line table = { 0.6, -86.0 };

@@ -49,7 +49,7 @@ struct Pipeline
 
 using Edge = std::pair<vtkIdType, vtkIdType>;
 
-/// Each directed edge of the triangles; throws the test off where one comes twice.
+/// The directed edges of the triangles. Fails the test if an edge occurs twice.
 std::set<Edge> GetDirectedEdges(vtkPolyData* map)
 {
   std::set<Edge> edges;
@@ -255,7 +255,7 @@ TEST(LMS3DSurfaceReconstructionFilter, NeverCrossesADepthStep)
     ASSERT_LT(bounds[1] - bounds[0], 1e-9) << "a triangle lies on the plate or on the wall";
   }
 
-  // A tolerance above the step is a wish to bridge it.
+  // A DepthStep above the step bridges it.
   const vtkIdType separate = map->GetNumberOfCells();
   pipeline.Map->SetDepthStep(1.5);
   EXPECT_EQ(pipeline.Run()->GetNumberOfCells(), 2 * 160 * 160);
@@ -309,7 +309,7 @@ TEST(LMS3DSurfaceReconstructionFilter, MapsTheRoom)
   pipeline.Scan->SetPosition(0.3, -0.2, 1.0);
   vtkPolyData* map = pipeline.Run();
   ExpectFacing(map, { 0.3, -0.2, 1.0 });
-  // The shares of cells at the silhouettes of its furniture that stay open.
+  // Some cells at the silhouettes of the furniture stay open.
   EXPECT_GT(map->GetNumberOfCells(), 0.97 * 258480);
   EXPECT_LT(map->GetNumberOfCells(), 258480);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The judge of maps finds each law broken in a map that was broken on purpose.
+ * Breaks each law of maps on purpose and checks that the judge finds the breach.
  */
 #include "LocalMap/MapFixtures.h"
 
@@ -30,7 +30,7 @@ namespace
 {
 using Triangle = std::array<vtkIdType, 3>;
 
-/// A ball seen from inside and its plain grid, which keeps a promise of 1 cm as well.
+/// A ball seen from inside, and its plain grid, which is within 1 cm as well.
 class MapJudge : public testing::Test
 {
 protected:
@@ -124,7 +124,7 @@ protected:
   std::vector<Triangle> Triangles;
 };
 
-/// Of a triangle and its neighbours far from borders.
+/// The number of a triangle that is far from borders, like its neighbours.
 constexpr std::size_t Inside = 501;
 } // namespace
 
@@ -155,7 +155,7 @@ TEST_F(MapJudge, LetsAVertexMoveWithinTheBound)
   const MapVerdict verdict = this->Judge();
   EXPECT_EQ(verdict.GetNumberOfBreaches("bound"), 0) << verdict;
   EXPECT_EQ(verdict.GetNumberOfBreaches("free space"), 0) << verdict;
-  // It says by how much, and that the map does not.
+  // The judge reports the distance, and that the field data of the map does not contain it.
   EXPECT_GT(verdict.LargestDeviation, 0.004);
   EXPECT_GT(verdict.GetNumberOfBreaches("field data"), 0) << verdict;
 }
@@ -280,7 +280,7 @@ TEST_F(MapJudge, SeesSurfaceBesideTheScan)
 
 TEST_F(MapJudge, SeesABridge)
 {
-  // A hatch of six by six beams, half a metre deep. The grid's triangles at its rim stay away.
+  // A hatch of six by six beams, half a metre deep. The grid has no triangles at its rim.
   const auto isHatch = [](int turn, int number)
   { return turn >= 12 && turn < 18 && number >= 12 && number < 18; };
   this->Scan = MakeScan(MakeAngles(-45.0, 45.0, 31), MakeAngles(0.0, 90.0, 31),

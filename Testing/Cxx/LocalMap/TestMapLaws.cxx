@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The laws of the local map (see MapLaws.h), for any bound, on scenes that are hard to map.
+ * Checks the laws of the local map (MapLaws.h) for various bounds, on scenes that are hard to map.
  */
 #include "LocalMap/MapFixtures.h"
 
@@ -80,7 +80,7 @@ TEST_P(MapLaws, HoldForOtherDepthSteps)
   }
 }
 
-// So the cases of thin things are what they are named.
+// Checks that the scenes with thin objects are what their names say.
 TEST(MapScenes, HaveThingsOneBeamThin)
 {
   constexpr vtkIdType CellsOfTheRoom = 12;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The laws of the local map on 200 scenes, scans and bounds that come of fixed seeds.
+ * Checks the laws of the local map on 200 random scenes, scans and bounds with fixed seeds.
  */
 #include "LocalMap/MapFixtures.h"
 
@@ -44,7 +44,7 @@ TEST_P(MapLawsAtRandom, Hold)
   ExpectLawful(scan, { bound, 0.1, scene.Surface, 4.0 * sigma });
 }
 
-// However coarse the scan, wherever the sensor.
+// For random resolutions and poses.
 TEST(MapsOfEmptyRooms, AreClosed)
 {
   Random random(20090404);

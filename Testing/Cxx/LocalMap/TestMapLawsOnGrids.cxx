@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The laws of the local map on scans of any resolution and range of angles, and on ranges that no
- * scene has.
+ * Checks the laws of the local map on scans of various resolutions and ranges of angles, and on synthetic
+ * ranges.
  */
 #include "LocalMap/MapFixtures.h"
 
@@ -86,7 +86,7 @@ TEST_P(MapLawsOnGrids, HoldWithAndWithoutNoise)
   }
 }
 
-// Told from the last turn to the first, or beam, or both, the map may differ, but not its laws.
+// If the turns or the beams come in reverse order, the map may differ, but the laws hold.
 TEST_P(MapLawsOnGrids, HoldForTheOtherWayRound)
 {
   const MapScene scene = this->Look("ClosedRoom");
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Grids, MapLawsOnGrids, testing::ValuesIn(Grids),
 
 namespace
 {
-/// Scans without a scene, each for all bounds.
+/// Judges a scan without a scene for all bounds.
 void ExpectLawfulForAllBounds(vtkPolyData* scan)
 {
   for (double bound : Bounds)
@@ -166,7 +166,7 @@ TEST(MapLawsOnRanges, HoldForMissesAmongReturns)
     [&](int, int) { return random.Get() < 0.2 ? 0.0 : 4.0; }));
 }
 
-// Beside a pole ranges differ from turn to turn, as where the sensor is not level.
+// At a pole, ranges differ from turn to turn, as noise or a moving sensor makes them.
 TEST(MapLawsOnRanges, HoldWhereTurnsDisagreeAtThePole)
 {
   Random random(Seed);
@@ -217,7 +217,7 @@ TEST(MapLawsOnRanges, StayClosedAtSmallStepsOnly)
       vtkSmartPointer<vtkPolyData> scan = ScanBallWithHatch(depth);
       ExpectClosed(JudgeMap(scan, MakeMap(scan, bound), { bound, 0.1 }));
     }
-    // The hatch and its frame are two surfaces, whatever the bound: two rims.
+    // The hatch and its frame are two surfaces for any bound, with two rims.
     vtkSmartPointer<vtkPolyData> scan = ScanBallWithHatch(0.5);
     const MapVerdict verdict = JudgeMap(scan, MakeMap(scan, bound), { bound, 0.1 });
     EXPECT_GT(verdict.NumberOfBoundaryEdges, 0);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the local map of Data/room.wrl costs in triangles, that threads do not show in it, and bad
- * input.
+ * Checks the size of the local map of Data/room.wrl, its independence of threads, and invalid input.
  */
 #include "LocalMap/MapFixtures.h"
 
@@ -32,7 +31,7 @@ namespace
 {
 constexpr std::uint64_t Seed = 20090403;
 
-// Closed, with two triangles to each cell, one at the poles.
+// The closed grid has two triangles in each cell, one at the poles.
 constexpr double TrianglesOfFullGrid = 2.0 * 360.0 * 359.0;
 
 /// The paper's scan.
@@ -135,7 +134,7 @@ TEST(MapOfTheRoom, IsSmall)
 }
 #endif
 
-// Far above the ranges, no vertex comes behind the sensor.
+// Even for a bound far above the ranges, no vertex lies behind the sensor.
 TEST(MapOfTheRoom, KeepsTheLawsForBoundsBeyondAllRanges)
 {
   MapScene scene = GetRoom();
@@ -154,7 +153,7 @@ TEST(MapOfTheRoom, KeepsTheLawsForBoundsBeyondAllRanges)
   }
 }
 
-// Slivers are for where the bound asks for them.
+// Slivers occur only where the bound needs them.
 TEST(MapOfTheRoom, HasSoundShapes)
 {
   vtkSmartPointer<vtkPolyData> map = MakeMap(MakeScan(GetRoom()), 0.01);
@@ -218,7 +217,7 @@ TEST(MapOfTheRoom, IsTheSameForAnyNumberOfThreads)
   }
 }
 
-TEST(MapOfTheRoom, HasAnErrorOfOneCentimetreUnlessToldOtherwise)
+TEST(MapOfTheRoom, HasAnErrorOfOneCentimetreByDefault)
 {
   vtkNew<vtkLMS3DSurfaceReconstructionFilter> filter;
   EXPECT_EQ(filter->GetMaximumError(), 0.01);

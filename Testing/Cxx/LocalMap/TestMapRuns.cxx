@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief One reconstruction filter that makes map after map, with any number of threads.
+ * @brief Runs one reconstruction filter many times, with various numbers of threads.
  */
 #include "Fixtures/SceneFixtures.h"
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LocalMap/Borders/lms3dStepBands.h"
+#include "LocalMap/Borders/lms3dOffsetStrips.h"
 
 #include <algorithm>
 
-bool lms3dStepBands::AddBand(
+bool lms3dOffsetStrips::AddStrip(
   const std::vector<std::int32_t>& own, const std::vector<std::int32_t>& other)
 {
   const std::size_t first = this->Triangles.size();
@@ -14,24 +14,24 @@ bool lms3dStepBands::AddBand(
   }
   return std::all_of(this->Triangles.begin() + static_cast<std::ptrdiff_t>(first),
     this->Triangles.end(),
-    [&](const std::array<std::int32_t, 3>& triangle)
+    [&](const Triangle& triangle)
     { return this->IsFacing(triangle[0], triangle[1], triangle[2]); });
 }
 
-void lms3dStepBands::FillRing(const std::vector<std::int32_t>& ring)
+void lms3dOffsetStrips::FillHole(const std::vector<std::int32_t>& hole)
 {
-  if (ring.size() == 3)
+  if (hole.size() == 3)
   {
-    this->AddTriangle(ring[0], ring[1], ring[2]);
+    this->AddTriangle(hole[0], hole[1], hole[2]);
   }
-  else if (ring.size() == 4)
+  else if (hole.size() == 4)
   {
-    this->AddQuad(ring[0], ring[1], ring[2], ring[3]);
+    this->AddQuad(hole[0], hole[1], hole[2], hole[3]);
   }
 }
 
-// Counter-clockwise, cut along the diagonal that leaves both triangles facing the sensor.
-void lms3dStepBands::AddQuad(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d)
+// Splits a counter-clockwise quadrilateral along the diagonal that lets both triangles face the sensor.
+void lms3dOffsetStrips::AddQuad(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d)
 {
   if (a == b || c == d || (this->IsFacing(a, b, c) && this->IsFacing(a, c, d)))
   {
@@ -45,7 +45,7 @@ void lms3dStepBands::AddQuad(std::int32_t a, std::int32_t b, std::int32_t c, std
   }
 }
 
-void lms3dStepBands::AddTriangle(std::int32_t a, std::int32_t b, std::int32_t c)
+void lms3dOffsetStrips::AddTriangle(std::int32_t a, std::int32_t b, std::int32_t c)
 {
   if (a != b && b != c && c != a)
   {
@@ -53,7 +53,7 @@ void lms3dStepBands::AddTriangle(std::int32_t a, std::int32_t b, std::int32_t c)
   }
 }
 
-bool lms3dStepBands::IsFacing(std::int32_t a, std::int32_t b, std::int32_t c) const
+bool lms3dOffsetStrips::IsFacing(std::int32_t a, std::int32_t b, std::int32_t c) const
 {
   return lms3dDot(lms3dCross(this->Vertices[a].Direction, this->Vertices[b].Direction),
            this->Vertices[c].Direction) < 0.0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LocalMap/Borders/lms3dCellSlide.h"
+#include "LocalMap/Borders/lms3dCreaseIntersection.h"
 
 #include "LocalMap/Borders/lms3dBorderGates.h"
 
@@ -8,44 +8,49 @@
 
 namespace
 {
-// The corners of a cell, clockwise from the lower left one.
+// The coordinates of a cell's corners.
 constexpr double X[4] = { 0.0, 0.0, 1.0, 1.0 };
 constexpr double Y[4] = { 0.0, 1.0, 1.0, 0.0 };
 constexpr double Margin = lms3dBorderGates::Margin;
+constexpr double Damping = 1e-9;
 } // namespace
 
-void lms3dCellSlide::Move(const lms3dPoint2& offset)
+void lms3dCreaseIntersection::Move(const lms3dPoint2& offset)
 {
   for (int axis = 0; axis < 2; ++axis)
   {
-    this->At[axis] = std::min(1.0 - Margin, std::max(Margin, this->At[axis] + offset[axis]));
+    this->Point[axis] = std::min(1.0 - Margin, std::max(Margin, this->Point[axis] + offset[axis]));
   }
 }
 
-void lms3dCellSlide::Run()
+void lms3dCreaseIntersection::Solve()
 {
-  constexpr int Steps = 4;
-  for (int step = 0; step<Steps&& this->Count> 0; ++step)
+  constexpr int Iterations = 4;
+  if (this->Count == 0)
+  {
+    return;
+  }
+  for (int i = 0; i < Iterations; ++i)
   {
     this->Step();
   }
 }
 
-std::array<double, 4> lms3dCellSlide::GetWeights() const
+std::array<double, 4> lms3dCreaseIntersection::GetWeights() const
 {
   std::array<double, 4> weights;
   for (int i = 0; i < 4; ++i)
   {
-    weights[i] = (X[i] > 0.5 ? this->At[0] : 1.0 - this->At[0]) *
-      (Y[i] > 0.5 ? this->At[1] : 1.0 - this->At[1]);
+    weights[i] = (X[i] > 0.5 ? this->Point[0] : 1.0 - this->Point[0]) *
+      (Y[i] > 0.5 ? this->Point[1] : 1.0 - this->Point[1]);
   }
   return weights;
 }
 
-void lms3dCellSlide::Step()
+void lms3dCreaseIntersection::Step()
 {
-  const double x = this->At[0];
-  const double y = this->At[1];
+  const double x = this->Point[0];
+  const double y = this->Point[1];
   double xx = 0.0, xy = 0.0, yy = 0.0, xf = 0.0, yf = 0.0;
   for (int i = 0; i < this->Count; ++i)
   {
@@ -60,8 +65,8 @@ void lms3dCellSlide::Step()
     xf += fx * value;
     yf += fy * value;
   }
-  // Along a single crease the point stays where it is.
-  const double damping = 1e-9 * (xx + yy);
+  // The damping keeps the point in place along a single crease.
+  const double damping = Damping * (xx + yy);
   const double determinant = (xx + damping) * (yy + damping) - xy * xy;
   if (determinant > 0.0)
   {

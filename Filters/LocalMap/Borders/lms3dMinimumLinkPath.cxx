@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LocalMap/Borders/lms3dBorderLine.h"
+#include "LocalMap/Borders/lms3dMinimumLinkPath.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
-// The cosine of the longest arc: far below a half circle, beyond which an arc turns round.
-constexpr double SmallestCosine = 0.5;
+// The cosine of the longest arc. An arc of half a circle or more would turn round.
+constexpr double MinimumCosine = 0.5;
 
-// How much nearer to its left end a bend in the middle passes a gate.
+// How far a vertex in the middle moves towards the left end of its gate.
 constexpr double LeftOfMiddle = 0.25;
 
 // Positive where c lies left of the arc from a to b, as the sensor sees it.
@@ -23,20 +23,20 @@ bool IsFar(const lms3dVector& a, const lms3dVector& b)
 {
   const double product = lms3dDot(a, b);
   return product <= 0.0 ||
-    product * product < SmallestCosine * SmallestCosine * lms3dDot(a, a) * lms3dDot(b, b);
+    product * product < MinimumCosine * MinimumCosine * lms3dDot(a, a) * lms3dDot(b, b);
 }
 } // namespace
 
-/// The directions from an apex that pass all gates so far: between a point to the left and one to
+/// The directions from an apex that pass all gates so far: between a point to the left and a point to
 /// the right.
-struct lms3dBorderLine::Wedge
+struct lms3dMinimumLinkPath::Wedge
 {
   lms3dVector Apex;
   lms3dVector Left = { 0.0, 0.0, 0.0 };
   lms3dVector Right = { 0.0, 0.0, 0.0 };
   bool IsOpen = false;
 
-  /// False, and nothing changed, where no direction is left.
+  /// Intersects the wedge with a gate. Returns false and changes nothing if no direction remains.
   bool Narrow(const lms3dVector& left, const lms3dVector& right)
   {
     if (!this->IsOpen)
@@ -62,7 +62,7 @@ struct lms3dBorderLine::Wedge
     return true;
   }
 
-  /// Where the arc towards a point passes a gate.
+  /// The position at which the arc from the apex to a point passes a gate.
   double GetCrossing(const Gate& gate, const lms3dVector& point) const
   {
     const lms3dVector normal = lms3dCross(this->Apex, point);
@@ -83,9 +83,9 @@ struct lms3dBorderLine::Wedge
   }
 };
 
-// The gates count from `shift` on, and start again behind the last.
-lms3dBorderLine::Vertex lms3dBorderLine::FindNext(const lms3dVector& apex, int first, int count,
-  int shift, const lms3dVector& end, bool& reachesEnd) const
+// The next vertex from an apex. Gate numbers count from `shift` on and wrap around.
+lms3dMinimumLinkPath::Vertex lms3dMinimumLinkPath::FindNext(const lms3dVector& apex, int first,
+  int count, int shift, const lms3dVector& end, bool& reachesEnd) const
 {
   const int size = static_cast<int>(this->Gates.size());
   const auto gate = [&](int i) -> const Gate& { return this->Gates[(i + shift) % size]; };
@@ -109,33 +109,33 @@ lms3dBorderLine::Vertex lms3dBorderLine::FindNext(const lms3dVector& apex, int f
   return reachesEnd ? Vertex{ count, 0.0 } : Vertex{ count - 1, wedge.GetBest(gate(count - 1)) };
 }
 
-std::vector<lms3dBorderLine::Vertex> lms3dBorderLine::Straighten(
+std::vector<lms3dMinimumLinkPath::Vertex> lms3dMinimumLinkPath::Straighten(
   const lms3dVector& start, const lms3dVector& end, bool bendsInFirst, bool bendsInLast) const
 {
   const int size = static_cast<int>(this->Gates.size());
   const auto getBest = [&](int i) { return this->Gates[i].GetPoint(this->Gates[i].Best); };
-  std::vector<Vertex> line;
+  std::vector<Vertex> path;
   int first = 0;
   lms3dVector apex = start;
   if (bendsInFirst)
   {
-    line.push_back({ 0, this->Gates[0].Best });
+    path.push_back({ 0, this->Gates[0].Best });
     apex = getBest(0);
     first = 1;
   }
   const bool hasLast = bendsInLast && first < size;
   const int count = hasLast ? size - 1 : size;
-  this->Append(apex, first, count, hasLast ? getBest(count) : end, line);
+  this->Append(apex, first, count, hasLast ? getBest(count) : end, path);
   if (hasLast)
   {
-    line.push_back({ count, this->Gates[count].Best });
+    path.push_back({ count, this->Gates[count].Best });
   }
-  return line;
+  return path;
 }
 
-// The vertices from an apex through some gates to the end.
-void lms3dBorderLine::Append(
-  lms3dVector apex, int first, int count, const lms3dVector& end, std::vector<Vertex>& line) const
+// Appends the vertices from an apex through the gates from `first` to before `count`.
+void lms3dMinimumLinkPath::Append(
+  lms3dVector apex, int first, int count, const lms3dVector& end, std::vector<Vertex>& path) const
 {
   bool reachesEnd = false;
   while (true)
@@ -145,13 +145,13 @@ void lms3dBorderLine::Append(
     {
       return;
     }
-    line.push_back(vertex);
+    path.push_back(vertex);
     apex = this->Gates[vertex.Gate].GetPoint(vertex.At);
     first = vertex.Gate + 1;
   }
 }
 
-lms3dBorderLine::Vertex lms3dBorderLine::GetMiddle(
+lms3dMinimumLinkPath::Vertex lms3dMinimumLinkPath::GetMiddle(
   const lms3dVector& start, const lms3dVector& end) const
 {
   const int middle = static_cast<int>(this->Gates.size()) / 2;
@@ -161,8 +161,8 @@ lms3dBorderLine::Vertex lms3dBorderLine::GetMiddle(
   return { middle, at + LeftOfMiddle * (gate.Low - at) };
 }
 
-// The first vertex is set as if the line came from the first gate, so it sits at a bend.
-std::vector<lms3dBorderLine::Vertex> lms3dBorderLine::StraightenClosed() const
+// Starts from the first bend of a path that begins in the first gate, so that no vertex is wasted.
+std::vector<lms3dMinimumLinkPath::Vertex> lms3dMinimumLinkPath::StraightenClosed() const
 {
   const int count = static_cast<int>(this->Gates.size());
   const lms3dVector origin = this->Gates[0].GetPoint(this->Gates[0].Best);
@@ -172,7 +172,7 @@ std::vector<lms3dBorderLine::Vertex> lms3dBorderLine::StraightenClosed() const
 
   const int shift = vertex.Gate;
   const lms3dVector start = this->Gates[shift].GetPoint(vertex.At);
-  std::vector<Vertex> line = { vertex };
+  std::vector<Vertex> path = { vertex };
   lms3dVector apex = start;
   int first = 1;
   while (true)
@@ -185,15 +185,15 @@ std::vector<lms3dBorderLine::Vertex> lms3dBorderLine::StraightenClosed() const
     first = vertex.Gate + 1;
     vertex.Gate = (vertex.Gate + shift) % count;
     apex = this->Gates[vertex.Gate].GetPoint(vertex.At);
-    line.push_back(vertex);
+    path.push_back(vertex);
   }
-  if (line.size() < 3)
+  if (path.size() < 3)
   {
-    line.clear();
+    path.clear();
     for (int i = 0; i < count; ++i)
     {
-      line.push_back({ i, this->Gates[i].Best });
+      path.push_back({ i, this->Gates[i].Best });
     }
   }
-  return line;
+  return path;
 }

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LocalMap/Bounded/lms3dBeamsOfTriangle.h"
+#include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
+
+#include "Geometry/lms3dAngle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,27 +10,28 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-// Radians; wider than rounding and margins, and no matter where a column more is asked.
+// Radians: larger than rounding and margins. Looking at one column more does no harm.
 constexpr double AzimuthTolerance = 1e-6;
 
-// The turn from one azimuth to another the short way round.
-double GetTurn(double from, double to)
+// The angle from one azimuth to another, -pi to pi.
+double GetAngleBetween(double from, double to)
 {
-  const double turn = to - from;
-  return turn > Pi ? turn - 2.0 * Pi : (turn <= -Pi ? turn + 2.0 * Pi : turn);
+  const double angle = to - from;
+  return angle > lms3dPi ? angle - 2.0 * lms3dPi
+                         : (angle <= -lms3dPi ? angle + 2.0 * lms3dPi : angle);
 }
 } // namespace
 
-lms3dCorner::lms3dCorner(const lms3dVector& position)
+lms3dTriangleCorner::lms3dTriangleCorner(const lms3dVector& position)
   : Position(position)
   , Azimuth(std::atan2(-position[1], position[0]))
   , IsPole(position[0] == 0.0 && position[1] == 0.0)
 {
 }
 
-lms3dBeamsOfTriangle::lms3dBeamsOfTriangle(const lms3dBeamSphere& sphere, const lms3dCorner& a,
-  const lms3dCorner& b, const lms3dCorner& c, double margin)
+lms3dTriangleRasterizer::lms3dTriangleRasterizer(const lms3dBeamSphere& sphere,
+  const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c,
+  double margin)
   : Sphere(sphere)
 {
   this->Edges[0] = lms3dCross(b.Position, a.Position);
@@ -36,51 +39,46 @@ lms3dBeamsOfTriangle::lms3dBeamsOfTriangle(const lms3dBeamSphere& sphere, const 
   this->Edges[2] = lms3dCross(a.Position, c.Position);
   for (int i = 0; i < 3; ++i)
   {
-    this->Margins[i] =
-      margin > 0.0 ? margin * std::sqrt(lms3dDot(this->Edges[i], this->Edges[i])) : 0.0;
+    this->Margins[i] = margin > 0.0 ? margin * lms3dGetLength(this->Edges[i]) : 0.0;
   }
-  // The sum of the edges' normals is that of the triangle.
-  lms3dVector normal;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    normal[axis] = this->Edges[0][axis] + this->Edges[1][axis] + this->Edges[2][axis];
-  }
+  // The sum of the edges' normals is the normal of the triangle.
+  const lms3dVector normal = lms3dAdd(lms3dAdd(this->Edges[0], this->Edges[1]), this->Edges[2]);
   const double offset = lms3dDot(normal, a.Position);
   this->Plane = { { normal[0] / offset, normal[1] / offset, normal[2] / offset } };
   this->FindColumns(a, b, c);
 }
 
-void lms3dBeamsOfTriangle::FindColumns(
-  const lms3dCorner& a, const lms3dCorner& b, const lms3dCorner& c)
+void lms3dTriangleRasterizer::FindColumns(
+  const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c)
 {
   const std::vector<double>& azimuths = this->Sphere.GetAzimuths();
   const int columns = this->Sphere.GetNumberOfColumns();
   this->FirstColumn = 0;
   this->NumberOfColumns = columns;
-  const double ab = GetTurn(a.Azimuth, b.Azimuth);
-  const double bc = GetTurn(b.Azimuth, c.Azimuth);
-  const double ca = GetTurn(c.Azimuth, a.Azimuth);
+  const double ab = GetAngleBetween(a.Azimuth, b.Azimuth);
+  const double bc = GetAngleBetween(b.Azimuth, c.Azimuth);
+  const double ca = GetAngleBetween(c.Azimuth, a.Azimuth);
   const double longest = std::max({ std::abs(ab), std::abs(bc), std::abs(ca) });
-  // Around a pole, or so near to one that it cannot be told.
-  if (a.IsPole || b.IsPole || c.IsPole || std::abs(ab + bc + ca) > Pi ||
-    longest > Pi - AzimuthTolerance)
+  // The triangle may contain a pole: all columns.
+  if (a.IsPole || b.IsPole || c.IsPole || std::abs(ab + bc + ca) > lms3dPi ||
+    longest > lms3dPi - AzimuthTolerance)
   {
     return;
   }
   double low = a.Azimuth + std::min({ 0.0, ab, ab + bc }) - AzimuthTolerance;
   const double width = std::max({ 0.0, ab, ab + bc }) - std::min({ 0.0, ab, ab + bc });
-  low -= 2.0 * Pi * std::floor((low - azimuths.front()) / (2.0 * Pi));
+  low -= 2.0 * lms3dPi * std::floor((low - azimuths.front()) / (2.0 * lms3dPi));
   const double high = low + width + 2.0 * AzimuthTolerance;
   const auto first = std::lower_bound(azimuths.begin(), azimuths.end(), low);
   const auto last = std::upper_bound(first, azimuths.end(), high);
-  const auto wrapped = std::upper_bound(azimuths.begin(), first, high - 2.0 * Pi);
+  const auto wrapped = std::upper_bound(azimuths.begin(), first, high - 2.0 * lms3dPi);
   this->FirstColumn = first == azimuths.end() ? 0 : static_cast<int>(first - azimuths.begin());
   this->NumberOfColumns = static_cast<int>((last - first) + (wrapped - azimuths.begin()));
 }
 
-bool lms3dBeamsOfTriangle::FindRows(int column, int& first, int& last) const
+bool lms3dTriangleRasterizer::FindRows(int column, int& first, int& last) const
 {
-  const std::array<double, 2>& level = this->Sphere.GetLevel(column);
+  const std::array<double, 2>& level = this->Sphere.GetHorizontal(column);
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i)

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Borders/lms3dBorderRanges.h"
+
+#include <cmath>
+
+namespace
+{
+using Gates = lms3dBorderGates;
+
+constexpr int BisectionSteps = 8;
+// How many points of a cell are tried, and how far towards the returns.
+constexpr int StepsInCell = 5;
+constexpr double MaximumShareInCell = 0.5;
+
+lms3dVector GetUnit(const lms3dVector& v)
+{
+  return lms3dScale(v, 1.0 / lms3dGetLength(v));
+}
+
+// Moves a point of a cell by a share of the way to the center of some of its corners.
+lms3dBorderRanges::Weights MoveTowards(
+  int corners, const lms3dBorderRanges::Weights& weights, double share)
+{
+  int count = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    count += corners >> i & 1;
+  }
+  lms3dBorderRanges::Weights moved;
+  for (int i = 0; i < 4; ++i)
+  {
+    moved[i] = (1.0 - share) * weights[i] + ((corners >> i & 1) ? share / count : 0.0);
+  }
+  return moved;
+}
+} // namespace
+
+lms3dBorderRanges::lms3dBorderRanges(
+  const lms3dBeamSphere& sphere, const lms3dPatches& patches, const lms3dBorderGates& gates)
+  : Sphere(sphere)
+  , Patches(patches)
+  , Gates(gates)
+  , Support(sphere, patches, gates)
+{
+}
+
+lms3dVector lms3dBorderRanges::GetPointInGate(int edge, double at) const
+{
+  const lms3dVector own = this->Sphere.GetDirection(this->Gates.GetOwner(edge));
+  const lms3dVector other = this->Sphere.GetDirection(this->Gates.GetOwner(Gates::GetTwin(edge)));
+  return lms3dAdd(lms3dScale(own, 1.0 - at), lms3dScale(other, at));
+}
+
+const lms3dPlane& lms3dBorderRanges::GetPlane(GridIndex index) const
+{
+  return this->Patches.Patches[this->Patches.Labels[index]].Plane;
+}
+
+double lms3dBorderRanges::GetExtension(int edge, double maximum) const
+{
+  const GridIndex own = this->Gates.GetOwner(edge);
+  const lms3dVector from = this->Sphere.GetDirection(own);
+  const lms3dVector to = this->Sphere.GetDirection(this->Gates.GetOwner(Gates::GetTwin(edge)));
+  const lms3dPlane& plane = this->GetPlane(own);
+  const double here = plane.GetInverseRange(from);
+  const double there = plane.GetInverseRange(to);
+  const double cosine = lms3dDot(from, to);
+  const double range = this->Sphere.GetRange(own);
+  const double margin = this->Support.GetMarginAtDepthStep(edge);
+  const auto isSupported = [&](double at)
+  {
+    // The distance of the point on the chord from the sensor.
+    const double length = std::sqrt(1.0 - 2.0 * at * (1.0 - at) * (1.0 - cosine));
+    return lms3dRangeSupport::GetInterval(range, margin, (1.0 - at + at * cosine) / length)
+      .Contains((here + at * (there - here)) / length);
+  };
+  if (isSupported(maximum))
+  {
+    return maximum;
+  }
+  double within = 0.0;
+  double beyond = maximum;
+  for (int step = 0; step < BisectionSteps; ++step)
+  {
+    const double middle = 0.5 * (within + beyond);
+    (isSupported(middle) ? within : beyond) = middle;
+  }
+  return within;
+}
+
+lms3dMapVertex lms3dBorderRanges::GetVertexInGate(int edge, double at) const
+{
+  const lms3dVector unit = GetUnit(this->GetPointInGate(edge, at));
+  const double inverse = this->GetPlane(this->Gates.GetOwner(edge)).GetInverseRange(unit);
+  switch (this->Gates.GetGate(edge).Kind)
+  {
+    case Gates::DepthStep:
+      return { unit, this->Support.GetIntervalAtDepthStep(edge, unit).Clamp(inverse) };
+    case Gates::Offset:
+      return { unit, this->Support.GetIntervalAtOffset(edge, unit).Clamp(inverse) };
+    default:
+      return { unit, this->GetInverseAtCrease(edge, at, unit) };
+  }
+}
+
+double lms3dBorderRanges::GetInverseAtCrease(int edge, double at, const lms3dVector& unit) const
+{
+  const GridIndex own = this->Gates.GetOwner(edge);
+  const GridIndex other = this->Gates.GetOwner(Gates::GetTwin(edge));
+  const double here = this->GetPlane(own).GetInverseRange(unit);
+  const double there = this->GetPlane(other).GetInverseRange(unit);
+  if (!this->AreSameSurface(here, there))
+  {
+    return ((1.0 - at) / this->Sphere.GetRange(own) + at / this->Sphere.GetRange(other)) /
+      lms3dGetLength(this->GetPointInGate(edge, at));
+  }
+  return this->Support.GetIntervalAtCrease(edge, unit).Clamp(0.5 * (here + there));
+}
+
+// Whether two inverse ranges differ by no more than the tolerance, as ranges do.
+bool lms3dBorderRanges::AreSameSurface(double inverse, double other) const
+{
+  constexpr double Rounding = 1e-6;
+  return inverse > 0.0 && other > 0.0 &&
+    std::abs(inverse - other) <= (1.0 + Rounding) * this->Gates.GetTolerance() * inverse * other;
+}
+
+bool lms3dBorderRanges::HaveFewReturns(const Cell& cell, int corners) const
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    if ((corners >> i & 1) && !this->Gates.HasFewReturns(this->Patches.Labels[cell.Corners[i]]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+lms3dMapVertex lms3dBorderRanges::GetVertexInCell(
+  const Cell& cell, int corners, const Weights& weights) const
+{
+  const bool isContinuous = this->Gates.IsContinuous(cell);
+  CellPoint point = this->GetPointInCell(cell, corners, weights);
+  if (isContinuous && !this->AreSameSurface(point.Minimum, point.Maximum) &&
+    this->HaveFewReturns(cell, corners))
+  {
+    return { point.Unit, this->InterpolateInCell(cell, weights) };
+  }
+  lms3dRangeInterval interval =
+    this->Support.GetIntervalInCell(cell, corners, isContinuous, point.Unit);
+  // Beside a depth step, a vertex on the planes and nearer to the returns is better than one off them.
+  for (int step = 1; !isContinuous && step < StepsInCell && !interval.Contains(point.Mean); ++step)
+  {
+    point = this->GetPointInCell(
+      cell, corners, MoveTowards(corners, weights, MaximumShareInCell * step / (StepsInCell - 1)));
+    interval = this->Support.GetIntervalInCell(cell, corners, isContinuous, point.Unit);
+  }
+  return { point.Unit, interval.Clamp(point.Mean) };
+}
+
+lms3dBorderRanges::CellPoint lms3dBorderRanges::GetPointInCell(
+  const Cell& cell, int corners, const Weights& weights) const
+{
+  CellPoint point;
+  lms3dVector sum = { 0.0, 0.0, 0.0 };
+  for (int i = 0; i < 4; ++i)
+  {
+    sum = lms3dAdd(sum, lms3dScale(this->Sphere.GetDirection(cell.Corners[i]), weights[i]));
+  }
+  point.Unit = GetUnit(sum);
+  std::array<std::int32_t, 4> labels = { -1, -1, -1, -1 };
+  double total = 0.0;
+  int count = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    const std::int32_t label = this->Patches.Labels[cell.Corners[i]];
+    if ((corners >> i & 1) && std::find(labels.begin(), labels.end(), label) == labels.end())
+    {
+      labels[i] = label;
+      const double inverse = this->Patches.Patches[label].Plane.GetInverseRange(point.Unit);
+      point.Minimum = std::min(point.Minimum, inverse);
+      point.Maximum = std::max(point.Maximum, inverse);
+      total += inverse;
+      ++count;
+    }
+  }
+  point.Mean = total / count;
+  return point;
+}
+
+// The inverse range of the surface that runs straight from return to return.
+double lms3dBorderRanges::InterpolateInCell(const Cell& cell, const Weights& weights) const
+{
+  lms3dVector sum = { 0.0, 0.0, 0.0 };
+  double inverse = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    sum = lms3dAdd(sum, lms3dScale(this->Sphere.GetDirection(cell.Corners[i]), weights[i]));
+    inverse += weights[i] / this->Sphere.GetRange(cell.Corners[i]);
+  }
+  return inverse / lms3dGetLength(sum);
+}

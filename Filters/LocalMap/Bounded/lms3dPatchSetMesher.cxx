@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Bounded/lms3dPatchSetMesher.h"
+
+#include "LocalMap/Bounded/lms3dDeviationMeter.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace
+{
+// The largest difference between the two planes of a crease, as a share of the bound.
+constexpr double CreaseShare = 0.85;
+// The largest share of a patch's returns that may leave the patch before all of it is split.
+constexpr double MaximumReleasedShare = 0.01;
+} // namespace
+
+bool lms3dPatchSetMesher::TryToMesh(lms3dPatches& patches, const std::vector<int>& members,
+  bool releasesFew, lms3dBoundedMap& map) const
+{
+  const lms3dBorderGates gates(this->Sphere, patches, CreaseShare * this->MaximumError);
+  const lms3dPatchOutlines outlines(this->Sphere, patches, gates);
+  Meshes meshes = this->MakeMeshes(patches, outlines, members);
+  std::vector<bool> failed(members.size());
+  for (std::size_t i = 0; i < members.size(); ++i)
+  {
+    failed[i] = members[i] > 0 && !meshes[i].IsValid;
+    if (!releasesFew ||
+      MaximumReleasedShare * members[i] < static_cast<double>(meshes[i].Uncovered.size()))
+    {
+      meshes[i].Uncovered.clear();
+    }
+  }
+  for (std::int32_t patch : outlines.GetPatchesAtFlippedStrips())
+  {
+    failed[patch] = true;
+    meshes[patch].Uncovered.clear();
+  }
+  if (std::find(failed.begin(), failed.end(), true) != failed.end())
+  {
+    this->Split(patches, members, failed, meshes);
+    return false;
+  }
+  this->Append(patches, outlines, meshes, members, map);
+  return true;
+}
+
+lms3dPatchSetMesher::Meshes lms3dPatchSetMesher::MakeMeshes(const lms3dPatches& patches,
+  const lms3dPatchOutlines& outlines, const std::vector<int>& members) const
+{
+  lms3dPatchMesher mesher(this->Sphere, patches, outlines, this->MaximumError, this->Noise);
+  Meshes meshes(members.size());
+  tbb::parallel_for(std::size_t(0), members.size(),
+    [&](std::size_t i)
+    {
+      if (members[i] > 0)
+      {
+        meshes[i] = mesher.Mesh(static_cast<int>(i), members[i]);
+      }
+    });
+  return meshes;
+}
+
+void lms3dPatchSetMesher::Append(const lms3dPatches& patches, const lms3dPatchOutlines& outlines,
+  const Meshes& meshes, const std::vector<int>& members, lms3dBoundedMap& map) const
+{
+  const auto addPoint = [&](const lms3dMapVertex& vertex)
+  {
+    map.Points.push_back({ vertex.Direction[0] / vertex.InverseRange,
+      vertex.Direction[1] / vertex.InverseRange, vertex.Direction[2] / vertex.InverseRange });
+  };
+  std::for_each(outlines.GetVertices().begin(), outlines.GetVertices().end(), addPoint);
+  const std::int32_t shared = static_cast<std::int32_t>(map.Points.size());
+  map.Triangles = outlines.GetStripTriangles();
+  map.PatchIds.assign(map.Triangles.size(), lms3dBoundedMap::NoPatch);
+  std::vector<lms3dDeviationMeter::Part> parts;
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+  {
+    if (members[i] == 0)
+    {
+      continue;
+    }
+    const std::int32_t offset = static_cast<std::int32_t>(map.Points.size()) - shared;
+    std::for_each(meshes[i].Added.begin(), meshes[i].Added.end(), addPoint);
+    const std::size_t first = map.Triangles.size();
+    for (std::array<std::int32_t, 3> triangle : meshes[i].Triangles)
+    {
+      for (std::int32_t& corner : triangle)
+      {
+        corner += corner >= shared ? offset : 0;
+      }
+      map.Triangles.push_back(triangle);
+      map.PatchIds.push_back(map.NumberOfPatches);
+    }
+    ++map.NumberOfPatches;
+    map.ReturnsOnPatches += members[i];
+    parts.push_back(
+      { static_cast<std::int32_t>(i), first, map.Triangles.size(), meshes[i].DeviationOnBeams });
+  }
+  map.LargestDeviation = lms3dDeviationMeter(this->Sphere, patches, map).GetLargest(parts);
+}
+
+void lms3dPatchSetMesher::Split(lms3dPatches& patches, const std::vector<int>& members,
+  const std::vector<bool>& failed, const Meshes& meshes) const
+{
+  for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
+  {
+    const std::int32_t label = patches.Labels[index];
+    if (label < 0 || label >= static_cast<std::int32_t>(failed.size()) || !failed[label])
+    {
+      continue;
+    }
+    const std::vector<GridIndex>& uncovered = meshes[label].Uncovered;
+    const GridIndex first = this->Sphere.IsPoleCopy(index) ? this->Sphere.GetRow(index) : index;
+    if (!uncovered.empty() && !std::binary_search(uncovered.begin(), uncovered.end(), first))
+    {
+      continue;
+    }
+    if (members[label] == 1)
+    {
+      patches.Labels[index] = lms3dPatches::None;
+    }
+    else if (first != index)
+    {
+      patches.Labels[index] = patches.Labels[first];
+    }
+    else
+    {
+      this->MakeSingle(patches, index);
+    }
+  }
+}
+
+// Moves a return to a new patch of its own.
+void lms3dPatchSetMesher::MakeSingle(lms3dPatches& patches, GridIndex index) const
+{
+  lms3dPatches::Patch single;
+  single.Fit.Add(this->Sphere, index);
+  single.Plane = single.Fit.GetPlane();
+  patches.Labels[index] = static_cast<std::int32_t>(patches.Patches.size());
+  patches.Patches.push_back(single);
+}

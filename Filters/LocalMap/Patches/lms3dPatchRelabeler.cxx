@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Patches/lms3dPatchRelabeler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+// A plane explains returns within this number of standard deviations of the noise.
+constexpr double ExplainedDeviations = 4.0;
+constexpr int MaximumPasses = 3;
+// The largest number of returns of a spike.
+constexpr int MaximumSpike = 8;
+// The largest distance of a spike from the plane around it, in error bounds and in standard deviations of
+// the noise.
+constexpr double SpikeInBounds = 1.5;
+constexpr double SpikeInDeviations = 5.0;
+} // namespace
+
+lms3dPatchRelabeler::lms3dPatchRelabeler(
+  const lms3dBeamSphere& sphere, lms3dPatches& patches, double maximumError, double noise)
+  : Sphere(sphere)
+  , Patches(patches)
+  , MaximumError(maximumError)
+  , Noise(noise)
+{
+}
+
+template <typename Visitor>
+void lms3dPatchRelabeler::ForEachJoinedNeighbor(GridIndex index, const Visitor& visit) const
+{
+  for (int side = lms3dBeamSphere::Up; side <= lms3dBeamSphere::Left; ++side)
+  {
+    if (this->Sphere.HasNeighbor(index, side) && this->Sphere.IsJoined(index, side))
+    {
+      visit(this->Sphere.GetNeighbor(index, side));
+    }
+  }
+}
+
+double lms3dPatchRelabeler::GetDeviation(GridIndex index, int patch) const
+{
+  const double inverse =
+    this->Patches.Patches[patch].Plane.GetInverseRange(this->Sphere.GetDirection(index));
+  return inverse > 0.0 ? std::abs(this->Sphere.GetRange(index) - 1.0 / inverse)
+                       : std::numeric_limits<double>::infinity();
+}
+
+void lms3dPatchRelabeler::SetLabel(GridIndex index, std::int32_t label)
+{
+  const int row = this->Sphere.GetRow(index);
+  if (!this->Sphere.IsPoleRow(row))
+  {
+    this->Patches.Labels[index] = label;
+    return;
+  }
+  for (int column = 0; column < this->Sphere.GetNumberOfColumns(); ++column)
+  {
+    this->Patches.Labels[this->Sphere.GetIndex(column, row)] = label;
+  }
+}
+
+// The entries on both sides of all borders, sorted.
+std::vector<lms3dPatchRelabeler::GridIndex> lms3dPatchRelabeler::FindBorder() const
+{
+  const std::vector<std::int32_t>& labels = this->Patches.Labels;
+  std::vector<GridIndex> border;
+  const auto look = [&](GridIndex index, int side)
+  {
+    const GridIndex other = this->Sphere.GetNeighbor(index, side);
+    if (labels[index] != labels[other] && this->Sphere.IsJoined(index, side))
+    {
+      border.push_back(index);
+      border.push_back(other);
+    }
+  };
+  const int rows = this->Sphere.GetNumberOfRows();
+  for (GridIndex start = 0; start < this->Sphere.GetSize(); start += rows)
+  {
+    for (GridIndex index = start; index < start + rows; ++index)
+    {
+      look(index, lms3dBeamSphere::Right);
+      if (index + 1 < start + rows)
+      {
+        look(index, lms3dBeamSphere::Up);
+      }
+    }
+  }
+  std::sort(border.begin(), border.end());
+  border.erase(std::unique(border.begin(), border.end()), border.end());
+  return border;
+}
+
+void lms3dPatchRelabeler::RelabelBorders()
+{
+  std::vector<GridIndex> border = this->FindBorder();
+  for (int pass = 0; pass < MaximumPasses; ++pass)
+  {
+    std::vector<GridIndex> moved;
+    for (GridIndex index : border)
+    {
+      if (this->MoveToBestNeighbor(index))
+      {
+        this->ForEachJoinedNeighbor(index, [&](GridIndex other) { moved.push_back(other); });
+      }
+    }
+    std::sort(moved.begin(), moved.end());
+    moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
+    border = moved;
+  }
+}
+
+bool lms3dPatchRelabeler::MoveToBestNeighbor(GridIndex index)
+{
+  const std::int32_t own = this->Patches.Labels[index];
+  std::int32_t best = own;
+  this->ForEachJoinedNeighbor(index,
+    [&](GridIndex other)
+    {
+      const std::int32_t label = this->Patches.Labels[other];
+      if (label != best && label != own && this->IsBetter(index, label, best))
+      {
+        best = label;
+      }
+    });
+  if (best != own)
+  {
+    this->SetLabel(index, best);
+  }
+  return best != own;
+}
+
+// If both planes explain a return, the side of their crease decides instead of the noise.
+bool lms3dPatchRelabeler::IsBetter(GridIndex index, std::int32_t label, std::int32_t than) const
+{
+  const double deviation = this->GetDeviation(index, label);
+  const double other = this->GetDeviation(index, than);
+  const double explained =
+    std::max(lms3dPatches::MergedShare * this->MaximumError, ExplainedDeviations * this->Noise);
+  if (std::max(deviation, other) <= explained)
+  {
+    const lms3dPatches::Patch& a = this->Patches.Patches[label];
+    const lms3dPatches::Patch& b = this->Patches.Patches[than];
+    const lms3dVector across = lms3dSubtract(a.Plane.Q, b.Plane.Q);
+    const double sideOfA = lms3dDot(across, a.Fit.GetCenter());
+    const double sideOfB = lms3dDot(across, b.Fit.GetCenter());
+    const double side = lms3dDot(across, this->Sphere.GetDirection(index));
+    if (sideOfA * sideOfB < 0.0)
+    {
+      return side * sideOfA > 0.0;
+    }
+  }
+  return deviation < other;
+}
+
+void lms3dPatchRelabeler::AbsorbSpikes()
+{
+  const std::vector<int> counts = this->Patches.CountMembers(this->Sphere);
+  std::vector<std::vector<GridIndex>> members(counts.size());
+  for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
+  {
+    const std::int32_t label = this->Patches.Labels[index];
+    if (label >= 0 && counts[label] <= MaximumSpike && !this->Sphere.IsPoleCopy(index))
+    {
+      members[label].push_back(index);
+    }
+  }
+  for (const std::vector<GridIndex>& spike : members)
+  {
+    const int around = spike.empty() ? -1 : this->FindSurroundingPatch(spike);
+    for (GridIndex index : spike)
+    {
+      if (around >= 0)
+      {
+        this->SetLabel(index, around);
+      }
+    }
+  }
+}
+
+// The patch of most joined neighbours, or -1 if its plane is too far away.
+int lms3dPatchRelabeler::FindSurroundingPatch(const std::vector<GridIndex>& members) const
+{
+  const std::int32_t own = this->Patches.Labels[members.front()];
+  std::vector<std::int32_t> labels;
+  for (GridIndex index : members)
+  {
+    this->ForEachJoinedNeighbor(index,
+      [&](GridIndex other)
+      {
+        if (this->Patches.Labels[other] != own)
+        {
+          labels.push_back(this->Patches.Labels[other]);
+        }
+      });
+  }
+  std::sort(labels.begin(), labels.end());
+  int best = -1;
+  std::ptrdiff_t most = 0;
+  for (auto first = labels.begin(); first != labels.end();)
+  {
+    const auto last = std::upper_bound(first, labels.end(), *first);
+    if (last - first > most)
+    {
+      most = last - first;
+      best = *first;
+    }
+    first = last;
+  }
+  const double farthest =
+    std::max(SpikeInBounds * this->MaximumError, SpikeInDeviations * this->Noise);
+  const bool isNear = best >= 0 && 2 * most >= static_cast<std::ptrdiff_t>(labels.size()) &&
+    std::all_of(members.begin(), members.end(),
+      [&](GridIndex index) { return this->GetDeviation(index, best) <= farthest; });
+  return isNear ? best : -1;
+}
