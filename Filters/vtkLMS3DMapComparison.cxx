@@ -33,7 +33,7 @@ namespace
 lms3dTriangleMesh Collect(vtkDataObject* data, const std::string& what, std::string& leftOut)
 {
   lms3dSceneTriangles triangles = lms3dCollectTriangles(data);
-  const std::string words = lms3dTellLeftOut(triangles, what);
+  const std::string words = lms3dDescribeSkippedCells(triangles, what);
   lms3dDropTrianglesWithoutArea(triangles.Mesh);
   if (triangles.Mesh.Triangles.empty())
   {
@@ -74,14 +74,14 @@ bool IsForThisProcess(vtkInformationVector** inputVector)
 {
   const lms3dProcesses processes(vtkMultiProcessController::GetGlobalController());
   const bool hasScene = HasCells(vtkDataObject::GetData(inputVector[1]));
-  const int withScene = processes.CountWho(hasScene);
+  const int withScene = processes.AllReduceCount(hasScene);
   if (withScene > 1)
   {
     throw std::runtime_error("The scene is spread over " + std::to_string(withScene) +
       " processes, and each would compare the map with its own piece alone. Compare in one "
       "process.");
   }
-  return !processes.AreMany() || hasScene || HasCells(vtkDataObject::GetData(inputVector[0]));
+  return !processes.IsParallel() || hasScene || HasCells(vtkDataObject::GetData(inputVector[0]));
 }
 
 std::string TellNothingSeen(const lms3dSensorView& view)
@@ -180,7 +180,7 @@ int vtkLMS3DMapComparison::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  const std::string failure = lms3dFindFailure(
+  const std::string failure = lms3dRunAndGetError(
     [&]
     {
       this->CheckProperties();

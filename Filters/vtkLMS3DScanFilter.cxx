@@ -202,7 +202,8 @@ lms3dRangeLimits vtkLMS3DScanFilter::GetLimits() const
 int vtkLMS3DScanFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->GetNumberOfInputConnections(1) > 0 && !this->TellTimes(inputVector, outputVector))
+  if (this->GetNumberOfInputConnections(1) > 0 &&
+    !this->PublishTimeSteps(inputVector, outputVector))
   {
     return 0;
   }
@@ -215,7 +216,7 @@ int vtkLMS3DScanFilter::RequestInformation(
   return 1;
 }
 
-bool vtkLMS3DScanFilter::TellTimes(
+bool vtkLMS3DScanFilter::PublishTimeSteps(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   lms3dUpdateInput(this, 1);
@@ -226,14 +227,14 @@ bool vtkLMS3DScanFilter::TellTimes(
     vtkErrorMacro("The trajectory is no vtkPolyData. Connect a polyline or points; of a composite "
                   "data set extract the block.");
     this->SetErrorCode(vtkErrorCode::UserError);
-    lms3dForgetOutputs(outputVector);
+    lms3dClearOutputs(outputVector);
     return false;
   }
   try
   {
     const std::vector<double>& times = this->Internal->GetTrajectory(poses, this).GetTimes();
-    lms3dOfferTimes(times, outputVector->GetInformationObject(0));
-    lms3dOfferTimes(times, outputVector->GetInformationObject(1));
+    lms3dSetTimeSteps(times, outputVector->GetInformationObject(0));
+    lms3dSetTimeSteps(times, outputVector->GetInformationObject(1));
   }
   catch (const std::exception&)
   {
@@ -248,10 +249,10 @@ int vtkLMS3DScanFilter::RequestUpdateExtent(
   // Every beam may meet any part of the scene, whatever part of the outputs is asked for.
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   const lms3dProcesses processes(this->Internal->Controller);
-  lms3dAskForPiece(processes.GetRank(), processes.GetCount(), input);
+  lms3dRequestPiece(processes.GetRank(), processes.GetCount(), input);
   if (vtkInformation* trajectory = inputVector[1]->GetInformationObject(0))
   {
-    lms3dAskForPiece(0, 1, trajectory);
+    lms3dRequestPiece(0, 1, trajectory);
   }
   return 1;
 }
@@ -264,14 +265,14 @@ int vtkLMS3DScanFilter::RequestData(
   vtkImageData::GetData(outputVector, 1)->Initialize();
   vtkInformation* output = lms3dGetRequestedOutput(request, outputVector);
   // A scan is one piece; those who ask for another get an empty one.
-  if (!lms3dProcesses(this->Internal->Controller).AreMany() && !lms3dIsFirstPiece(output))
+  if (!lms3dProcesses(this->Internal->Controller).IsParallel() && !lms3dIsFirstPiece(output))
   {
     return 1;
   }
   std::string failure = this->GetPropertyError();
   if (failure.empty())
   {
-    failure = lms3dFindFailure([&] { this->Scan(output, inputVector, outputVector); },
+    failure = lms3dRunAndGetError([&] { this->Scan(output, inputVector, outputVector); },
       "There is not enough memory for the scan. Simplify the scene, or lower the resolutions.");
   }
   if (!failure.empty())
@@ -289,7 +290,7 @@ void vtkLMS3DScanFilter::Scan(
   const lms3dProcesses processes(this->Internal->Controller);
   lms3dPose pose;
   double time = NAN;
-  processes.Do(
+  processes.RunCollectively(
     [&]
     {
       if (processes.IsFirst())
@@ -300,17 +301,17 @@ void vtkLMS3DScanFilter::Scan(
       this->Internal->GetGeometry(this);
       this->Build(vtkDataObject::GetData(inputVector[0]));
     });
-  processes.Share(pose, time);
+  processes.Broadcast(pose, time);
   this->UpdateProgress(BuildShare);
 
   vtkPolyData* scan = vtkPolyData::GetData(outputVector, 0);
   vtkImageData* image = vtkImageData::GetData(outputVector, 1);
   bool isDone = false;
-  if (processes.AreMany())
+  if (processes.IsParallel())
   {
     const int ghostLevels =
       outputVector->GetInformationObject(1)->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
-    isDone = this->CastTogether(processes, pose, ghostLevels, scan, image);
+    isDone = this->CastInParallel(processes, pose, ghostLevels, scan, image);
   }
   else
   {
@@ -319,7 +320,7 @@ void vtkLMS3DScanFilter::Scan(
   this->Internal->Output.Discard();
   if (!isDone)
   {
-    lms3dForgetOutputs(outputVector);
+    lms3dClearOutputs(outputVector);
   }
   if (!std::isnan(time))
   {
@@ -336,10 +337,10 @@ void vtkLMS3DScanFilter::Build(vtkDataObject* scene)
     this->Internal->Threads.Run(
       this->NumberOfThreads, [&] { built.Build(scene, this->IntersectionMethod); });
     // Where nothing is left at all, an error says so.
-    const bool others = lms3dProcesses(this->Internal->Controller).AreMany();
-    if ((built.GetCaster() || others) && !built.GetLeftOut().empty())
+    const bool others = lms3dProcesses(this->Internal->Controller).IsParallel();
+    if ((built.GetCaster() || others) && !built.GetSkippedCells().empty())
     {
-      vtkWarningMacro(<< built.GetLeftOut());
+      vtkWarningMacro(<< built.GetSkippedCells());
     }
   }
 }
@@ -367,14 +368,14 @@ bool vtkLMS3DScanFilter::CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtk
 }
 
 // MPI wants to be called by the thread that it was started in, so outside of Run.
-bool vtkLMS3DScanFilter::CastTogether(const lms3dProcesses& processes, const lms3dPose& pose,
+bool vtkLMS3DScanFilter::CastInParallel(const lms3dProcesses& processes, const lms3dPose& pose,
   int ghostLevels, vtkPolyData* scan, vtkImageData* image)
 {
   const lms3dBuiltScene& built = this->Internal->Scene;
   const lms3dRayCaster* caster = built.GetCaster();
-  this->CheckScene(processes.AskAny(caster != nullptr));
+  this->CheckScene(processes.AnyOf(caster != nullptr));
   const std::int64_t firstCell =
-    processes.NumberCells(built.GetNumberOfCells(), built.HasGlobalIds(), built.HasVolume());
+    processes.GetFirstCellNumber(built.GetNumberOfCells(), built.HasGlobalIds(), built.HasVolume());
   const lms3dScanGeometry& geometry = this->Internal->GetGeometry(this);
   const lms3dRangeLimits limits = this->GetLimits();
   const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
@@ -383,14 +384,14 @@ bool vtkLMS3DScanFilter::CastTogether(const lms3dProcesses& processes, const lms
   { this->Internal->Threads.Run(this->NumberOfThreads, work); };
 
   bool isStopped = false;
-  processes.Do(
+  processes.RunCollectively(
     [&] { run([&] { isStopped = !output.CastPart(caster, geometry, pose, limits, progress); }); });
-  if (processes.AskAny(isStopped))
+  if (processes.AnyOf(isStopped))
   {
     return false;
   }
-  output.TakeNearest(processes, caster, firstCell);
-  processes.Do(
+  output.ReduceToNearest(processes, caster, firstCell);
+  processes.RunCollectively(
     [&]
     {
       if (processes.IsFirst())
@@ -405,7 +406,7 @@ bool vtkLMS3DScanFilter::CastTogether(const lms3dProcesses& processes, const lms
 
 void vtkLMS3DScanFilter::CheckScene(bool hasTriangles) const
 {
-  const std::string& leftOut = this->Internal->Scene.GetLeftOut();
+  const std::string& leftOut = this->Internal->Scene.GetSkippedCells();
   if (!hasTriangles)
   {
     throw std::runtime_error(leftOut.empty()

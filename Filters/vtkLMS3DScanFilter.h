@@ -337,14 +337,14 @@ private:
   lms3dRangeLimits GetLimits() const;
 
   // Sets the time steps of both outputs; false where the trajectory is of another kind.
-  bool TellTimes(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  bool PublishTimeSteps(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   void Scan(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
   void Build(vtkDataObject* scene);
   void CheckScene(bool hasTriangles) const;
   bool CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image);
-  bool CastTogether(const lms3dProcesses& processes, const lms3dPose& pose, int ghostLevels,
+  bool CastInParallel(const lms3dProcesses& processes, const lms3dPose& pose, int ghostLevels,
     vtkPolyData* scan, vtkImageData* image);
 
   struct Internals;

@@ -71,7 +71,7 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
     isStopped = !report(done) || isStopped;
     return !isStopped;
   };
-  const std::string failure = lms3dFindFailure(
+  const std::string failure = lms3dRunAndGetError(
     [&]
     {
       this->CheckProperties();
@@ -91,7 +91,7 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
   }
   if (isStopped)
   {
-    lms3dForgetOutputs(outputVector);
+    lms3dClearOutputs(outputVector);
   }
   return 1;
 }

@@ -14,7 +14,7 @@
 /// Does the work. Empty where it ends well, else the words of what it threw, `withoutMemory` where
 /// that was std::bad_alloc.
 template <typename Work>
-std::string lms3dFindFailure(const Work& work, const char* withoutMemory)
+std::string lms3dRunAndGetError(const Work& work, const char* withoutMemory)
 {
   try
   {

@@ -21,15 +21,15 @@ vtkInformation* lms3dGetRequestedOutput(
 bool lms3dIsFirstPiece(vtkInformation* output);
 
 /// Asks for one of so many pieces of an input; of an image for the extent that goes with it.
-void lms3dAskForPiece(int piece, int pieces, vtkInformation* input);
+void lms3dRequestPiece(int piece, int pieces, vtkInformation* input);
 
 /// Brings the whole of an input up to date before the pipeline asks for data.
 void lms3dUpdateInput(vtkAlgorithm* filter, int port);
 
 /// Offers increasing times of which there is at least one.
-void lms3dOfferTimes(const std::vector<double>& times, vtkInformation* output);
+void lms3dSetTimeSteps(const std::vector<double>& times, vtkInformation* output);
 
 /// Empties all outputs and lets the next update run again, after work that was stopped.
-void lms3dForgetOutputs(vtkInformationVector* outputVector);
+void lms3dClearOutputs(vtkInformationVector* outputVector);
 
 #endif

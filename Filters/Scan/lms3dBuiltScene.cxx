@@ -50,7 +50,7 @@ void lms3dBuiltScene::Build(vtkDataObject* scene, int method)
   this->Caster.reset();
   this->Scene = nullptr;
   lms3dSceneTriangles triangles = lms3dCollectTriangles(scene);
-  this->LeftOut = lms3dTellLeftOut(triangles, "The scene");
+  this->SkippedCells = lms3dDescribeSkippedCells(triangles, "The scene");
   this->NumberOfCells = triangles.NumberOfCells;
   this->HasIds = triangles.HasGlobalIds;
   this->IsOfVolume = triangles.HasVolume;

@@ -28,7 +28,7 @@ public:
   void Build(vtkDataObject* scene, int method);
 
   /// Words on the cells that were left out, empty where all were taken.
-  const std::string& GetLeftOut() const { return this->LeftOut; }
+  const std::string& GetSkippedCells() const { return this->SkippedCells; }
 
   /// Null where the scene has no triangles.
   const lms3dRayCaster* GetCaster() const { return this->Caster.get(); }
@@ -41,7 +41,7 @@ public:
 private:
   std::unique_ptr<lms3dRayCaster> Caster;
   vtkTimeStamp BuildTime;
-  std::string LeftOut;
+  std::string SkippedCells;
   vtkDataObject* Scene = nullptr;
   vtkMTimeType SceneTime = 0;
   int Method = 0;

@@ -50,12 +50,12 @@ struct Reduced
   {
     this->Nearest.resize(beams);
     this->Hit.resize(beams);
-    this->Said.resize(beams);
+    this->Measured.resize(beams);
   }
 
   std::vector<double> Nearest;
   std::vector<vtkIdType> Hit;
-  std::vector<double> Said;
+  std::vector<double> Measured;
 };
 
 void Reduce(vtkMultiProcessController* controller, const double* chosenRanges, vtkIdType* cells,
@@ -73,10 +73,10 @@ void Reduce(vtkMultiProcessController* controller, const double* chosenRanges, v
   {
     const vtkIdType hit = reduced.Hit[i];
     const bool isMine = hit != lms3dProcesses::NoCell && cells[i] == hit;
-    reduced.Said[i] = isMine && !std::isnan(ranges[i]) ? ranges[i] : Infinity;
+    reduced.Measured[i] = isMine && !std::isnan(ranges[i]) ? ranges[i] : Infinity;
     cells[i] = hit;
   }
-  controller->AllReduce(reduced.Said.data(), ranges, beams, vtkCommunicator::MIN_OP);
+  controller->AllReduce(reduced.Measured.data(), ranges, beams, vtkCommunicator::MIN_OP);
   std::replace(ranges, ranges + beams, Infinity, std::numeric_limits<double>::quiet_NaN());
 }
 } // namespace
@@ -88,10 +88,10 @@ lms3dProcesses::lms3dProcesses(vtkMultiProcessController* controller)
 {
 }
 
-int lms3dProcesses::CountWho(bool mine) const
+int lms3dProcesses::AllReduceCount(bool mine) const
 {
   int count = mine ? 1 : 0;
-  if (this->AreMany())
+  if (this->IsParallel())
   {
     const int own = count;
     this->Controller->AllReduce(&own, &count, 1, vtkCommunicator::SUM_OP);
@@ -102,23 +102,23 @@ int lms3dProcesses::CountWho(bool mine) const
 void lms3dProcesses::ThrowError(const std::string& mine) const
 {
   const int candidate = mine.empty() ? this->Count : this->Rank;
-  int speaker = 0;
-  this->Controller->AllReduce(&candidate, &speaker, 1, vtkCommunicator::MIN_OP);
-  if (speaker == this->Count)
+  int failed = 0;
+  this->Controller->AllReduce(&candidate, &failed, 1, vtkCommunicator::MIN_OP);
+  if (failed == this->Count)
   {
     return;
   }
   std::string words = mine;
   vtkIdType length = static_cast<vtkIdType>(words.size());
-  this->Controller->Broadcast(&length, 1, speaker);
+  this->Controller->Broadcast(&length, 1, failed);
   words.resize(length);
-  this->Controller->Broadcast(words.data(), length, speaker);
-  throw std::runtime_error("Process " + std::to_string(speaker) + ": " + words);
+  this->Controller->Broadcast(words.data(), length, failed);
+  throw std::runtime_error("Process " + std::to_string(failed) + ": " + words);
 }
 
-void lms3dProcesses::Share(lms3dPose& pose, double& time) const
+void lms3dProcesses::Broadcast(lms3dPose& pose, double& time) const
 {
-  if (!this->AreMany())
+  if (!this->IsParallel())
   {
     return;
   }
@@ -138,7 +138,8 @@ void lms3dProcesses::Share(lms3dPose& pose, double& time) const
   time = values[12];
 }
 
-std::int64_t lms3dProcesses::NumberCells(std::int64_t cells, bool hasIds, bool hasVolume) const
+std::int64_t lms3dProcesses::GetFirstCellNumber(
+  std::int64_t cells, bool hasIds, bool hasVolume) const
 {
   const vtkIdType mine[3] = { static_cast<vtkIdType>(cells), hasIds ? 1 : 0, hasVolume ? 1 : 0 };
   std::vector<vtkIdType> all(3 * static_cast<std::size_t>(this->Count));
@@ -157,12 +158,12 @@ std::int64_t lms3dProcesses::NumberCells(std::int64_t cells, bool hasIds, bool h
   return parts.WithIds > 0 ? 0 : first;
 }
 
-void lms3dProcesses::TakeNearest(
+void lms3dProcesses::ReduceToNearest(
   const std::vector<double>& chosenRanges, std::vector<vtkIdType>& cells, double* ranges) const
 {
   const std::size_t beams = cells.size();
   Reduced reduced;
-  this->Do([&] { reduced.MakeRoom(std::min(beams, BeamsAtOnce)); });
+  this->RunCollectively([&] { reduced.MakeRoom(std::min(beams, BeamsAtOnce)); });
   for (std::size_t first = 0; first < beams; first += BeamsAtOnce)
   {
     const std::size_t count = std::min(BeamsAtOnce, beams - first);

@@ -29,7 +29,7 @@ public:
 
   ///@{
   /// What one process knows of itself.
-  bool AreMany() const { return this->Count > 1; }
+  bool IsParallel() const { return this->Count > 1; }
   int GetCount() const { return this->Count; }
   int GetRank() const { return this->Rank; }
   bool IsFirst() const { return this->Rank == 0; }
@@ -37,25 +37,25 @@ public:
 
   ///@{
   /// How many of them say so, and whether one does.
-  int CountWho(bool mine) const;
-  bool AskAny(bool mine) const { return this->CountWho(mine) > 0; }
+  int AllReduceCount(bool mine) const;
+  bool AnyOf(bool mine) const { return this->AllReduceCount(mine) > 0; }
   ///@}
 
   /// Does this process's share of some work; throws std::runtime_error in all of them where it fails
   /// in one, with the words of the first that failed. One process alone throws what the work throws.
   template <typename Work>
-  void Do(const Work& work) const
+  void RunCollectively(const Work& work) const
   {
-    if (!this->AreMany())
+    if (!this->IsParallel())
     {
       work();
       return;
     }
-    this->ThrowError(lms3dFindFailure(work, "There is not enough memory."));
+    this->ThrowError(lms3dRunAndGetError(work, "There is not enough memory."));
   }
 
   /// Gives all what the first has.
-  void Share(lms3dPose& pose, double& time) const;
+  void Broadcast(lms3dPose& pose, double& time) const;
 
   /**
    * The number of this process's first cell: where no part has global ids the cells are numbered
@@ -63,7 +63,7 @@ public:
    * for the user, where only some have, and where volume cells are on several processes: none of them
    * can tell the surface from the seams.
    */
-  std::int64_t NumberCells(std::int64_t cells, bool hasIds, bool hasVolume) const;
+  std::int64_t GetFirstCellNumber(std::int64_t cells, bool hasIds, bool hasVolume) const;
 
   /**
    * Of what the processes have found along each beam `ranges` becomes that of the nearest hit, and
@@ -71,7 +71,7 @@ public:
    * `chosenRanges`, and of several the one in the cell with the smallest number: as one process
    * chooses from the whole scene.
    */
-  void TakeNearest(
+  void ReduceToNearest(
     const std::vector<double>& chosenRanges, std::vector<vtkIdType>& cells, double* ranges) const;
 
 private:

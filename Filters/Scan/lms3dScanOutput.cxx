@@ -69,7 +69,7 @@ bool lms3dScanOutput::CastPart(const lms3dRayCaster* caster, const lms3dScanGeom
     this->Ranges->GetPointer(0), this->Triangles.data(), &choices);
 }
 
-void lms3dScanOutput::TakeNearest(
+void lms3dScanOutput::ReduceToNearest(
   const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell)
 {
   const std::size_t beams = this->Triangles.size();
@@ -81,7 +81,7 @@ void lms3dScanOutput::TakeNearest(
       : firstCell + caster->GetMesh().GetCell(triangle);
   }
   double* ranges = this->Ranges->GetPointer(0);
-  processes.TakeNearest(this->ChosenRanges, this->Cells, ranges);
+  processes.ReduceToNearest(this->ChosenRanges, this->Cells, ranges);
   for (std::size_t i = 0; i < beams; ++i)
   {
     this->Triangles[i] = std::isnan(ranges[i]) ? lms3dBeamPacket::NoTriangle : 0;

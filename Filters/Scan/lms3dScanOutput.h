@@ -45,17 +45,17 @@ public:
    */
   bool CastPart(const lms3dRayCaster* caster, const lms3dScanGeometry& geometry,
     const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress);
-  void TakeNearest(
+  void ReduceToNearest(
     const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell);
   ///@}
 
-  /// The outputs of the last Cast with the same arguments, without a mesh after TakeNearest; hands
+  /// The outputs of the last Cast with the same arguments, without a mesh after ReduceToNearest; hands
   /// its ranges over to the image.
   void FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry,
     const lms3dPose& pose, vtkPolyData* scan);
   void FillRangeImage(const lms3dScanGeometry& geometry, vtkImageData* image);
 
-  /// A piece of the image, after TakeNearest.
+  /// A piece of the image, after ReduceToNearest.
   void FillRangeImagePiece(
     const lms3dScanGeometry& geometry, const lms3dImagePiece& piece, vtkImageData* image) const;
 

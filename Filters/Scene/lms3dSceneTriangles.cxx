@@ -360,7 +360,7 @@ lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene)
   return std::move(collector.Scene);
 }
 
-std::string lms3dTellLeftOut(const lms3dSceneTriangles& triangles, const std::string& what)
+std::string lms3dDescribeSkippedCells(const lms3dSceneTriangles& triangles, const std::string& what)
 {
   std::ostringstream words;
   if (triangles.SkippedCells > 0)

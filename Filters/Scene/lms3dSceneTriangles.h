@@ -48,6 +48,7 @@ lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene);
 
 /// Words for the user on the cells of "The scene", or whatever it is, that were left out; empty
 /// where all were taken.
-std::string lms3dTellLeftOut(const lms3dSceneTriangles& triangles, const std::string& what);
+std::string lms3dDescribeSkippedCells(
+  const lms3dSceneTriangles& triangles, const std::string& what);
 
 #endif
