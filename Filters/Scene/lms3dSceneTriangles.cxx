@@ -9,6 +9,7 @@
 #include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -19,6 +20,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +138,10 @@ public:
     {
       return;
     }
+    const auto [minimum, maximum] =
+      std::minmax_element(this->GlobalIds.begin(), this->GlobalIds.end());
+    this->Scene.MinimumGlobalId = *minimum;
+    this->Scene.MaximumGlobalId = *maximum;
     for (std::int64_t& cell : cells)
     {
       cell = this->GlobalIds[cell];
@@ -241,6 +247,7 @@ private:
       throw std::runtime_error("The scene has more points than 32 bits can number; split it.");
     }
     this->OriginalCells = originalCells;
+    this->Ghosts = surface->GetCellGhostArray();
     vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
     this->AppendCells(surface->GetPolys(), cell, &Collector::AppendPolygon);
     cell += surface->GetNumberOfPolys();
@@ -260,11 +267,19 @@ private:
       it->GetCurrentCell(count, points);
       this->Cell =
         this->FirstCell + (this->OriginalCells ? this->OriginalCells->GetValue(cell) : cell);
-      if (this->IsUsable(count, points))
+      if (!this->IsHidden(cell) && this->IsUsable(count, points))
       {
         (this->*append)(count, points);
       }
     }
+  }
+
+  bool IsHidden(vtkIdType cell)
+  {
+    const bool isHidden = this->Ghosts && cell < this->Ghosts->GetNumberOfValues() &&
+      (this->Ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL) != 0;
+    this->Scene.HiddenCells += isHidden ? 1 : 0;
+    return isHidden;
   }
 
   // Skips a cell with a point that no beam can be cast against.
@@ -343,13 +358,15 @@ private:
   // As many as there are cells, or of no use.
   std::vector<std::int64_t> GlobalIds;
   vtkIdTypeArray* OriginalCells = nullptr;
+  vtkUnsignedCharArray* Ghosts = nullptr;
   std::size_t FirstPoint = 0;
   std::int64_t FirstCell = 0;
   std::int64_t Cell = 0;
 };
 } // namespace
 
-lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene)
+lms3dSceneTriangles lms3dCollectTriangles(
+  vtkDataObject* scene, const std::function<bool(double)>& progress)
 {
   Collector collector;
   collector.Append(scene);
@@ -357,6 +374,12 @@ lms3dSceneTriangles lms3dCollectTriangles(vtkDataObject* scene)
   collector.DropOwnNumbers();
   collector.ClearUnusable();
   collector.DropUnusedRoom();
+  if (!progress(1.0))
+  {
+    lms3dSceneTriangles stopped;
+    stopped.IsComplete = false;
+    return stopped;
+  }
   return std::move(collector.Scene);
 }
 
