@@ -145,7 +145,7 @@ int vtkLMS3DScanFilter::RequestInformation(
     if (!poses)
     {
       // For a composite trajectory the executive would run the filter once for each block.
-      vtkErrorMacro("The trajectory is no vtkPolyData. Connect a polyline or points. If it is a "
+      vtkErrorMacro("The trajectory is not a vtkPolyData. Connect a polyline or points. If it is a "
                     "composite data set, extract the block.");
       this->SetErrorCode(vtkErrorCode::UserError);
       lms3dClearOutputs(outputVector);

@@ -26,8 +26,8 @@ class vtkPolyData;
 /**
  * Arrays with one slot for each return, ordered by turn, then by beam.
  *
- * Fill all slots of Point, Range, Alpha, Beta and BeamId through the pointers, and those of the
- * vertices by FillVertices; then call MoveTo. Threads can fill different slots at the same time. The
+ * Fill all slots of Point, Range, Alpha, Beta and BeamId through the pointers, and all vertices by
+ * FillVertices; then call MoveTo. Threads can fill different slots at the same time. The
  * arrays own the memory that the pointers refer to.
  */
 struct lms3dReturns
@@ -54,7 +54,7 @@ struct lms3dReturns
   void FillVertices(vtkIdType first, vtkIdType last) const;
 
   /// Sets the points, vertices, point data and field data of an empty `scan`, which then shares the
-  /// arrays. The grid and the pose are those of the whole scan.
+  /// arrays. `geometry` is the grid of the whole scan, with the beams that gave no return.
   void MoveTo(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan) const;
 
   const vtkSmartPointer<vtkDoubleArray> Points;

@@ -62,7 +62,7 @@ void lms3dSetTimeSteps(const std::vector<double>& times, vtkInformation* output)
   output->Set(Pipeline::TIME_RANGE(), range, 2);
 }
 
-// VTK takes for good what a filter leaves, also where it was stopped.
+// By default VTK regards the outputs of a stopped filter as up to date.
 void lms3dClearOutputs(vtkInformationVector* outputVector)
 {
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)

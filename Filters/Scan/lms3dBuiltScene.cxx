@@ -101,8 +101,12 @@ bool lms3dBuiltScene::Build(
   this->Method = method;
   if (!triangles.Mesh.Triangles.empty())
   {
-    this->Caster = lms3dRayCaster::New(method, std::move(triangles.Mesh));
+    this->Caster = lms3dRayCaster::New(method, std::move(triangles.Mesh), progress);
+    if (!this->Caster)
+    {
+      return false;
+    }
   }
   this->BuildTime.Modified();
-  return progress(1.0);
+  return true;
 }

@@ -26,7 +26,7 @@ public:
   /**
    * Brings the ray caster up to date with the scene. Does nothing if neither the scene's MTime nor
    * the method changed. Otherwise collects the scene's triangles, and builds a ray caster only if
-   * they differ from those of the present one: a new data array does not build, whereas any change
+   * they differ from the present caster's: a new data array does not build, whereas any change
    * of coordinates, cells, hidden cells or global ids does.
    *
    * The scene is not kept alive. Uses the threads of the calling TBB arena. Returns false if

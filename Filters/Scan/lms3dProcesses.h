@@ -58,7 +58,7 @@ public:
     this->ThrowFirstError(lms3dRunAndGetError(work, "There is not enough memory."));
   }
 
-  /// Replaces the pose and the time of all processes by those of the first.
+  /// Replaces the pose and the time in all processes by the first process's.
   void Broadcast(lms3dPose& pose, double& time) const;
 
   /// The cells of all processes.
@@ -77,8 +77,8 @@ public:
   Cells GatherCells(const lms3dScenePart& mine) const;
 
   /**
-   * Replaces `ranges` (metres, NaN without a return) and `cells` of each beam by those of the nearest
-   * hit of all processes. The nearest hit is the one with the smallest of `chosenRanges`
+   * Replaces `ranges` (metres, NaN without a return) and `cells` of each beam by range and cell of the
+   * nearest hit in all processes. The nearest hit is the one with the smallest of `chosenRanges`
    * (lms3dBeamPacket::NoRange without a hit), and among equal ones the one in the cell with the
    * smallest number: what one process would choose from the whole scene. All arrays have one value
    * for each beam, in all processes.

@@ -11,10 +11,8 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <sstream>
 #include <stdexcept>
 
 namespace
@@ -23,24 +21,6 @@ namespace
 constexpr double BuildShare = 0.3;
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-// VTK numbers global ids from 0, some file formats from 1. Empty if no id is missing.
-std::string DescribeMissingCells(const lms3dScenePart& scene)
-{
-  std::ostringstream text;
-  const std::int64_t firstId = std::min<std::int64_t>(scene.MinimumGlobalId, 1);
-  if (scene.HasGlobalIds && scene.MaximumGlobalId - firstId >= scene.NumberOfCells)
-  {
-    text
-      << "The scene's global ids go up to " << scene.MaximumGlobalId << ", but only "
-      << scene.NumberOfCells
-      << " cells are there, in all processes together. If you extracted a part of a scene on "
-         "purpose, ignore this warning. Otherwise a part of the scene is lost, and the scan shows "
-         "what lies behind it: on Debian 12 with the present libexpat, ParaView's "
-         "RedistributeDataSet loses pieces; use its filter D3 instead.";
-  }
-  return text.str();
-}
 } // namespace
 
 /// One run: the request, and what all its steps use.
@@ -253,7 +233,7 @@ void lms3dScanJob::CheckScene(bool hasTriangles) const
 
 void lms3dScanJob::WarnIfIncomplete(const lms3dScenePart& scene, const Scan& scan)
 {
-  const std::string missing = DescribeMissingCells(scene);
+  const std::string missing = lms3dDescribeMissingCells(scene);
   if (!missing.empty() && missing != this->MissingCells)
   {
     scan.Request.Warn(missing);

@@ -63,7 +63,7 @@ public:
   /**
    * Fills the outputs. The settings must be good. Throws std::runtime_error, with a text for the
    * user, if the scene or the trajectory is bad or memory is short; in all processes if it fails in
-   * one. Returns false, in all processes, with empty outputs that the next update fills anew, if
+   * one. Returns false, in all processes, with empty outputs that the next update fills, if
    * `Progress` stopped the work in one of them.
    */
   bool Run(const lms3dScanRequest& request);

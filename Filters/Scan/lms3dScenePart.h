@@ -8,6 +8,7 @@
 #define lms3dScenePart_h
 
 #include <cstdint>
+#include <string>
 
 struct lms3dScenePart
 {
@@ -27,5 +28,10 @@ struct lms3dScenePart
   /// Whether some of the cells are volume cells.
   bool HasVolume = false;
 };
+
+/// Returns a warning for the user if the global ids of a whole scene show that cells are missing: ids go
+/// up to N, but there are fewer than N + 1 cells (fewer than N if the ids start above 0). Otherwise
+/// returns an empty string.
+std::string lms3dDescribeMissingCells(const lms3dScenePart& scene);
 
 #endif

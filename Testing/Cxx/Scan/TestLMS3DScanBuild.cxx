@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The acceleration structure of vtkLMS3DScanFilter: what builds it, its progress and its abort.
+ * @brief The acceleration structure of vtkLMS3DScanFilter: what builds it, its
+ * progress and its abort.
  */
 #include "Fixtures/SceneFixtures.h"
 
@@ -25,8 +26,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
+#include <vector>
 
 namespace
 {
@@ -85,7 +88,8 @@ void AddArrays(vtkDataSet* data)
   data->GetCellData()->AddArray(MakeArray("New", data->GetNumberOfCells()));
 }
 
-/// A wall of 1,000,000 triangles at x = 5, made without VTK's sources, which are slow.
+/// A wall of 1,000,000 triangles at x = 5, made without VTK's sources, which
+/// are slow.
 vtkSmartPointer<vtkPolyData> MakeLargeScene()
 {
   constexpr int Columns = 1000;
@@ -148,9 +152,13 @@ private:
   std::function<void(double)> React;
   unsigned long Tag;
 };
+
+// The share of the progress that the class documentation gives for building.
+constexpr double BuildShare = 0.3;
 } // namespace
 
-// --- What builds --------------------------------------------------------------------------------
+// --- What builds
+// --------------------------------------------------------------------------------
 
 TEST(LMS3DScanBuild, NewArraysDoNotBuild)
 {
@@ -282,7 +290,21 @@ TEST(LMS3DScanBuild, ASceneThatLostItsPolygonsIsNotScannedAgain)
   EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-// --- Progress and abort -------------------------------------------------------------------------
+// --- Progress and abort
+// -------------------------------------------------------------------------
+
+TEST(LMS3DScanBuild, ReportsProgress)
+{
+  auto scan = MakeScan(MakeLargeScene());
+  SetGrid(scan, 9, 8);
+  std::vector<double> shares;
+  const ProgressListener listener(scan, [&](double share) { shares.push_back(share); });
+  scan->Update();
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1.0);
+  const auto isOfBuild = [](double share) { return share > 0.0 && share < BuildShare; };
+  EXPECT_GE(std::count_if(shares.begin(), shares.end(), isOfBuild), 5);
+}
 
 TEST(LMS3DScanBuild, StopsInTheFirstProgressEvent)
 {
@@ -316,4 +338,28 @@ TEST(LMS3DScanBuild, StopsInTheFirstProgressEvent)
   EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(Hash(scan->GetOutput()), Hash(undisturbed->GetOutput()));
   EXPECT_LT(stopped.count(), 0.5 * whole.count());
+}
+
+TEST(LMS3DScanBuild, StopsWhileEmbreeBuilds)
+{
+  auto scan = MakeScan(MakeLargeScene());
+  SetGrid(scan, 9, 8);
+  for (const double limit : { 0.4 * BuildShare, 0.6 * BuildShare })
+  {
+    const ProgressListener stopper(scan,
+      [&](double share)
+      {
+        if (share > limit)
+        {
+          scan->AbortExecuteOn();
+        }
+      });
+    scan->Update();
+    EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(scan->GetBuildTime(), 0u);
+    scan->AbortExecuteOff();
+    scan->Modified();
+  }
+  EXPECT_EQ(UpdateAndGetError(scan), "");
+  EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
 }
