@@ -5,45 +5,46 @@
  * @brief   scans a surface with a simulated 3D laser range finder
  *
  * vtkLMS3DScanFilter simulates a SICK LMS 200 on a rotating support (Bedkowski, Kretkiewicz and
- * Maslowski, "3D laser range finder simulation based on rotated LMS SICK 200"). The LMS 200 measures
- * a fan of beams in one plane; the support turns this plane about the vertical. The filter casts one
- * beam for each elevation alpha in the fan and each platform angle beta, and returns the points
- * where the beams hit the input's surface. In the sensor frame, which is right-handed with z up, a
- * beam has the direction
+ * Maslowski, "3D laser range finder simulation based on rotated LMS SICK 200"). The LMS 200
+ * measures a fan of beams in one plane; the support turns this plane about the vertical. The filter
+ * casts one beam for each elevation alpha in the fan and each platform angle beta, and returns the
+ * points where the beams hit the input's surface. In the sensor frame, which is right-handed with z
+ * up, a beam has the direction
  *
  *     d(alpha, beta) = (cos(alpha) cos(beta), -cos(alpha) sin(beta), sin(alpha))
  *
- * (section 2.1 of the paper). Beta turns clockwise, seen from above. The sensor is ideal: a beam has
- * no width, and a range has no noise. Units are metres and degrees.
+ * (section 2.1 of the paper). Beta turns clockwise, seen from above. The sensor is ideal: a beam
+ * has no width, and a range has no noise. Units are metres and degrees.
  *
  * @par Input 0, the scene
  * A vtkPolyData, any other data set, or a composite of data sets. The filter scans polygons and
- * triangle strips of a vtkPolyData (vertices and lines have no surface), and the outer surface of any
- * other data set. Both sides of a surface give returns. Cells that vtkGhostType marks as HIDDENCELL
- * are skipped; duplicate cells are scanned like all others.
+ * triangle strips of a vtkPolyData (vertices and lines have no surface), and the outer surface of
+ * any other data set. Both sides of a surface give returns. Cells that vtkGhostType marks as
+ * HIDDENCELL are skipped; duplicate cells are scanned like all others.
  *
  * @par Output 0, the scan
- * A vtkPolyData in world coordinates with one vertex for each return, ordered by turn, then by beam.
- * Its point data:
+ * A vtkPolyData in world coordinates with one vertex for each return, ordered by turn, then by
+ * beam. Its point data:
  * - `Range` (float64): the distance from the sensor, metres;
  * - `Alpha`, `Beta` (float32): the angles of the beam, degrees;
  * - `BeamId` (int32): turn * AlphaResolution + beam;
  * - `CellId` (vtkIdType): the cell of the input that the beam hit. If all cells have global ids
- *   (vtkDataSetAttributes::GetGlobalIds), it is the global id, otherwise the number of the cell. The
- *   cells of a composite are numbered consecutively over all leaves.
+ *   (vtkDataSetAttributes::GetGlobalIds), it is the global id, otherwise the number of the cell.
+ *   The cells of a composite are numbered consecutively over all leaves.
  * @par
- * Its field data: `AlphaAngles` and `BetaAngles` (float64, degrees) are the axes of the grid of beams;
- * `SensorToWorld` (16 float64) is the pose as a row-major matrix.
+ * Its field data: `AlphaAngles` and `BetaAngles` (float64, degrees) are the axes of the grid of
+ * beams; `SensorToWorld` (16 float64) is the pose as a row-major matrix.
  *
  * @par Output 1, the range image
- * A vtkImageData of AlphaResolution x BetaResolution points with the array `Range` (float64, metres),
- * which is NaN if the beam gave no return. The axes of the image are the angles in degrees.
+ * A vtkImageData of AlphaResolution x BetaResolution points with the array `Range` (float64,
+ * metres), which is NaN if the beam gave no return. The axes of the image are the angles in
+ * degrees.
  *
  * @par Input 1, the trajectory
- * Optional: a vtkPolyData whose points are the poses of a moving sensor, one for each time step. They
- * replace Position. If the data has one polyline, the poses are the points of the polyline in its
- * order; if it has no lines, they are all points in their own order. The orientation of a pose comes
- * from the first of these that applies:
+ * Optional: a vtkPolyData whose points are the poses of a moving sensor, one for each time step.
+ * They replace Position. If the data has one polyline, the poses are the points of the polyline in
+ * its order; if it has no lines, they are all points in their own order. The orientation of a pose
+ * comes from the first of these that applies:
  * - The point array `Orientation`: quaternions w, x, y, z, of any length except 0, that rotate the
  *   sensor frame to the world frame.
  * - The polyline: the sensor moves like a vehicle. Its x axis points from the previous pose to the
@@ -52,64 +53,66 @@
  * - The property Orientation.
  * @par
  * The time of a pose is its value in the point array `Time`. Times must be finite, and each must be
- * later than the one before. Without this array the times are 0, 1, 2 and so on. The filter publishes
- * the times as TIME_STEPS and TIME_RANGE. It scans from the last pose that is not later than the
- * requested time; from the first pose if the requested time is earlier than all poses, or if no time
- * is requested. DATA_TIME_STEP of the outputs is the time of the pose. A scene that changes with time
- * receives the requested time as well.
+ * later than the one before. Without this array the times are 0, 1, 2 and so on. The filter
+ * publishes the times as TIME_STEPS and TIME_RANGE. It scans from the last pose that is not later
+ * than the requested time; from the first pose if the requested time is earlier than all poses, or
+ * if no time is requested. DATA_TIME_STEP of the outputs is the time of the pose. A scene that
+ * changes with time receives the requested time as well.
  *
  * @par Several processes
- * If the Controller has several processes, as in ParaView under MPI, each process casts beams against
- * its own piece of the scene, and the nearest return wins. The first process has the scan, and all
- * others have an empty one. Each process has its block of the range image, as VTK distributes images.
- * All processes use the trajectory of the first.
+ * If the Controller has several processes, as in ParaView under MPI, each process casts beams
+ * against its own piece of the scene, and the nearest return wins. The first process has the scan,
+ * and all others have an empty one. Each process has its block of the range image, as VTK
+ * distributes images. All processes use the trajectory of the first.
  * @par
- * With EXACT, ANGLE_SUM and MOLLER_TRUMBORE the scan is the same to the bit for every distribution of
- * the scene, provided that no cell was cut and that all cells have global ids, which ParaView's
+ * With EXACT, ANGLE_SUM and MOLLER_TRUMBORE the scan is the same to the bit for every distribution
+ * of the scene, provided that no cell was cut and that all cells have global ids, which ParaView's
  * RedistributeDataSet generates. Among hits at the same range, the cell with the smallest number is
  * returned. Without global ids, cells are numbered consecutively over the processes, so CellId, and
- * which of several hits at the same range is returned, depend on the distribution. The other methods
- * round each piece differently.
+ * which of several hits at the same range is returned, depend on the distribution. The other
+ * methods round each piece differently.
  * @par
  * The filter warns once if the global ids show that cells are missing: ids up to N, but fewer than
  * N + 1 cells in all processes together (fewer than N if the ids start above 0, because some file
  * formats number from 1).
  *
  * @par Updates
- * The acceleration structure (Embree) is built again only if the scene's triangles, their cell numbers
- * or IntersectionMethod change. A new pose, new angles or a new data array on the scene do not build.
- * Building reports the first 30 % of the progress, and AbortExecute stops it. The outputs of a stopped
- * update are empty, and the next update runs again. The outputs are the same to the bit for every
- * NumberOfThreads.
+ * The acceleration structure (Embree) is built again only if the scene's triangles, their cell
+ * numbers or IntersectionMethod change. A new pose, new angles or a new data array on the scene do
+ * not build. Building reports the first 30 % of the progress, and AbortExecute stops it. The
+ * outputs of a stopped update are empty, and the next update runs again. The outputs are the same
+ * to the bit for every NumberOfThreads.
  *
  * @par Errors
  * Bad input and bad properties give an error that says what to do, the error code
- * vtkErrorCode::UserError, and empty outputs. Errors are: an input without polygons; a range that is
- * empty or exceeds its limits; more than 2^31 - 1 beams; a trajectory without points, with several
- * lines, or with bad positions, quaternions or times. Cells with a point that is not finite or exceeds
- * 1e18 m are skipped. Polygons that cross themselves are skipped, too. One warning counts both.
+ * vtkErrorCode::UserError, and empty outputs. Errors are: an input without polygons; a range that
+ * is empty or exceeds its limits; more than 2^31 - 1 beams; a trajectory without points, with
+ * several lines, or with bad positions, quaternions or times. Cells with a point that is not finite
+ * or exceeds 1e18 m are skipped. Polygons that cross themselves are skipped, too. One warning
+ * counts both.
  *
  * @par Robustness of EXACT
  * (See IntersectionMethods for the other methods.)
  * - Triangles without area are never hit.
  * - If faces coincide, one of them is returned, the same one each time.
- * - Where triangles meet in a T, rounding of the vertex on the edge leaves a gap of about 1e-16 of the
- *   scene's size. A beam exactly through this gap passes.
- * - A sensor exactly on a face, an edge or a vertex does not see it, because ranges must be above 0.
- *   If rounding moves the sensor off the face, it sees the face at a range of about that rounding.
+ * - Where triangles meet in a T, rounding of the vertex on the edge leaves a gap of about 1e-16 of
+ *   the scene's size. A beam exactly through this gap passes.
+ * - A sensor exactly on a face, an edge or a vertex does not see it, because ranges must be above
+ *   0. If rounding moves the sensor off the face, it sees the face at a range of about that
+ *   rounding.
  * - Scenes of 1e-6 to 1e7 m at offsets up to 1e7 m lose no accuracy except by the rounding of the
  *   coordinates themselves. Below 1e-100 m, beams can be lost.
  * @par
  * A scan takes longer if triangles are smaller than a millionth of the scene, unless at most 16
  * triangles make the scene so large: an endless floor costs nothing. It takes longest, as long as a
- * test of every triangle for every beam, if the sensor is farther from the scene than a million times
- * the scene's size.
+ * test of every triangle for every beam, if the sensor is farther from the scene than a million
+ * times the scene's size.
  *
  * @par Memory
- * In addition to the input and the outputs: for EXACT and FAST 24 bytes for each point and 12 for each
- * triangle (20 if some cells are not triangles), and Embree's structure; while a changed scene is
- * compared with the last one, its points and triangles again; 4 bytes for each beam, and 20 more with
- * several processes. The memory of outputs that were released is kept for the next scan.
+ * In addition to the input and the outputs: for EXACT and FAST 24 bytes for each point and 12 for
+ * each triangle (20 if some cells are not triangles), and Embree's structure; while a changed scene
+ * is compared with the last one, its points and triangles again; 4 bytes for each beam, and 20 more
+ * with several processes. The memory of outputs that were released is kept for the next scan.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkVRMLImporterSource
@@ -143,9 +146,9 @@ public:
 
   ///@{
   /**
-   * The orientation of the sensor: angles about x, y and z, degrees, applied like the orientation of
-   * vtkProp3D: RotateZ, RotateX, RotateY. Any finite numbers. The default is (0, 0, 0): the platform
-   * turns about the world's z axis. A trajectory with orientations of its own replaces it.
+   * The orientation of the sensor: angles about x, y and z, degrees, applied like the orientation
+   * of vtkProp3D: RotateZ, RotateX, RotateY. Any finite numbers. The default is (0, 0, 0): the
+   * platform turns about the world's z axis. A trajectory with orientations of its own replaces it.
    */
   vtkSetVector3Macro(Orientation, double);
   vtkGetVector3Macro(Orientation, double);
@@ -163,9 +166,9 @@ public:
 
   ///@{
   /**
-   * The number of beams in the fan, at least 1. A single beam has the first elevation of AlphaRange.
-   * AlphaResolution x BetaResolution must not exceed 2^31 - 1. The default is 361, steps of half a
-   * degree over the default range.
+   * The number of beams in the fan, at least 1. A single beam has the first elevation of
+   * AlphaRange. AlphaResolution x BetaResolution must not exceed 2^31 - 1. The default is 361,
+   * steps of half a degree over the default range.
    */
   vtkSetMacro(AlphaResolution, int);
   vtkGetMacro(AlphaResolution, int);
@@ -173,9 +176,9 @@ public:
 
   ///@{
   /**
-   * The first and the last platform angle, degrees. The values must be finite and increase by at most
-   * 360 (plus 1e-6 for rounding); they may be equal if BetaResolution is 1. Both are included, except
-   * the end of a full circle, which would repeat its start. The default is 0 to 360.
+   * The first and the last platform angle, degrees. The values must be finite and increase by at
+   * most 360 (plus 1e-6 for rounding); they may be equal if BetaResolution is 1. Both are included,
+   * except the end of a full circle, which would repeat its start. The default is 0 to 360.
    */
   vtkSetVector2Macro(BetaRange, double);
   vtkGetVector2Macro(BetaRange, double);
@@ -184,8 +187,8 @@ public:
   ///@{
   /**
    * The number of turns, at least 1. A single turn has the first angle of BetaRange.
-   * AlphaResolution x BetaResolution must not exceed 2^31 - 1. The default is 360, steps of one degree
-   * over the default range.
+   * AlphaResolution x BetaResolution must not exceed 2^31 - 1. The default is 360, steps of one
+   * degree over the default range.
    */
   vtkSetMacro(BetaResolution, int);
   vtkGetMacro(BetaResolution, int);
@@ -213,49 +216,50 @@ public:
    * How a beam finds the surface. For every method, the outputs do not depend on the number of
    * threads, and only ranges above 0 count.
    *
-   * EXACT: Embree finds candidates. A test in double precision with error bounds decides; if a bound
-   * leaves a sign open, exact arithmetic decides (Shewchuk 1997). The answer is exact for the vertices
-   * and Position as they are in double precision, and for the direction of the beam as it is rounded
-   * (its length is 1 to about 3e-16). Triangles are closed, so no beam passes between two triangles
-   * that share an edge or a vertex. A beam in the plane of a triangle does not hit it. A range is
-   * right to 3 units in its last place, however narrow the triangle is. (Where two surfaces are closer
-   * to one another than 1e-13 of their range, the range can be that of either surface.)
+   * EXACT: Embree finds candidates. A test in double precision with error bounds decides; if a
+   * bound leaves a sign open, exact arithmetic decides (Shewchuk 1997). The answer is exact for the
+   * vertices and Position as they are in double precision, and for the direction of the beam as it
+   * is rounded (its length is 1 to about 3e-16). Triangles are closed, so no beam passes between
+   * two triangles that share an edge or a vertex. A beam in the plane of a triangle does not hit
+   * it. A range is right to 3 units in its last place, however narrow the triangle is. (Where two
+   * surfaces are closer to one another than 1e-13 of their range, the range can be that of either
+   * surface.)
    *
    * FAST: Embree's single precision decides. The range is then computed in double precision in the
-   * plane of the triangle that Embree found, to about 13 digits; at a grazing angle as many digits are
-   * lost as the cosine of the incidence has zeros. For previews and live use. A beam within about 1e-6
-   * of the scene's size from an edge can be given to the wrong side of the edge. If poses and scene
-   * lie on a common grid, so that beams run along edges and through silhouettes, some beams are lost
-   * or see what lies behind. The same holds for beams near a needle that points at the sensor, for a
-   * few of the beams within 1e-4 radians of a surface, and for one in a thousand of the beams that
-   * hit an edge with a surface behind it. In the half space that a sensor on a surface sees through
-   * that surface, it gets no return, or ranges as small as rounding. Triangles without area are never
-   * hit.
+   * plane of the triangle that Embree found, to about 13 digits; at a grazing angle as many digits
+   * are lost as the cosine of the incidence has zeros. For previews and live use. A beam within
+   * about 1e-6 of the scene's size from an edge can be given to the wrong side of the edge. If
+   * poses and scene lie on a common grid, so that beams run along edges and through silhouettes,
+   * some beams are lost or see what lies behind. The same holds for beams near a needle that points
+   * at the sensor, for a few of the beams within 1e-4 radians of a surface, and for one in a
+   * thousand of the beams that hit an edge with a surface behind it. In the half space that a
+   * sensor on a surface sees through that surface, it gets no return, or ranges as small as
+   * rounding. Triangles without area are never hit.
    *
    * The other methods are for comparison. They are tens to thousands of times slower.
    *
-   * ANGLE_SUM: section 2.4 of the founding paper, by brute force. The intersection with the plane of a
-   * triangle lies inside if the angles between its corners sum to 2 pi, within 1e-6, or if it is
-   * closer to a corner than 1e-9 of the range. So a beam that passes an edge of a triangle by less
-   * than about 1e-7 of the triangle's size hits it, and a needle narrower than that is a line that
-   * hides what lies behind. The method as printed in the paper mirrors planes through the origin,
-   * returns surfaces behind the sensor, gives a range of 0 for a parallel plane, and compares with
-   * 2 pi exactly, which loses most beams.
+   * ANGLE_SUM: section 2.4 of the founding paper, by brute force. The intersection with the plane
+   * of a triangle lies inside if the angles between its corners sum to 2 pi, within 1e-6, or if it
+   * is closer to a corner than 1e-9 of the range. So a beam that passes an edge of a triangle by
+   * less than about 1e-7 of the triangle's size hits it, and a needle narrower than that is a line
+   * that hides what lies behind. The method as printed in the paper mirrors planes through the
+   * origin, returns surfaces behind the sensor, gives a range of 0 for a parallel plane, and
+   * compares with 2 pi exactly, which loses most beams.
    *
    * MOLLER_TRUMBORE: the textbook test (Moeller and Trumbore 1997) in double precision, by brute
-   * force. Triangles that share an edge do not round alike, so beams exactly at edges and vertices can
-   * pass between them: of the beams aimed at edges and vertices of an icosphere, one in ten or
+   * force. Triangles that share an edge do not round alike, so beams exactly at edges and vertices
+   * can pass between them: of the beams aimed at edges and vertices of an icosphere, one in ten or
    * fifteen.
    *
    * STATIC_CELL_LOCATOR: vtkStaticCellLocator with a tolerance of 1e-9 m. A beam that passes a
    * triangle within the tolerance hits it. A scene must be much larger than the tolerance; where
    * coordinates reach 1e7 m, whose rounding is as large, some beams are lost at edges. Of triangles
-   * within the tolerance of one another any one can be returned, and a sensor within the tolerance of
-   * a surface can miss what lies behind.
+   * within the tolerance of one another any one can be returned, and a sensor within the tolerance
+   * of a surface can miss what lies behind.
    *
-   * With ANGLE_SUM, MOLLER_TRUMBORE and STATIC_CELL_LOCATOR, as with EXACT, triangles without area and
-   * triangles whose plane contains the sensor are never hit and hide nothing. Ranges are right to
-   * about 13 digits (ANGLE_SUM: 9, if the scene is far away), fewer at a grazing angle.
+   * With ANGLE_SUM, MOLLER_TRUMBORE and STATIC_CELL_LOCATOR, as with EXACT, triangles without area
+   * and triangles whose plane contains the sensor are never hit and hide nothing. Ranges are right
+   * to about 13 digits (ANGLE_SUM: 9, if the scene is far away), fewer at a grazing angle.
    */
   enum IntersectionMethods
   {
@@ -268,8 +272,8 @@ public:
 
   ///@{
   /**
-   * How a beam finds the surface, one of IntersectionMethods. Other values are clamped. The default is
-   * EXACT. A change builds the acceleration structure again.
+   * How a beam finds the surface, one of IntersectionMethods. Other values are clamped. The default
+   * is EXACT. A change builds the acceleration structure again.
    */
   vtkSetClampMacro(IntersectionMethod, int, EXACT, GetNumberOfIntersectionMethods() - 1);
   vtkGetMacro(IntersectionMethod, int);
@@ -314,8 +318,8 @@ public:
   ///@{
   /**
    * The processes that scan together. Null, or a controller of one process, stands for this process
-   * alone. The default is the global controller at the time of construction. All processes must update
-   * the filter, with the same properties.
+   * alone. The default is the global controller at the time of construction. All processes must
+   * update the filter, with the same properties.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The range image of a scan: ranges in metres, NaN without a return; elevations along x, turns
- * along y, both in degrees.
+ * @brief The range image of a scan: ranges in metres, NaN without a return; elevations along x,
+ * turns along y, both in degrees.
  */
 #ifndef lms3dRangeImage_h
 #define lms3dRangeImage_h
@@ -27,13 +27,13 @@ struct lms3dImagePiece
 void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
   const double betaRange[2], int betaResolution, vtkInformation* info);
 
-/// Fills the whole image, which then shares `ranges`: one value for each beam, ordered by turn, then
-/// by beam.
+/// Fills the whole image, which then shares `ranges`: one value for each beam, ordered by turn,
+/// then by beam.
 void lms3dFillRangeImage(
   const lms3dScanGeometry& geometry, vtkDoubleArray* ranges, vtkImageData* image);
 
-/// Fills one piece of the image with a copy of its part of `ranges`, the whole grid. The image stays
-/// empty if VTK's division leaves nothing for this piece.
+/// Fills one piece of the image with a copy of its part of `ranges`, the whole grid. The image
+/// stays empty if VTK's division leaves nothing for this piece.
 void lms3dFillRangeImagePiece(const lms3dScanGeometry& geometry, const double* ranges,
   const lms3dImagePiece& piece, vtkImageData* image);
 

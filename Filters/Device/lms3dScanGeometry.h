@@ -5,8 +5,8 @@
  * @brief The angles of the device and the directions of its beams.
  *
  * Only this file contains the geometry of the founding paper (Bedkowski, Kretkiewicz and Maslowski,
- * "3D laser range finder simulation based on rotated LMS SICK 200", section 2.1). The sensor frame is
- * right-handed with z up. A beam with elevation alpha in the fan and platform angle beta has the
+ * "3D laser range finder simulation based on rotated LMS SICK 200", section 2.1). The sensor frame
+ * is right-handed with z up. A beam with elevation alpha in the fan and platform angle beta has the
  * direction
  *
  *     d(alpha, beta) = (cos(alpha) cos(beta), -cos(alpha) sin(beta), sin(alpha)),
@@ -20,8 +20,8 @@
 #include <array>
 #include <vector>
 
-/// Computes sine and cosine of an angle in degrees. They are exact at each multiple of 90, and equal
-/// at 45.
+/// Computes sine and cosine of an angle in degrees. They are exact at each multiple of 90, and
+/// equal at 45.
 void lms3dSinCosDegrees(double degrees, double& sine, double& cosine);
 
 /// Returns whether an angle is 360 degrees within 1e-6.
@@ -36,8 +36,8 @@ struct lms3dPose
   /// The sensor's x, y and z axes in world coordinates, orthonormal.
   std::array<std::array<double, 3>, 3> Axes;
 
-  /// `position` is in metres; `orientation` is in degrees about x, y and z, applied as vtkProp3D does:
-  /// RotateZ, RotateX, RotateY.
+  /// `position` is in metres; `orientation` is in degrees about x, y and z, applied as vtkProp3D
+  /// does: RotateZ, RotateX, RotateY.
   static lms3dPose FromOrientation(const double position[3], const double orientation[3]);
 };
 
@@ -53,8 +53,8 @@ class lms3dScanGeometry
 {
 public:
   /**
-   * Divides both ranges (degrees) into equal steps, ends included, except the end of a full circle of
-   * beta, which would repeat its start. A resolution of 1 gives only the start of the range.
+   * Divides both ranges (degrees) into equal steps, ends included, except the end of a full circle
+   * of beta, which would repeat its start. A resolution of 1 gives only the start of the range.
    * Resolutions must be at least 1.
    */
   lms3dScanGeometry(
@@ -63,8 +63,8 @@ public:
   /// Takes the angles of an existing scan, degrees. Both must have at least one.
   lms3dScanGeometry(std::vector<double> alphaAngles, std::vector<double> betaAngles);
 
-  /// Returns the step of a range as the first constructor divides it, degrees; 0 for a resolution of
-  /// 1.
+  /// Returns the step of a range as the first constructor divides it, degrees; 0 for a resolution
+  /// of 1.
   static double GetStep(const double range[2], int resolution);
 
   int GetNumberOfBeams() const { return static_cast<int>(this->AlphaAngles.size()); }
@@ -73,8 +73,8 @@ public:
   const std::vector<double>& GetBetaAngles() const { return this->BetaAngles; }
 
   ///@{
-  /// Returns the angle between neighbouring beams, or turns, degrees. It is 0 if there is only one, and
-  /// negative if the angles decrease.
+  /// Returns the angle between neighbouring beams, or turns, degrees. It is 0 if there is only one,
+  /// and negative if the angles decrease.
   double GetAlphaStep() const;
   double GetBetaStep() const;
   ///@}
@@ -86,7 +86,8 @@ public:
   /// mirror image.
   bool IsMirrored() const;
 
-  /// Returns whether the beam points along the platform's axis, so that it is the same in every turn.
+  /// Returns whether the beam points along the platform's axis, so that it is the same in every
+  /// turn.
   bool IsPole(int beam) const;
 
   /// One value for each beam.
@@ -110,9 +111,9 @@ private:
 };
 
 /**
- * The directions of a sensor's beams in world coordinates, of length 1 up to rounding. A direction is
- * the horizontal axis of the turn's fan times the cosine of the elevation, plus the upward axis times
- * its sine.
+ * The directions of a sensor's beams in world coordinates, of length 1 up to rounding. A direction
+ * is the horizontal axis of the turn's fan times the cosine of the elevation, plus the upward axis
+ * times its sine.
  */
 class lms3dBeamDirections
 {

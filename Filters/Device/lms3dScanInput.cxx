@@ -29,7 +29,8 @@ constexpr vtkIdType MinimumGrainSize = 16384;
   throw std::runtime_error(what + " Connect the first output of vtkLMS3DScanFilter.");
 }
 
-// Returns the array itself if it has the type, or a converted copy if another filter changed the type.
+// Returns the array itself if it has the type, or a converted copy if another filter changed the
+// type.
 template <typename ArrayT>
 vtkSmartPointer<ArrayT> As(vtkDataArray* array)
 {

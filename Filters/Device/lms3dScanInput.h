@@ -21,7 +21,8 @@ class vtkPolyData;
 class lms3dScanInput
 {
 public:
-  /// Throws std::runtime_error, with a text for the user, if an array is missing or has a wrong size.
+  /// Throws std::runtime_error, with a text for the user, if an array is missing or has a wrong
+  /// size.
   explicit lms3dScanInput(vtkPolyData* scan);
 
   /// Returns the number of returns. If it is 0, no other method may be called.

@@ -136,7 +136,8 @@ std::array<lms3dVector, 3> GetAxes(std::array<double, 4> q, vtkIdType point)
     lms3dVector{ s * (x * z + w * y), s * (y * z - w * x), 1.0 - s * (x * x + y * y) } };
 }
 
-// The x axis points along the tangent, and the y axis is level. If x is vertical, y is the last one.
+// The x axis points along the tangent, and the y axis is level. If x is vertical, y is the last
+// one.
 std::array<lms3dVector, 3> GetAxesAlong(const lms3dVector& tangent, const lms3dVector& lastSide)
 {
   const lms3dVector ahead = lms3dNormalize(tangent);

@@ -18,10 +18,11 @@ class lms3dTrajectory
 {
 public:
   /**
-   * Reads a pose from each point of the polyline, in its order, or of all points if there is no line.
-   * The header of vtkLMS3DScanFilter documents the arrays `Orientation` and `Time`. `orientation`
-   * (degrees, as vtkProp3D applies it) holds if there are neither quaternions nor a polyline. Copies
-   * all values. Throws std::runtime_error, with a text for the user, if the trajectory is bad.
+   * Reads a pose from each point of the polyline, in its order, or of all points if there is no
+   * line. The header of vtkLMS3DScanFilter documents the arrays `Orientation` and `Time`.
+   * `orientation` (degrees, as vtkProp3D applies it) holds if there are neither quaternions nor a
+   * polyline. Copies all values. Throws std::runtime_error, with a text for the user, if the
+   * trajectory is bad.
    */
   lms3dTrajectory(vtkPolyData* poses, const double orientation[3]);
 

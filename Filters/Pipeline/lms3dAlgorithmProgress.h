@@ -11,9 +11,9 @@
 
 class vtkAlgorithm;
 
-/// Returns a progress that updates the algorithm's progress, where 0 to 1 become `first` to `last`, and
-/// that stops the work if the algorithm is aborted. The algorithm must outlive the result. VTK allows
-/// calls only on the thread that runs the algorithm.
+/// Returns a progress that updates the algorithm's progress, where 0 to 1 become `first` to `last`,
+/// and that stops the work if the algorithm is aborted. The algorithm must outlive the result. VTK
+/// allows calls only on the thread that runs the algorithm.
 lms3dProgress lms3dReportTo(vtkAlgorithm* algorithm, double first, double last);
 
 #endif

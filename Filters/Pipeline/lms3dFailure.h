@@ -11,8 +11,8 @@
 #include <new>
 #include <string>
 
-/// Runs `work`. Returns an empty string if it succeeds, or the text of the std::exception that it threw:
-/// `withoutMemory` if that was std::bad_alloc. Other exceptions pass through.
+/// Runs `work`. Returns an empty string if it succeeds, or the text of the std::exception that it
+/// threw: `withoutMemory` if that was std::bad_alloc. Other exceptions pass through.
 template <typename Work>
 std::string lms3dRunAndGetError(const Work& work, const char* withoutMemory)
 {

@@ -30,7 +30,8 @@ struct lms3dMemoryPool::Shelf
     std::free(block);
   }
 
-  // Returns the smallest block that is large enough, but at most twice as large as needed; else null.
+  // Returns the smallest block that is large enough, but at most twice as large as needed; else
+  // null.
   Header* Find(std::size_t bytes)
   {
     const std::lock_guard<std::mutex> guard(this->Lock);

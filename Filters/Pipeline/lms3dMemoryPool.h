@@ -23,8 +23,8 @@ public:
   lms3dMemoryPool(const lms3dMemoryPool&) = delete;
   lms3dMemoryPool& operator=(const lms3dMemoryPool&) = delete;
 
-  /// Returns a block of at least `bytes` bytes, not initialized, aligned to 64 bytes. The caller must
-  /// return it. Throws std::runtime_error, with a text for the user, if memory is short.
+  /// Returns a block of at least `bytes` bytes, not initialized, aligned to 64 bytes. The caller
+  /// must return it. Throws std::runtime_error, with a text for the user, if memory is short.
   void* Take(std::size_t bytes);
 
   /// Returns a block to its pool, or frees it if the pool is deleted.

@@ -20,18 +20,20 @@ vtkInformation* lms3dGetRequestedOutput(
 /// Returns whether the consumer of an output requests its first piece, or no piece in particular.
 bool lms3dIsFirstPiece(vtkInformation* output);
 
-/// Requests piece `piece` of `pieces` of an input, without ghost levels; of a structured input the extent
-/// of this piece.
+/// Requests piece `piece` of `pieces` of an input, without ghost levels; of a structured input the
+/// extent of this piece.
 void lms3dRequestPiece(int piece, int pieces, vtkInformation* input);
 
-/// Updates all of an input during RequestInformation, before the pipeline requests data. The port must
-/// have a connection.
+/// Updates all of an input during RequestInformation, before the pipeline requests data. The port
+/// must have a connection.
 void lms3dUpdateInput(vtkAlgorithm* filter, int port);
 
-/// Sets TIME_STEPS and TIME_RANGE of an output. The times must increase, and there must be at least one.
+/// Sets TIME_STEPS and TIME_RANGE of an output. The times must increase, and there must be at least
+/// one.
 void lms3dSetTimeSteps(const std::vector<double>& times, vtkInformation* output);
 
-/// Empties all outputs after work that was stopped, and marks them so that the next update runs again.
+/// Empties all outputs after work that was stopped, and marks them so that the next update runs
+/// again.
 void lms3dClearOutputs(vtkInformationVector* outputVector);
 
 #endif

@@ -17,17 +17,17 @@
 /**
  * A TBB arena that a filter keeps from update to update.
  *
- * It takes the place of vtkSMPTools because a scan of some milliseconds consists of several parallel
- * loops. With two threads a loop costs about 2 us in an arena that exists already, and about 20 us in
- * a new one. vtkSMPTools::For costs 30 to 120 us with the STDThread backend, which starts its threads
- * again for each loop. (Debian's ParaView has this backend compiled in, but runs its Sequential one
- * unless a user or a filter changes the backend for the whole process.)
+ * It takes the place of vtkSMPTools because a scan of some milliseconds consists of several
+ * parallel loops. With two threads a loop costs about 2 us in an arena that exists already, and
+ * about 20 us in a new one. vtkSMPTools::For costs 30 to 120 us with the STDThread backend, which
+ * starts its threads again for each loop. (Debian's ParaView has this backend compiled in, but runs
+ * its Sequential one unless a user or a filter changes the backend for the whole process.)
  */
 class lms3dThreads
 {
 public:
-  /// Runs `work` with `threads` threads, 0 for all cores. The calling thread takes part: it is the one
-  /// that calls `work`. Throws what `work` throws.
+  /// Runs `work` with `threads` threads, 0 for all cores. The calling thread takes part: it is the
+  /// one that calls `work`. Throws what `work` throws.
   template <typename Work>
   void Run(int threads, const Work& work)
   {

@@ -23,8 +23,8 @@ class vtkMultiProcessController;
  * Wraps a controller, which must outlive the object.
  *
  * IsParallel, GetCount, GetRank and IsFirst are local. All other methods are collective: all
- * processes must call them in the same order, on the thread that runs the filter, since MPI need not
- * allow calls from other threads.
+ * processes must call them in the same order, on the thread that runs the filter, since MPI need
+ * not allow calls from other threads.
  */
 class lms3dProcesses
 {
@@ -46,7 +46,8 @@ public:
   ///@}
 
   /// Runs `work` in each process. If it throws in some of them, throws std::runtime_error in all of
-  /// them, with the error of the lowest rank that failed. One process alone throws what `work` throws.
+  /// them, with the error of the lowest rank that failed. One process alone throws what `work`
+  /// throws.
   template <typename Work>
   void RunCollectively(const Work& work) const
   {
@@ -71,17 +72,17 @@ public:
     std::int64_t First = 0;
   };
 
-  /// Adds up the parts of all processes. Throws std::runtime_error, with a text for the user, if only
-  /// some parts have global ids, or if several processes have cells and some are volume cells: no
-  /// process can distinguish the outer surface from the seams.
+  /// Adds up the parts of all processes. Throws std::runtime_error, with a text for the user, if
+  /// only some parts have global ids, or if several processes have cells and some are volume cells:
+  /// no process can distinguish the outer surface from the seams.
   Cells GatherCells(const lms3dScenePart& mine) const;
 
   /**
-   * Replaces `ranges` (metres, NaN without a return) and `cells` of each beam by range and cell of the
-   * nearest hit in all processes. The nearest hit is the one with the smallest of `chosenRanges`
-   * (lms3dBeamPacket::NoRange without a hit), and among equal ones the one in the cell with the
-   * smallest number: what one process would choose from the whole scene. All arrays have one value
-   * for each beam, in all processes.
+   * Replaces `ranges` (metres, NaN without a return) and `cells` of each beam by range and cell of
+   * the nearest hit in all processes. The nearest hit is the one with the smallest of
+   * `chosenRanges` (lms3dBeamPacket::NoRange without a hit), and among equal ones the one in the
+   * cell with the smallest number: what one process would choose from the whole scene. All arrays
+   * have one value for each beam, in all processes.
    */
   void ReduceToNearest(
     const std::vector<double>& chosenRanges, std::vector<vtkIdType>& cells, double* ranges) const;

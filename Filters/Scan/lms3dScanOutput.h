@@ -50,7 +50,8 @@ public:
   void ReduceToNearest(
     const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell);
 
-  /// Fills output 0, which must be empty. `mesh` is that of the caster, or null after ReduceToNearest.
+  /// Fills output 0, which must be empty. `mesh` is that of the caster, or null after
+  /// ReduceToNearest.
   void FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry,
     const lms3dPose& pose, vtkPolyData* scan);
 
@@ -75,8 +76,8 @@ private:
   std::vector<std::int32_t> Triangles;
 
   ///@{
-  /// Used only with several processes: what CastPart found for each beam, before limits applied, and
-  /// the cell of the nearest hit.
+  /// Used only with several processes: what CastPart found for each beam, before limits applied,
+  /// and the cell of the nearest hit.
   std::vector<double> ChosenRanges;
   std::vector<std::int32_t> ChosenTriangles;
   std::vector<vtkIdType> Cells;

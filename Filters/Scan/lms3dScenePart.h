@@ -29,9 +29,9 @@ struct lms3dScenePart
   bool HasVolume = false;
 };
 
-/// Returns a warning for the user if the global ids of a whole scene show that cells are missing: ids go
-/// up to N, but there are fewer than N + 1 cells (fewer than N if the ids start above 0). Otherwise
-/// returns an empty string.
+/// Returns a warning for the user if the global ids of a whole scene show that cells are missing:
+/// ids go up to N, but there are fewer than N + 1 cells (fewer than N if the ids start above 0).
+/// Otherwise returns an empty string.
 std::string lms3dDescribeMissingCells(const lms3dScenePart& scene);
 
 #endif

@@ -17,8 +17,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The input of one turn. Pointers and references must outlive it. Ranges, Triangles and Cells have one
-/// value for each beam of the turn.
+/// The input of one turn. Pointers and references must outlive it. Ranges, Triangles and Cells have
+/// one value for each beam of the turn.
 struct lms3dTurn
 {
   /// Fills the slots of the turn's returns, from `slot` on, in the arrays and in `cellIds`.

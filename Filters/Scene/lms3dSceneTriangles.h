@@ -22,8 +22,8 @@ struct lms3dSceneTriangles
   /// All of the scene, also those without a surface.
   std::int64_t NumberOfCells = 0;
 
-  /// Whether Mesh.Cells are the scene's global cell ids, in increasing order, so that triangles that
-  /// come in another order, or in parts, are still numbered in the same order.
+  /// Whether Mesh.Cells are the scene's global cell ids, in increasing order, so that triangles
+  /// that come in another order, or in parts, are still numbered in the same order.
   bool HasGlobalIds = false;
 
   /// The smallest and the largest global id of all cells of the scene. Set only if HasGlobalIds.
@@ -39,7 +39,8 @@ struct lms3dSceneTriangles
   /// Polygons that were left out because they cross themselves.
   std::int64_t CrossedCells = 0;
 
-  /// The number of polygons and strips that were skipped because vtkGhostType marks them as HIDDENCELL.
+  /// The number of polygons and strips that were skipped because vtkGhostType marks them as
+  /// HIDDENCELL.
   std::int64_t HiddenCells = 0;
 
   /// False if `progress` stopped the work. Everything else is then empty.
@@ -50,9 +51,10 @@ struct lms3dSceneTriangles
  * Takes all polygons and triangle strips of a vtkPolyData, the outer surface of any other data set,
  * or those of all leaves of a composite. The cells of a composite are numbered through, leaf after
  * leaf, unless all of them have global ids. Vertices, lines and polygons without area have no
- * surface and are passed over. Cells that vtkGhostType marks as HIDDENCELL are skipped; all other ghost
- * cells and ghost points of a vtkPolyData count as the scene's own. (vtkDataSetSurfaceFilter treats
- * other data sets in the same way, and also hides cells of structured grids at HIDDENPOINTs.)
+ * surface and are passed over. Cells that vtkGhostType marks as HIDDENCELL are skipped; all other
+ * ghost cells and ghost points of a vtkPolyData count as the scene's own. (vtkDataSetSurfaceFilter
+ * treats other data sets in the same way, and also hides cells of structured grids at
+ * HIDDENPOINTs.)
  *
  * Throws std::runtime_error, with words for the user, where a cell uses a point that is not there,
  * or where there are too many triangles.
