@@ -30,7 +30,7 @@ namespace
 lms3dTriangleMesh Collect(vtkDataObject* data, const std::string& name, std::string& warning)
 {
   lms3dSceneTriangles triangles = lms3dCollectTriangles(data);
-  const std::string skipped = lms3dTellLeftOut(triangles, name);
+  const std::string skipped = lms3dDescribeSkippedCells(triangles, name);
   lms3dDropTrianglesWithoutArea(triangles.Mesh);
   if (triangles.Mesh.Triangles.empty())
   {
@@ -51,11 +51,11 @@ bool HasCells(vtkInformationVector* input)
 // The process with the map compares. Throws in all processes if more than one has a part of the scene.
 bool ComparesHere(const lms3dProcesses& processes, vtkInformationVector** inputVector)
 {
-  if (!processes.AreMany())
+  if (!processes.IsParallel())
   {
     return true;
   }
-  const int withScene = processes.CountWho(HasCells(inputVector[1]));
+  const int withScene = processes.AllReduceCount(HasCells(inputVector[1]));
   if (withScene > 1)
   {
     throw std::runtime_error("The scene is spread over " + std::to_string(withScene) +
@@ -122,7 +122,7 @@ int vtkLMS3DMapComparison::RequestUpdateExtent(
   {
     if (vtkInformation* input = inputVector[port]->GetInformationObject(0))
     {
-      lms3dAskForPiece(processes.GetRank(), processes.GetCount(), input);
+      lms3dRequestPiece(processes.GetRank(), processes.GetCount(), input);
     }
   }
   return 1;
@@ -159,26 +159,26 @@ int vtkLMS3DMapComparison::RequestData(
   Internals::SetResults(this, lms3dComparisonResults());
   const lms3dProcesses processes(this->Internal->Controller);
   // The outputs are one piece; consumers that request another piece get an empty one.
-  if (!processes.AreMany() && !lms3dIsFirstPiece(lms3dGetRequestedOutput(request, outputVector)))
+  if (!processes.IsParallel() && !lms3dIsFirstPiece(lms3dGetRequestedOutput(request, outputVector)))
   {
     return 1;
   }
   const lms3dComparison comparison = { vtkPolyData::GetData(inputVector[0]),
     vtkPolyData::GetData(inputVector[2]), this->Tolerance, this->NumberOfSamples,
     { this->MinimumRange, this->MaximumRange } };
-  const std::string failure = lms3dFindFailure(
+  const std::string failure = lms3dRunAndGetError(
     [&]
     {
       comparison.Check();
       bool isDone = true;
       const bool isMine = ComparesHere(processes, inputVector);
-      processes.Do(
+      processes.RunCollectively(
         [&] {
           isDone = !isMine || Internals::Compare(this, comparison, inputVector[1], outputVector);
         });
-      if (processes.AskAny(!isDone))
+      if (processes.AnyOf(!isDone))
       {
-        lms3dForgetOutputs(outputVector);
+        lms3dClearOutputs(outputVector);
       }
     },
     "There is not enough memory for the samples; reduce NumberOfSamples.");

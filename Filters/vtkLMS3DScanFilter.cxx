@@ -4,17 +4,12 @@
 
 #include "Casting/lms3dRayCaster.h"
 #include "Device/lms3dRangeImage.h"
-#include "Device/lms3dScanChecks.h"
-#include "Device/lms3dScanGeometry.h"
-#include "Device/lms3dTrajectory.h"
 #include "Pipeline/lms3dAlgorithmProgress.h"
 #include "Pipeline/lms3dFailure.h"
 #include "Pipeline/lms3dPipelineRequests.h"
-#include "Pipeline/lms3dThreads.h"
-#include "Scan/lms3dBuiltScene.h"
 #include "Scan/lms3dProcesses.h"
-#include "Scan/lms3dScanOutput.h"
-#include "Scan/lms3dScanner.h"
+#include "Scan/lms3dScanJob.h"
+#include "Scan/lms3dScanSettings.h"
 
 #include <vtkDataSet.h>
 #include <vtkErrorCode.h>
@@ -25,12 +20,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
+#include <exception>
 #include <vector>
 
 vtkStandardNewMacro(vtkLMS3DScanFilter);
@@ -43,77 +34,35 @@ static_assert(static_cast<int>(vtkLMS3DScanFilter::EXACT) == lms3dRayCaster::EXA
       lms3dRayCaster::STATIC_CELL_LOCATOR,
   "the property and the ray casters number the methods alike");
 
-namespace
-{
-// What of the whole work building takes, in the eyes of the progress bar.
-constexpr double BuildShare = 0.3;
-
-// The part of it that collects the triangles of the scene.
-constexpr double CollectShare = 0.1;
-
-using Pipeline = vtkStreamingDemandDrivenPipeline;
-} // namespace
-
 struct vtkLMS3DScanFilter::Internals
 {
-  /// Tables of sines and cosines are made for new angles only.
-  const lms3dScanGeometry& GetGeometry(const vtkLMS3DScanFilter* filter)
+  static lms3dScanSettings GetSettings(const vtkLMS3DScanFilter* filter)
   {
-    const Angles angles = { filter->AlphaRange[0], filter->AlphaRange[1],
-      static_cast<double>(filter->AlphaResolution), filter->BetaRange[0], filter->BetaRange[1],
-      static_cast<double>(filter->BetaResolution) };
-    if (!this->Geometry || angles != this->GeometryAngles)
-    {
-      this->Geometry = std::make_unique<lms3dScanGeometry>(
-        filter->AlphaRange, filter->AlphaResolution, filter->BetaRange, filter->BetaResolution);
-      this->GeometryAngles = angles;
-    }
-    return *this->Geometry;
+    const auto vector = [](const double v[3]) { return lms3dVector{ v[0], v[1], v[2] }; };
+    const auto range = [](const double v[2]) { return std::array<double, 2>{ v[0], v[1] }; };
+    return { vector(filter->Position), vector(filter->Orientation), range(filter->AlphaRange),
+      filter->AlphaResolution, range(filter->BetaRange), filter->BetaResolution,
+      { filter->MinimumRange, filter->MaximumRange }, filter->IntersectionMethod,
+      filter->NumberOfThreads };
   }
 
-  /// Read anew where it or the filter has changed; throws where it is bad.
-  const lms3dTrajectory& GetTrajectory(vtkPolyData* poses, vtkLMS3DScanFilter* filter)
+  // RequestData reports a bad trajectory.
+  void PublishTimeSteps(
+    vtkPolyData* poses, const lms3dVector& orientation, vtkInformationVector* outputVector)
   {
-    if (!this->Trajectory || this->TrajectoryData != poses ||
-      this->TrajectoryTime < std::max(poses->GetMTime(), filter->GetMTime()))
+    try
     {
-      this->Trajectory = std::make_unique<lms3dTrajectory>(poses, filter->Orientation);
-      this->TrajectoryData = poses;
-      this->TrajectoryTime.Modified();
+      const std::vector<double>& times = this->Job.GetTrajectory(poses, orientation).GetTimes();
+      lms3dSetTimeSteps(times, outputVector->GetInformationObject(0));
+      lms3dSetTimeSteps(times, outputVector->GetInformationObject(1));
     }
-    return *this->Trajectory;
-  }
-
-  /// The pose at the time asked for, and its own time; without a trajectory that is not a number.
-  lms3dPose GetPose(
-    vtkPolyData* poses, vtkLMS3DScanFilter* filter, vtkInformation* request, double& time)
-  {
-    if (!poses)
+    catch (const std::exception&)
     {
-      time = NAN;
-      return lms3dPose::FromOrientation(filter->Position, filter->Orientation);
     }
-    const lms3dTrajectory& trajectory = this->GetTrajectory(poses, filter);
-    const int step = request->Has(Pipeline::UPDATE_TIME_STEP())
-      ? trajectory.FindStep(request->Get(Pipeline::UPDATE_TIME_STEP()))
-      : 0;
-    time = trajectory.GetTimes()[step];
-    return trajectory.GetPose(step);
   }
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  lms3dBuiltScene Scene;
-  lms3dThreads Threads;
-  lms3dScanOutput Output;
-
-private:
-  using Angles = std::array<double, 6>;
-
-  std::unique_ptr<lms3dScanGeometry> Geometry;
-  Angles GeometryAngles;
-  std::unique_ptr<lms3dTrajectory> Trajectory;
-  vtkSmartPointer<vtkPolyData> TrajectoryData;
-  vtkTimeStamp TrajectoryTime;
+  lms3dScanJob Job;
 };
 
 vtkLMS3DScanFilter::vtkLMS3DScanFilter()
@@ -142,7 +91,7 @@ vtkMultiProcessController* vtkLMS3DScanFilter::GetController() const
 
 vtkMTimeType vtkLMS3DScanFilter::GetBuildTime() const
 {
-  return this->Internal->Scene.GetBuildTime();
+  return this->Internal->Job.GetBuildTime();
 }
 
 vtkImageData* vtkLMS3DScanFilter::GetRangeImage()
@@ -185,32 +134,27 @@ int vtkLMS3DScanFilter::FillOutputPortInformation(int port, vtkInformation* info
   return 1;
 }
 
-std::string vtkLMS3DScanFilter::GetPropertyError() const
-{
-  const auto vector = [](const double v[3]) { return lms3dVector{ v[0], v[1], v[2] }; };
-  std::string error = lms3dFindPoseError(vector(this->Position), vector(this->Orientation));
-  if (error.empty())
-  {
-    error = lms3dFindAngleError(
-      this->AlphaRange, this->AlphaResolution, this->BetaRange, this->BetaResolution);
-  }
-  return error.empty() ? lms3dFindLimitError(this->GetLimits()) : error;
-}
-
-lms3dRangeLimits vtkLMS3DScanFilter::GetLimits() const
-{
-  return { this->MinimumRange, this->MaximumRange };
-}
-
 int vtkLMS3DScanFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->GetNumberOfInputConnections(1) > 0 && !this->TellTimes(inputVector, outputVector))
+  const lms3dScanSettings settings = Internals::GetSettings(this);
+  if (this->GetNumberOfInputConnections(1) > 0)
   {
-    return 0;
+    lms3dUpdateInput(this, 1);
+    vtkPolyData* poses = vtkPolyData::GetData(inputVector[1]);
+    if (!poses)
+    {
+      // For a composite trajectory the executive would run the filter once for each block.
+      vtkErrorMacro("The trajectory is not a vtkPolyData. Connect a polyline or points. If it is a "
+                    "composite data set, extract the block.");
+      this->SetErrorCode(vtkErrorCode::UserError);
+      lms3dClearOutputs(outputVector);
+      return 0;
+    }
+    this->Internal->PublishTimeSteps(poses, settings.Orientation, outputVector);
   }
-  // RequestData reports bad properties; an extent needs good ones.
-  if (this->GetPropertyError().empty())
+  // RequestData reports bad properties. An extent needs good ones.
+  if (lms3dFindSettingsError(settings).empty())
   {
     lms3dDescribeRangeImage(this->AlphaRange, this->AlphaResolution, this->BetaRange,
       this->BetaResolution, outputVector->GetInformationObject(1));
@@ -218,43 +162,16 @@ int vtkLMS3DScanFilter::RequestInformation(
   return 1;
 }
 
-bool vtkLMS3DScanFilter::TellTimes(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  lms3dUpdateInput(this, 1);
-  vtkPolyData* poses = vtkPolyData::GetData(inputVector[1]);
-  if (!poses)
-  {
-    // Of a composite the pipeline would scan once for each block.
-    vtkErrorMacro("The trajectory is no vtkPolyData. Connect a polyline or points; of a composite "
-                  "data set extract the block.");
-    this->SetErrorCode(vtkErrorCode::UserError);
-    lms3dForgetOutputs(outputVector);
-    return false;
-  }
-  try
-  {
-    const std::vector<double>& times = this->Internal->GetTrajectory(poses, this).GetTimes();
-    lms3dOfferTimes(times, outputVector->GetInformationObject(0));
-    lms3dOfferTimes(times, outputVector->GetInformationObject(1));
-  }
-  catch (const std::exception&)
-  {
-    // RequestData reports it.
-  }
-  return true;
-}
-
 int vtkLMS3DScanFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // Every beam may meet any part of the scene, whatever part of the outputs is asked for.
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  // Every beam can hit any part of the scene, whichever part of the outputs is requested.
+  vtkInformation* scene = inputVector[0]->GetInformationObject(0);
   const lms3dProcesses processes(this->Internal->Controller);
-  lms3dAskForPiece(processes.GetRank(), processes.GetCount(), input);
+  lms3dRequestPiece(processes.GetRank(), processes.GetCount(), scene);
   if (vtkInformation* trajectory = inputVector[1]->GetInformationObject(0))
   {
-    lms3dAskForPiece(0, 1, trajectory);
+    lms3dRequestPiece(0, 1, trajectory);
   }
   return 1;
 }
@@ -266,167 +183,30 @@ int vtkLMS3DScanFilter::RequestData(
   // An image keeps its arrays from one execution to the next.
   vtkImageData::GetData(outputVector, 1)->Initialize();
   vtkInformation* output = lms3dGetRequestedOutput(request, outputVector);
-  // A scan is one piece; those who ask for another get an empty one.
-  if (!lms3dProcesses(this->Internal->Controller).AreMany() && !lms3dIsFirstPiece(output))
+  vtkMultiProcessController* controller = this->Internal->Controller;
+  // In one process the first piece is the whole scan, and other pieces are empty.
+  if (!lms3dProcesses(controller).IsParallel() && !lms3dIsFirstPiece(output))
   {
     return 1;
   }
-  std::string failure = this->GetPropertyError();
-  if (failure.empty())
+  const lms3dScanSettings settings = Internals::GetSettings(this);
+  std::string error = lms3dFindSettingsError(settings);
+  if (error.empty())
   {
-    failure = lms3dFindFailure([&] { this->Scan(output, inputVector, outputVector); },
+    const auto warn = [this](const std::string& text) { vtkWarningMacro(<< text); };
+    const lms3dScanRequest scan = { settings, controller, vtkDataObject::GetData(inputVector[0]),
+      vtkPolyData::GetData(inputVector[1]), output, outputVector, lms3dReportTo(this, 0.0, 1.0),
+      warn };
+    error = lms3dRunAndGetError([&] { this->Internal->Job.Run(scan); },
       "There is not enough memory for the scan. Simplify the scene, or lower the resolutions.");
   }
-  if (!failure.empty())
+  if (!error.empty())
   {
-    vtkErrorMacro(<< failure);
+    vtkErrorMacro(<< error);
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;
   }
   return 1;
-}
-
-void vtkLMS3DScanFilter::Scan(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  const lms3dProcesses processes(this->Internal->Controller);
-  lms3dPose pose;
-  double time = NAN;
-  bool isBuilt = false;
-  processes.Do(
-    [&]
-    {
-      if (processes.IsFirst())
-      {
-        vtkPolyData* poses = vtkPolyData::GetData(inputVector[1]);
-        pose = this->Internal->GetPose(poses, this, request, time);
-      }
-      this->Internal->GetGeometry(this);
-      isBuilt = this->Build(vtkDataObject::GetData(inputVector[0]));
-    });
-  if (processes.AskAny(!isBuilt))
-  {
-    lms3dForgetOutputs(outputVector);
-    return;
-  }
-  processes.Share(pose, time);
-  this->UpdateProgress(BuildShare);
-
-  vtkPolyData* scan = vtkPolyData::GetData(outputVector, 0);
-  vtkImageData* image = vtkImageData::GetData(outputVector, 1);
-  bool isDone = false;
-  if (processes.AreMany())
-  {
-    const int ghostLevels =
-      outputVector->GetInformationObject(1)->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
-    isDone = this->CastTogether(processes, pose, ghostLevels, scan, image);
-  }
-  else
-  {
-    isDone = this->CastAlone(pose, scan, image);
-  }
-  this->Internal->Output.Discard();
-  if (!isDone)
-  {
-    lms3dForgetOutputs(outputVector);
-  }
-  if (!std::isnan(time))
-  {
-    scan->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-    image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-  }
-}
-
-// Returns false if the user stopped the work.
-bool vtkLMS3DScanFilter::Build(vtkDataObject* scene)
-{
-  lms3dBuiltScene& built = this->Internal->Scene;
-  if (built.IsFor(scene, this->IntersectionMethod))
-  {
-    return true;
-  }
-  const lms3dProgress progress = lms3dReportTo(this, 0.0, CollectShare);
-  bool isBuilt = false;
-  this->Internal->Threads.Run(this->NumberOfThreads,
-    [&] { isBuilt = built.Build(scene, this->IntersectionMethod, progress); });
-  // If no triangle is left, an error reports it.
-  const bool others = lms3dProcesses(this->Internal->Controller).AreMany();
-  if (isBuilt && (built.GetCaster() || others) && !built.GetLeftOut().empty())
-  {
-    vtkWarningMacro(<< built.GetLeftOut());
-  }
-  return isBuilt;
-}
-
-bool vtkLMS3DScanFilter::CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image)
-{
-  const lms3dRayCaster* caster = this->Internal->Scene.GetCaster();
-  this->CheckScene(caster != nullptr);
-  const lms3dScanGeometry& geometry = this->Internal->GetGeometry(this);
-  const lms3dRangeLimits limits = this->GetLimits();
-  const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
-  lms3dScanOutput& output = this->Internal->Output;
-  bool isDone = false;
-  this->Internal->Threads.Run(this->NumberOfThreads,
-    [&]
-    {
-      isDone = output.Cast(*caster, geometry, pose, limits, progress);
-      if (isDone)
-      {
-        output.FillScan(&caster->GetMesh(), geometry, pose, scan);
-        output.FillRangeImage(geometry, image);
-      }
-    });
-  return isDone;
-}
-
-// MPI wants to be called by the thread that it was started in, so outside of Run.
-bool vtkLMS3DScanFilter::CastTogether(const lms3dProcesses& processes, const lms3dPose& pose,
-  int ghostLevels, vtkPolyData* scan, vtkImageData* image)
-{
-  const lms3dBuiltScene& built = this->Internal->Scene;
-  const lms3dRayCaster* caster = built.GetCaster();
-  this->CheckScene(processes.AskAny(caster != nullptr));
-  const std::int64_t firstCell =
-    processes.NumberCells(built.GetNumberOfCells(), built.HasGlobalIds(), built.HasVolume());
-  const lms3dScanGeometry& geometry = this->Internal->GetGeometry(this);
-  const lms3dRangeLimits limits = this->GetLimits();
-  const lms3dProgress progress = lms3dReportTo(this, BuildShare, 1.0);
-  lms3dScanOutput& output = this->Internal->Output;
-  const auto run = [this](const auto& work)
-  { this->Internal->Threads.Run(this->NumberOfThreads, work); };
-
-  bool isStopped = false;
-  processes.Do(
-    [&] { run([&] { isStopped = !output.CastPart(caster, geometry, pose, limits, progress); }); });
-  if (processes.AskAny(isStopped))
-  {
-    return false;
-  }
-  output.TakeNearest(processes, caster, firstCell);
-  processes.Do(
-    [&]
-    {
-      if (processes.IsFirst())
-      {
-        run([&] { output.FillScan(nullptr, geometry, pose, scan); });
-      }
-      output.FillRangeImagePiece(
-        geometry, { processes.GetRank(), processes.GetCount(), ghostLevels }, image);
-    });
-  return true;
-}
-
-void vtkLMS3DScanFilter::CheckScene(bool hasTriangles) const
-{
-  const std::string& leftOut = this->Internal->Scene.GetLeftOut();
-  if (!hasTriangles)
-  {
-    throw std::runtime_error(leftOut.empty()
-        ? "The scene has no polygons, so there is nothing to scan. Connect a data set with "
-          "polygons, triangle strips or volume cells."
-        : "There is nothing left to scan. " + leftOut);
-  }
 }
 
 void vtkLMS3DScanFilter::PrintSelf(ostream& os, vtkIndent indent)

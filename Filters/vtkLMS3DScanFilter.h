@@ -4,87 +4,115 @@
  * @class   vtkLMS3DScanFilter
  * @brief   scans a surface with a simulated 3D laser range finder
  *
- * vtkLMS3DScanFilter simulates a SICK LMS 200, a laser that measures in a plane, turned about the
- * vertical on a rotating support (Bedkowski, Kretkiewicz and Maslowski, "3D laser range finder
- * simulation based on rotated LMS SICK 200"). It casts one beam for each elevation alpha of the fan
- * and each platform angle beta, and returns where they meet the input's surface:
+ * vtkLMS3DScanFilter simulates a SICK LMS 200 on a rotating support (Bedkowski, Kretkiewicz and
+ * Maslowski, "3D laser range finder simulation based on rotated LMS SICK 200"). The LMS 200
+ * measures a fan of beams in one plane; the support turns this plane about the vertical. The filter
+ * casts one beam for each elevation alpha in the fan and each platform angle beta, and returns the
+ * points where the beams hit the input's surface. In the sensor frame, which is right-handed with z
+ * up, a beam has the direction
  *
  *     d(alpha, beta) = (cos(alpha) cos(beta), -cos(alpha) sin(beta), sin(alpha))
  *
- * in the sensor frame, right-handed with z up (the paper's section 2.1); beta turns clockwise seen
- * from above. The sensor is ideal: a beam is a ray without width, and its range has no noise.
+ * (section 2.1 of the paper). Beta turns clockwise, seen from above. The sensor is ideal: a beam
+ * has no width, and a range has no noise. Units are metres and degrees.
  *
- * The input is a vtkPolyData (polygons and strips; vertices and lines have no surface), any other
- * data set (its outer surface), or a composite of them. Both sides of a surface return. Units are
- * metres and degrees.
+ * @par Input 0, the scene
+ * A vtkPolyData, any other data set, or a composite of data sets. The filter scans polygons and
+ * triangle strips of a vtkPolyData (vertices and lines have no surface), and the outer surface of
+ * any other data set. Both sides of a surface give returns. Cells that vtkGhostType marks as
+ * HIDDENCELL are skipped; duplicate cells are scanned like all others.
  *
- * Output 0, the scan, is a vtkPolyData in world coordinates with one vertex for each return,
- * ordered by turn, then beam. Its point data:
+ * @par Output 0, the scan
+ * A vtkPolyData in world coordinates with one vertex for each return, ordered by turn, then by
+ * beam. Its point data:
  * - `Range` (float64): the distance from the sensor, metres;
- * - `Alpha`, `Beta` (float32): the beam's angles, degrees;
+ * - `Alpha`, `Beta` (float32): the angles of the beam, degrees;
  * - `BeamId` (int32): turn * AlphaResolution + beam;
- * - `CellId` (vtkIdType): the input's cell that was hit: its global id where all cells have one
- *   (vtkDataSetAttributes::GetGlobalIds), else its number; cells of a composite are numbered
- *   through, leaf after leaf.
+ * - `CellId` (vtkIdType): the cell of the input that the beam hit. If all cells have global ids
+ *   (vtkDataSetAttributes::GetGlobalIds), it is the global id, otherwise the number of the cell.
+ *   The cells of a composite are numbered consecutively over all leaves.
+ * @par
+ * Its field data: `AlphaAngles` and `BetaAngles` (float64, degrees) are the axes of the grid of
+ * beams; `SensorToWorld` (16 float64) is the pose as a row-major matrix.
  *
- * Its field data: `AlphaAngles` and `BetaAngles` (float64, degrees), the axes of the grid, and
- * `SensorToWorld` (16 float64), the pose as a row-major matrix.
+ * @par Output 1, the range image
+ * A vtkImageData of AlphaResolution x BetaResolution points with the array `Range` (float64,
+ * metres), which is NaN if the beam gave no return. The axes of the image are the angles in
+ * degrees.
  *
- * Output 1, the range image, is a vtkImageData of AlphaResolution x BetaResolution points with the
- * array `Range` (float64), NaN where a beam gave no return. Its axes are the angles in degrees.
+ * @par Input 1, the trajectory
+ * Optional: a vtkPolyData whose points are the poses of a moving sensor, one for each time step.
+ * They replace Position. If the data has one polyline, the poses are the points of the polyline in
+ * its order; if it has no lines, they are all points in their own order. The orientation of a pose
+ * comes from the first of these that applies:
+ * - The point array `Orientation`: quaternions w, x, y, z, of any length except 0, that rotate the
+ *   sensor frame to the world frame.
+ * - The polyline: the sensor moves like a vehicle. Its x axis points from the previous pose to the
+ *   next, and its y axis is level and points to the left. If the sensor stands still, it keeps its
+ *   axes; at the start they are the world's. If it moves straight up or down, it keeps its y axis.
+ * - The property Orientation.
+ * @par
+ * The time of a pose is its value in the point array `Time`. Times must be finite, and each must be
+ * later than the one before. Without this array the times are 0, 1, 2 and so on. The filter
+ * publishes the times as TIME_STEPS and TIME_RANGE. It scans from the last pose that is not later
+ * than the requested time; from the first pose if the requested time is earlier than all poses, or
+ * if no time is requested. DATA_TIME_STEP of the outputs is the time of the pose. A scene that
+ * changes with time receives the requested time as well.
  *
- * Input 1, optional, is a trajectory: a vtkPolyData whose points are the poses of a moving sensor,
- * one time step each, in place of Position. With one polyline the poses are its points in its
- * order, without lines all points in theirs. The orientation of a pose is
- * - that of the point array `Orientation` where there is one: quaternions w, x, y, z, of any length
- *   but 0, which turn the sensor frame into the world's;
- * - else, with a polyline, that of a vehicle: the sensor's x axis points from the pose before to the
- *   one after, its y axis is level, to the left. Where the sensor stands still it keeps its axes (at
- *   the start, the world's); where it moves straight up or down it keeps its y axis;
- * - else the property Orientation.
+ * @par Several processes
+ * If the Controller has several processes, as in ParaView under MPI, each process casts beams
+ * against its own piece of the scene, and the nearest return wins. The first process has the scan,
+ * and all others have an empty one. Each process has its block of the range image, as VTK
+ * distributes images. All processes use the trajectory of the first.
+ * @par
+ * With EXACT, ANGLE_SUM and MOLLER_TRUMBORE the scan is the same to the bit for every distribution
+ * of the scene, provided that no cell was cut and that all cells have global ids, which ParaView's
+ * RedistributeDataSet generates. Among hits at the same range, the cell with the smallest number is
+ * returned. Without global ids, cells are numbered consecutively over the processes, so CellId, and
+ * which of several hits at the same range is returned, depend on the distribution. The other
+ * methods round each piece differently.
+ * @par
+ * The filter warns once if the global ids show that cells are missing: ids up to N, but fewer than
+ * N + 1 cells in all processes together (fewer than N if the ids start above 0, because some file
+ * formats number from 1).
  *
- * The time of a pose is that of the point array `Time` where there is one (finite, each later than
- * the one before), else 0, 1, 2 and so on. The filter reports these as TIME_STEPS and TIME_RANGE, and
- * gives the scan of the last pose whose time has come: between two steps that of the earlier, before
- * the first that of the first, as when no time is asked for. DATA_TIME_STEP of the outputs is the
- * pose's own time. A scene that changes with time is asked for the same time.
+ * @par Updates
+ * The acceleration structure (Embree) is built again only if the scene's triangles, their cell
+ * numbers or IntersectionMethod change. A new pose, new angles or a new data array on the scene do
+ * not build. Building reports the first 30 % of the progress, and AbortExecute stops it. The
+ * outputs of a stopped update are empty, and the next update runs again. The outputs are the same
+ * to the bit for every NumberOfThreads.
  *
- * With a Controller of several processes, as in ParaView under MPI, each casts against its own piece
- * of the scene, and the nearest return wins. The first process has the scan, the others an empty
- * one; each has its block of the range image, as VTK spreads images. For EXACT, ANGLE_SUM and
- * MOLLER_TRUMBORE the scan is that of the whole scene to the bit, however it is spread, provided
- * that no cell was cut and that all have global ids, as ParaView's RedistributeDataSet generates:
- * of hits at the same range that in the cell with the smallest number is returned. Without ids
- * cells are numbered through, process after process, so that CellId, and which of several hits at
- * the same range is returned, depend on how the scene is spread. The other methods round each piece
- * differently. The trajectory is that of the first process.
- *
- * The acceleration structure (Embree) is built when the input or IntersectionMethod changes, not
- * when the pose or the angles do. The outputs are the same to the bit for any NumberOfThreads.
- *
+ * @par Errors
  * Bad input and bad properties give an error that says what to do, the error code
- * vtkErrorCode::UserError, and empty outputs: an input without polygons, a range that is empty
- * or out of its limits, more than 2^31 - 1 beams, a trajectory without points, with several lines
- * or with bad positions, quaternions or times. Cells with a point that is not finite or beyond
- * 1e18 m are left out. Polygons that cross themselves are filled with triangles that may overlap or
- * extend beyond them. One warning counts both.
+ * vtkErrorCode::UserError, and empty outputs. Errors are: an input without polygons; a range that
+ * is empty or exceeds its limits; more than 2^31 - 1 beams; a trajectory without points, with
+ * several lines, or with bad positions, quaternions or times. Cells with a point that is not finite
+ * or exceeds 1e18 m are skipped. Polygons that cross themselves are filled with triangles that can
+ * overlap or extend beyond them. One warning counts both.
  *
- * What a scene may be, for the method EXACT (IntersectionMethods tells of the others): triangles
- * without area are never hit. Of faces at the same place either is returned, the same one each
- * time. Where triangles meet in a T, rounding of the vertex on the edge leaves a gap of some 1e-16
- * of the scene's size, and a beam that runs exactly there sees through it. A sensor on a face, an
- * edge or a vertex does not see what it stands on, since only ranges above 0 count; one that
- * rounding puts beside the face sees it, at a range as small as that rounding. Sizes of 1e-6 to
- * 1e7 m and offsets up to 1e7 m cost no accuracy beyond the rounding of the coordinates themselves;
- * below 1e-100 m beams may be lost. A scan takes longer where triangles are smaller than a millionth
- * of the scene, unless no more than 16 of them make it so large: an endless floor costs nothing. It
- * takes longest, as long as a test of every triangle for every beam, where the sensor is farther
- * from the scene than a million times its size.
+ * @par Robustness of EXACT
+ * (See IntersectionMethods for the other methods.)
+ * - Triangles without area are never hit.
+ * - If faces coincide, one of them is returned, the same one each time.
+ * - Where triangles meet in a T, rounding of the vertex on the edge leaves a gap of about 1e-16 of
+ *   the scene's size. A beam exactly through this gap passes.
+ * - A sensor exactly on a face, an edge or a vertex does not see it, because ranges must be above
+ *   0. If rounding moves the sensor off the face, it sees the face at a range of about that
+ *   rounding.
+ * - Scenes of 1e-6 to 1e7 m at offsets up to 1e7 m lose no accuracy except by the rounding of the
+ *   coordinates themselves. Below 1e-100 m, beams can be lost.
+ * @par
+ * A scan takes longer if triangles are smaller than a millionth of the scene, unless at most 16
+ * triangles make the scene so large: an endless floor costs nothing. It takes longest, as long as a
+ * test of every triangle for every beam, if the sensor is farther from the scene than a million
+ * times the scene's size.
  *
- * Memory, beside the input and the outputs: for EXACT and FAST 24 bytes a point and 12 a triangle
- * (20 where cells are not all triangles) and Embree's structure; 4 bytes a beam, of several
- * processes 20 more. The memory of an output that nobody looks at any more is kept for the next
- * scan.
+ * @par Memory
+ * In addition to the input and the outputs: for EXACT and FAST 24 bytes for each point and 12 for
+ * each triangle (20 if some cells are not triangles), and Embree's structure; while a changed scene
+ * is compared with the last one, its points and triangles again; 4 bytes for each beam, and 20 more
+ * with several processes. The memory of outputs that were released is kept for the next scan.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkVRMLImporterSource
@@ -96,13 +124,9 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
-#include <string> // For std::string
 
-class lms3dProcesses;
 class vtkImageData;
 class vtkMultiProcessController;
-struct lms3dPose;
-struct lms3dRangeLimits;
 
 class VTKLMS3DFILTERS_EXPORT vtkLMS3DScanFilter : public vtkPolyDataAlgorithm
 {
@@ -113,8 +137,8 @@ public:
 
   ///@{
   /**
-   * The sensor's position in the scene, metres. Any finite numbers up to 1e18; the default is
-   * (0, 0, 0).
+   * The position of the sensor in world coordinates, metres. Finite, each coordinate from -1e18 to
+   * 1e18. The default is (0, 0, 0). A trajectory replaces it.
    */
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);
@@ -122,9 +146,9 @@ public:
 
   ///@{
   /**
-   * The sensor's orientation in the scene as angles about x, y and z, degrees, applied as those of
-   * vtkProp3D: RotateZ, RotateX, RotateY. Any finite numbers; the default is (0, 0, 0), the fan's
-   * axis up along z.
+   * The orientation of the sensor: angles about x, y and z, degrees, applied like the orientation
+   * of vtkProp3D: RotateZ, RotateX, RotateY. Any finite numbers. The default is (0, 0, 0): the
+   * platform turns about the world's z axis. A trajectory with orientations of its own replaces it.
    */
   vtkSetVector3Macro(Orientation, double);
   vtkGetVector3Macro(Orientation, double);
@@ -132,8 +156,9 @@ public:
 
   ///@{
   /**
-   * First and last elevation of the fan, degrees, both included. Increasing, within -90 to 90; the
-   * default is -90 to 90, the LMS 200's scanning angle of 180 degrees.
+   * The first and the last elevation of the fan, degrees, both included. The values must increase,
+   * from -90 to 90; they may be equal if AlphaResolution is 1. The default is -90 to 90, the 180
+   * degree scanning angle of the LMS 200.
    */
   vtkSetVector2Macro(AlphaRange, double);
   vtkGetVector2Macro(AlphaRange, double);
@@ -141,8 +166,9 @@ public:
 
   ///@{
   /**
-   * The number of beams in the fan, at least 1 (which takes the start of AlphaRange alone). The
-   * default is 361, steps of half a degree over the default range.
+   * The number of beams in the fan, at least 1. A single beam has the first elevation of
+   * AlphaRange. AlphaResolution x BetaResolution must not exceed 2^31 - 1. The default is 361,
+   * steps of half a degree over the default range.
    */
   vtkSetMacro(AlphaResolution, int);
   vtkGetMacro(AlphaResolution, int);
@@ -150,9 +176,9 @@ public:
 
   ///@{
   /**
-   * First and last platform angle, degrees. Increasing by at most 360, but for rounding up to 1e-6.
-   * Both are included, except that the end of a full circle is left out, being its start again. The
-   * default is 0 to 360.
+   * The first and the last platform angle, degrees. The values must be finite and increase by at
+   * most 360 (plus 1e-6 for rounding); they may be equal if BetaResolution is 1. Both are included,
+   * except the end of a full circle, which would repeat its start. The default is 0 to 360.
    */
   vtkSetVector2Macro(BetaRange, double);
   vtkGetVector2Macro(BetaRange, double);
@@ -160,8 +186,9 @@ public:
 
   ///@{
   /**
-   * The number of turns, at least 1 (which takes the start of BetaRange alone). The default is 360,
-   * steps of one degree over the default range.
+   * The number of turns, at least 1. A single turn has the first angle of BetaRange.
+   * AlphaResolution x BetaResolution must not exceed 2^31 - 1. The default is 360, steps of one
+   * degree over the default range.
    */
   vtkSetMacro(BetaResolution, int);
   vtkGetMacro(BetaResolution, int);
@@ -169,8 +196,8 @@ public:
 
   ///@{
   /**
-   * A beam whose nearest surface is nearer than this gives no return, metres. From 0 up to
-   * MaximumRange; the default is 0.
+   * The smallest range, metres. A beam gives no return if the nearest surface is nearer than this.
+   * From 0 to MaximumRange, finite. The default is 0.
    */
   vtkSetMacro(MinimumRange, double);
   vtkGetMacro(MinimumRange, double);
@@ -178,58 +205,61 @@ public:
 
   ///@{
   /**
-   * A beam that meets no surface up to this range gives no return, metres. Above 0, may be
-   * infinite; the default is 80, the reach of the LMS 200.
+   * The largest range, metres. A beam gives no return if it hits no surface up to this range. Above
+   * 0; it may be infinite. The default is 80, the maximum range of the LMS 200.
    */
   vtkSetMacro(MaximumRange, double);
   vtkGetMacro(MaximumRange, double);
   ///@}
 
   /**
-   * How a beam finds the surface. Whatever the method, outputs do not depend on the number of
+   * How a beam finds the surface. For every method, the outputs do not depend on the number of
    * threads, and only ranges above 0 count.
    *
-   * EXACT: Embree finds candidates; a test in double with error bounds, and without rounding where
-   * a bound leaves a sign open (Shewchuk 1997), decides. Exact is the answer for vertices and
-   * Position as they are in double, and for the beam's direction as it is rounded (its length is 1
-   * to about 3e-16). Triangles are closed, so that no beam passes between two that share an edge or
-   * a vertex; a beam within a triangle's plane does not hit it. A range is right to 3 units in its
-   * last place, however narrow the triangle. (Where two surfaces lie within 1e-13 of their range of
-   * one another, it may be that of either.)
+   * EXACT: Embree finds candidates. A test in double precision with error bounds decides; if a
+   * bound leaves a sign open, exact arithmetic decides (Shewchuk 1997). The answer is exact for the
+   * vertices and Position as they are in double precision, and for the direction of the beam as it
+   * is rounded (its length is 1 to about 3e-16). Triangles are closed, so no beam passes between
+   * two triangles that share an edge or a vertex. A beam in the plane of a triangle does not hit
+   * it. A range is right to 3 units in its last place, however narrow the triangle is. (Where two
+   * surfaces are closer to one another than 1e-13 of their range, the range can be that of either
+   * surface.)
    *
-   * FAST: Embree's single precision decides, and the range is measured in double in the plane of
-   * the triangle that it found, to about 13 digits; at a grazing angle to as many fewer as the
-   * cosine of the incidence has zeros. For previews and live use: a beam within about 1e-6 of the
-   * scene's size from an edge may be given to the wrong side of it. Where poses and scenes lie on a
-   * common grid, so that beams run along edges and through silhouettes, some are missed or see what
-   * is behind, as are beams near a needle that points at the sensor, a few of those within 1e-4
-   * radians of a surface, and one in a thousand of those aimed at edges with a surface behind. A
-   * sensor on a surface gets no return from the half space that it looks at through it, or ranges
-   * as small as rounding. Triangles without area are never hit.
+   * FAST: Embree's single precision decides. The range is then computed in double precision in the
+   * plane of the triangle that Embree found, to about 13 digits; at a grazing angle as many digits
+   * are lost as the cosine of the incidence has zeros. For previews and live use. A beam within
+   * about 1e-6 of the scene's size from an edge can be given to the wrong side of the edge. If
+   * poses and scene lie on a common grid, so that beams run along edges and through silhouettes,
+   * some beams are lost or see what lies behind. The same holds for beams near a needle that points
+   * at the sensor, for a few of the beams within 1e-4 radians of a surface, and for one in a
+   * thousand of the beams that hit an edge with a surface behind it. In the half space that a
+   * sensor on a surface sees through that surface, it gets no return, or ranges as small as
+   * rounding. Triangles without area are never hit.
    *
-   * The others are for comparison, and tens to thousands of times slower.
+   * The other methods are for comparison. They are tens to thousands of times slower.
    *
-   * ANGLE_SUM: the founding paper's section 2.4, by brute force: the intersection with the
-   * triangle's plane lies inside where the angles between its corners sum to 2 pi, within 1e-6, or
-   * where it is nearer to a corner than 1e-9 of the range. So a beam that passes a triangle's edge
-   * by less than about 1e-7 of its size hits it, and a needle narrower than that is a line that
-   * hides what is behind. As printed, the method mirrors planes through the origin, returns
-   * surfaces behind the sensor, takes a parallel plane for a range of 0, and compares with 2 pi
-   * exactly, which loses most beams.
+   * ANGLE_SUM: section 2.4 of the founding paper, by brute force. The intersection with the plane
+   * of a triangle lies inside if the angles between its corners sum to 2 pi, within 1e-6, or if it
+   * is closer to a corner than 1e-9 of the range. So a beam that passes an edge of a triangle by
+   * less than about 1e-7 of the triangle's size hits it, and a needle narrower than that is a line
+   * that hides what lies behind. The method as printed in the paper mirrors planes through the
+   * origin, returns surfaces behind the sensor, gives a range of 0 for a parallel plane, and
+   * compares with 2 pi exactly, which loses most beams.
    *
-   * MOLLER_TRUMBORE: the textbook test (Moeller and Trumbore 1997) in double, by brute force.
-   * Triangles that share an edge do not round alike, so that beams exactly at edges and vertices
-   * may pass between them: of those aimed at an icosphere's, one in ten or fifteen.
+   * MOLLER_TRUMBORE: the textbook test (Moeller and Trumbore 1997) in double precision, by brute
+   * force. Triangles that share an edge do not round alike, so beams exactly at edges and vertices
+   * can pass between them: of the beams aimed at edges and vertices of an icosphere, one in ten or
+   * fifteen.
    *
-   * STATIC_CELL_LOCATOR: vtkStaticCellLocator with a tolerance of 1e-9 m, by which a beam may pass
-   * a triangle and still hit it; a scene must be much larger than that, and where coordinates reach
-   * 1e7 m, whose rounding is as large, some beams are lost at edges. Of triangles within the
-   * tolerance of one another any may be returned, and a sensor within it of a surface may miss
-   * what is behind.
+   * STATIC_CELL_LOCATOR: vtkStaticCellLocator with a tolerance of 1e-9 m. A beam that passes a
+   * triangle within the tolerance hits it. A scene must be much larger than the tolerance; where
+   * coordinates reach 1e7 m, whose rounding is as large, some beams are lost at edges. Of triangles
+   * within the tolerance of one another any one can be returned, and a sensor within the tolerance
+   * of a surface can miss what lies behind.
    *
    * With ANGLE_SUM, MOLLER_TRUMBORE and STATIC_CELL_LOCATOR, as with EXACT, triangles without area
-   * and those on whose plane the sensor stands are never hit, and hide nothing; ranges are right to
-   * about 13 digits (ANGLE_SUM: 9, where the scene is far away), fewer at a grazing angle.
+   * and triangles whose plane contains the sensor are never hit and hide nothing. Ranges are right
+   * to about 13 digits (ANGLE_SUM: 9, if the scene is far away), fewer at a grazing angle.
    */
   enum IntersectionMethods
   {
@@ -242,8 +272,8 @@ public:
 
   ///@{
   /**
-   * How a beam finds the surface, one of IntersectionMethods; the default is EXACT. A change builds
-   * the acceleration structure anew.
+   * How a beam finds the surface, one of IntersectionMethods. Other values are clamped. The default
+   * is EXACT. A change builds the acceleration structure again.
    */
   vtkSetClampMacro(IntersectionMethod, int, EXACT, GetNumberOfIntersectionMethods() - 1);
   vtkGetMacro(IntersectionMethod, int);
@@ -260,8 +290,8 @@ public:
 
   ///@{
   /**
-   * The methods by number, from 0, and by name as in the setters above ("AngleSum"), for those who
-   * offer all of them. The name of a number that is none is null.
+   * The number of methods, and the name of a method as in the setters above ("AngleSum"), for user
+   * interfaces that list all methods. Returns null if `method` is not from 0 to the number - 1.
    */
   static int GetNumberOfIntersectionMethods();
   static const char* GetIntersectionMethodName(int method);
@@ -269,7 +299,8 @@ public:
 
   ///@{
   /**
-   * The number of threads, 0 to 1024; the default, 0, takes all cores.
+   * The number of threads, from 0 to 1024. Other values are clamped. 0, the default, stands for all
+   * cores.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
@@ -277,8 +308,8 @@ public:
 
   ///@{
   /**
-   * The trajectory, input 1; none by default. A vtkPolyData whose points are the sensor's positions,
-   * as the class tells.
+   * The trajectory, input 1: a vtkPolyData whose points are the poses of the sensor, as the class
+   * documentation describes. The default is none.
    */
   void SetTrajectoryConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetTrajectoryData(vtkDataObject* poses) { this->SetInputDataObject(1, poses); }
@@ -286,22 +317,22 @@ public:
 
   ///@{
   /**
-   * The processes that scan together; null, or a controller of one process, for this one alone. The
-   * default is the global controller at the time the filter is made. All of them must update the
-   * filter, with the same properties.
+   * The processes that scan together. Null, or a controller of one process, stands for this process
+   * alone. The default is the global controller at the time of construction. All processes must
+   * update the filter, with the same properties.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
   ///@}
 
   /**
-   * The time when the acceleration structure was last built, 0 before the first. Tells whether an
-   * update had to build.
+   * The time when the acceleration structure was last built, 0 before the first build. It shows
+   * whether an update had to build.
    */
   vtkMTimeType GetBuildTime() const;
 
   /**
-   * The second output.
+   * Output 1, the range image.
    */
   vtkImageData* GetRangeImage();
 
@@ -332,21 +363,6 @@ private:
   double MaximumRange = 80.0;
   int IntersectionMethod = EXACT;
   int NumberOfThreads = 0;
-
-  // Empty where all properties are good.
-  std::string GetPropertyError() const;
-  lms3dRangeLimits GetLimits() const;
-
-  // Sets the time steps of both outputs; false where the trajectory is of another kind.
-  bool TellTimes(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
-
-  void Scan(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector);
-  bool Build(vtkDataObject* scene);
-  void CheckScene(bool hasTriangles) const;
-  bool CastAlone(const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image);
-  bool CastTogether(const lms3dProcesses& processes, const lms3dPose& pose, int ghostLevels,
-    vtkPolyData* scan, vtkImageData* image);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

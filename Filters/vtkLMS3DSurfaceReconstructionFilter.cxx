@@ -113,7 +113,7 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
     isStopped = !report(done) || isStopped;
     return !isStopped;
   };
-  const std::string failure = lms3dFindFailure(
+  const std::string failure = lms3dRunAndGetError(
     [&]
     {
       CheckLength("DepthStep", this->DepthStep);
@@ -138,7 +138,7 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
   }
   if (isStopped)
   {
-    lms3dForgetOutputs(outputVector);
+    lms3dClearOutputs(outputVector);
   }
   return 1;
 }

@@ -74,9 +74,9 @@ std::uint32_t AimAtPoints(
 }
 } // namespace
 
-lms3dSurfaceQuery::lms3dSurfaceQuery(lms3dTriangleMesh mesh)
+lms3dSurfaceQuery::lms3dSurfaceQuery(lms3dTriangleMesh mesh, const lms3dProgress& progress)
   : Mesh(std::move(mesh))
-  , Scene(this->Mesh)
+  , Scene(this->Mesh, progress)
 {
 }
 

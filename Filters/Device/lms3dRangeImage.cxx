@@ -17,7 +17,7 @@
 
 namespace
 {
-// A step of 0 would make an image without area.
+// A spacing of 0 would make an image without area.
 double GetSpacing(double step)
 {
   return step > 0.0 ? step : 1.0;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The range image of a scan: the grid of ranges, elevations along x and turns along y.
+ * @brief The range image of a scan: ranges in metres, NaN without a return; elevations along x,
+ * turns along y, both in degrees.
  */
 #ifndef lms3dRangeImage_h
 #define lms3dRangeImage_h
@@ -13,7 +14,7 @@ class vtkDoubleArray;
 class vtkImageData;
 class vtkInformation;
 
-/// One of the pieces that VTK divides an image into.
+/// One of the pieces into which VTK divides an image.
 struct lms3dImagePiece
 {
   int Number;
@@ -21,15 +22,18 @@ struct lms3dImagePiece
   int GhostLevels;
 };
 
-/// Sets extent, origin and spacing (degrees) and the scalar type of the range image to come.
+/// Sets extent, origin, spacing (degrees) and scalar type in the information of the output. The
+/// resolutions must be at least 1.
 void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
   const double betaRange[2], int betaResolution, vtkInformation* info);
 
-/// The whole image. `ranges` become its own.
+/// Fills the whole image, which then shares `ranges`: one value for each beam, ordered by turn,
+/// then by beam.
 void lms3dFillRangeImage(
   const lms3dScanGeometry& geometry, vtkDoubleArray* ranges, vtkImageData* image);
 
-/// A piece of it; empty where there are more pieces than rows.
+/// Fills one piece of the image with a copy of its part of `ranges`, the whole grid. The image
+/// stays empty if VTK's division leaves nothing for this piece.
 void lms3dFillRangeImagePiece(const lms3dScanGeometry& geometry, const double* ranges,
   const lms3dImagePiece& piece, vtkImageData* image);
 

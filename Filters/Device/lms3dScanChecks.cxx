@@ -12,15 +12,15 @@
 
 namespace
 {
-constexpr double LargestPosition = 1e18;
+// Squares of larger coordinates exceed the range of single precision.
+constexpr double MaximumCoordinate = 1e18;
 
-// Two different ends, or one beam that needs only the first.
+// Returns whether the ends increase. A single beam or turn uses only the first.
 bool IsProperRange(const double range[2], int resolution)
 {
   return range[0] < range[1] || (resolution == 1 && range[0] == range[1]);
 }
 
-// At most once around.
 bool IsWithinACircle(const double range[2])
 {
   const double extent = range[1] - range[0];
@@ -36,7 +36,7 @@ bool IsFiniteRange(const double range[2])
 bool lms3dIsPosition(const lms3dVector& position)
 {
   return std::all_of(
-    position.begin(), position.end(), [](double x) { return std::abs(x) <= LargestPosition; });
+    position.begin(), position.end(), [](double x) { return std::abs(x) <= MaximumCoordinate; });
 }
 
 std::string lms3dFindPoseError(const lms3dVector& position, const lms3dVector& orientation)

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Words for the user on properties of the scan that cannot be; empty where they are good.
+ * @brief Validates pose, angles and range limits of a scan.
+ *
+ * The functions return a text for the user, with the bad values, or an empty string if all is good.
  */
 #ifndef lms3dScanChecks_h
 #define lms3dScanChecks_h
@@ -12,14 +14,17 @@
 
 #include <string>
 
-/// Whether a sensor can be there: finite, up to 1e18 m.
+/// Returns whether a sensor can be at this position: finite, each coordinate up to 1e18 m.
 bool lms3dIsPosition(const lms3dVector& position);
 
+/// Checks a position (metres) and an orientation (degrees about x, y and z).
 std::string lms3dFindPoseError(const lms3dVector& position, const lms3dVector& orientation);
 
+/// Checks both ranges (degrees) and resolutions, and the number of beams.
 std::string lms3dFindAngleError(
   const double alphaRange[2], int alphaResolution, const double betaRange[2], int betaResolution);
 
+/// Checks the limits of ranges (metres).
 std::string lms3dFindLimitError(const lms3dRangeLimits& limits);
 
 #endif

@@ -11,7 +11,8 @@
 
 class vtkPolyData;
 
-/// Alpha and beta of the grid and the pose, as the scan filter's header tells.
+/// Adds the arrays AlphaAngles, BetaAngles (degrees) and SensorToWorld, which the header of
+/// vtkLMS3DScanFilter documents.
 void lms3dAddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan);
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Device/lms3dScanGeometry.h"
 
+#include "Geometry/lms3dAngle.h"
+
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -10,16 +12,16 @@ namespace
 {
 constexpr double FullCircle = 360.0;
 
-// The largest deviation from a full circle that is rounding of the angles rather than a gap.
+// The largest deviation from a full circle that is attributed to rounding of the angles, degrees.
 constexpr double AngleTolerance = 1e-6;
 
-// The end of a full circle is its start again.
+// The end of a full circle would repeat its start.
 int CountIntervals(const double range[2], int resolution)
 {
   return lms3dIsFullCircle(range[1] - range[0]) ? resolution : resolution - 1;
 }
 
-// Weighting both ends keeps the ends exact and the angles symmetric about the middle.
+// Weights of both ends keep the ends exact and the angles symmetric about the middle.
 std::vector<double> EqualSteps(const double range[2], int resolution)
 {
   const int intervals = CountIntervals(range, resolution);
@@ -59,16 +61,15 @@ void lms3dSinCosDegrees(double degrees, double& sine, double& cosine)
   const int quarter = static_cast<int>(std::lround(reduced / 90.0));
   const double rest = reduced - 90.0 * quarter;
 
-  constexpr double RadiansPerDegree = 3.14159265358979323846 / 180.0;
-  double s = std::sin(rest * RadiansPerDegree);
-  double c = std::cos(rest * RadiansPerDegree);
+  double s = std::sin(rest * lms3dRadiansPerDegree);
+  double c = std::cos(rest * lms3dRadiansPerDegree);
   if (std::abs(rest) == 45.0)
   {
     c = std::sqrt(0.5);
     s = std::copysign(c, rest);
   }
 
-  // Adding zero turns a negative zero into a positive one.
+  // The sum of a negative zero and zero is positive.
   switch (((quarter % 4) + 4) % 4)
   {
     case 0:
@@ -145,7 +146,7 @@ double lms3dScanGeometry::GetBetaStep() const
 
 bool lms3dScanGeometry::IsClosed() const
 {
-  // Fewer than three turns cannot go round anything.
+  // Fewer than three turns enclose no area.
   return this->GetNumberOfTurns() >= 3 &&
     lms3dIsFullCircle(std::abs(this->GetBetaStep()) * this->GetNumberOfTurns());
 }

@@ -4,15 +4,15 @@
  * @file
  * @brief The angles of the device and the directions of its beams.
  *
- * This is the one place that knows the geometry of the founding paper (Bedkowski, Kretkiewicz and
- * Maslowski, "3D laser range finder simulation based on rotated LMS SICK 200", section 2.1). The
- * sensor frame is right-handed with z up. A beam with elevation alpha in the fan and platform angle
- * beta points along
+ * Only this file contains the geometry of the founding paper (Bedkowski, Kretkiewicz and Maslowski,
+ * "3D laser range finder simulation based on rotated LMS SICK 200", section 2.1). The sensor frame
+ * is right-handed with z up. A beam with elevation alpha in the fan and platform angle beta has the
+ * direction
  *
  *     d(alpha, beta) = (cos(alpha) cos(beta), -cos(alpha) sin(beta), sin(alpha)),
  *
- * the paper's M = Mz(beta) My(alpha) applied to the column vector (r, 0, 0). Beta turns clockwise
- * seen from above, and alpha is an elevation although the paper calls it "horizontal".
+ * which is the paper's M = Mz(beta) My(alpha) applied to the column vector (1, 0, 0). Beta turns
+ * clockwise, seen from above. Alpha is an elevation, although the paper calls it "horizontal".
  */
 #ifndef lms3dScanGeometry_h
 #define lms3dScanGeometry_h
@@ -20,20 +20,24 @@
 #include <array>
 #include <vector>
 
-/// Sine and cosine of an angle in degrees, exact at each multiple of 90 and equal at 45.
+/// Computes sine and cosine of an angle in degrees. They are exact at each multiple of 90, and
+/// equal at 45.
 void lms3dSinCosDegrees(double degrees, double& sine, double& cosine);
 
-/// True for 360 degrees but for rounding, up to 1e-6.
+/// Returns whether an angle is 360 degrees within 1e-6.
 bool lms3dIsFullCircle(double extent);
 
 /// A rigid transform from the sensor frame to the world.
 struct lms3dPose
 {
+  /// Metres, world coordinates.
   std::array<double, 3> Position;
-  /// The sensor's x, y and z axes in world coordinates.
+
+  /// The sensor's x, y and z axes in world coordinates, orthonormal.
   std::array<std::array<double, 3>, 3> Axes;
 
-  /// `orientation` in degrees about x, y, z, applied as vtkProp3D does: RotateZ, RotateX, RotateY.
+  /// `position` is in metres; `orientation` is in degrees about x, y and z, applied as vtkProp3D
+  /// does: RotateZ, RotateX, RotateY.
   static lms3dPose FromOrientation(const double position[3], const double orientation[3]);
 };
 
@@ -49,15 +53,18 @@ class lms3dScanGeometry
 {
 public:
   /**
-   * Equal steps over both ranges, ends included, except that the end of a full circle of beta is
-   * left out, being its start again. A resolution of 1 gives the start of the range alone.
+   * Divides both ranges (degrees) into equal steps, ends included, except the end of a full circle
+   * of beta, which would repeat its start. A resolution of 1 gives only the start of the range.
+   * Resolutions must be at least 1.
    */
   lms3dScanGeometry(
     const double alphaRange[2], int alphaResolution, const double betaRange[2], int betaResolution);
 
+  /// Takes the angles of an existing scan, degrees. Both must have at least one.
   lms3dScanGeometry(std::vector<double> alphaAngles, std::vector<double> betaAngles);
 
-  /// The step of such a range, without making its angles; 0 for a resolution of 1.
+  /// Returns the step of a range as the first constructor divides it, degrees; 0 for a resolution
+  /// of 1.
   static double GetStep(const double range[2], int resolution);
 
   int GetNumberOfBeams() const { return static_cast<int>(this->AlphaAngles.size()); }
@@ -65,21 +72,25 @@ public:
   const std::vector<double>& GetAlphaAngles() const { return this->AlphaAngles; }
   const std::vector<double>& GetBetaAngles() const { return this->BetaAngles; }
 
-  /// The angle between neighbouring beams, and between neighbouring turns; 0 where there is one, and
-  /// below 0 where the angles fall.
+  ///@{
+  /// Returns the angle between neighbouring beams, or turns, degrees. It is 0 if there is only one,
+  /// and negative if the angles decrease.
   double GetAlphaStep() const;
   double GetBetaStep() const;
+  ///@}
 
-  /// True where the turn after the last is the first one again.
+  /// Returns whether the turn after the last would repeat the first.
   bool IsClosed() const;
 
-  /// True where either the elevations fall from beam to beam or the angles from turn to turn.
+  /// Returns whether exactly one of elevations and platform angles decreases, so that the grid is a
+  /// mirror image.
   bool IsMirrored() const;
 
-  /// True where the beam points along the platform's axis, so that it is the same in every turn.
+  /// Returns whether the beam points along the platform's axis, so that it is the same in every
+  /// turn.
   bool IsPole(int beam) const;
 
-  /// For all beams.
+  /// One value for each beam.
   const std::vector<double>& GetAlphaSines() const { return this->AlphaSines; }
   const std::vector<double>& GetAlphaCosines() const { return this->AlphaCosines; }
 
@@ -100,13 +111,14 @@ private:
 };
 
 /**
- * The beams of a posed sensor: the sum of the fan's horizontal axis in a turn, times the cosine of
- * the elevation, and of the upward axis, times its sine.
+ * The directions of a sensor's beams in world coordinates, of length 1 up to rounding. A direction
+ * is the horizontal axis of the turn's fan times the cosine of the elevation, plus the upward axis
+ * times its sine.
  */
 class lms3dBeamDirections
 {
 public:
-  /// Keeps a reference to the geometry.
+  /// The geometry must outlive the object.
   lms3dBeamDirections(const lms3dScanGeometry& geometry, const lms3dPose& pose);
 
   const std::array<double, 3>& GetFanAxis(int turn) const { return this->FanAxes[turn]; }

@@ -21,15 +21,16 @@
 
 namespace
 {
-// Fewer are looked at before another thread can come.
-constexpr vtkIdType FewestCoordinates = 16384;
+// The smallest part of the loop over coordinates that a thread takes.
+constexpr vtkIdType MinimumGrainSize = 16384;
 
 [[noreturn]] void Fail(const std::string& what)
 {
   throw std::runtime_error(what + " Connect the first output of vtkLMS3DScanFilter.");
 }
 
-// The array itself where it has the type already, a copy where another filter changed it.
+// Returns the array itself if it has the type, or a converted copy if another filter changed the
+// type.
 template <typename ArrayT>
 vtkSmartPointer<ArrayT> As(vtkDataArray* array)
 {
@@ -54,7 +55,7 @@ vtkSmartPointer<ArrayT> Take(vtkFieldData* data, const char* name, vtkIdType cou
   return As<ArrayT>(array);
 }
 
-// A count goes over all of them, and so is vectorized, where a search would stop.
+// Counts, because compilers vectorize a loop that does not stop early.
 bool AreFinite(const double* first, const double* last)
 {
   std::int64_t infinite = 0;
@@ -104,7 +105,7 @@ lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
   const vtkIdType count = scan->GetNumberOfPoints();
   if (count == 0)
   {
-    return; // As a scan that was stopped comes, without any array.
+    return; // A scan that was stopped has no arrays.
   }
   this->Ranges = Take<vtkDoubleArray>(scan->GetPointData(), "Range", count);
   this->BeamIds = Take<vtkIntArray>(scan->GetPointData(), "BeamId", count);
@@ -126,7 +127,7 @@ void lms3dScanInput::CheckPoints() const
   const double* first = this->GetPoints();
   std::atomic<bool> areFinite{ true };
   const vtkIdType count = 3 * this->GetNumberOfReturns();
-  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, count, FewestCoordinates),
+  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, count, MinimumGrainSize),
     [&](const tbb::blocked_range<vtkIdType>& range)
     {
       if (!AreFinite(first + range.begin(), first + range.end()))
@@ -139,7 +140,7 @@ void lms3dScanInput::CheckPoints() const
     const double* bad =
       std::find_if(first, first + count, [](double x) { return !std::isfinite(x); });
     throw std::runtime_error("Return " + std::to_string((bad - first) / 3) +
-      " of the scan has the coordinate " + std::to_string(*bad) + "; finite numbers are expected.");
+      " of the scan has the coordinate " + std::to_string(*bad) + ". Coordinates must be finite.");
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The arrays of a scan, checked.
+ * @brief The arrays of a scan that a filter has as its input, checked.
  */
 #ifndef lms3dScanInput_h
 #define lms3dScanInput_h
@@ -17,30 +17,42 @@
 
 class vtkPolyData;
 
-/// Throws std::runtime_error, with words for the user, where an array is missing or of a wrong
-/// size.
+/// Keeps the arrays of a scan alive, and shares them unless another filter changed their types.
 class lms3dScanInput
 {
 public:
+  /// Throws std::runtime_error, with a text for the user, if an array is missing or has a wrong
+  /// size.
   explicit lms3dScanInput(vtkPolyData* scan);
 
-  /// Where it is 0, there is nothing else to ask.
+  /// Returns the number of returns. If it is 0, no other method may be called.
   vtkIdType GetNumberOfReturns() const
   {
     return this->Ranges ? this->Ranges->GetNumberOfValues() : 0;
   }
+
+  /// World coordinates, metres, three for each return.
   const double* GetPoints() const { return this->Points->GetPointer(0); }
+
+  /// Metres, one for each return.
   const double* GetRanges() const { return this->Ranges->GetPointer(0); }
+
+  /// turn * beams + beam, one for each return. The values are not checked.
   const int* GetBeamIds() const { return this->BeamIds->GetPointer(0); }
 
-  /// Throws as the constructor does where a coordinate is not finite. Uses the threads of the calling
-  /// TBB arena.
+  /// Throws std::runtime_error, with a text for the user, if a coordinate is not finite. Uses the
+  /// threads of the calling TBB arena.
   void CheckPoints() const;
 
   lms3dScanGeometry GetGeometry() const;
+
+  /// Returns whether the angles of the scan and of `geometry` are equal to the bit.
   bool HasAngles(const lms3dScanGeometry& geometry) const;
+
+  /// World coordinates, metres.
   std::array<double, 3> GetSensorPosition() const;
-  /// Row by row.
+
+  /// The pose as 16 values, row by row.
   const double* GetSensorToWorld() const { return this->SensorToWorld->GetPointer(0); }
 
 private:

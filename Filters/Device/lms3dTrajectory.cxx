@@ -27,14 +27,14 @@ namespace
   throw std::runtime_error("The trajectory " + what);
 }
 
-// Points of the polyline, in its order; of no line, all in their own.
+// Returns the points of the polyline in its order, or all points if there is no line.
 std::vector<vtkIdType> GetOrder(vtkPolyData* poses)
 {
   const vtkIdType lines = poses->GetNumberOfLines();
   if (lines > 1)
   {
     Fail("has " + std::to_string(lines) +
-      " lines, and nothing tells which comes first; join them to one polyline.");
+      " lines, whose order is undefined. Join them to one polyline.");
   }
   std::vector<vtkIdType> order(poses->GetNumberOfPoints());
   std::iota(order.begin(), order.end(), 0);
@@ -47,11 +47,11 @@ std::vector<vtkIdType> GetOrder(vtkPolyData* poses)
   const auto isNone = [poses](vtkIdType i) { return i < 0 || i >= poses->GetNumberOfPoints(); };
   if (std::any_of(order.begin(), order.end(), isNone))
   {
-    Fail("has a polyline that uses points which are not there; repair it.");
+    Fail("has a polyline that uses missing points. Repair the polyline.");
   }
   if (order.empty())
   {
-    Fail("has no points; each point is a pose of the sensor.");
+    Fail("has no points. Each point is a pose of the sensor.");
   }
   return order;
 }
@@ -62,23 +62,23 @@ lms3dVector GetPosition(vtkPolyData* poses, vtkIdType point)
   poses->GetPoint(point, position.data());
   if (!lms3dIsPosition(position))
   {
-    std::ostringstream words;
-    words << "has its point " << point << " at " << position[0] << ' ' << position[1] << ' '
-          << position[2] << "; finite numbers up to 1e18 m are expected.";
-    Fail(words.str());
+    std::ostringstream text;
+    text << "has its point " << point << " at " << position[0] << ' ' << position[1] << ' '
+         << position[2] << ". Coordinates must be finite and at most 1e18 m.";
+    Fail(text.str());
   }
   return position;
 }
 
-// Null where there is none.
+// Returns null if there is no such array.
 vtkDataArray* GetArray(vtkPolyData* poses, const char* name, int components)
 {
   vtkDataArray* array = poses->GetPointData()->GetArray(name);
   if (array && array->GetNumberOfComponents() != components)
   {
     Fail("has a point array " + std::string(name) + " of " +
-      std::to_string(array->GetNumberOfComponents()) + " components; " +
-      (components == 1 ? "1, seconds, is" : "4, quaternions w x y z, are") + " expected.");
+      std::to_string(array->GetNumberOfComponents()) + " components. It must have " +
+      (components == 1 ? "1, seconds." : "4, quaternions w x y z."));
   }
   if (array && array->GetNumberOfTuples() < poses->GetNumberOfPoints())
   {
@@ -98,14 +98,14 @@ std::vector<double> GetTimes(vtkPolyData* poses, const std::vector<vtkIdType>& o
     const bool isLater = i == 0 || times[i] > times[i - 1];
     if (!std::isfinite(times[i]) || !isLater)
     {
-      std::ostringstream words;
-      words << "has the Time " << times[i] << " at its point " << order[i];
+      std::ostringstream text;
+      text << "has the Time " << times[i] << " at its point " << order[i];
       if (i > 0)
       {
-        words << ", after " << times[i - 1] << " at point " << order[i - 1];
+        text << ", after " << times[i - 1] << " at point " << order[i - 1];
       }
-      words << "; finite times are expected, each later than the one before.";
-      Fail(words.str());
+      text << ". Times must be finite, and each must be later than the one before.";
+      Fail(text.str());
     }
   }
   return times;
@@ -122,12 +122,12 @@ std::array<lms3dVector, 3> GetAxes(std::array<double, 4> q, vtkIdType point)
   const bool isFinite = std::all_of(q.begin(), q.end(), [](double x) { return std::isfinite(x); });
   if (!isFinite || largest == 0.0)
   {
-    std::ostringstream words;
-    words << "has the Orientation " << q[0] << ' ' << q[1] << ' ' << q[2] << ' ' << q[3]
-          << " at its point " << point << "; a quaternion w x y z that is not 0 is expected.";
-    Fail(words.str());
+    std::ostringstream text;
+    text << "has the Orientation " << q[0] << ' ' << q[1] << ' ' << q[2] << ' ' << q[3]
+         << " at its point " << point << ". It must be a quaternion w x y z other than 0.";
+    Fail(text.str());
   }
-  // Squares of the largest numbers would be infinite.
+  // Squares of the largest finite numbers would be infinite.
   std::transform(q.begin(), q.end(), q.begin(), [largest](double x) { return x / largest; });
   const auto [w, x, y, z] = q;
   const double s = 2.0 / (w * w + x * x + y * y + z * z);
@@ -136,7 +136,8 @@ std::array<lms3dVector, 3> GetAxes(std::array<double, 4> q, vtkIdType point)
     lms3dVector{ s * (x * z + w * y), s * (y * z - w * x), 1.0 - s * (x * x + y * y) } };
 }
 
-// The sensor looks along x with its y axis level; where x is upright, y stays as it was.
+// The x axis points along the tangent, and the y axis is level. If x is vertical, y is the last
+// one.
 std::array<lms3dVector, 3> GetAxesAlong(const lms3dVector& tangent, const lms3dVector& lastSide)
 {
   const lms3dVector ahead = lms3dNormalize(tangent);
@@ -145,7 +146,7 @@ std::array<lms3dVector, 3> GetAxesAlong(const lms3dVector& tangent, const lms3dV
   return { ahead, side, lms3dCross(ahead, side) };
 }
 
-// From the point before to the point after; where the sensor stands still it keeps its axes.
+// The tangent runs from the previous to the next point. A sensor that stands still keeps its axes.
 void FollowPolyline(std::vector<lms3dPose>& poses)
 {
   std::array<lms3dVector, 3> axes = { lms3dVector{ 1.0, 0.0, 0.0 }, lms3dVector{ 0.0, 1.0, 0.0 },

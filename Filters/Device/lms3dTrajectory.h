@@ -13,21 +13,23 @@
 
 class vtkPolyData;
 
+/// Poses in world coordinates, metres.
 class lms3dTrajectory
 {
 public:
   /**
-   * A pose for each point: in the order of the polyline, where there is one, else in their own.
-   * vtkLMS3DScanFilter tells what the arrays `Orientation` and `Time` mean; `orientation` is that of
-   * vtkProp3D, for points that have neither quaternions nor a polyline. Throws std::runtime_error,
-   * with words for the user, where the trajectory is bad.
+   * Reads a pose from each point of the polyline, in its order, or of all points if there is no
+   * line. The header of vtkLMS3DScanFilter documents the arrays `Orientation` and `Time`.
+   * `orientation` (degrees, as vtkProp3D applies it) holds if there are neither quaternions nor a
+   * polyline. Copies all values. Throws std::runtime_error, with a text for the user, if the
+   * trajectory is bad.
    */
   lms3dTrajectory(vtkPolyData* poses, const double orientation[3]);
 
-  /// Increasing, one for each pose.
+  /// Returns the times of the poses. They increase, and there is at least one.
   const std::vector<double>& GetTimes() const { return this->Times; }
 
-  /// The last pose whose time has come; before the first that one.
+  /// Returns the last pose that is not later than `time`, or the first pose if all are later.
   int FindStep(double time) const;
 
   const lms3dPose& GetPose(int step) const { return this->Poses[step]; }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Connects the progress of VTK-free code with the progress and abort of a VTK filter.
+ * @brief Connects lms3dProgress to the progress and the abort of a VTK filter.
  */
 #ifndef lms3dAlgorithmProgress_h
 #define lms3dAlgorithmProgress_h
@@ -11,7 +11,9 @@
 
 class vtkAlgorithm;
 
-/// Reports the share done, within `first` to `last` of the filter's whole work, and asks for abort.
+/// Returns a progress that updates the algorithm's progress, where 0 to 1 become `first` to `last`,
+/// and that stops the work if the algorithm is aborted. The algorithm must outlive the result. VTK
+/// allows calls only on the thread that runs the algorithm.
 lms3dProgress lms3dReportTo(vtkAlgorithm* algorithm, double first, double last);
 
 #endif

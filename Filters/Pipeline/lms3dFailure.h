@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What stopped some work, in words for the user.
+ * @brief Converts exceptions to error texts.
  */
 #ifndef lms3dFailure_h
 #define lms3dFailure_h
@@ -11,10 +11,10 @@
 #include <new>
 #include <string>
 
-/// Does the work. Empty where it ends well, else the words of what it threw, `withoutMemory` where
-/// that was std::bad_alloc.
+/// Runs `work`. Returns an empty string if it succeeds, or the text of the std::exception that it
+/// threw: `withoutMemory` if that was std::bad_alloc. Other exceptions pass through.
 template <typename Work>
-std::string lms3dFindFailure(const Work& work, const char* withoutMemory)
+std::string lms3dRunAndGetError(const Work& work, const char* withoutMemory)
 {
   try
   {

@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-/// What stands before the bytes of a block.
+/// Precedes the bytes of a block.
 struct alignas(64) lms3dMemoryPool::Header
 {
   std::shared_ptr<Shelf> Home;
   std::size_t Bytes;
 };
 
-/// The blocks that wait to be taken again.
+/// The blocks that are not in use.
 struct lms3dMemoryPool::Shelf
 {
   std::mutex Lock;
@@ -30,7 +30,8 @@ struct lms3dMemoryPool::Shelf
     std::free(block);
   }
 
-  // The smallest block that is large enough, unless it wastes as much as it serves.
+  // Returns the smallest block that is large enough, but at most twice as large as needed; else
+  // null.
   Header* Find(std::size_t bytes)
   {
     const std::lock_guard<std::mutex> guard(this->Lock);
@@ -91,8 +92,8 @@ void* lms3dMemoryPool::Take(std::size_t bytes)
     void* memory = std::aligned_alloc(64, whole);
     if (!memory)
     {
-      throw std::runtime_error("There is no memory for " + std::to_string(bytes >> 20) +
-        " MiB of a scan; choose lower resolutions.");
+      throw std::runtime_error("There is not enough memory for " + std::to_string(bytes >> 20) +
+        " MiB of a scan. Choose lower resolutions.");
     }
     block = new (memory) Header{ this->Blocks, whole - sizeof(Header) };
   }
@@ -102,7 +103,7 @@ void* lms3dMemoryPool::Take(std::size_t bytes)
 void lms3dMemoryPool::Return(void* block)
 {
   Header* header = static_cast<Header*>(block) - 1;
-  // The shelf must outlive the call, though the block may be the last to know it.
+  // Keeps the shelf alive during the call, since the block can have the last reference.
   const std::shared_ptr<Shelf> home = header->Home;
   if (!home->Keep(header))
   {

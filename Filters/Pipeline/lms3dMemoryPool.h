@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Memory for outputs that is used again once nobody looks at it any more.
+ * @brief Memory for outputs that is reused after all arrays have released it.
  *
- * New memory costs the system more than a scan takes, page by page. A block that is handed to a VTK
- * array comes back when the last of all arrays that share it lets go of it, wherever that happens,
- * and serves the next scan. The blocks outlive the pool where they must.
+ * The system takes longer to provide the pages of new memory than a scan takes. A block that a VTK
+ * array owns returns to the pool when the last array that shares it is deleted, in any thread,
+ * and the next scan uses it again. Blocks that are in use outlive the pool.
  */
 #ifndef lms3dMemoryPool_h
 #define lms3dMemoryPool_h
@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <memory>
 
+/// All methods may be called by any thread.
 class lms3dMemoryPool
 {
 public:
@@ -22,13 +23,14 @@ public:
   lms3dMemoryPool(const lms3dMemoryPool&) = delete;
   lms3dMemoryPool& operator=(const lms3dMemoryPool&) = delete;
 
-  /// A block of at least so many bytes, not cleared; throws std::runtime_error where there is none.
+  /// Returns a block of at least `bytes` bytes, not initialized, aligned to 64 bytes. The caller
+  /// must return it. Throws std::runtime_error, with a text for the user, if memory is short.
   void* Take(std::size_t bytes);
 
-  /// Gives a block back; may be called by any thread, also after the pool is gone.
+  /// Returns a block to its pool, or frees it if the pool is deleted.
   static void Return(void* block);
 
-  /// Frees the blocks that came back and were not taken again.
+  /// Frees all blocks that are not in use.
   void FreeUnused();
 
 private:

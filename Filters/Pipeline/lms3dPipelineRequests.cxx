@@ -30,7 +30,7 @@ bool lms3dIsFirstPiece(vtkInformation* output)
   return !output->Has(piece) || output->Get(piece) <= 0;
 }
 
-void lms3dAskForPiece(int piece, int pieces, vtkInformation* input)
+void lms3dRequestPiece(int piece, int pieces, vtkInformation* input)
 {
   input->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
   input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
@@ -51,19 +51,19 @@ void lms3dUpdateInput(vtkAlgorithm* filter, int port)
   vtkAlgorithm* producer = filter->GetInputAlgorithm(port, 0, output);
   vtkNew<vtkInformationVector> requests;
   requests->SetNumberOfInformationObjects(output + 1);
-  lms3dAskForPiece(0, 1, requests->GetInformationObject(output));
+  lms3dRequestPiece(0, 1, requests->GetInformationObject(output));
   producer->Update(output, requests);
 }
 
-void lms3dOfferTimes(const std::vector<double>& times, vtkInformation* output)
+void lms3dSetTimeSteps(const std::vector<double>& times, vtkInformation* output)
 {
   const double range[2] = { times.front(), times.back() };
   output->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
   output->Set(Pipeline::TIME_RANGE(), range, 2);
 }
 
-// VTK takes for good what a filter leaves, also where it was stopped.
-void lms3dForgetOutputs(vtkInformationVector* outputVector)
+// By default VTK regards the outputs of a stopped filter as up to date.
+void lms3dClearOutputs(vtkInformationVector* outputVector)
 {
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What a filter asks of VTK's pipeline, and what it is asked for.
+ * @brief Reads and writes the requests of VTK's pipeline.
  */
 #ifndef lms3dPipelineRequests_h
 #define lms3dPipelineRequests_h
@@ -13,23 +13,27 @@ class vtkAlgorithm;
 class vtkInformation;
 class vtkInformationVector;
 
-/// The output whose consumer makes the filter run, the first where nobody says.
+/// Returns the output whose consumer runs the filter, or the first output if the request has none.
 vtkInformation* lms3dGetRequestedOutput(
   vtkInformation* request, vtkInformationVector* outputVector);
 
-/// Whether the consumer of an output asks for its first piece, or for no piece in particular.
+/// Returns whether the consumer of an output requests its first piece, or no piece in particular.
 bool lms3dIsFirstPiece(vtkInformation* output);
 
-/// Asks for one of so many pieces of an input; of an image for the extent that goes with it.
-void lms3dAskForPiece(int piece, int pieces, vtkInformation* input);
+/// Requests piece `piece` of `pieces` of an input, without ghost levels; of a structured input the
+/// extent of this piece.
+void lms3dRequestPiece(int piece, int pieces, vtkInformation* input);
 
-/// Brings the whole of an input up to date before the pipeline asks for data.
+/// Updates all of an input during RequestInformation, before the pipeline requests data. The port
+/// must have a connection.
 void lms3dUpdateInput(vtkAlgorithm* filter, int port);
 
-/// Offers increasing times of which there is at least one.
-void lms3dOfferTimes(const std::vector<double>& times, vtkInformation* output);
+/// Sets TIME_STEPS and TIME_RANGE of an output. The times must increase, and there must be at least
+/// one.
+void lms3dSetTimeSteps(const std::vector<double>& times, vtkInformation* output);
 
-/// Empties all outputs and lets the next update run again, after work that was stopped.
-void lms3dForgetOutputs(vtkInformationVector* outputVector);
+/// Empties all outputs after work that was stopped, and marks them so that the next update runs
+/// again.
+void lms3dClearOutputs(vtkInformationVector* outputVector);
 
 #endif

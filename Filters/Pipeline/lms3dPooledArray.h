@@ -15,7 +15,8 @@
 
 #include <cstddef>
 
-/// An array whose values are not set; its memory returns to the pool with the last who holds it.
+/// Returns an array whose values are not initialized. Its memory returns to the pool when the last
+/// array that shares it is deleted. Throws as lms3dMemoryPool::Take does.
 template <typename ArrayT>
 vtkSmartPointer<ArrayT> lms3dMakeArray(
   lms3dMemoryPool& pool, const char* name, vtkIdType count, int components = 1)

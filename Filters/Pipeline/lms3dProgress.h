@@ -13,4 +13,11 @@
 /// Returns false to stop the work.
 using lms3dProgress = std::function<bool(double)>;
 
+/// Returns the progress of one step of some work: the step's 0 to 1 become `first` to `last` of
+/// `whole`, which must outlive the result.
+inline lms3dProgress lms3dGetStepProgress(const lms3dProgress& whole, double first, double last)
+{
+  return [&whole, first, last](double done) { return whole(first + done * (last - first)); };
+}
+
 #endif

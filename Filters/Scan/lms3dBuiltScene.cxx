@@ -11,11 +11,16 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
+#include <vector>
 
 namespace
 {
-// A composite does not tell when one of its parts changes.
+// The share of an update that collects triangles, rather than builds the ray caster.
+constexpr double CollectShare = 0.3;
+
+// The MTime of a composite does not include the MTimes of its blocks.
 vtkMTimeType GetSceneTime(vtkDataObject* scene)
 {
   vtkMTimeType time = scene->GetMTime();
@@ -38,34 +43,70 @@ vtkMTimeType GetSceneTime(vtkDataObject* scene)
   }
   return time;
 }
-} // namespace
 
-bool lms3dBuiltScene::IsFor(vtkDataObject* scene, int method) const
+template <typename T>
+bool HaveSameBytes(const std::vector<T>& a, const std::vector<T>& b)
 {
-  return this->Scene == scene && this->SceneTime == GetSceneTime(scene) && this->Method == method;
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-bool lms3dBuiltScene::Build(
-  vtkDataObject* scene, int method, const std::function<bool(double)>& progress)
+// Compares bytes, since results must not depend on what was scanned before: zeros differ in sign.
+bool AreSame(const lms3dTriangleMesh& a, const lms3dTriangleMesh& b)
 {
-  this->Caster.reset();
+  return HaveSameBytes(a.Triangles, b.Triangles) && HaveSameBytes(a.Cells, b.Cells) &&
+    HaveSameBytes(a.Points, b.Points);
+}
+} // namespace
+
+bool lms3dBuiltScene::Update(vtkDataObject* scene, int method, const lms3dProgress& progress)
+{
+  const vtkMTimeType time = GetSceneTime(scene);
+  const bool isSameMethod = this->Caster && this->Method == method;
+  if (this->Scene == scene && this->SceneTime == time && isSameMethod)
+  {
+    return true;
+  }
   this->Scene = nullptr;
-  lms3dSceneTriangles triangles = lms3dCollectTriangles(scene, progress);
+  lms3dSceneTriangles triangles =
+    lms3dCollectTriangles(scene, lms3dGetStepProgress(progress, 0.0, CollectShare));
   if (!triangles.IsComplete)
   {
     return false;
   }
-  this->LeftOut = lms3dTellLeftOut(triangles, "The scene");
-  this->NumberOfCells = triangles.NumberOfCells;
-  this->HasIds = triangles.HasGlobalIds;
-  this->IsOfVolume = triangles.HasVolume;
-  if (!triangles.Mesh.Triangles.empty())
+  this->Describe(triangles);
+  const bool isBuilt = isSameMethod && AreSame(this->Caster->GetMesh(), triangles.Mesh);
+  if (!isBuilt &&
+    !this->Build(std::move(triangles), method, lms3dGetStepProgress(progress, CollectShare, 1.0)))
   {
-    this->Caster = lms3dRayCaster::New(method, std::move(triangles.Mesh));
+    return false;
   }
   this->Scene = scene;
-  this->SceneTime = GetSceneTime(scene);
+  this->SceneTime = time;
+  return true;
+}
+
+void lms3dBuiltScene::Describe(const lms3dSceneTriangles& triangles)
+{
+  this->SkippedCells = lms3dDescribeSkippedCells(triangles, "The scene");
+  this->Part = { triangles.NumberOfCells, triangles.HiddenCells, triangles.HasGlobalIds,
+    triangles.MinimumGlobalId, triangles.MaximumGlobalId, triangles.HasVolume };
+}
+
+bool lms3dBuiltScene::Build(
+  lms3dSceneTriangles triangles, int method, const lms3dProgress& progress)
+{
+  // Frees the memory of the last structure before the new one takes its own.
+  this->Caster.reset();
   this->Method = method;
+  if (!triangles.Mesh.Triangles.empty())
+  {
+    this->Caster = lms3dRayCaster::New(method, std::move(triangles.Mesh), progress);
+    if (!this->Caster)
+    {
+      return false;
+    }
+  }
   this->BuildTime.Modified();
   return true;
 }

@@ -2,57 +2,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A scene made ready for casting, kept until it changes.
+ * @brief A scene with its acceleration structure, which is kept until the scene changes.
  */
 #ifndef lms3dBuiltScene_h
 #define lms3dBuiltScene_h
 
 #include "Casting/lms3dRayCaster.h"
+#include "Pipeline/lms3dProgress.h"
+#include "Scan/lms3dScenePart.h"
 
 #include <vtkTimeStamp.h>
 #include <vtkType.h>
 
-#include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 
 class vtkDataObject;
+struct lms3dSceneTriangles;
 
 class lms3dBuiltScene
 {
 public:
-  /// Whether the last Build was of this scene as it is now, for the same method.
-  bool IsFor(vtkDataObject* scene, int method) const;
+  /**
+   * Brings the ray caster up to date with the scene. Does nothing if neither the scene's MTime nor
+   * the method changed. Otherwise collects the scene's triangles, and builds a ray caster only if
+   * they differ from the present caster's: a new data array does not build, whereas any change
+   * of coordinates, cells, hidden cells or global ids does.
+   *
+   * The scene is not kept alive. Uses the threads of the calling TBB arena. Returns false if
+   * `progress` stopped the work; the next update then starts again. Throws std::runtime_error, with
+   * a text for the user, if the scene is bad or memory is short.
+   */
+  bool Update(vtkDataObject* scene, int method, const lms3dProgress& progress);
 
-  /// `progress` receives the fraction of the triangles that are collected, 0 to 1, from the calling
-  /// thread. If it returns false, the scene stays unbuilt and Build() returns false. Throws
-  /// std::runtime_error, with a text for the user, if the scene is bad.
-  bool Build(
-    vtkDataObject* scene, int method,
-    const std::function<bool(double)>& progress = [](double) { return true; });
+  /// Returns a text for the user about cells that were skipped, empty if there are none.
+  const std::string& GetSkippedCells() const { return this->SkippedCells; }
 
-  /// Words on the cells that were left out, empty where all were taken.
-  const std::string& GetLeftOut() const { return this->LeftOut; }
-
-  /// Null where the scene has no triangles.
+  /// Returns null if the scene has no triangles. The caster lives until the next Update.
   const lms3dRayCaster* GetCaster() const { return this->Caster.get(); }
 
-  std::int64_t GetNumberOfCells() const { return this->NumberOfCells; }
-  bool HasGlobalIds() const { return this->HasIds; }
-  bool HasVolume() const { return this->IsOfVolume; }
+  /// Returns what the cells of the scene have in common, also those without a surface.
+  const lms3dScenePart& GetPart() const { return this->Part; }
+
+  /// Returns the time when a ray caster was last built, 0 before the first.
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
 
 private:
+  void Describe(const lms3dSceneTriangles& triangles);
+  bool Build(lms3dSceneTriangles triangles, int method, const lms3dProgress& progress);
+
   std::unique_ptr<lms3dRayCaster> Caster;
   vtkTimeStamp BuildTime;
-  std::string LeftOut;
+  std::string SkippedCells;
+  lms3dScenePart Part;
+
+  /// The method of Caster.
+  int Method = 0;
+
+  /// What the last complete Update was for. The pointer is compared, never followed.
   vtkDataObject* Scene = nullptr;
   vtkMTimeType SceneTime = 0;
-  int Method = 0;
-  std::int64_t NumberOfCells = 0;
-  bool HasIds = false;
-  bool IsOfVolume = false;
 };
 
 #endif

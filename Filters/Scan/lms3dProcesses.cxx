@@ -11,15 +11,16 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// Bounds the memory that is needed beside the results.
+// Limits the memory that is needed in addition to the results.
 constexpr std::size_t BeamsAtOnce = std::size_t(1) << 20;
 
-/// How many processes have a part of the scene of some kind.
+/// The number of processes that have cells of a kind.
 struct Parts
 {
   int WithIds = 0;
@@ -31,31 +32,70 @@ void Check(const Parts& parts)
 {
   if (parts.WithVolume > 0 && parts.WithIds + parts.WithoutIds > 1)
   {
-    throw std::runtime_error("The scene has volume cells on several processes, and none of them "
-                             "can tell its outer surface from the seams. Extract the surface "
-                             "before the scene is spread.");
+    throw std::runtime_error(
+      "The scene has volume cells on several processes, so no process can distinguish its outer "
+      "surface from the seams. Extract the surface before the scene is distributed.");
   }
   if (parts.WithIds > 0 && parts.WithoutIds > 0)
   {
     throw std::runtime_error("The cells of the scene have global ids on " +
       std::to_string(parts.WithIds) + " processes and none on " + std::to_string(parts.WithoutIds) +
-      ". Generate them for all, or remove them.");
+      ". Generate global ids for all cells, or remove them.");
   }
 }
 
-/// What a reduction leaves, for some of the beams.
+void CountKinds(const lms3dScenePart& part, Parts& parts)
+{
+  const bool hasCells = part.NumberOfCells > 0;
+  parts.WithIds += hasCells && part.HasGlobalIds ? 1 : 0;
+  parts.WithoutIds += hasCells && !part.HasGlobalIds ? 1 : 0;
+  parts.WithVolume += part.HasVolume ? 1 : 0;
+}
+
+void Add(const lms3dScenePart& part, lms3dScenePart& whole)
+{
+  whole.NumberOfCells += part.NumberOfCells;
+  whole.HiddenCells += part.HiddenCells;
+  whole.HasVolume = whole.HasVolume || part.HasVolume;
+  if (part.HasGlobalIds)
+  {
+    const bool isFirst = !whole.HasGlobalIds;
+    whole.MinimumGlobalId =
+      isFirst ? part.MinimumGlobalId : std::min(whole.MinimumGlobalId, part.MinimumGlobalId);
+    whole.MaximumGlobalId =
+      isFirst ? part.MaximumGlobalId : std::max(whole.MaximumGlobalId, part.MaximumGlobalId);
+    whole.HasGlobalIds = true;
+  }
+}
+
+using PartMessage = std::array<vtkIdType, 6>;
+
+PartMessage ToMessage(const lms3dScenePart& part)
+{
+  const auto toId = [](std::int64_t value) { return static_cast<vtkIdType>(value); };
+  return { toId(part.NumberOfCells), toId(part.HiddenCells), part.HasGlobalIds ? 1 : 0,
+    toId(part.MinimumGlobalId), toId(part.MaximumGlobalId), part.HasVolume ? 1 : 0 };
+}
+
+lms3dScenePart FromMessage(const std::vector<vtkIdType>& messages, int rank)
+{
+  const vtkIdType* message = messages.data() + std::tuple_size_v<PartMessage> * rank;
+  return { message[0], message[1], message[2] != 0, message[3], message[4], message[5] != 0 };
+}
+
+/// The results of the three reductions, for some of the beams.
 struct Reduced
 {
-  void MakeRoom(std::size_t beams)
+  void Resize(std::size_t beams)
   {
     this->Nearest.resize(beams);
     this->Hit.resize(beams);
-    this->Said.resize(beams);
+    this->Measured.resize(beams);
   }
 
   std::vector<double> Nearest;
   std::vector<vtkIdType> Hit;
-  std::vector<double> Said;
+  std::vector<double> Measured;
 };
 
 void Reduce(vtkMultiProcessController* controller, const double* chosenRanges, vtkIdType* cells,
@@ -68,15 +108,15 @@ void Reduce(vtkMultiProcessController* controller, const double* chosenRanges, v
   }
   controller->AllReduce(cells, reduced.Hit.data(), beams, vtkCommunicator::MIN_OP);
 
-  // A process whose hit is not the one, or whose hit gives no return, has nothing to say.
+  // Infinity stands for a hit that is not the nearest, or that gives no return.
   for (vtkIdType i = 0; i < beams; ++i)
   {
     const vtkIdType hit = reduced.Hit[i];
     const bool isMine = hit != lms3dProcesses::NoCell && cells[i] == hit;
-    reduced.Said[i] = isMine && !std::isnan(ranges[i]) ? ranges[i] : Infinity;
+    reduced.Measured[i] = isMine && !std::isnan(ranges[i]) ? ranges[i] : Infinity;
     cells[i] = hit;
   }
-  controller->AllReduce(reduced.Said.data(), ranges, beams, vtkCommunicator::MIN_OP);
+  controller->AllReduce(reduced.Measured.data(), ranges, beams, vtkCommunicator::MIN_OP);
   std::replace(ranges, ranges + beams, Infinity, std::numeric_limits<double>::quiet_NaN());
 }
 } // namespace
@@ -88,10 +128,10 @@ lms3dProcesses::lms3dProcesses(vtkMultiProcessController* controller)
 {
 }
 
-int lms3dProcesses::CountWho(bool mine) const
+int lms3dProcesses::AllReduceCount(bool mine) const
 {
   int count = mine ? 1 : 0;
-  if (this->AreMany())
+  if (this->IsParallel())
   {
     const int own = count;
     this->Controller->AllReduce(&own, &count, 1, vtkCommunicator::SUM_OP);
@@ -99,26 +139,26 @@ int lms3dProcesses::CountWho(bool mine) const
   return count;
 }
 
-void lms3dProcesses::ThrowError(const std::string& mine) const
+void lms3dProcesses::ThrowFirstError(const std::string& mine) const
 {
   const int candidate = mine.empty() ? this->Count : this->Rank;
-  int speaker = 0;
-  this->Controller->AllReduce(&candidate, &speaker, 1, vtkCommunicator::MIN_OP);
-  if (speaker == this->Count)
+  int failed = 0;
+  this->Controller->AllReduce(&candidate, &failed, 1, vtkCommunicator::MIN_OP);
+  if (failed == this->Count)
   {
     return;
   }
-  std::string words = mine;
-  vtkIdType length = static_cast<vtkIdType>(words.size());
-  this->Controller->Broadcast(&length, 1, speaker);
-  words.resize(length);
-  this->Controller->Broadcast(words.data(), length, speaker);
-  throw std::runtime_error("Process " + std::to_string(speaker) + ": " + words);
+  std::string error = mine;
+  vtkIdType length = static_cast<vtkIdType>(error.size());
+  this->Controller->Broadcast(&length, 1, failed);
+  error.resize(length);
+  this->Controller->Broadcast(error.data(), length, failed);
+  throw std::runtime_error("Process " + std::to_string(failed) + ": " + error);
 }
 
-void lms3dProcesses::Share(lms3dPose& pose, double& time) const
+void lms3dProcesses::Broadcast(lms3dPose& pose, double& time) const
 {
-  if (!this->AreMany())
+  if (!this->IsParallel())
   {
     return;
   }
@@ -138,31 +178,36 @@ void lms3dProcesses::Share(lms3dPose& pose, double& time) const
   time = values[12];
 }
 
-std::int64_t lms3dProcesses::NumberCells(std::int64_t cells, bool hasIds, bool hasVolume) const
+lms3dProcesses::Cells lms3dProcesses::GatherCells(const lms3dScenePart& mine) const
 {
-  const vtkIdType mine[3] = { static_cast<vtkIdType>(cells), hasIds ? 1 : 0, hasVolume ? 1 : 0 };
-  std::vector<vtkIdType> all(3 * static_cast<std::size_t>(this->Count));
-  this->Controller->AllGather(mine, all.data(), 3);
-  std::int64_t first = 0;
+  if (!this->IsParallel())
+  {
+    return { mine, 0 };
+  }
+  const PartMessage message = ToMessage(mine);
+  std::vector<vtkIdType> messages(message.size() * static_cast<std::size_t>(this->Count));
+  this->Controller->AllGather(
+    message.data(), messages.data(), static_cast<vtkIdType>(message.size()));
+  Cells cells;
   Parts parts;
   for (int rank = 0; rank < this->Count; ++rank)
   {
-    const vtkIdType* theirs = all.data() + 3 * static_cast<std::ptrdiff_t>(rank);
-    first += rank < this->Rank ? theirs[0] : 0;
-    parts.WithIds += theirs[0] > 0 && theirs[1] ? 1 : 0;
-    parts.WithoutIds += theirs[0] > 0 && !theirs[1] ? 1 : 0;
-    parts.WithVolume += theirs[2] ? 1 : 0;
+    const lms3dScenePart part = FromMessage(messages, rank);
+    cells.First += rank < this->Rank ? part.NumberOfCells : 0;
+    CountKinds(part, parts);
+    Add(part, cells.Whole);
   }
   Check(parts);
-  return parts.WithIds > 0 ? 0 : first;
+  cells.First = parts.WithIds > 0 ? 0 : cells.First;
+  return cells;
 }
 
-void lms3dProcesses::TakeNearest(
+void lms3dProcesses::ReduceToNearest(
   const std::vector<double>& chosenRanges, std::vector<vtkIdType>& cells, double* ranges) const
 {
   const std::size_t beams = cells.size();
   Reduced reduced;
-  this->Do([&] { reduced.MakeRoom(std::min(beams, BeamsAtOnce)); });
+  this->RunCollectively([&] { reduced.Resize(std::min(beams, BeamsAtOnce)); });
   for (std::size_t first = 0; first < beams; first += BeamsAtOnce)
   {
     const std::size_t count = std::min(BeamsAtOnce, beams - first);

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The processes that scan together, each with a part of the scene.
+ * @brief Collective operations of the processes that scan one scene, each with a part of it.
  */
 #ifndef lms3dProcesses_h
 #define lms3dProcesses_h
 
 #include "Device/lms3dScanGeometry.h"
 #include "Pipeline/lms3dFailure.h"
+#include "Scan/lms3dScenePart.h"
 
 #include <vtkType.h>
 
@@ -18,64 +19,76 @@
 
 class vtkMultiProcessController;
 
-/// All of them must call each method, in the same order, by the thread that runs the filter.
+/**
+ * Wraps a controller, which must outlive the object.
+ *
+ * IsParallel, GetCount, GetRank and IsFirst are local. All other methods are collective: all
+ * processes must call them in the same order, on the thread that runs the filter, since MPI need
+ * not allow calls from other threads.
+ */
 class lms3dProcesses
 {
 public:
   static constexpr vtkIdType NoCell = VTK_ID_MAX;
 
-  /// Without a controller there is one process.
+  /// Null stands for this process alone.
   explicit lms3dProcesses(vtkMultiProcessController* controller);
 
-  ///@{
-  /// What one process knows of itself.
-  bool AreMany() const { return this->Count > 1; }
+  bool IsParallel() const { return this->Count > 1; }
   int GetCount() const { return this->Count; }
   int GetRank() const { return this->Rank; }
   bool IsFirst() const { return this->Rank == 0; }
-  ///@}
 
   ///@{
-  /// How many of them say so, and whether one does.
-  int CountWho(bool mine) const;
-  bool AskAny(bool mine) const { return this->CountWho(mine) > 0; }
+  /// Returns in how many processes `mine` is true, and whether it is in any of them.
+  int AllReduceCount(bool mine) const;
+  bool AnyOf(bool mine) const { return this->AllReduceCount(mine) > 0; }
   ///@}
 
-  /// Does this process's share of some work; throws std::runtime_error in all of them where it fails
-  /// in one, with the words of the first that failed. One process alone throws what the work throws.
+  /// Runs `work` in each process. If it throws in some of them, throws std::runtime_error in all of
+  /// them, with the error of the lowest rank that failed. One process alone throws what `work`
+  /// throws.
   template <typename Work>
-  void Do(const Work& work) const
+  void RunCollectively(const Work& work) const
   {
-    if (!this->AreMany())
+    if (!this->IsParallel())
     {
       work();
       return;
     }
-    this->ThrowError(lms3dFindFailure(work, "There is not enough memory."));
+    this->ThrowFirstError(lms3dRunAndGetError(work, "There is not enough memory."));
   }
 
-  /// Gives all what the first has.
-  void Share(lms3dPose& pose, double& time) const;
+  /// Replaces the pose and the time in all processes by the first process's.
+  void Broadcast(lms3dPose& pose, double& time) const;
+
+  /// The cells of all processes.
+  struct Cells
+  {
+    lms3dScenePart Whole;
+
+    /// The number of this process's first cell. If no part has global ids, cells are numbered
+    /// consecutively over the processes; if all parts have ids, it is 0.
+    std::int64_t First = 0;
+  };
+
+  /// Adds up the parts of all processes. Throws std::runtime_error, with a text for the user, if
+  /// only some parts have global ids, or if several processes have cells and some are volume cells:
+  /// no process can distinguish the outer surface from the seams.
+  Cells GatherCells(const lms3dScenePart& mine) const;
 
   /**
-   * The number of this process's first cell: where no part has global ids the cells are numbered
-   * through, process after process, and it is 0 where all have. Throws std::runtime_error, with words
-   * for the user, where only some have, and where volume cells are on several processes: none of them
-   * can tell the surface from the seams.
+   * Replaces `ranges` (metres, NaN without a return) and `cells` of each beam by range and cell of
+   * the nearest hit in all processes. The nearest hit is the one with the smallest of
+   * `chosenRanges` (lms3dBeamPacket::NoRange without a hit), and among equal ones the one in the
+   * cell with the smallest number: what one process would choose from the whole scene. All arrays
+   * have one value for each beam, in all processes.
    */
-  std::int64_t NumberCells(std::int64_t cells, bool hasIds, bool hasVolume) const;
-
-  /**
-   * Of what the processes have found along each beam `ranges` becomes that of the nearest hit, and
-   * `cells` its cell, in all of them. The nearest is the one with the smallest of
-   * `chosenRanges`, and of several the one in the cell with the smallest number: as one process
-   * chooses from the whole scene.
-   */
-  void TakeNearest(
+  void ReduceToNearest(
     const std::vector<double>& chosenRanges, std::vector<vtkIdType>& cells, double* ranges) const;
 
 private:
-  void ThrowError(const std::string& mine) const;
+  void ThrowFirstError(const std::string& mine) const;
 
   vtkMultiProcessController* Controller;
   int Count;

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/lms3dScanOutput.h"
 
-#include "Device/lms3dScanFieldData.h"
+#include "Device/lms3dReturns.h"
 #include "Pipeline/lms3dPooledArray.h"
 #include "Scan/lms3dProcesses.h"
-#include "Scan/lms3dReturns.h"
+#include "Scan/lms3dTurnReturns.h"
 
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <tbb/parallel_for.h>
@@ -31,7 +33,7 @@ void lms3dScanOutput::Discard()
   this->Pool.FreeUnused();
 }
 
-void lms3dScanOutput::MakeRoom(std::size_t beams)
+void lms3dScanOutput::Allocate(std::size_t beams)
 {
   this->Ranges = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Range", static_cast<vtkIdType>(beams));
   if (this->Triangles.capacity() > 2 * beams)
@@ -44,7 +46,7 @@ void lms3dScanOutput::MakeRoom(std::size_t beams)
 bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
-  this->MakeRoom(CountBeams(geometry));
+  this->Allocate(CountBeams(geometry));
   const lms3dBeamDirections directions(geometry, pose);
   return lms3dScan(caster, geometry, directions, pose, limits, progress,
     this->Ranges->GetPointer(0), this->Triangles.data());
@@ -54,7 +56,7 @@ bool lms3dScanOutput::CastPart(const lms3dRayCaster* caster, const lms3dScanGeom
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
   const std::size_t beams = CountBeams(geometry);
-  this->MakeRoom(beams);
+  this->Allocate(beams);
   this->ChosenRanges.assign(beams, lms3dBeamPacket::NoRange);
   this->ChosenTriangles.assign(beams, lms3dBeamPacket::NoTriangle);
   this->Cells.resize(beams);
@@ -69,7 +71,7 @@ bool lms3dScanOutput::CastPart(const lms3dRayCaster* caster, const lms3dScanGeom
     this->Ranges->GetPointer(0), this->Triangles.data(), &choices);
 }
 
-void lms3dScanOutput::TakeNearest(
+void lms3dScanOutput::ReduceToNearest(
   const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell)
 {
   const std::size_t beams = this->Triangles.size();
@@ -81,7 +83,7 @@ void lms3dScanOutput::TakeNearest(
       : firstCell + caster->GetMesh().GetCell(triangle);
   }
   double* ranges = this->Ranges->GetPointer(0);
-  processes.TakeNearest(this->ChosenRanges, this->Cells, ranges);
+  processes.ReduceToNearest(this->ChosenRanges, this->Cells, ranges);
   for (std::size_t i = 0; i < beams; ++i)
   {
     this->Triangles[i] = std::isnan(ranges[i]) ? lms3dBeamPacket::NoTriangle : 0;
@@ -90,7 +92,6 @@ void lms3dScanOutput::TakeNearest(
   this->ChosenTriangles = {};
 }
 
-/// For each turn the slot of its first return, and their number at the end.
 std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& geometry) const
 {
   const int beams = geometry.GetNumberOfBeams();
@@ -100,7 +101,7 @@ std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& 
     {
       const std::int32_t* triangle =
         this->Triangles.data() + static_cast<std::ptrdiff_t>(turn) * beams;
-      // A count of the width of its elements is what compilers vectorize.
+      // Compilers vectorize a count that is as wide as the elements.
       std::int32_t hits = 0;
       for (int beam = 0; beam < beams; ++beam)
       {
@@ -117,7 +118,9 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeo
 {
   const std::vector<std::size_t> first = this->CountReturns(geometry);
   const vtkIdType count = static_cast<vtkIdType>(first.back());
-  const lms3dReturns returns(this->Pool, count);
+  const lms3dReturns returns(count, this->Pool);
+  const auto cellIds = lms3dMakeArray<vtkIdTypeArray>(this->Pool, "CellId", count);
+  vtkIdType* cellId = cellIds->GetPointer(0);
   const lms3dBeamDirections directions(geometry, pose);
   tbb::parallel_for(0, geometry.GetNumberOfTurns(),
     [&](int turn)
@@ -128,12 +131,11 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeo
         const lms3dTurn source = { geometry, directions, pose.Position, turn,
           this->Ranges->GetPointer(static_cast<vtkIdType>(beam)), this->Triangles.data() + beam,
           mesh, mesh ? nullptr : this->Cells.data() + beam };
-        source.Fill(first[turn], returns);
+        source.Fill(first[turn], returns, cellId);
       }
     });
-  returns.VertexOffset[count] = static_cast<vtkTypeInt32>(count);
-  returns.MoveTo(scan);
-  lms3dAddFieldData(geometry, pose, scan);
+  returns.MoveTo(geometry, pose, scan);
+  scan->GetPointData()->AddArray(cellIds);
   this->Pool.FreeUnused();
 }
 

@@ -24,53 +24,64 @@ class lms3dProcesses;
 class vtkPolyData;
 
 /**
- * Makes the outputs of one scan after the other, in memory that is used again. Cast,
- * CastPart and FillScan are to be called in the TBB arena whose threads they use.
+ * Fills the outputs of one scan after another, in memory that is reused.
+ *
+ * One scan is Cast (or CastPart and ReduceToNearest in several processes), then FillScan, then
+ * FillRangeImage (or FillRangeImagePiece), all with the same arguments. Cast, CastPart and FillScan
+ * use the threads of the calling TBB arena.
  */
 class lms3dScanOutput
 {
 public:
-  /// Lets go of what a Cast made that was stopped, or that failed.
+  /// Frees what is left of a scan that was stopped, that failed, or whose outputs are filled.
   void Discard();
 
-  /// Casts all beams; false where `progress` stopped it.
+  /// Casts all beams. Returns false if `progress` stopped it.
   bool Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry, const lms3dPose& pose,
     const lms3dRangeLimits& limits, const lms3dProgress& progress);
 
-  ///@{
-  /**
-   * The same for the scene's part that this process has, with no caster where it has none, and then
-   * of the results of all processes the nearest. Triangles of this part belong to cells numbered from
-   * `firstCell`.
-   */
+  /// Casts all beams against this process's part of the scene. `caster` is null if the part has no
+  /// triangles. Returns false if `progress` stopped it.
   bool CastPart(const lms3dRayCaster* caster, const lms3dScanGeometry& geometry,
     const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress);
-  void TakeNearest(
-    const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell);
-  ///@}
 
-  /// The outputs of the last Cast with the same arguments, without a mesh after TakeNearest; hands
-  /// its ranges over to the image.
+  /// Replaces the results of CastPart by the nearest of all processes. The triangles of this part
+  /// belong to cells that are numbered from `firstCell`. Collective.
+  void ReduceToNearest(
+    const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell);
+
+  /// Fills output 0, which must be empty. `mesh` is that of the caster, or null after
+  /// ReduceToNearest.
   void FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry,
     const lms3dPose& pose, vtkPolyData* scan);
+
+  /// Fills output 1, which takes the array of ranges over.
   void FillRangeImage(const lms3dScanGeometry& geometry, vtkImageData* image);
 
-  /// A piece of the image, after TakeNearest.
+  /// Fills a piece of output 1 with a copy of its ranges, after ReduceToNearest.
   void FillRangeImagePiece(
     const lms3dScanGeometry& geometry, const lms3dImagePiece& piece, vtkImageData* image) const;
 
 private:
+  /// Returns the slot of the first return of each turn, and the number of returns at the end.
   std::vector<std::size_t> CountReturns(const lms3dScanGeometry& geometry) const;
-  void MakeRoom(std::size_t beams);
+  void Allocate(std::size_t beams);
 
   lms3dMemoryPool Pool;
+
+  /// One value for each beam, ordered by turn, then by beam: metres, NaN without a return.
   vtkSmartPointer<vtkDoubleArray> Ranges;
+
+  /// lms3dBeamPacket::NoTriangle without a return. After ReduceToNearest 0 stands for any triangle.
   std::vector<std::int32_t> Triangles;
 
-  /// What a part of the scene chose for each beam, only where there are several.
+  ///@{
+  /// Used only with several processes: what CastPart found for each beam, before limits applied,
+  /// and the cell of the nearest hit.
   std::vector<double> ChosenRanges;
   std::vector<std::int32_t> ChosenTriangles;
   std::vector<vtkIdType> Cells;
+  ///@}
 };
 
 #endif

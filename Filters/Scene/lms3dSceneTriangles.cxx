@@ -76,6 +76,7 @@ public:
     }
     this->Scene.SkippedCells = this->Surfaces.GetSkippedCells();
     this->Scene.CrossedCells = this->Surfaces.GetCrossedCells();
+    this->Scene.HiddenCells = this->Surfaces.GetHiddenCells();
     return true;
   }
 
@@ -91,7 +92,8 @@ public:
     }
   }
 
-  // Sorts the triangles by global id, so that their order does not depend on the order of the cells.
+  // Sorts the triangles by global id, so that their order does not depend on the order of the
+  // cells.
   void UseGlobalIds()
   {
     this->Scene.NumberOfCells = this->FirstCell;
@@ -102,6 +104,10 @@ public:
     {
       return;
     }
+    const auto [minimum, maximum] =
+      std::minmax_element(this->GlobalIds.begin(), this->GlobalIds.end());
+    this->Scene.MinimumGlobalId = *minimum;
+    this->Scene.MaximumGlobalId = *maximum;
     for (std::int64_t& cell : cells)
     {
       cell = this->GlobalIds[cell];
@@ -214,7 +220,7 @@ lms3dSceneTriangles lms3dCollectTriangles(
   return std::move(collector.Scene);
 }
 
-std::string lms3dTellLeftOut(const lms3dSceneTriangles& triangles, const std::string& what)
+std::string lms3dDescribeSkippedCells(const lms3dSceneTriangles& triangles, const std::string& what)
 {
   std::ostringstream text;
   if (triangles.SkippedCells > 0)

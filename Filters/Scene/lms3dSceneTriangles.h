@@ -26,15 +26,23 @@ struct lms3dSceneTriangles
   /// triangles have the same order if the cells come in another order or in parts.
   bool HasGlobalIds = false;
 
+  /// The smallest and the largest global id of all cells of the scene. Set only if HasGlobalIds.
+  std::int64_t MinimumGlobalId = 0;
+  std::int64_t MaximumGlobalId = 0;
+
   /// Whether the scene has volume cells, whose outer surface is in the mesh.
   bool HasVolume = false;
 
   /// The number of cells that were skipped because a coordinate is not finite or exceeds 1e18 m.
   std::int64_t SkippedCells = 0;
 
-  /// The number of polygons that cross themselves. Their triangles are in the mesh, but can overlap or
-  /// extend beyond the polygon.
+  /// The number of polygons that cross themselves. Their triangles are in the mesh, but can overlap
+  /// or extend beyond the polygon.
   std::int64_t CrossedCells = 0;
+
+  /// The number of polygons and strips that were skipped because vtkGhostType marks them as
+  /// HIDDENCELL.
+  std::int64_t HiddenCells = 0;
 
   /// False if `progress` stopped the work. Everything else is then empty.
   bool IsComplete = true;
@@ -44,19 +52,23 @@ struct lms3dSceneTriangles
  * Converts all polygons and triangle strips of a vtkPolyData, the outer surface of any other data
  * set, or the surfaces of all leaves of a composite. The cells of a composite are numbered
  * consecutively over all leaves, unless all of them have global ids. Vertices, lines and polygons
- * without area have no surface and are ignored.
+ * without area have no surface and are ignored. Cells that vtkGhostType marks as HIDDENCELL are
+ * skipped; all other ghost cells and ghost points of a vtkPolyData count as the scene's own.
+ * (vtkDataSetSurfaceFilter treats other data sets in the same way, and also hides cells of
+ * structured grids at HIDDENPOINTs.)
  *
  * `progress` receives the fraction done, 0 to 1, and returns false to stop. It is called by the
  * calling thread, also within a large polygon.
  *
- * Throws std::runtime_error, with a text for the user, if a cell uses a missing point or if there are
- * too many triangles.
+ * Throws std::runtime_error, with a text for the user, if a cell uses a missing point or if there
+ * are too many triangles.
  */
 lms3dSceneTriangles lms3dCollectTriangles(
   vtkDataObject* scene, const std::function<bool(double)>& progress = [](double) { return true; });
 
-/// Returns a text for the user about the skipped and crossed cells of `what`, for example "The scene".
-/// Returns an empty string if there are none.
-std::string lms3dTellLeftOut(const lms3dSceneTriangles& triangles, const std::string& what);
+/// Returns a text for the user about the skipped and crossed cells of `what`, for example "The
+/// scene". Returns an empty string if there are none.
+std::string lms3dDescribeSkippedCells(
+  const lms3dSceneTriangles& triangles, const std::string& what);
 
 #endif

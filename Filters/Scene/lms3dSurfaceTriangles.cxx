@@ -4,6 +4,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
@@ -11,6 +12,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +100,7 @@ bool lms3dSurfaceTriangles::Append(vtkPolyData* surface, vtkIdTypeArray* origina
   {
     throw std::runtime_error("The scene has more points than 32 bits can number; split it.");
   }
+  this->Ghosts = surface->GetCellGhostArray();
   this->Reporter = &progress;
   this->IsStopped = false;
   this->FirstCell = firstCell;
@@ -132,7 +135,7 @@ void lms3dSurfaceTriangles::AppendCells(
     const vtkIdType* points;
     it->GetCurrentCell(count, points);
     this->Cell = this->FirstCell + (originalCells ? originalCells->GetValue(cell) : cell);
-    if (this->IsUsable(count, points))
+    if (!this->IsHidden(cell) && this->IsUsable(count, points))
     {
       (this->*append)(count, points);
     }
@@ -143,6 +146,14 @@ void lms3dSurfaceTriangles::AppendCells(
       this->ReportProgress();
     }
   }
+}
+
+bool lms3dSurfaceTriangles::IsHidden(vtkIdType cell)
+{
+  const bool isHidden = this->Ghosts && cell < this->Ghosts->GetNumberOfValues() &&
+    (this->Ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL) != 0;
+  this->HiddenCells += isHidden ? 1 : 0;
+  return isHidden;
 }
 
 bool lms3dSurfaceTriangles::IsUsable(vtkIdType count, const vtkIdType* points)

@@ -20,6 +20,7 @@
 class vtkCellArray;
 class vtkIdTypeArray;
 class vtkPolyData;
+class vtkUnsignedCharArray;
 
 /// Appends surfaces to a mesh, which must outlive it.
 class lms3dSurfaceTriangles
@@ -35,12 +36,13 @@ public:
 
   /**
    * Appends the points, the triangles and the cell of each triangle. Cells are numbered from
-   * `firstCell` in the order of vtkPolyData: vertices, lines, polygons, strips. `originalCells` can be
-   * null; otherwise it maps these numbers.
+   * `firstCell` in the order of vtkPolyData: vertices, lines, polygons, strips. `originalCells` can
+   * be null; otherwise it maps these numbers.
    *
-   * Skips cells with a coordinate that is not finite or exceeds 1e18 m. Returns false if `progress`
-   * stopped the work; the mesh is then incomplete. Throws std::runtime_error, with a text for the
-   * user, if a cell uses a missing point or if there are too many points or triangles.
+   * Skips cells that vtkGhostType marks as HIDDENCELL, and cells with a coordinate that is not
+   * finite or exceeds 1e18 m. Returns false if `progress` stopped the work; the mesh is then
+   * incomplete. Throws std::runtime_error, with a text for the user, if a cell uses a missing point
+   * or if there are too many points or triangles.
    */
   bool Append(vtkPolyData* surface, vtkIdTypeArray* originalCells, std::int64_t firstCell,
     const Progress& progress);
@@ -50,6 +52,9 @@ public:
 
   /// Returns the number of polygons that cross themselves.
   std::int64_t GetCrossedCells() const { return this->CrossedCells; }
+
+  /// Returns the number of cells that were skipped because vtkGhostType marks them as HIDDENCELL.
+  std::int64_t GetHiddenCells() const { return this->HiddenCells; }
 
 private:
   using AppendCell = void (lms3dSurfaceTriangles::*)(vtkIdType count, const vtkIdType* points);
@@ -62,17 +67,22 @@ private:
   void TriangulatePolygon(vtkIdType count, const vtkIdType* points);
   /// Returns false, and counts the cell, if a coordinate is out of range.
   bool IsUsable(vtkIdType count, const vtkIdType* points);
+  /// Returns true, and counts the cell, if it is hidden. `cell` is its number in the surface.
+  bool IsHidden(vtkIdType cell);
   /// Reports the progress. Returns false, now and from then on, if the user stopped the work.
   bool ReportProgress();
 
   lms3dTriangleMesh& Mesh;
   std::int64_t SkippedCells = 0;
   std::int64_t CrossedCells = 0;
+  std::int64_t HiddenCells = 0;
 
   ///@{
   /// The state of one Append().
   const Progress* Reporter = nullptr;
   bool IsStopped = false;
+  /// Null if the surface has no ghost cells.
+  vtkUnsignedCharArray* Ghosts = nullptr;
   std::size_t FirstPoint = 0;
   std::int64_t FirstCell = 0;
   std::int64_t Cell = 0;

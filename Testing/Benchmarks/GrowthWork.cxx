@@ -94,8 +94,9 @@ std::vector<double> MeasureBuild(
   lms3dThreads threads;
   std::unique_ptr<lms3dBuiltScene> built;
   const auto discard = [&] { built = std::make_unique<lms3dBuiltScene>(); };
+  const auto goOn = [](double) { return true; };
   const auto build = [&]
-  { threads.Run(setting.Threads, [&] { built->Build(setting.Scene.Surface, method); }); };
+  { threads.Run(setting.Threads, [&] { built->Update(setting.Scene.Surface, method, goOn); }); };
   return GetNumbers(setting, Measure(limits.Budget, discard, build));
 }
 

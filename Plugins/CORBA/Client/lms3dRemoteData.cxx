@@ -3,17 +3,17 @@
 #include "Client/lms3dRemoteData.h"
 
 #include "Common/lms3dGridGeometry.h"
-#include "Device/lms3dScanFieldData.h"
+#include "Device/lms3dReturns.h"
+#include "Pipeline/lms3dArray.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeUInt64Array.h>
@@ -22,29 +22,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 namespace
 {
-template <typename ArrayT>
-vtkNew<ArrayT> MakeArray(const char* name, vtkIdType count, int components = 1)
-{
-  vtkNew<ArrayT> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(count);
-  return array;
-}
-
 // Cells of `size` points each.
 vtkNew<vtkCellArray> MakeCells(vtkTypeInt32Array* points, int size)
 {
-  const vtkIdType count = points->GetNumberOfValues() / size;
-  const auto offsets = MakeArray<vtkTypeInt32Array>("Offsets", count + 1);
-  for (vtkIdType i = 0; i <= count; ++i)
-  {
-    offsets->SetValue(i, static_cast<vtkTypeInt32>(size * i));
-  }
+  const std::size_t count = points->GetNumberOfValues() / size;
+  const auto offsets = lms3dMakeArray<vtkTypeInt32Array>("Offsets", count + 1);
+  lms3dFillOffsets(offsets->GetPointer(0), count, size);
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, points);
   return cells;
@@ -59,7 +45,7 @@ void SetPoints(vtkDoubleArray* coordinates, vtkPolyData* data)
 
 void AddNumber(const char* name, CORBA::ULongLong number, vtkFieldData* fieldData)
 {
-  const auto array = MakeArray<vtkTypeUInt64Array>(name, 1);
+  const auto array = lms3dMakeArray<vtkTypeUInt64Array>(name, 1);
   array->SetValue(0, number);
   fieldData->AddArray(array);
 }
@@ -77,50 +63,17 @@ void AddHeader(const LMS3D::ScanHeader& header, vtkFieldData* fieldData)
   fieldData->AddArray(scene);
 }
 
-/// The arrays of a scan, with a tuple for each return.
-struct Returns
-{
-  explicit Returns(vtkIdType count)
-    : Points(MakeArray<vtkDoubleArray>("Points", count, 3))
-    , Ranges(MakeArray<vtkDoubleArray>("Range", count))
-    , Alphas(MakeArray<vtkFloatArray>("Alpha", count))
-    , Betas(MakeArray<vtkFloatArray>("Beta", count))
-    , BeamIds(MakeArray<vtkIntArray>("BeamId", count))
-    , Vertices(MakeArray<vtkTypeInt32Array>("Connectivity", count))
-  {
-    std::iota(this->Vertices->GetPointer(0), this->Vertices->GetPointer(count), 0);
-  }
-
-  void MoveTo(vtkPolyData* scan) const
-  {
-    SetPoints(this->Points, scan);
-    scan->SetVerts(MakeCells(this->Vertices, 1));
-    vtkPointData* pointData = scan->GetPointData();
-    pointData->SetScalars(this->Ranges);
-    pointData->AddArray(this->Alphas);
-    pointData->AddArray(this->Betas);
-    pointData->AddArray(this->BeamIds);
-  }
-
-  const vtkNew<vtkDoubleArray> Points;
-  const vtkNew<vtkDoubleArray> Ranges;
-  const vtkNew<vtkFloatArray> Alphas;
-  const vtkNew<vtkFloatArray> Betas;
-  const vtkNew<vtkIntArray> BeamIds;
-  const vtkNew<vtkTypeInt32Array> Vertices;
-};
-
 // Raw pointers, because calls of ParaView's VTK for each value are slow.
 void FillReturns(const std::vector<float>& ranges, const lms3dScanGeometry& geometry,
-  const lms3dPose& pose, const Returns& returns)
+  const lms3dPose& pose, const lms3dReturns& returns)
 {
   const lms3dBeamDirections directions(geometry, pose);
   const int beams = geometry.GetNumberOfBeams();
-  double* point = returns.Points->GetPointer(0);
-  double* range = returns.Ranges->GetPointer(0);
-  float* alpha = returns.Alphas->GetPointer(0);
-  float* beta = returns.Betas->GetPointer(0);
-  int* beamId = returns.BeamIds->GetPointer(0);
+  double* point = returns.Point;
+  double* range = returns.Range;
+  float* alpha = returns.Alpha;
+  float* beta = returns.Beta;
+  int* beamId = returns.BeamId;
   for (int id = 0; id < static_cast<int>(ranges.size()); ++id)
   {
     if (ranges[id] == 0.0F)
@@ -141,10 +94,11 @@ void FillReturns(const std::vector<float>& ranges, const lms3dScanGeometry& geom
   }
 }
 
-vtkNew<vtkDoubleArray> MakeRanges(const std::vector<double>& points, const LMS3D::Vector3& sensor)
+vtkSmartPointer<vtkDoubleArray> MakeRanges(
+  const std::vector<double>& points, const LMS3D::Vector3& sensor)
 {
   const vtkIdType count = static_cast<vtkIdType>(points.size() / 3);
-  auto ranges = MakeArray<vtkDoubleArray>("Range", count);
+  auto ranges = lms3dMakeArray<vtkDoubleArray>("Range", count);
   double* range = ranges->GetPointer(0);
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -159,19 +113,19 @@ void lms3dFillScan(const lms3dRemoteScan& remote, vtkPolyData* scan)
 {
   const lms3dScanGeometry geometry = lms3dGetGeometry(remote.Header.settings);
   const lms3dPose pose = lms3dGetPose(remote.Header.sensorPose);
-  const Returns returns(remote.Header.returns);
+  const lms3dReturns returns(remote.Header.returns);
   FillReturns(remote.Ranges, geometry, pose, returns);
-  returns.MoveTo(scan);
-  lms3dAddFieldData(geometry, pose, scan);
+  returns.FillVertices(0, remote.Header.returns);
+  returns.MoveTo(geometry, pose, scan);
   AddHeader(remote.Header, scan->GetFieldData());
 }
 
 void lms3dFillMap(const lms3dRemoteScan& remote, vtkPolyData* map)
 {
-  const auto points = MakeArray<vtkDoubleArray>("Points", remote.Header.mapPoints, 3);
+  const auto points = lms3dMakeArray<vtkDoubleArray>("Points", remote.Header.mapPoints, 3);
   std::copy(remote.MapPoints.begin(), remote.MapPoints.end(), points->GetPointer(0));
   SetPoints(points, map);
-  const auto corners = MakeArray<vtkTypeInt32Array>(
+  const auto corners = lms3dMakeArray<vtkTypeInt32Array>(
     "Connectivity", static_cast<vtkIdType>(remote.MapTriangles.size()));
   std::copy(remote.MapTriangles.begin(), remote.MapTriangles.end(), corners->GetPointer(0));
   map->SetPolys(MakeCells(corners, 3));

@@ -116,7 +116,7 @@ TEST(LMS3DScanPipeline, TellsProgressFromTheStartToTheEnd)
 TEST(LMS3DScanPipeline, StopsWhenAskedAndIsWholeAgainAfterwards)
 {
   auto scan = MakeScan(MakeBall(1.0));
-  // The calling thread alone tells of progress, and others might leave it nothing to tell of.
+  // Only the calling thread reports progress, and other threads could do all of its work.
   scan->SetNumberOfThreads(1);
   vtkNew<vtkCallbackCommand> stopper;
   stopper->SetCallback(

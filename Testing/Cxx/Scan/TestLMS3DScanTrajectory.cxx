@@ -229,7 +229,7 @@ TEST(LMS3DScanTrajectory, RefusesOtherKindsOfData)
   ASSERT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
   scan->SetTrajectoryData(group);
   const std::string error = UpdateAndGetError(scan);
-  EXPECT_NE(error.find("The trajectory is no vtkPolyData"), std::string::npos) << error;
+  EXPECT_NE(error.find("The trajectory is not a vtkPolyData"), std::string::npos) << error;
   EXPECT_EQ(scan->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
   for (int port : { 0, 1 })
   {
@@ -369,7 +369,7 @@ const BadTrajectory BadTrajectories[] = {
     [](vtkPolyData* poses) {
       AddLine(poses, { 0, 7 });
     },
-    "not there" },
+    "missing points" },
 };
 } // namespace
 

@@ -3,7 +3,7 @@
 /**
  * @file
  * @brief Scenes that are badly made, very large, very far or very small, and sensors that stand on
- * them: what the header of vtkLMS3DScanFilter promises of the exact method, below VTK.
+ * them: what the header of vtkLMS3DScanFilter says about the exact method, tested without VTK.
  */
 #include "Fixtures/CasterFixtures.h"
 
@@ -76,7 +76,7 @@ TEST(RobustInput, SeesDuplicatedFacesAsOne)
   {
     Random random(face);
     Beams beams = once.AimAt(face, sensor, random);
-    beams[0] = beams[15]; // The corners and edges of a face are those of others too.
+    beams[0] = beams[15]; // Faces share their corners and edges.
     const lms3dBeamPacket packet = once.Cast(sensor, beams);
     const lms3dBeamPacket other = again.Cast(sensor, beams);
     ASSERT_EQ(packet.Triangle[0] % faces, face);
@@ -120,7 +120,7 @@ TEST(RobustInput, LeavesNothingButTrueGapsAtTJunctions)
 
 TEST(RobustInput, SeesFreeSpaceFromAFaceAnEdgeAndAVertex)
 {
-  // On a cube's top: whatever looks up is free, and below are the cube's other sides.
+  // On a cube's top: beams upward hit nothing, and beams downward hit the cube's other sides.
   const Target cube(MakeCube(2));
   for (const Vector& sensor : { Vector{ 0.25, 0.5, 1.0 }, Vector{ 0.5, 0.5, 1.0 },
          Vector{ 0.0, 0.0, 1.0 }, Vector{ 1.0, 0.25, 1.0 }, Vector{ 1.0, 1.0, 1.0 } })

@@ -22,7 +22,7 @@ const ScanChange Changes[] = {
   { "Error", [](vtkLMS3DScanFilter* scan) { scan->SetBetaResolution(0); } },
 };
 
-/// What somebody still holds of a scan must stay as it was, whatever the filter does next.
+/// Arrays of a scan that a user still holds must not change when the filter runs again.
 class EachChange : public testing::TestWithParam<ScanChange>
 {
 protected:

@@ -1,23 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scan/lms3dReturns.h"
+#include "Scan/lms3dTurnReturns.h"
 
 #include "Kernels/lms3dBeamPacket.h"
 #include "Kernels/lms3dPacketKernels.h"
-#include "Pipeline/lms3dPooledArray.h"
-
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 
 #include <algorithm>
 #include <vector>
 
 namespace
 {
-// The beams of a turn that returned.
+// Returns the beams of a turn that gave a return.
 std::vector<int> GetHits(const std::int32_t* triangles, int count)
 {
   std::vector<int> hits(count);
@@ -40,11 +33,11 @@ void FillEach(T* out, int count, const ValueOf& valueOf)
   }
 }
 
-// `beamOf` tells the beam of a return. One loop for each array keeps them simple enough to be
-// vectorized, where all beams of the turn returned at least.
+// `beamOf` maps a return to its beam. Each array has a loop of its own, so that the compiler can
+// vectorize the loops, at least if all beams of the turn gave a return.
 template <typename BeamOf>
 void FillArrays(const lms3dTurn& turn, int count, std::size_t slot, const lms3dReturns& returns,
-  const BeamOf& beamOf)
+  vtkIdType* cellIds, const BeamOf& beamOf)
 {
   FillEach(returns.Range + slot, count, [&](int i) { return turn.Ranges[beamOf(i)]; });
   const double* alpha = turn.Geometry.GetAlphaAngles().data();
@@ -52,7 +45,7 @@ void FillArrays(const lms3dTurn& turn, int count, std::size_t slot, const lms3dR
     returns.Alpha + slot, count, [&](int i) { return static_cast<float>(alpha[beamOf(i)]); });
   const int firstBeam = turn.Number * turn.Geometry.GetNumberOfBeams();
   FillEach(returns.BeamId + slot, count, [&](int i) { return firstBeam + beamOf(i); });
-  FillEach(returns.CellId + slot, count,
+  FillEach(cellIds + slot, count,
     [&](int i)
     {
       const int beam = beamOf(i);
@@ -60,9 +53,8 @@ void FillArrays(const lms3dTurn& turn, int count, std::size_t slot, const lms3dR
     });
   std::fill_n(
     returns.Beta + slot, count, static_cast<float>(turn.Geometry.GetBetaAngles()[turn.Number]));
-  const vtkTypeInt32 first = static_cast<vtkTypeInt32>(slot);
-  FillEach(returns.VertexOffset + slot, count, [&](int i) { return first + i; });
-  FillEach(returns.VertexPoint + slot, count, [&](int i) { return first + i; });
+  const vtkIdType first = static_cast<vtkIdType>(slot);
+  returns.FillVertices(first, first + count);
 }
 
 void Locate(const lms3dTurn& turn, int count, std::size_t slot, const lms3dReturns& returns,
@@ -74,19 +66,20 @@ void Locate(const lms3dTurn& turn, int count, std::size_t slot, const lms3dRetur
   lms3dGetPacketKernels().Locate(located, returns.Point + 3 * slot);
 }
 
-void FillAll(const lms3dTurn& turn, std::size_t slot, const lms3dReturns& returns)
+void FillAll(
+  const lms3dTurn& turn, std::size_t slot, const lms3dReturns& returns, vtkIdType* cellIds)
 {
   const int count = turn.Geometry.GetNumberOfBeams();
-  FillArrays(turn, count, slot, returns, [](int i) { return i; });
+  FillArrays(turn, count, slot, returns, cellIds, [](int i) { return i; });
   Locate(turn, count, slot, returns, turn.Geometry.GetAlphaCosines().data(),
     turn.Geometry.GetAlphaSines().data());
 }
 
 void FillSome(const lms3dTurn& turn, const std::vector<int>& hits, std::size_t slot,
-  const lms3dReturns& returns)
+  const lms3dReturns& returns, vtkIdType* cellIds)
 {
   const int count = static_cast<int>(hits.size());
-  FillArrays(turn, count, slot, returns, [&hits](int i) { return hits[i]; });
+  FillArrays(turn, count, slot, returns, cellIds, [&hits](int i) { return hits[i]; });
   std::vector<double> cosines(count), sines(count);
   for (int i = 0; i < count; ++i)
   {
@@ -97,51 +90,15 @@ void FillSome(const lms3dTurn& turn, const std::vector<int>& hits, std::size_t s
 }
 } // namespace
 
-lms3dReturns::lms3dReturns(lms3dMemoryPool& pool, vtkIdType count)
-  : Points(lms3dMakeArray<vtkDoubleArray>(pool, "Points", count, 3))
-  , Ranges(lms3dMakeArray<vtkDoubleArray>(pool, "Range", count))
-  , Alphas(lms3dMakeArray<vtkFloatArray>(pool, "Alpha", count))
-  , Betas(lms3dMakeArray<vtkFloatArray>(pool, "Beta", count))
-  , BeamIds(lms3dMakeArray<vtkIntArray>(pool, "BeamId", count))
-  , CellIds(lms3dMakeArray<vtkIdTypeArray>(pool, "CellId", count))
-  , VertexOffsets(lms3dMakeArray<vtkTypeInt32Array>(pool, "Offsets", count + 1))
-  , VertexPoints(lms3dMakeArray<vtkTypeInt32Array>(pool, "Connectivity", count))
-  , Point(this->Points->GetPointer(0))
-  , Range(this->Ranges->GetPointer(0))
-  , Alpha(this->Alphas->GetPointer(0))
-  , Beta(this->Betas->GetPointer(0))
-  , BeamId(this->BeamIds->GetPointer(0))
-  , CellId(this->CellIds->GetPointer(0))
-  , VertexOffset(this->VertexOffsets->GetPointer(0))
-  , VertexPoint(this->VertexPoints->GetPointer(0))
-{
-}
-
-void lms3dReturns::MoveTo(vtkPolyData* scan) const
-{
-  vtkNew<vtkPoints> points;
-  points->SetData(this->Points);
-  scan->SetPoints(points);
-  vtkNew<vtkCellArray> vertices;
-  vertices->SetData(this->VertexOffsets, this->VertexPoints);
-  scan->SetVerts(vertices);
-  vtkPointData* pointData = scan->GetPointData();
-  pointData->SetScalars(this->Ranges);
-  pointData->AddArray(this->Alphas);
-  pointData->AddArray(this->Betas);
-  pointData->AddArray(this->BeamIds);
-  pointData->AddArray(this->CellIds);
-}
-
-void lms3dTurn::Fill(std::size_t slot, const lms3dReturns& returns) const
+void lms3dTurn::Fill(std::size_t slot, const lms3dReturns& returns, vtkIdType* cellIds) const
 {
   const std::vector<int> hits = GetHits(this->Triangles, this->Geometry.GetNumberOfBeams());
   if (static_cast<int>(hits.size()) == this->Geometry.GetNumberOfBeams())
   {
-    FillAll(*this, slot, returns);
+    FillAll(*this, slot, returns, cellIds);
   }
   else
   {
-    FillSome(*this, hits, slot, returns);
+    FillSome(*this, hits, slot, returns, cellIds);
   }
 }

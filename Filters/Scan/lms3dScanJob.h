@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief One update of vtkLMS3DScanFilter, from its inputs to its outputs.
+ */
+#ifndef lms3dScanJob_h
+#define lms3dScanJob_h
+
+#include "Device/lms3dScanGeometry.h"
+#include "Device/lms3dTrajectory.h"
+#include "Pipeline/lms3dProgress.h"
+#include "Pipeline/lms3dThreads.h"
+#include "Scan/lms3dBuiltScene.h"
+#include "Scan/lms3dProcesses.h"
+#include "Scan/lms3dScanOutput.h"
+#include "Scan/lms3dScanSettings.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+
+class vtkDataObject;
+class vtkImageData;
+class vtkInformation;
+class vtkInformationVector;
+class vtkMultiProcessController;
+class vtkPolyData;
+
+/// What one update needs. Everything that a pointer or reference refers to must outlive the update.
+struct lms3dScanRequest
+{
+  const lms3dScanSettings& Settings;
+
+  /// The processes that scan together; null stands for this process alone.
+  vtkMultiProcessController* Controller;
+
+  vtkDataObject* Scene;
+
+  /// Null if the sensor stands at the settings' pose.
+  vtkPolyData* Trajectory;
+
+  /// The output whose consumer runs the filter; it has the requested time.
+  vtkInformation* RequestedOutput;
+
+  /// Output 0, a vtkPolyData, and output 1, a vtkImageData. Both must be empty.
+  vtkInformationVector* Outputs;
+
+  /// Called on the calling thread.
+  lms3dProgress Progress;
+  std::function<void(const std::string&)> Warn;
+};
+
+/// Keeps from update to update what need not be computed again: the acceleration structure, the
+/// tables of angles, the trajectory, threads and memory.
+class lms3dScanJob
+{
+public:
+  /**
+   * Fills the outputs. The settings must be good. Throws std::runtime_error, with a text for the
+   * user, if the scene or the trajectory is bad or memory is short; in all processes if it fails in
+   * one. Returns false, in all processes, with empty outputs that the next update fills, if
+   * `Progress` stopped the work in one of them.
+   */
+  bool Run(const lms3dScanRequest& request);
+
+  /// Returns the poses, read again only if the trajectory or the orientation (degrees, for points
+  /// without one) changed. Throws std::runtime_error, with a text for the user, if they are bad.
+  const lms3dTrajectory& GetTrajectory(vtkPolyData* poses, const lms3dVector& orientation);
+
+  /// Returns the time when the acceleration structure was last built, 0 before the first.
+  vtkMTimeType GetBuildTime() const { return this->Scene.GetBuildTime(); }
+
+private:
+  struct Scan;
+
+  const lms3dScanGeometry& GetGeometry(const lms3dScanSettings& settings);
+  lms3dPose GetPose(const lms3dScanRequest& request, double& time);
+  bool Build(const lms3dScanRequest& request, bool isParallel);
+  bool CastAlone(const Scan& scan);
+  bool CastInParallel(const Scan& scan);
+  void CheckScene(bool hasTriangles) const;
+  void WarnIfIncomplete(const lms3dScenePart& scene, const Scan& scan);
+
+  lms3dBuiltScene Scene;
+  lms3dThreads Threads;
+  lms3dScanOutput Output;
+
+  using Angles = std::array<double, 6>;
+  std::unique_ptr<lms3dScanGeometry> Geometry;
+  Angles GeometryAngles;
+
+  std::unique_ptr<lms3dTrajectory> Trajectory;
+  vtkSmartPointer<vtkPolyData> TrajectoryData;
+  vtkMTimeType TrajectoryTime = 0;
+  lms3dVector TrajectoryOrientation;
+
+  /// The last warnings, which are not repeated for each pose.
+  std::string SkippedCells;
+  std::string MissingCells;
+};
+
+#endif

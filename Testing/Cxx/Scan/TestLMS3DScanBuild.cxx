@@ -1,0 +1,365 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The acceleration structure of vtkLMS3DScanFilter: what builds it, its
+ * progress and its abort.
+ */
+#include "Fixtures/SceneFixtures.h"
+
+#include "vtkLMS3DScanFilter.h"
+
+#include <vtkAppendFilter.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <vector>
+
+namespace
+{
+vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, vtkIdType count)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(count);
+  array->FillValue(1.0);
+  return array;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid()
+{
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(MakeBall(1.0, 12));
+  append->Update();
+  return append->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> MakeImage()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(3, 3, 3);
+  image->SetOrigin(-1.0, -1.0, -1.0);
+  return image;
+}
+
+/// Scans a scene, changes it, and scans again.
+class Builds
+{
+public:
+  explicit Builds(vtkDataObject* scene)
+    : Scan(MakeScan(scene))
+  {
+    SetGrid(this->Scan, 9, 8);
+    this->Scan->Update();
+  }
+
+  /// Returns whether an update after the change builds.
+  bool After(const std::function<void()>& change)
+  {
+    const vtkMTimeType last = this->Scan->GetBuildTime();
+    change();
+    this->Scan->Modified();
+    EXPECT_EQ(UpdateAndGetError(this->Scan), "");
+    return this->Scan->GetBuildTime() != last;
+  }
+
+  const vtkSmartPointer<vtkLMS3DScanFilter> Scan;
+};
+
+void AddArrays(vtkDataSet* data)
+{
+  data->GetPointData()->AddArray(MakeArray("New", data->GetNumberOfPoints()));
+  data->GetCellData()->AddArray(MakeArray("New", data->GetNumberOfCells()));
+}
+
+/// A wall of 1,000,000 triangles at x = 5, made without VTK's sources, which
+/// are slow.
+vtkSmartPointer<vtkPolyData> MakeLargeScene()
+{
+  constexpr int Columns = 1000;
+  constexpr int Rows = 500;
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples((Columns + 1) * (Rows + 1));
+  double* coordinate = coordinates->GetPointer(0);
+  for (int i = 0; i < (Columns + 1) * (Rows + 1); ++i)
+  {
+    *coordinate++ = 5.0;
+    *coordinate++ = 0.01 * (i % (Columns + 1)) - 5.0;
+    *coordinate++ = 0.02 * (i / (Columns + 1)) - 5.0;
+  }
+  vtkNew<vtkIdTypeArray> corners;
+  corners->SetNumberOfValues(6 * Columns * Rows);
+  vtkIdType* corner = corners->GetPointer(0);
+  for (int i = 0; i < Columns * Rows; ++i)
+  {
+    const vtkIdType low = i / Columns * (Columns + 1) + i % Columns;
+    const vtkIdType high = low + Columns + 1;
+    for (vtkIdType id : { low, low + 1, high, high, low + 1, high + 1 })
+    {
+      *corner++ = id;
+    }
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  vtkNew<vtkCellArray> triangles;
+  triangles->SetData(3, corners);
+  auto scene = vtkSmartPointer<vtkPolyData>::New();
+  scene->SetPoints(points);
+  scene->SetPolys(triangles);
+  return scene;
+}
+
+/// Calls a function in each progress event.
+class ProgressListener
+{
+public:
+  ProgressListener(vtkAlgorithm* algorithm, std::function<void(double)> react)
+    : Algorithm(algorithm)
+    , React(std::move(react))
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(this);
+    command->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void*)
+      {
+        static_cast<ProgressListener*>(data)->React(
+          static_cast<vtkAlgorithm*>(caller)->GetProgress());
+      });
+    this->Tag = algorithm->AddObserver(vtkCommand::ProgressEvent, command);
+  }
+
+  ~ProgressListener() { this->Algorithm->RemoveObserver(this->Tag); }
+
+private:
+  vtkAlgorithm* Algorithm;
+  std::function<void(double)> React;
+  unsigned long Tag;
+};
+
+// The share of the progress that the class documentation gives for building.
+constexpr double BuildShare = 0.3;
+} // namespace
+
+// --- What builds
+// --------------------------------------------------------------------------------
+
+TEST(LMS3DScanBuild, NewArraysDoNotBuild)
+{
+  auto ball = MakeBall(1.0, 12);
+  Builds polygons(ball);
+  EXPECT_FALSE(polygons.After([&] { AddArrays(ball); }));
+  EXPECT_FALSE(polygons.After(
+    [&]
+    {
+      ball->GetPointData()->GetArray("New")->SetTuple1(0, 7.0);
+      ball->GetPointData()->GetArray("New")->Modified();
+    }));
+  EXPECT_FALSE(polygons.After([&] { ball->GetPointData()->RemoveArray("New"); }));
+
+  auto grid = MakeGrid();
+  EXPECT_FALSE(Builds(grid).After([&] { AddArrays(grid); }));
+
+  auto image = MakeImage();
+  EXPECT_FALSE(Builds(image).After([&] { AddArrays(image); }));
+}
+
+TEST(LMS3DScanBuild, NewArraysOfABlockDoNotBuild)
+{
+  auto ball = MakeBall(1.0, 12);
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, ball);
+  vtkNew<vtkMultiBlockDataSet> outer;
+  outer->SetBlock(0, inner);
+  outer->SetBlock(1, MakeBall(2.0, 12));
+  EXPECT_FALSE(Builds(outer).After([&] { AddArrays(ball); }));
+}
+
+TEST(LMS3DScanBuild, AnotherDataSetOfTheSameGeometryDoesNotBuild)
+{
+  // As a filter does that adds an array.
+  auto ball = MakeBall(1.0, 12);
+  Builds builds(ball);
+  vtkNew<vtkPolyData> colored;
+  colored->ShallowCopy(ball);
+  AddArrays(colored);
+  EXPECT_FALSE(builds.After([&] { builds.Scan->SetInputDataObject(colored); }));
+  EXPECT_TRUE(builds.After([&] { builds.Scan->SetInputDataObject(MakeBall(1.1, 12)); }));
+}
+
+TEST(LMS3DScanBuild, MovedPointsBuild)
+{
+  auto ball = MakeBall(1.0, 12);
+  Builds builds(ball);
+  EXPECT_TRUE(builds.After(
+    [&]
+    {
+      ball->GetPoints()->SetPoint(0, 0.0, 0.0, 1.1);
+      ball->GetPoints()->Modified();
+    }));
+  EXPECT_TRUE(builds.After(
+    [&]
+    {
+      ball->GetPoints()->GetData()->SetComponent(0, 2, 1.2);
+      ball->GetPoints()->GetData()->Modified();
+    }));
+  // Scripts that change the array in place often mark nothing but the data set.
+  EXPECT_TRUE(builds.After(
+    [&]
+    {
+      ball->GetPoints()->SetPoint(0, 0.0, 0.0, 1.3);
+      ball->Modified();
+    }));
+}
+
+TEST(LMS3DScanBuild, ChangedCellsBuild)
+{
+  auto ball = MakeBall(1.0, 12);
+  Builds builds(ball);
+  const vtkIdType corners[3] = { 0, 1, 10 };
+  EXPECT_TRUE(builds.After(
+    [&]
+    {
+      ball->GetPolys()->InsertNextCell(3, corners);
+      ball->Modified();
+    }));
+  EXPECT_TRUE(builds.After(
+    [&]
+    {
+      vtkNew<vtkUnsignedCharArray> ghosts;
+      ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+      ghosts->SetNumberOfValues(ball->GetNumberOfCells());
+      ghosts->FillValue(0);
+      ghosts->SetValue(3, vtkDataSetAttributes::HIDDENCELL);
+      ball->GetCellData()->AddArray(ghosts);
+    }));
+  EXPECT_TRUE(builds.After(
+    [&]
+    {
+      vtkNew<vtkIdTypeArray> ids;
+      ids->SetName("Ids");
+      for (vtkIdType cell = ball->GetNumberOfCells(); cell > 0; --cell)
+      {
+        ids->InsertNextValue(cell - 1);
+      }
+      ball->GetCellData()->SetGlobalIds(ids);
+    }));
+}
+
+TEST(LMS3DScanBuild, AMovedImageBuilds)
+{
+  auto image = MakeImage();
+  Builds builds(image);
+  EXPECT_TRUE(builds.After([&] { image->SetOrigin(-1.0, -1.0, -1.5); }));
+  EXPECT_TRUE(builds.After([&] { image->SetSpacing(1.0, 1.0, 1.1); }));
+  EXPECT_TRUE(builds.After([&] { image->SetDimensions(3, 3, 4); }));
+}
+
+TEST(LMS3DScanBuild, AnotherMethodBuilds)
+{
+  Builds builds(MakeBall(1.0, 12));
+  EXPECT_TRUE(builds.After([&] { builds.Scan->SetIntersectionMethodToFast(); }));
+  EXPECT_TRUE(builds.After([&] { builds.Scan->SetIntersectionMethodToExact(); }));
+}
+
+TEST(LMS3DScanBuild, ASceneThatLostItsPolygonsIsNotScannedAgain)
+{
+  auto ball = MakeBall(1.0, 12);
+  auto scan = MakeScan(ball);
+  scan->Update();
+  vtkNew<vtkCellArray> none;
+  ball->SetPolys(none);
+  scan->Modified();
+  EXPECT_NE(UpdateAndGetError(scan), "");
+  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+// --- Progress and abort
+// -------------------------------------------------------------------------
+
+TEST(LMS3DScanBuild, ReportsProgress)
+{
+  auto scan = MakeScan(MakeLargeScene());
+  SetGrid(scan, 9, 8);
+  std::vector<double> shares;
+  const ProgressListener listener(scan, [&](double share) { shares.push_back(share); });
+  scan->Update();
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1.0);
+  const auto isOfBuild = [](double share) { return share > 0.0 && share < BuildShare; };
+  EXPECT_GE(std::count_if(shares.begin(), shares.end(), isOfBuild), 5);
+}
+
+TEST(LMS3DScanBuild, StopsInTheFirstProgressEvent)
+{
+  auto scene = MakeLargeScene();
+  auto scan = MakeScan(scene);
+  SetGrid(scan, 9, 8);
+  const auto start = std::chrono::steady_clock::now();
+  {
+    const ProgressListener stopper(scan,
+      [&](double share)
+      {
+        if (share > 0.0)
+        {
+          scan->AbortExecuteOn();
+        }
+      });
+    scan->Update();
+  }
+  const std::chrono::duration<double> stopped = std::chrono::steady_clock::now() - start;
+  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(scan->GetRangeImage()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(scan->GetBuildTime(), 0u);
+
+  scan->AbortExecuteOff();
+  const auto again = std::chrono::steady_clock::now();
+  scan->Update();
+  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - again;
+  auto undisturbed = MakeScan(scene);
+  SetGrid(undisturbed, 9, 8);
+  undisturbed->Update();
+  EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(Hash(scan->GetOutput()), Hash(undisturbed->GetOutput()));
+  EXPECT_LT(stopped.count(), 0.5 * whole.count());
+}
+
+TEST(LMS3DScanBuild, StopsWhileEmbreeBuilds)
+{
+  auto scan = MakeScan(MakeLargeScene());
+  SetGrid(scan, 9, 8);
+  for (const double limit : { 0.4 * BuildShare, 0.6 * BuildShare })
+  {
+    const ProgressListener stopper(scan,
+      [&](double share)
+      {
+        if (share > limit)
+        {
+          scan->AbortExecuteOn();
+        }
+      });
+    scan->Update();
+    EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(scan->GetBuildTime(), 0u);
+    scan->AbortExecuteOff();
+    scan->Modified();
+  }
+  EXPECT_EQ(UpdateAndGetError(scan), "");
+  EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
+}
