@@ -3,7 +3,7 @@
 #include "Casting/lms3dAngleSumTest.h"
 #include "Casting/lms3dBruteForceCaster.h"
 
-std::unique_ptr<lms3dRayCaster> lms3dNewAngleSumCaster(lms3dTriangleMesh mesh)
+std::unique_ptr<lms3dRayCaster> lms3dNewAngleSumCaster(lms3dTriangleMesh mesh, const lms3dProgress&)
 {
   return std::make_unique<lms3dBruteForceCaster<lms3dAngleSumTest>>(std::move(mesh));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dEmbreeScene.h"
 
+#include "Casting/lms3dEmbreeBuild.h"
 #include "Casting/lms3dEmbreeHandles.h"
 #include "Casting/lms3dOutlyingTriangles.h"
 #include "Kernels/lms3dPacketKernels.h"
@@ -75,7 +76,7 @@ bool TestNearest(RTCPointQueryFunctionArguments* args)
 
 struct lms3dEmbreeScene::Internals
 {
-  Internals(const lms3dTriangleMesh& mesh, const CandidateTest* test)
+  Internals(const lms3dTriangleMesh& mesh, const CandidateTest* test, const lms3dProgress& progress)
     : Mesh(mesh)
     , Test(test)
     , Outliers(test ? lms3dFindOutlyingTriangles(mesh) : std::vector<std::uint32_t>())
@@ -92,8 +93,8 @@ struct lms3dEmbreeScene::Internals
     // For boxes the quick builder gives trees that are cast as quickly, in a third of the memory.
     rtcSetSceneBuildQuality(
       this->EmbreeScene.get(), test ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
-    rtcCommitScene(this->EmbreeScene.get());
     lms3dThrowOnError(this->EmbreeDevice.get());
+    lms3dCommitScene(this->EmbreeDevice.get(), this->EmbreeScene.get(), progress);
   }
 
   Geometry MakeBoxes()
@@ -298,13 +299,14 @@ struct lms3dEmbreeScene::Internals
   lms3dEmbreeHandle<RTCScene> EmbreeScene;
 };
 
-lms3dEmbreeScene::lms3dEmbreeScene(const lms3dTriangleMesh& mesh)
-  : Internal(new Internals(mesh, nullptr))
+lms3dEmbreeScene::lms3dEmbreeScene(const lms3dTriangleMesh& mesh, const lms3dProgress& progress)
+  : Internal(new Internals(mesh, nullptr, progress))
 {
 }
 
-lms3dEmbreeScene::lms3dEmbreeScene(const lms3dTriangleMesh& mesh, const CandidateTest& test)
-  : Internal(new Internals(mesh, &test))
+lms3dEmbreeScene::lms3dEmbreeScene(
+  const lms3dTriangleMesh& mesh, const CandidateTest& test, const lms3dProgress& progress)
+  : Internal(new Internals(mesh, &test, progress))
 {
 }
 

@@ -13,6 +13,7 @@
 #include "Casting/lms3dNormalization.h"
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Kernels/lms3dBeamPacket.h"
+#include "Pipeline/lms3dProgress.h"
 
 #include <cstdint>
 #include <memory>
@@ -46,10 +47,11 @@ public:
   };
 
   /// A scene of triangles on which Embree decides itself.
-  explicit lms3dEmbreeScene(const lms3dTriangleMesh& mesh);
+  lms3dEmbreeScene(const lms3dTriangleMesh& mesh, const lms3dProgress& progress);
 
   /// A scene of boxes, one around each triangle; `test` decides. Both must outlive the scene.
-  lms3dEmbreeScene(const lms3dTriangleMesh& mesh, const CandidateTest& test);
+  lms3dEmbreeScene(
+    const lms3dTriangleMesh& mesh, const CandidateTest& test, const lms3dProgress& progress);
 
   ~lms3dEmbreeScene();
   lms3dEmbreeScene(const lms3dEmbreeScene&) = delete;

@@ -18,10 +18,10 @@ class ExactCaster final
   , private lms3dEmbreeScene::CandidateTest
 {
 public:
-  explicit ExactCaster(lms3dTriangleMesh mesh)
+  ExactCaster(lms3dTriangleMesh mesh, const lms3dProgress& progress)
     : lms3dRayCaster(std::move(mesh))
     , Kernels(lms3dGetPacketKernels())
-    , Scene(this->GetMesh(), *this)
+    , Scene(this->GetMesh(), *this, progress)
   {
   }
 
@@ -102,7 +102,8 @@ private:
 };
 } // namespace
 
-std::unique_ptr<lms3dRayCaster> lms3dNewExactCaster(lms3dTriangleMesh mesh)
+std::unique_ptr<lms3dRayCaster> lms3dNewExactCaster(
+  lms3dTriangleMesh mesh, const lms3dProgress& progress)
 {
-  return std::make_unique<ExactCaster>(std::move(mesh));
+  return std::make_unique<ExactCaster>(std::move(mesh), progress);
 }

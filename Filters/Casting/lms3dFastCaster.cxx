@@ -16,9 +16,9 @@ namespace
 class FastCaster final : public lms3dRayCaster
 {
 public:
-  explicit FastCaster(lms3dTriangleMesh mesh)
+  FastCaster(lms3dTriangleMesh mesh, const lms3dProgress& progress)
     : lms3dRayCaster(CollapseTrianglesWithoutArea(std::move(mesh)))
-    , Scene(this->GetMesh())
+    , Scene(this->GetMesh(), progress)
   {
   }
 
@@ -47,7 +47,8 @@ private:
 };
 } // namespace
 
-std::unique_ptr<lms3dRayCaster> lms3dNewFastCaster(lms3dTriangleMesh mesh)
+std::unique_ptr<lms3dRayCaster> lms3dNewFastCaster(
+  lms3dTriangleMesh mesh, const lms3dProgress& progress)
 {
-  return std::make_unique<FastCaster>(std::move(mesh));
+  return std::make_unique<FastCaster>(std::move(mesh), progress);
 }

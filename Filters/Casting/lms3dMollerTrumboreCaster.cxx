@@ -50,7 +50,8 @@ private:
 };
 } // namespace
 
-std::unique_ptr<lms3dRayCaster> lms3dNewMollerTrumboreCaster(lms3dTriangleMesh mesh)
+std::unique_ptr<lms3dRayCaster> lms3dNewMollerTrumboreCaster(
+  lms3dTriangleMesh mesh, const lms3dProgress&)
 {
   return std::make_unique<lms3dBruteForceCaster<MollerTrumboreTest>>(std::move(mesh));
 }

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dRayCaster.h"
 
+#include "Casting/lms3dBuildStopped.h"
+
 #include <iterator>
 
-using lms3dNewRayCaster = std::unique_ptr<lms3dRayCaster>(lms3dTriangleMesh mesh);
+using lms3dNewRayCaster = std::unique_ptr<lms3dRayCaster>(
+  lms3dTriangleMesh mesh, const lms3dProgress& progress);
 
 lms3dNewRayCaster lms3dNewExactCaster;
 lms3dNewRayCaster lms3dNewFastCaster;
@@ -31,9 +34,17 @@ static_assert(std::size(Methods) == lms3dRayCaster::STATIC_CELL_LOCATOR + 1,
   "each method of lms3dRayCaster::Method has its row, in the order of their numbers");
 } // namespace
 
-std::unique_ptr<lms3dRayCaster> lms3dRayCaster::New(int method, lms3dTriangleMesh mesh)
+std::unique_ptr<lms3dRayCaster> lms3dRayCaster::New(
+  int method, lms3dTriangleMesh mesh, const lms3dProgress& progress)
 {
-  return Methods[method].New(std::move(mesh));
+  try
+  {
+    return Methods[method].New(std::move(mesh), progress);
+  }
+  catch (const lms3dBuildStopped&)
+  {
+    return nullptr;
+  }
 }
 
 void lms3dRayCaster::Measure(const lms3dViewpoint&, lms3dBeamPacket*, int) const

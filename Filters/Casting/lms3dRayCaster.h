@@ -14,6 +14,7 @@
 
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Kernels/lms3dBeamPacket.h"
+#include "Pipeline/lms3dProgress.h"
 
 #include <memory>
 #include <utility>
@@ -32,11 +33,13 @@ public:
   };
 
   /**
-   * Takes the mesh over, which has at least one triangle, and builds what the method needs, with
-   * the threads of the calling TBB arena. Throws std::runtime_error where that fails, for want of
-   * memory for instance.
+   * Builds what the method needs, with the threads of the calling TBB arena. The mesh must have at
+   * least one triangle; the caster takes it over. Methods with Embree report the progress of the
+   * build; the others report nothing. Returns null if `progress` stopped the build, which frees
+   * all memory. Throws std::runtime_error if the build fails, for example because memory is short.
    */
-  static std::unique_ptr<lms3dRayCaster> New(int method, lms3dTriangleMesh mesh);
+  static std::unique_ptr<lms3dRayCaster> New(
+    int method, lms3dTriangleMesh mesh, const lms3dProgress& progress = {});
 
   static int GetNumberOfMethods();
   static const char* GetMethodName(int method);

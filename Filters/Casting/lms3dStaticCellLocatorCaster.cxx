@@ -139,7 +139,8 @@ private:
 };
 } // namespace
 
-std::unique_ptr<lms3dRayCaster> lms3dNewStaticCellLocatorCaster(lms3dTriangleMesh mesh)
+std::unique_ptr<lms3dRayCaster> lms3dNewStaticCellLocatorCaster(
+  lms3dTriangleMesh mesh, const lms3dProgress&)
 {
   return std::make_unique<StaticCellLocatorCaster>(std::move(mesh));
 }

@@ -77,9 +77,9 @@ std::uint32_t Aim(
 }
 } // namespace
 
-lms3dSurfaceQuery::lms3dSurfaceQuery(lms3dTriangleMesh mesh)
+lms3dSurfaceQuery::lms3dSurfaceQuery(lms3dTriangleMesh mesh, const lms3dProgress& progress)
   : Mesh(std::move(mesh))
-  , Scene(this->Mesh)
+  , Scene(this->Mesh, progress)
 {
 }
 

@@ -7,6 +7,7 @@
 #ifndef lms3dSurfaceQuery_h
 #define lms3dSurfaceQuery_h
 
+#include "Casting/lms3dBuildStopped.h"
 #include "Casting/lms3dEmbreeScene.h"
 #include "Geometry/lms3dTriangleMesh.h"
 
@@ -30,8 +31,9 @@ class lms3dSurfaceQuery
 public:
   using Points = std::vector<std::array<double, 3>>;
 
-  /// Takes the mesh over, which has at least one triangle, none without area.
-  explicit lms3dSurfaceQuery(lms3dTriangleMesh mesh);
+  /// Takes the mesh over, which must have at least one triangle and none without area. `progress`
+  /// may be empty; the constructor throws lms3dBuildStopped if `progress` stopped the build.
+  explicit lms3dSurfaceQuery(lms3dTriangleMesh mesh, const lms3dProgress& progress = {});
 
   const lms3dTriangleMesh& GetMesh() const { return this->Mesh; }
 

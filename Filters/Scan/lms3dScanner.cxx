@@ -3,17 +3,16 @@
 #include "Scan/lms3dScanner.h"
 
 #include "Kernels/lms3dPacketKernels.h"
+#include "Pipeline/lms3dProgressReporter.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <thread>
 #include <vector>
 
 namespace
@@ -22,38 +21,6 @@ namespace
 // same boxes.
 constexpr int TileSide = 4;
 static_assert(TileSide * TileSide == lms3dBeamPacket::Size, "a tile is a packet");
-
-// Telling costs more than casting a row, but nobody shall wait long for it.
-constexpr double SmallestProgress = 0.1;
-constexpr std::chrono::milliseconds LongestSilence(50);
-
-/// Tells how much is done, and whether to go on, from one thread.
-class Reporter
-{
-public:
-  explicit Reporter(const lms3dProgress& progress)
-    : Progress(progress)
-  {
-  }
-
-  /// False where the work is to stop.
-  bool Tell(double done)
-  {
-    const auto now = std::chrono::steady_clock::now();
-    if (done < this->Told + SmallestProgress && now < this->Time + LongestSilence)
-    {
-      return true;
-    }
-    this->Told = done;
-    this->Time = now;
-    return this->Progress(done);
-  }
-
-private:
-  const lms3dProgress& Progress;
-  double Told = 0.0;
-  std::chrono::steady_clock::time_point Time = std::chrono::steady_clock::now();
-};
 
 int CountTiles(int beamsOrTurns)
 {
@@ -198,23 +165,17 @@ bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
 {
   const Scan scan(caster, geometry, directions, pose, limits, ranges, triangles, choices);
   const int rows = CountTiles(geometry.GetNumberOfTurns());
-  const std::thread::id caller = std::this_thread::get_id();
   std::atomic<int> rowsDone{ 0 };
-  std::atomic<bool> stopped{ false };
-  Reporter reporter(progress);
+  lms3dProgressReporter reporter(progress);
 
   tbb::parallel_for(tbb::blocked_range<int>(0, rows),
     [&](const tbb::blocked_range<int>& range)
     {
-      for (int row = range.begin(); row < range.end() && !stopped; ++row)
+      for (int row = range.begin(); row < range.end() && !reporter.IsStopped(); ++row)
       {
         scan.CastRow(row * TileSide);
-        const double done = static_cast<double>(++rowsDone) / rows;
-        if (std::this_thread::get_id() == caller && !reporter.Tell(done))
-        {
-          stopped = true;
-        }
+        reporter.Report(static_cast<double>(++rowsDone) / rows);
       }
     });
-  return !stopped;
+  return !reporter.IsStopped();
 }
