@@ -8,7 +8,7 @@
 #define lms3dSurfaceQuery_h
 
 #include "Casting/lms3dBuildStopped.h"
-#include "Casting/lms3dEmbreeScene.h"
+#include "Casting/lms3dEmbreeTriangles.h"
 #include "Geometry/lms3dTriangleMesh.h"
 
 #include <array>
@@ -50,11 +50,11 @@ public:
 
 private:
   lms3dNearest FindNearest(const double point[3], std::uint32_t guess) const;
-  void CastTowards(const lms3dViewpoint& viewpoint, const std::array<double, 3>* points, int count,
+  void CastTowards(const lms3dRayOrigin& origin, const std::array<double, 3>* points, int count,
     double* ranges) const;
 
   const lms3dTriangleMesh Mesh;
-  const lms3dEmbreeScene Scene;
+  const lms3dEmbreeTriangles Triangles;
 };
 
 #endif
