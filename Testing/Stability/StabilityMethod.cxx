@@ -39,7 +39,7 @@ StabilityMethod MakeMethod(const std::string& name, const NewCaster& newCaster)
     } };
 }
 
-/// A tolerance of so many powers of ten.
+/// A tolerance of 10 to the power of Exponent.
 template <int Exponent>
 class ForgivingTest : public lms3dAngleSumTest
 {

@@ -28,15 +28,15 @@ struct KernelResults
   lms3dBeamPacket Finished;
   lms3dDoubleDoublePlane Plane;
   double Ranges[lms3dBeamPacket::Size];
-  double RoughRanges[lms3dBeamPacket::Size];
+  double DoubleRanges[lms3dBeamPacket::Size];
   double Points[lms3dBeamPacket::Size][3];
-  float Starts[lms3dBeamPacket::Size];
-  float Reach[lms3dBeamPacket::Size];
+  float Origins[lms3dBeamPacket::Size];
+  float TFar[lms3dBeamPacket::Size];
   unsigned int Geometry[lms3dBeamPacket::Size];
-  lms3dHitMasks Verdicts;
+  lms3dHitMasks Masks;
   std::uint32_t Changed;
-  std::uint32_t Unsure;
-  std::uint32_t Within;
+  std::uint32_t Uncertain;
+  std::uint32_t InCone;
   std::uint32_t Near;
   std::uint32_t Hits;
   std::uint32_t Measured;
@@ -92,14 +92,13 @@ void ComputeBeams(
 {
   const lms3dBeamPacket& packet = results.Taken;
   const lms3dShiftedOrigin start = { input.Origin[0], 2.0, input.Corners[0][0], 3.0, 10.0 };
-  results.Near = kernels.ShiftOrigins(start, packet.Direction[0], results.Starts);
+  results.Near = kernels.ShiftOrigins(start, packet.Direction[0], results.Origins);
   const Vector& axis = input.Corners[1];
-  results.Within = kernels.FindInCone({ { axis[0], axis[1], axis[2] }, 0.5 }, packet);
-  std::fill_n(results.Reach, lms3dBeamPacket::Size, 7.0f);
+  results.InCone = kernels.FindInCone({ { axis[0], axis[1], axis[2] }, 0.5 }, packet);
+  std::fill_n(results.TFar, lms3dBeamPacket::Size, 7.0f);
+  kernels.ClipRays(packet, results.Changed, 0.25, 3.0, 9, { 0, 8, results.TFar, results.Geometry });
   kernels.ClipRays(
-    packet, results.Changed, 0.25, 3.0, 9, { 0, 8, results.Reach, results.Geometry });
-  kernels.ClipRays(
-    packet, results.Changed, 0.25, 3.0, 9, { 8, 5, results.Reach + 8, results.Geometry + 8 });
+    packet, results.Changed, 0.25, 3.0, 9, { 8, 5, results.TFar + 8, results.Geometry + 8 });
   const lms3dReturnsOfTurn returns = { input.Elevations.Cosine, input.Elevations.Sine, packet.Range,
     lms3dBeamPacket::Size - 1, input.Corners[0].data(), input.Corners[1].data(),
     input.Origin.data() };
@@ -115,7 +114,7 @@ void ComputeRanges(const lms3dPacketKernels& kernels, const lms3dCorners& corner
   kernels.IntersectDoublePlane(
     { { plane.Normal[0].High, plane.Normal[1].High, plane.Normal[2].High }, plane.Offset.High, 0.0,
       true },
-    results.Taken, results.RoughRanges);
+    results.Taken, results.DoubleRanges);
   results.Kept = results.Taken;
   results.Measured = kernels.StoreRanges(results.Ranges, 3, 10.0, results.Kept);
   results.Hits = kernels.FindHits(results.Kept);
@@ -135,10 +134,11 @@ std::string Compute(const lms3dPacketKernels& kernels, const KernelInput& input)
   std::fill_n(packet.Range, lms3dBeamPacket::Size, 1.0);
   std::fill_n(packet.Triangle, lms3dBeamPacket::Size, 5);
   packet.Active = 0x7fffu;
-  const lms3dSensorFrameTriangle seen = lms3dToSensorFrame(corners, input.Origin.data());
-  results.Verdicts = kernels.Classify(seen, packet);
+  const lms3dSensorFrameTriangle triangle = lms3dToSensorFrame(corners, input.Origin.data());
+  results.Masks = kernels.Classify(triangle, packet);
   results.Taken = packet;
-  results.Changed = kernels.UpdateNearest(seen, 3, 0xffffu, 1e6, results.Taken, results.Unsure);
+  results.Changed =
+    kernels.UpdateNearest(triangle, 3, 0xffffu, 1e6, results.Taken, results.Uncertain);
   ComputeBeams(kernels, input, results);
   ComputeRanges(kernels, corners, input, results);
   return { reinterpret_cast<const char*>(&results), sizeof(results) };
