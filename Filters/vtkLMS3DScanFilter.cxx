@@ -194,7 +194,7 @@ int vtkLMS3DScanFilter::RequestData(
   if (error.empty())
   {
     const auto warn = [this](const std::string& text) { vtkWarningMacro(<< text); };
-    const lms3dScanRequest scan = { settings, controller, vtkDataObject::GetData(inputVector[0]),
+    const lms3dScanJobRequest scan = { settings, controller, vtkDataObject::GetData(inputVector[0]),
       vtkPolyData::GetData(inputVector[1]), output, outputVector, lms3dReportTo(this, 0.0, 1.0),
       warn };
     error = lms3dRunAndGetError([&] { this->Internal->Job.Run(scan); },

@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Asks each beam about each triangle, for methods that have nothing but a test.
+ * @brief Tests each beam against each triangle, for methods without an acceleration structure.
  */
 #ifndef lms3dBruteForceCaster_h
 #define lms3dBruteForceCaster_h
 
 #include "Casting/lms3dRayCaster.h"
 #include "Casting/lms3dTriangle.h"
+#include "Geometry/lms3dVector.h"
 
 /**
- * `TestT` is made from the corners of a triangle seen from the sensor, and its method
- * double GetRange(const double direction[3]) const returns the range of a beam, or anything not
- * above 0 (or not a number) where it misses. It is not asked about triangles without area, nor
- * about those on whose plane the sensor stands: rounding would put them anywhere.
+ * `TestT` is constructed from a triangle in the sensor frame. Its method
+ * double GetRange(const lms3dVector& direction) const returns the range of a beam in metres, or NaN or
+ * a number that is not above 0 if the beam misses. Triangles without area, and triangles whose plane
+ * contains the sensor, are skipped, because rounding would decide about them.
  */
 template <typename TestT>
 class lms3dBruteForceCaster final : public lms3dRayCaster
@@ -25,7 +26,7 @@ public:
   {
   }
 
-  void Choose(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
+  void FindNearest(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const override
   {
     for (int i = 0; i < count; ++i)
     {
@@ -35,18 +36,18 @@ public:
         packets[i].Triangle[beam] = lms3dBeamPacket::NoTriangle;
       }
     }
-    // Each triangle is prepared once for all packets.
+    // Prepares each triangle once for all packets.
     for (std::size_t triangle = 0; triangle < this->GetMesh().GetNumberOfTriangles(); ++triangle)
     {
       const lms3dCorners corners = lms3dGetCorners(this->GetMesh(), triangle);
-      if (lms3dIsEdgeOn(corners, viewpoint.Origin))
+      if (lms3dIsEdgeOn(corners, origin.Position))
       {
         continue;
       }
-      const TestT test(lms3dSee(corners, viewpoint.Origin));
+      const TestT test(lms3dToSensorFrame(corners, origin.Position));
       for (int i = 0; i < count; ++i)
       {
-        TestPacket(test, static_cast<std::int32_t>(triangle), viewpoint.MaximumRange, packets[i]);
+        TestPacket(test, static_cast<std::int32_t>(triangle), origin.MaximumRange, packets[i]);
       }
     }
   }
@@ -57,7 +58,7 @@ private:
   {
     for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
     {
-      const double direction[3] = { packet.Direction[0][beam], packet.Direction[1][beam],
+      const lms3dVector direction = { packet.Direction[0][beam], packet.Direction[1][beam],
         packet.Direction[2][beam] };
       const double range = test.GetRange(direction);
       if (range > 0.0 && range <= maximumRange && range < packet.Range[beam])

@@ -7,8 +7,8 @@
 
 namespace
 {
-// ParaView deletes filters that a script left behind after Embree's static objects are gone
-// (Python's sys.exit does), and Embree then aborts. What is released so late is left to the system.
+// At exit, ParaView may delete filters after Embree's static objects, for example if a script calls
+// sys.exit. Embree aborts if its objects are released then, so they are left to the system.
 bool ProcessEnds = false;
 const struct EndOfProcess
 {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Embree's objects, released when nobody holds them any more.
+ * @brief Owners of Embree's objects, and the check for Embree's errors.
  *
- * For lms3dEmbreeScene.cxx alone: no other source sees Embree.
+ * The only header that includes Embree. Only the sources named lms3dEmbree* may include it.
  */
 #ifndef lms3dEmbreeHandles_h
 #define lms3dEmbreeHandles_h
@@ -25,10 +25,12 @@ struct lms3dEmbreeRelease
   void operator()(RTCScene scene) const;
 };
 
+/// Owns one reference, for example lms3dEmbreeHandle<RTCScene>.
 template <typename Handle>
 using lms3dEmbreeHandle = std::unique_ptr<std::remove_pointer_t<Handle>, lms3dEmbreeRelease>;
 
-/// Throws std::runtime_error where the last call of Embree in this thread failed.
+/// Throws std::runtime_error, with a text for the user, if the last call of Embree in this thread
+/// failed.
 void lms3dThrowOnError(RTCDevice device);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Casting/lms3dEmbreeScene.h"
-#include "Casting/lms3dRangeMeter.h"
+#include "Casting/lms3dEmbreeTriangles.h"
+#include "Casting/lms3dRangeRefinement.h"
 #include "Casting/lms3dRayCaster.h"
 #include "Casting/lms3dTriangle.h"
 
@@ -11,25 +11,26 @@
 
 namespace
 {
-/// Embree's single-precision triangles decide; the range is that of the triangle's plane in
-/// double.
+/// Embree decides in single precision which triangle each beam hits. The range is the distance to the
+/// plane of that triangle in double precision.
 class FastCaster final : public lms3dRayCaster
 {
 public:
   FastCaster(lms3dTriangleMesh mesh, const lms3dProgress& progress)
     : lms3dRayCaster(CollapseTrianglesWithoutArea(std::move(mesh)))
-    , Scene(this->GetMesh(), progress)
+    , Triangles(this->GetMesh(), progress)
   {
   }
 
-  void Choose(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
+  void FindNearest(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const override
   {
-    this->Scene.Cast(viewpoint, packets, count);
-    lms3dMeasureRangesRoughly(this->GetMesh(), viewpoint, packets, count);
+    this->Triangles.Cast(origin, packets, count);
+    lms3dRefineRangesInDouble(this->GetMesh(), origin, packets, count);
   }
 
 private:
-  // Single precision may hit a line, which has no range to give; a point it never hits.
+  // In single precision a beam may hit a triangle that has no area but a length; its plane gives no
+  // range. A triangle collapsed to a point is never hit.
   static lms3dTriangleMesh CollapseTrianglesWithoutArea(lms3dTriangleMesh mesh)
   {
     tbb::parallel_for(std::size_t(0), mesh.GetNumberOfTriangles(),
@@ -43,7 +44,7 @@ private:
     return mesh;
   }
 
-  const lms3dEmbreeScene Scene;
+  const lms3dEmbreeTriangles Triangles;
 };
 } // namespace
 

@@ -1,52 +1,38 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dBruteForceCaster.h"
+#include "Geometry/lms3dVector.h"
 
 namespace
 {
-/// T. Moeller, B. Trumbore, "Fast, minimum storage ray/triangle intersection", JGT 2(1), 1997.
+/// Source: T. Moeller, B. Trumbore, "Fast, minimum storage ray/triangle intersection", JGT 2(1), 1997.
 class MollerTrumboreTest
 {
 public:
-  explicit MollerTrumboreTest(const lms3dSeenTriangle& triangle)
+  explicit MollerTrumboreTest(const lms3dSensorFrameTriangle& triangle)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->FirstEdge[axis] = triangle.Corner[1][axis] - triangle.Corner[0][axis];
-      this->SecondEdge[axis] = triangle.Corner[2][axis] - triangle.Corner[0][axis];
-      this->ToSensor[axis] = -triangle.Corner[0][axis];
-    }
-    Cross(this->ToSensor, this->FirstEdge, this->Q);
+    const double* a = triangle.Corner[0];
+    this->FirstEdge = lms3dSubtract(triangle.Corner[1], a);
+    this->SecondEdge = lms3dSubtract(triangle.Corner[2], a);
+    this->ToSensor = { -a[0], -a[1], -a[2] };
+    this->Q = lms3dCross(this->ToSensor, this->FirstEdge);
   }
 
-  double GetRange(const double direction[3]) const
+  double GetRange(const lms3dVector& direction) const
   {
-    double p[3];
-    Cross(direction, this->SecondEdge, p);
-    const double determinant = Dot(this->FirstEdge, p);
-    const double u = Dot(this->ToSensor, p) / determinant;
-    const double v = Dot(direction, this->Q) / determinant;
+    const lms3dVector p = lms3dCross(direction, this->SecondEdge);
+    const double determinant = lms3dDot(this->FirstEdge, p);
+    const double u = lms3dDot(this->ToSensor, p) / determinant;
+    const double v = lms3dDot(direction, this->Q) / determinant;
     const bool isInside = u >= 0.0 && v >= 0.0 && u + v <= 1.0;
-    return isInside ? Dot(this->SecondEdge, this->Q) / determinant : 0.0;
+    return isInside ? lms3dDot(this->SecondEdge, this->Q) / determinant : 0.0;
   }
 
 private:
-  static void Cross(const double p[3], const double q[3], double out[3])
-  {
-    out[0] = p[1] * q[2] - p[2] * q[1];
-    out[1] = p[2] * q[0] - p[0] * q[2];
-    out[2] = p[0] * q[1] - p[1] * q[0];
-  }
-
-  static double Dot(const double p[3], const double q[3])
-  {
-    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-  }
-
-  double FirstEdge[3];
-  double SecondEdge[3];
-  double ToSensor[3];
-  double Q[3];
+  lms3dVector FirstEdge;
+  lms3dVector SecondEdge;
+  lms3dVector ToSensor;
+  lms3dVector Q;
 };
 } // namespace
 

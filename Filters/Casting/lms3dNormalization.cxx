@@ -8,24 +8,24 @@
 
 namespace
 {
-// Rays start no farther from the scene's centre than this, in diagonals.
-constexpr double FarthestStart = 2.0;
+// The minimum distance from the scene's centre at which the ray offset begins, in diagonals.
+constexpr double MinimumOriginDistance = 2.0;
 
-// What outweighs the rounding of the cone, and that of coordinates at a large offset.
+// Relative margins for the rounding of the cone, and for that of coordinates at a large offset.
 constexpr double ConeMargin = 1e-9;
 constexpr double RoundingMargin = 1e-15;
 } // namespace
 
 lms3dNormalization::lms3dNormalization(
-  const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& leftOut)
+  const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& excluded)
 {
   constexpr double Infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low = { Infinity, Infinity, Infinity };
   std::array<double, 3> high = { -Infinity, -Infinity, -Infinity };
-  auto skipped = leftOut.begin();
+  auto skipped = excluded.begin();
   for (std::size_t triangle = 0; triangle < mesh.GetNumberOfTriangles(); ++triangle)
   {
-    if (skipped != leftOut.end() && *skipped == triangle)
+    if (skipped != excluded.end() && *skipped == triangle)
     {
       ++skipped;
       continue;
@@ -59,14 +59,14 @@ lms3dCone lms3dNormalization::GetCone(const double origin[3]) const
   const double radius = 0.5 * this->Diagonal * (1.0 + ConeMargin) + RoundingMargin * rounding;
   const double distance = std::hypot(cone.Axis[0], cone.Axis[1], cone.Axis[2]);
   const double tangent = std::sqrt(std::max(0.0, distance - radius) * (distance + radius));
-  cone.Least =
+  cone.Minimum =
     distance > radius ? tangent * (1.0 - ConeMargin) : -std::numeric_limits<double>::infinity();
   return cone;
 }
 
-double lms3dNormalization::GetHeadStart(const double origin[3]) const
+double lms3dNormalization::GetRayOffset(const double origin[3]) const
 {
   const double distance = std::hypot(
     origin[0] - this->Center[0], origin[1] - this->Center[1], origin[2] - this->Center[2]);
-  return std::max(0.0, distance - FarthestStart * this->Diagonal);
+  return std::max(0.0, distance - MinimumOriginDistance * this->Diagonal);
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Moves a scene to the origin and scales it to a diagonal of 1.
+ * @brief Moves a scene's centre to the origin and scales its diagonal to 1.
  *
- * Single precision then costs no more digits at a large offset, or at a very small or large scale,
- * than it does anywhere.
+ * Single precision then keeps the same number of digits of a scene at any offset and scale. Lengths
+ * and coordinates are in metres, in the world frame, unless a comment says "normalized".
  */
 #ifndef lms3dNormalization_h
 #define lms3dNormalization_h
@@ -19,10 +19,12 @@
 class lms3dNormalization
 {
 public:
-  /// Some triangles, in increasing order, may be left out; at least one must be left.
+  /// Takes the bounds of the mesh without the `excluded` triangles, which are in increasing order. At
+  /// least one triangle must remain.
   explicit lms3dNormalization(
-    const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& leftOut = {});
+    const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& excluded = {});
 
+  /// Returns a normalized coordinate.
   double Normalize(double coordinate, int axis) const
   {
     return (coordinate - this->Center[axis]) / this->Diagonal;
@@ -35,12 +37,15 @@ public:
 
   double GetCenter(int axis) const { return this->Center[axis]; }
   double GetDiagonal() const { return this->Diagonal; }
+
+  /// Returns a normalized length.
   double GetDistance(double range) const { return range / this->Diagonal; }
 
-  /// How far along its beam a ray may start, metres, so that it starts within a few diagonals.
-  double GetHeadStart(const double origin[3]) const;
+  /// Returns how far along its beam a ray may start without passing the scene: 0 near the scene. Rays
+  /// that can hit then start within two and a half diagonals of the centre.
+  double GetRayOffset(const double origin[3]) const;
 
-  /// The directions in which the scene may be seen, and a little more; all from within.
+  /// Returns a cone that contains the scene's bounding sphere; from inside that sphere, all directions.
   lms3dCone GetCone(const double origin[3]) const;
 
 private:

@@ -12,20 +12,21 @@
 
 namespace
 {
-constexpr std::size_t MostOutliers = 16;
-constexpr double TimesSmaller = 100.0;
+constexpr std::size_t MaximumOutliers = 16;
+constexpr double MinimumSizeRatio = 100.0;
 
-// Outliers among so many do not move their median.
+// The median of a sample of this size does not move because of a few outliers.
 constexpr std::size_t SampleSize = 1001;
 
-/// How far a triangle reaches from the middle of the scene, and its number.
-using Reach = std::pair<double, std::uint32_t>;
+/// The largest distance of a triangle's corners from the scene's median, along any axis, and the
+/// triangle's index.
+using Extent = std::pair<double, std::uint32_t>;
 
-std::array<double, 3> GetMiddle(const lms3dTriangleMesh& mesh)
+std::array<double, 3> GetMedian(const lms3dTriangleMesh& mesh)
 {
   const std::size_t count = mesh.GetNumberOfTriangles();
   const std::size_t step = count / SampleSize + 1;
-  std::array<double, 3> middle;
+  std::array<double, 3> median;
   for (int axis = 0; axis < 3; ++axis)
   {
     std::vector<double> sample;
@@ -33,49 +34,50 @@ std::array<double, 3> GetMiddle(const lms3dTriangleMesh& mesh)
     {
       sample.push_back(mesh.GetCorner(triangle, 0)[axis]);
     }
-    const auto median = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
-    std::nth_element(sample.begin(), median, sample.end());
-    middle[axis] = *median;
+    const auto half = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+    std::nth_element(sample.begin(), half, sample.end());
+    median[axis] = *half;
   }
-  return middle;
+  return median;
 }
 
-double GetReach(
-  const lms3dTriangleMesh& mesh, std::size_t triangle, const std::array<double, 3>& middle)
+double GetExtent(
+  const lms3dTriangleMesh& mesh, std::size_t triangle, const std::array<double, 3>& median)
 {
-  double reach = 0.0;
+  double extent = 0.0;
   for (int corner = 0; corner < 3; ++corner)
   {
     const double* point = mesh.GetCorner(triangle, corner);
     for (int axis = 0; axis < 3; ++axis)
     {
-      reach = std::max(reach, std::abs(point[axis] - middle[axis]));
+      extent = std::max(extent, std::abs(point[axis] - median[axis]));
     }
   }
-  return reach;
+  return extent;
 }
 
-/// Those that reach farthest, the farthest first: one more than there may be outliers.
-std::vector<Reach> FindFarthest(const lms3dTriangleMesh& mesh)
+/// Returns the triangles with the largest extents, the largest first: one more than the maximum number
+/// of outliers.
+std::vector<Extent> FindFarthest(const lms3dTriangleMesh& mesh)
 {
-  const std::array<double, 3> middle = GetMiddle(mesh);
-  std::vector<Reach> farthest;
-  double least = -1.0;
+  const std::array<double, 3> median = GetMedian(mesh);
+  std::vector<Extent> farthest;
+  double minimum = -1.0;
   for (std::size_t triangle = 0; triangle < mesh.GetNumberOfTriangles(); ++triangle)
   {
-    const double reach = GetReach(mesh, triangle, middle);
-    if (reach <= least)
+    const double extent = GetExtent(mesh, triangle, median);
+    if (extent <= minimum)
     {
       continue;
     }
-    const Reach found(reach, static_cast<std::uint32_t>(triangle));
+    const Extent found(extent, static_cast<std::uint32_t>(triangle));
     farthest.insert(
       std::upper_bound(farthest.begin(), farthest.end(), found, std::greater<>()), found);
-    if (farthest.size() > MostOutliers + 1)
+    if (farthest.size() > MaximumOutliers + 1)
     {
       farthest.pop_back();
     }
-    least = farthest.size() > MostOutliers ? farthest.back().first : -1.0;
+    minimum = farthest.size() > MaximumOutliers ? farthest.back().first : -1.0;
   }
   return farthest;
 }
@@ -83,14 +85,15 @@ std::vector<Reach> FindFarthest(const lms3dTriangleMesh& mesh)
 
 std::vector<std::uint32_t> lms3dFindOutlyingTriangles(const lms3dTriangleMesh& mesh)
 {
-  const std::vector<Reach> farthest = FindFarthest(mesh);
+  const std::vector<Extent> farthest = FindFarthest(mesh);
   const auto rest = std::find_if(farthest.begin(), farthest.end(),
-    [&](const Reach& reach) { return reach.first * TimesSmaller <= farthest.front().first; });
+    [&](const Extent& extent)
+    { return extent.first * MinimumSizeRatio <= farthest.front().first; });
   std::vector<std::uint32_t> outliers;
   if (rest != farthest.end())
   {
     std::transform(farthest.begin(), rest, std::back_inserter(outliers),
-      [](const Reach& reach) { return reach.second; });
+      [](const Extent& extent) { return extent.second; });
     std::sort(outliers.begin(), outliers.end());
   }
   return outliers;

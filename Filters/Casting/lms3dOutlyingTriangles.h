@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The few triangles that are far larger, or farther away, than all the others.
+ * @brief Finds the few triangles that are far larger, or much farther away, than all others.
  */
 #ifndef lms3dOutlyingTriangles_h
 #define lms3dOutlyingTriangles_h
@@ -13,11 +13,11 @@
 #include <vector>
 
 /**
- * At most 16 triangles, in increasing order, without which the scene is a hundred times smaller: an
- * endless floor, a backdrop, a stray vertex. None where the scene is of one size.
+ * Returns at most 16 triangles, in increasing order, without which the scene is a hundred times
+ * smaller: an endless floor, a backdrop, a stray vertex. Returns none if there are no such triangles.
  *
- * Single precision has so many digits of the whole scene. Whoever uses it for the others is better
- * off with these looked at one by one.
+ * Single precision resolves a fixed share of the scene's size. If the caller tests the outliers one by
+ * one, single precision resolves the rest a hundred times better.
  */
 std::vector<std::uint32_t> lms3dFindOutlyingTriangles(const lms3dTriangleMesh& mesh);
 

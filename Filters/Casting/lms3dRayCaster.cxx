@@ -31,7 +31,7 @@ constexpr Method Methods[] = {
   { "StaticCellLocator", lms3dNewStaticCellLocatorCaster },
 };
 static_assert(std::size(Methods) == lms3dRayCaster::STATIC_CELL_LOCATOR + 1,
-  "each method of lms3dRayCaster::Method has its row, in the order of their numbers");
+  "the rows of this table have the order of lms3dRayCaster::Method");
 } // namespace
 
 std::unique_ptr<lms3dRayCaster> lms3dRayCaster::New(
@@ -47,9 +47,9 @@ std::unique_ptr<lms3dRayCaster> lms3dRayCaster::New(
   }
 }
 
-void lms3dRayCaster::Measure(const lms3dViewpoint&, lms3dBeamPacket*, int) const
+void lms3dRayCaster::RefineRanges(const lms3dRayOrigin&, lms3dBeamPacket*, int) const
 {
-  // Most methods choose by the range that they give.
+  // The ranges of FindNearest are final.
 }
 
 int lms3dRayCaster::GetNumberOfMethods()

@@ -4,10 +4,10 @@
  * @file
  * @brief Finds the nearest triangle along each beam of a packet.
  *
- * A method is a source file of its own, with one function that makes its caster. Adding one takes
- * that file and its line in CMakeLists.txt, a row in the table of lms3dRayCaster.cxx, an enumerator
- * with its setter in vtkLMS3DScanFilter.h, and an entry in LMS3DFilters.xml. The filter, the command
- * line and the benchmark read the table; tests hold the header and the XML against it.
+ * Each method is a source file with one function that makes its caster. To add a method, add that
+ * file to CMakeLists.txt, a row to the table in lms3dRayCaster.cxx, an enumerator with its setter to
+ * vtkLMS3DScanFilter.h, and an entry to LMS3DFilters.xml. The filter, the command line and the
+ * benchmark read the table; tests compare the header and the XML with it.
  */
 #ifndef lms3dRayCaster_h
 #define lms3dRayCaster_h
@@ -22,7 +22,7 @@
 class lms3dRayCaster
 {
 public:
-  /// The numbers of vtkLMS3DScanFilter::IntersectionMethods, which documents them.
+  /// The values of vtkLMS3DScanFilter::IntersectionMethods, which documents them.
   enum Method
   {
     EXACT,
@@ -41,31 +41,36 @@ public:
   static std::unique_ptr<lms3dRayCaster> New(
     int method, lms3dTriangleMesh mesh, const lms3dProgress& progress = {});
 
+  ///@{
+  /// The methods of the table; a method is an index from 0.
   static int GetNumberOfMethods();
   static const char* GetMethodName(int method);
+  ///@}
 
   virtual ~lms3dRayCaster() = default;
   lms3dRayCaster(const lms3dRayCaster&) = delete;
   lms3dRayCaster& operator=(const lms3dRayCaster&) = delete;
 
   /**
-   * Casts the active beams of some packets, and fills their Range and Triangle with the nearest hit
-   * at a range above 0 and up to the viewpoint's maximum. May be called from many threads.
+   * Casts the active beams of some packets. Fills Range and Triangle with the nearest hit at a range
+   * above 0 and up to the maximum. Several threads may call this at once.
    */
-  void Cast(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const
+  void Cast(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const
   {
-    this->Choose(viewpoint, packets, count);
-    this->Measure(viewpoint, packets, count);
+    this->FindNearest(origin, packets, count);
+    this->RefineRanges(origin, packets, count);
   }
 
   ///@{
   /**
-   * The two steps of Cast. The first finds the nearest triangle, of those at the same range the one
-   * with the smallest number, by a range that has about 13 digits; the second gives it all digits.
+   * The two steps of Cast. FindNearest finds the nearest triangle by ranges of about 13 digits. Of
+   * triangles at the same range it takes the one with the smallest index. RefineRanges computes the
+   * ranges of these triangles with all digits; methods whose first ranges are final do nothing.
    */
-  virtual void Choose(
-    const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const = 0;
-  virtual void Measure(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const;
+  virtual void FindNearest(
+    const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const = 0;
+  virtual void RefineRanges(
+    const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
   ///@}
 
   const lms3dTriangleMesh& GetMesh() const { return this->Mesh; }

@@ -17,10 +17,10 @@
 
 namespace
 {
-// With 0 the locator misses beams on edges, with 1e-2 it hits beside triangles.
+// In metres. With 0 the locator misses beams on edges; with 1e-2 it hits beside triangles.
 constexpr double Tolerance = 1e-9;
 
-/// VTK's own locator, for comparison.
+/// Uses vtkStaticCellLocator, for comparison.
 class StaticCellLocatorCaster final : public lms3dRayCaster
 {
 public:
@@ -46,15 +46,15 @@ public:
     this->Locator->BuildLocator();
   }
 
-  void Choose(const lms3dViewpoint& viewpoint, lms3dBeamPacket* packets, int count) const override
+  void FindNearest(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const override
   {
-    const double length = std::min(viewpoint.MaximumRange, this->GetReach(viewpoint.Origin));
+    const double length = std::min(origin.MaximumRange, this->GetMaximumLength(origin.Position));
     vtkNew<vtkGenericCell> cell;
     for (int i = 0; i < count; ++i)
     {
       for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
       {
-        this->CastBeam(viewpoint.Origin, length, beam, packets[i], cell);
+        this->CastBeam(origin.Position, length, beam, packets[i], cell);
       }
     }
   }
@@ -73,7 +73,7 @@ private:
     packet.Triangle[beam] = static_cast<std::int32_t>(hit.Triangle);
   }
 
-  /// How far along the line, from 0 to 1.
+  /// The nearest hit. Share is the position along the line, from 0 to 1.
   struct Hit
   {
     double Share = lms3dBeamPacket::NoRange;
@@ -99,7 +99,7 @@ private:
     return this->IsInFront(hit, origin) ? hit : this->FindNearestInFront(origin, end, cell);
   }
 
-  /// Asks for all triangles along the line, which takes longer.
+  /// Finds all triangles along the line, which takes longer.
   Hit FindNearestInFront(const double origin[3], const double end[3], vtkGenericCell* cell) const
   {
     vtkNew<vtkIdList> triangles;
@@ -121,8 +121,8 @@ private:
     return nearest;
   }
 
-  /// Beyond this distance there is nothing.
-  double GetReach(const double origin[3]) const
+  /// Returns a length beyond which beams meet nothing.
+  double GetMaximumLength(const double origin[3]) const
   {
     double farthest[3];
     for (int axis = 0; axis < 3; ++axis)

@@ -3,39 +3,38 @@
 #include "Casting/lms3dTriangle.h"
 
 #include "Geometry/lms3dExactSum.h"
+#include "Geometry/lms3dTwoSum.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
-// Four for each of the 48 products of a determinant.
+// Four terms for each of the 48 products of a determinant.
 using ExactSum = lms3dExactSum<192>;
 
-/// p - q as the sum of two doubles for each axis, the rounding error last.
-using Difference = std::array<std::array<double, 2>, 3>;
+/// p - q without rounding, for each axis.
+using Difference = std::array<lms3dDoubleDouble, 3>;
 
 Difference Subtract(const double* p, const double* q)
 {
-  Difference difference;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double rounded = p[axis] - q[axis];
-    const double part = rounded - p[axis];
-    difference[axis] = { rounded, (p[axis] - (rounded - part)) - (q[axis] + part) };
-  }
-  return difference;
+  return { lms3dTwoDifference(p[0], q[0]), lms3dTwoDifference(p[1], q[1]),
+    lms3dTwoDifference(p[2], q[2]) };
 }
 
-/// Adds x times the determinant's cofactor of an axis.
+/// Adds x times one component of the cross product of p and q.
 void AddCofactor(ExactSum& sum, double x, int axis, const Difference& p, const Difference& q)
 {
   const int next = (axis + 1) % 3;
   const int last = (axis + 2) % 3;
+  const double pNext[2] = { p[next].High, p[next].Low };
+  const double pLast[2] = { p[last].High, p[last].Low };
+  const double qNext[2] = { q[next].High, q[next].Low };
+  const double qLast[2] = { q[last].High, q[last].Low };
   for (int i = 0; i < 4; ++i)
   {
-    sum.AddProduct(p[next][i / 2], q[last][i % 2], x);
-    sum.AddProduct(p[last][i / 2], q[next][i % 2], -x);
+    sum.AddProduct(pNext[i / 2], qLast[i % 2], x);
+    sum.AddProduct(pLast[i / 2], qNext[i % 2], -x);
   }
 }
 
@@ -54,34 +53,34 @@ ExactSum GetDeterminant(const Difference& a, const Difference& p, const Differen
   ExactSum sum;
   for (int axis = 0; axis < 3; ++axis)
   {
-    AddCofactor(sum, a[axis][1], axis, p, q);
-    AddCofactor(sum, a[axis][0], axis, p, q);
+    AddCofactor(sum, a[axis].Low, axis, p, q);
+    AddCofactor(sum, a[axis].High, axis, p, q);
   }
   return sum;
 }
 
 double SumOfMagnitudes(const Difference& p)
 {
-  return std::abs(p[0][0]) + std::abs(p[1][0]) + std::abs(p[2][0]);
+  return std::abs(p[0].High) + std::abs(p[1].High) + std::abs(p[2].High);
 }
 
-// Where the sensor is nearer to a plane than this share of the triangle's size or distance, the
-// plane's 31 digits leave too few of the range, and may put a sensor that stands on it beside it.
+// Relative to the triangle's size or distance. If the sensor is nearer to a plane, the 31 digits of the
+// plane's offset leave too few digits of the range.
 constexpr double NearPlane = 1e-12;
 
-// Above this share of its terms' size a rounded determinant is not 0.
+// A rounded determinant that exceeds this share of the size of its terms is not 0.
 constexpr double RoundingOfDeterminant = 1e-14;
 } // namespace
 
 bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3])
 {
-  const Difference seen[3] = { Subtract(corners[0], origin), Subtract(corners[1], origin),
+  const Difference corner[3] = { Subtract(corners[0], origin), Subtract(corners[1], origin),
     Subtract(corners[2], origin) };
   int positive = 0;
   int negative = 0;
   for (int i = 0; i < 3; ++i)
   {
-    const int sign = GetDeterminant(direction, seen[(i + 1) % 3], seen[(i + 2) % 3]).GetSign();
+    const int sign = GetDeterminant(direction, corner[(i + 1) % 3], corner[(i + 2) % 3]).GetSign();
     positive += sign > 0;
     negative += sign < 0;
   }
@@ -94,8 +93,8 @@ bool lms3dHasArea(const lms3dCorners& corners)
   const Difference q = Subtract(corners[2], corners[0]);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double x = p[(axis + 1) % 3][0] * q[(axis + 2) % 3][0];
-    const double y = p[(axis + 2) % 3][0] * q[(axis + 1) % 3][0];
+    const double x = p[(axis + 1) % 3].High * q[(axis + 2) % 3].High;
+    const double y = p[(axis + 2) % 3].High * q[(axis + 1) % 3].High;
     if (std::abs(x - y) > RoundingOfDeterminant * (std::abs(x) + std::abs(y)))
     {
       return true;
@@ -123,7 +122,7 @@ bool lms3dIsEdgeOn(const lms3dCorners& corners, const double origin[3])
   {
     const int next = (axis + 1) % 3;
     const int last = (axis + 2) % 3;
-    rounded += a[axis][0] * (p[next][0] * q[last][0] - p[last][0] * q[next][0]);
+    rounded += a[axis].High * (p[next].High * q[last].High - p[last].High * q[next].High);
   }
   const double size = SumOfMagnitudes(a) * SumOfMagnitudes(p) * SumOfMagnitudes(q);
   return std::abs(rounded) <= RoundingOfDeterminant * size &&
@@ -131,7 +130,7 @@ bool lms3dIsEdgeOn(const lms3dCorners& corners, const double origin[3])
 }
 
 bool lms3dIsNearPlane(
-  const lms3dCorners& corners, const double origin[3], const lms3dSeenPlane& plane)
+  const lms3dCorners& corners, const double origin[3], const lms3dDoubleDoublePlane& plane)
 {
   const double a = SumOfMagnitudes(Subtract(corners[0], origin));
   const double p = SumOfMagnitudes(Subtract(corners[1], corners[0]));
@@ -139,7 +138,7 @@ bool lms3dIsNearPlane(
   return std::abs(plane.Offset.High) <= NearPlane * std::max({ a, p, q }) * p * q;
 }
 
-void lms3dMeasureNearPlane(const lms3dCorners& corners, const double origin[3],
+void lms3dIntersectNearPlane(const lms3dCorners& corners, const double origin[3],
   const lms3dBeamPacket& packet, double* ranges)
 {
   const Difference a = Subtract(corners[0], origin);

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A triangle seen from the sensor, and exactly where beams pass it.
+ * @brief A triangle in the sensor frame, and exact tests of whether beams hit it.
  *
- * With a, b, c the corners seen from the sensor, a beam along D passes inside the triangle where
- * the three edge functions D.(b x c), D.(c x a), D.(a x b) have one sign. Two triangles that share
- * an edge compute the same number for it but for its sign, so no beam passes between them.
+ * With the corners a, b, c relative to the sensor, a beam along d passes inside the triangle if the
+ * three edge functions d.(b x c), d.(c x a), d.(a x b) have the same sign. Two triangles that share an
+ * edge compute the same number for that edge, except for its sign, so no beam passes between them.
  *
- * A triangle is closed (an edge or a corner counts as a hit) and has two sides. A beam within its
- * own plane, and a triangle without area, are never hit.
+ * A triangle is closed (an edge or a corner counts as a hit) and has two sides. A beam in its plane
+ * never hits it, and a triangle without area is never hit.
+ *
+ * Corners and origin are in world coordinates, metres. Determinants are sums without rounding
+ * (lms3dExactSum) of coordinate differences without rounding (lms3dTwoDifference).
  */
 #ifndef lms3dTriangle_h
 #define lms3dTriangle_h
@@ -17,36 +20,39 @@
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Kernels/lms3dPacketKernels.h"
 
-inline lms3dSeenTriangle lms3dSee(const lms3dCorners& corners, const double origin[3])
+/// Returns the corners relative to the sensor, each coordinate rounded once.
+inline lms3dSensorFrameTriangle lms3dToSensorFrame(
+  const lms3dCorners& corners, const double origin[3])
 {
-  lms3dSeenTriangle seen;
+  lms3dSensorFrameTriangle triangle;
   for (int corner = 0; corner < 3; ++corner)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      seen.Corner[corner][axis] = corners[corner][axis] - origin[axis];
+      triangle.Corner[corner][axis] = corners[corner][axis] - origin[axis];
     }
   }
-  return seen;
+  return triangle;
 }
 
-/// Whether a beam passes inside, without rounding: for those that double leaves in doubt.
+/// Whether a beam passes inside, without rounding: for those that double leaves in undecided.
 bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3]);
 
-/// Whether a triangle's corners are not on one line, without rounding.
+/// Returns whether the corners do not lie on one line, with exact arithmetic.
 bool lms3dHasArea(const lms3dCorners& corners);
 
-/// Whether a triangle has no area, or the sensor stands on its plane, without rounding: then no beam
-/// hits it.
+/// Returns whether the triangle has no area or its plane contains the sensor, with exact arithmetic.
+/// No beam hits such a triangle.
 bool lms3dIsEdgeOn(const lms3dCorners& corners, const double origin[3]);
 
-/// Whether the sensor stands on a triangle's plane, or so nearly that the plane's 31 digits may put
-/// it beside.
+/// Returns whether the sensor is so near to the triangle's plane that the 31 digits of `plane` are not
+/// enough for a range.
 bool lms3dIsNearPlane(
-  const lms3dCorners& corners, const double origin[3], const lms3dSeenPlane& plane);
+  const lms3dCorners& corners, const double origin[3], const lms3dDoubleDoublePlane& plane);
 
-/// The ranges of all beams of a packet in such a plane, rounded three times in all.
-void lms3dMeasureNearPlane(const lms3dCorners& corners, const double origin[3],
+/// Computes the ranges of all beams of a packet in such a plane, metres: two exact determinants, each
+/// rounded once, and their quotient.
+void lms3dIntersectNearPlane(const lms3dCorners& corners, const double origin[3],
   const lms3dBeamPacket& packet, double* ranges);
 
 #endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Comparison/lms3dSurfaceQuery.h"
 
-#include "Casting/lms3dRangeMeter.h"
+#include "Casting/lms3dEmbreePointQuery.h"
+#include "Casting/lms3dRangeRefinement.h"
 #include "Casting/lms3dTriangle.h"
 #include "Geometry/lms3dTriangleDistance.h"
 #include "Kernels/lms3dPacketKernels.h"
@@ -17,7 +18,7 @@
 namespace
 {
 // Keeps the nearest of the triangles that Embree offers.
-class NearestTriangle final : public lms3dEmbreeScene::NearestTest
+class NearestTriangle final : public lms3dNearestTest
 {
 public:
   NearestTriangle(const lms3dTriangleMesh& mesh, const lms3dVector& point)
@@ -69,14 +70,14 @@ std::uint32_t AimAtPoints(
     }
     active |= isBeam && i < count ? 1u << i : 0u;
   }
-  lms3dGetPacketKernels().Aim(elevations, axes, packet);
+  lms3dGetPacketKernels().GenerateDirections(elevations, axes, packet);
   return active;
 }
 } // namespace
 
 lms3dSurfaceQuery::lms3dSurfaceQuery(lms3dTriangleMesh mesh, const lms3dProgress& progress)
   : Mesh(std::move(mesh))
-  , Scene(this->Mesh, progress)
+  , Triangles(this->Mesh, progress)
 {
 }
 
@@ -102,7 +103,7 @@ lms3dNearest lms3dSurfaceQuery::FindNearest(const lms3dVector& point, std::uint3
   NearestTriangle test(this->Mesh, point);
   if (lms3dIsFinite(point))
   {
-    this->Scene.FindNearest(point.data(), test.Test(guess), test);
+    lms3dFindNearestTriangle(this->Triangles, point.data(), test.Test(guess), test);
   }
   return test.Get();
 }
@@ -111,7 +112,7 @@ std::vector<double> lms3dSurfaceQuery::GetRangesTowards(
   const lms3dVector& origin, const Points& points) const
 {
   constexpr std::size_t Size = lms3dBeamPacket::Size;
-  const lms3dViewpoint viewpoint = { { origin[0], origin[1], origin[2] },
+  const lms3dRayOrigin rayOrigin = { { origin[0], origin[1], origin[2] },
     std::numeric_limits<double>::infinity() };
   std::vector<double> ranges(points.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (points.size() + Size - 1) / Size),
@@ -120,7 +121,7 @@ std::vector<double> lms3dSurfaceQuery::GetRangesTowards(
       for (std::size_t packet = range.begin(); packet < range.end(); ++packet)
       {
         const std::size_t first = packet * Size;
-        this->CastTowards(viewpoint, points.data() + first,
+        this->CastTowards(rayOrigin, points.data() + first,
           static_cast<int>(std::min(Size, points.size() - first)), ranges.data() + first);
       }
     });
@@ -128,12 +129,12 @@ std::vector<double> lms3dSurfaceQuery::GetRangesTowards(
 }
 
 void lms3dSurfaceQuery::CastTowards(
-  const lms3dViewpoint& viewpoint, const lms3dVector* points, int count, double* ranges) const
+  const lms3dRayOrigin& origin, const lms3dVector* points, int count, double* ranges) const
 {
   lms3dBeamPacket packet;
-  const lms3dVector origin = { viewpoint.Origin[0], viewpoint.Origin[1], viewpoint.Origin[2] };
-  packet.Active = AimAtPoints(origin, points, count, packet);
-  this->Scene.Cast(viewpoint, &packet, 1);
-  lms3dMeasureRanges(this->Mesh, viewpoint, &packet, 1);
+  const lms3dVector position = { origin.Position[0], origin.Position[1], origin.Position[2] };
+  packet.Active = AimAtPoints(position, points, count, packet);
+  this->Triangles.Cast(origin, &packet, 1);
+  lms3dRefineRanges(this->Mesh, origin, &packet, 1);
   std::copy_n(packet.Range, count, ranges);
 }

@@ -8,7 +8,7 @@
 #define lms3dSurfaceQuery_h
 
 #include "Casting/lms3dBuildStopped.h"
-#include "Casting/lms3dEmbreeScene.h"
+#include "Casting/lms3dEmbreeTriangles.h"
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Geometry/lms3dVector.h"
 
@@ -52,10 +52,10 @@ public:
 private:
   lms3dNearest FindNearest(const lms3dVector& point, std::uint32_t guess) const;
   void CastTowards(
-    const lms3dViewpoint& viewpoint, const lms3dVector* points, int count, double* ranges) const;
+    const lms3dRayOrigin& origin, const lms3dVector* points, int count, double* ranges) const;
 
   const lms3dTriangleMesh Mesh;
-  const lms3dEmbreeScene Scene;
+  const lms3dEmbreeTriangles Triangles;
 };
 
 #endif

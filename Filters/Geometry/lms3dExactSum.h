@@ -3,16 +3,21 @@
 /**
  * @file
  * @brief Sums and products of doubles without rounding.
+ *
+ * Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
+ * predicates", 1997. Exact unless a product overflows or its error underflows.
  */
 #ifndef lms3dExactSum_h
 #define lms3dExactSum_h
 
+#include "Geometry/lms3dTwoSum.h"
+
 #include <array>
 #include <cmath>
 
-/// Doubles that do not overlap, from the smallest to the largest (Shewchuk 1997, "Adaptive precision
-/// floating-point arithmetic and fast robust geometric predicates"). `Capacity` is the most terms that
-/// are added: one for a number, two for a product of two and four for one of three.
+/// A sum, kept as doubles that do not overlap, from the smallest to the largest. `Capacity` is the
+/// maximum number of terms added: one for a number, two for a product of two numbers, four for a
+/// product of three.
 template <int Capacity>
 class lms3dExactSum
 {
@@ -22,12 +27,10 @@ public:
     int kept = 0;
     for (int i = 0; i < this->Count; ++i)
     {
-      const double sum = x + this->Terms[i];
-      const double part = sum - x;
-      const double error = (x - (sum - part)) + (this->Terms[i] - part);
-      this->Terms[kept] = error;
-      kept += error != 0.0;
-      x = sum;
+      const lms3dDoubleDouble sum = lms3dTwoSum(x, this->Terms[i]);
+      this->Terms[kept] = sum.Low;
+      kept += sum.Low != 0.0;
+      x = sum.High;
     }
     this->Terms[kept] = x;
     this->Count = kept + (x != 0.0);
@@ -51,6 +54,7 @@ public:
     this->AddProduct(error, z);
   }
 
+  /// Returns the sum rounded to double, within 1 unit in the last place.
   double GetValue() const
   {
     double sum = 0.0;
@@ -61,7 +65,7 @@ public:
     return sum;
   }
 
-  /// That of the largest term, which outweighs all others.
+  /// Returns -1, 0 or 1: the sign of the largest term, which exceeds all others together.
   int GetSign() const
   {
     const double largest = this->Count > 0 ? this->Terms[this->Count - 1] : 0.0;

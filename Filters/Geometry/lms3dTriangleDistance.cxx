@@ -8,15 +8,10 @@
 
 namespace
 {
-lms3dVector Subtract(const double* a, const double* b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
 double GetSquaredDistanceToEdge(const double* point, const double* a, const double* b)
 {
-  const lms3dVector along = Subtract(b, a);
-  const lms3dVector to = Subtract(point, a);
+  const lms3dVector along = lms3dSubtract(b, a);
+  const lms3dVector to = lms3dSubtract(point, a);
   const double squaredLength = lms3dDot(along, along);
   const double at =
     squaredLength > 0.0 ? std::clamp(lms3dDot(to, along) / squaredLength, 0.0, 1.0) : 0.0;
@@ -27,7 +22,7 @@ double GetSquaredDistanceToEdge(const double* point, const double* a, const doub
 
 lms3dVector lms3dGetWeightedNormal(const lms3dCorners& corners)
 {
-  return lms3dCross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
+  return lms3dCross(lms3dSubtract(corners[1], corners[0]), lms3dSubtract(corners[2], corners[0]));
 }
 
 double lms3dGetDistance(const double point[3], const lms3dCorners& corners)
@@ -36,19 +31,20 @@ double lms3dGetDistance(const double point[3], const lms3dCorners& corners)
   const double squaredNormal = lms3dDot(normal, normal);
   const bool hasArea = squaredNormal > 0.0;
   bool isAbove = hasArea;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i)
   {
     const double* a = corners[i];
     const double* b = corners[(i + 1) % 3];
-    // Beyond an edge, the nearest point lies on an edge.
-    if (!hasArea || lms3dDot(lms3dCross(normal, Subtract(b, a)), Subtract(point, a)) < 0.0)
+    // If the point projects beyond an edge, the nearest point of the triangle lies on an edge.
+    if (!hasArea ||
+      lms3dDot(lms3dCross(normal, lms3dSubtract(b, a)), lms3dSubtract(point, a)) < 0.0)
     {
       isAbove = false;
-      least = std::min(least, GetSquaredDistanceToEdge(point, a, b));
+      minimum = std::min(minimum, GetSquaredDistanceToEdge(point, a, b));
     }
   }
   return isAbove
-    ? std::abs(lms3dDot(normal, Subtract(point, corners[0]))) / std::sqrt(squaredNormal)
-    : std::sqrt(least);
+    ? std::abs(lms3dDot(normal, lms3dSubtract(point, corners[0]))) / std::sqrt(squaredNormal)
+    : std::sqrt(minimum);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief How far a point is from a triangle.
+ * @brief The distance of a point from a triangle, and a triangle's normal. Any units.
  */
 #ifndef lms3dTriangleDistance_h
 #define lms3dTriangleDistance_h
@@ -10,7 +10,8 @@
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Geometry/lms3dVector.h"
 
-/// The distance to the nearest point of the triangle; of one without area, to its edges.
+/// Returns the distance to the nearest point of a triangle. A triangle without area counts as its
+/// edges.
 double lms3dGetDistance(const double point[3], const lms3dCorners& corners);
 
 inline double lms3dGetDistance(
@@ -19,7 +20,7 @@ inline double lms3dGetDistance(
   return lms3dGetDistance(point.data(), { a.data(), b.data(), c.data() });
 }
 
-/// The normal by the right-hand rule, as long as twice the triangle's area.
+/// Returns the normal by the right-hand rule. Its length is twice the triangle's area.
 lms3dVector lms3dGetWeightedNormal(const lms3dCorners& corners);
 
 #endif

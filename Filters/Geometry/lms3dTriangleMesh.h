@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The triangles of a scene, as the ray casters take them.
+ * @brief The triangles of a scene as ray casters take them: shared points and indices.
  */
 #ifndef lms3dTriangleMesh_h
 #define lms3dTriangleMesh_h
@@ -14,13 +14,14 @@
 
 struct lms3dTriangleMesh
 {
-  /// Vertices in world coordinates, metres. Those of the triangles are finite.
+  /// Vertices in world coordinates, metres. Vertices that triangles use are finite.
   std::vector<std::array<double, 3>> Points;
 
   /// Three indices into Points for each triangle.
   std::vector<std::array<std::uint32_t, 3>> Triangles;
 
-  /// For each triangle the scene's cell that it is a part of; empty where that is its own number.
+  /// For each triangle the index of the scene's cell that it is a part of. Empty if triangle i is a
+  /// part of cell i.
   std::vector<std::int64_t> Cells;
 
   std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Three numbers: a point or a direction.
+ * @brief Points and directions in three dimensions. Each operation rounds as its formula reads.
  */
 #ifndef lms3dVector_h
 #define lms3dVector_h
@@ -27,6 +27,12 @@ inline lms3dVector lms3dSubtract(const lms3dVector& a, const lms3dVector& b)
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
+/// The same for the coordinates of two points.
+inline lms3dVector lms3dSubtract(const double* a, const double* b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
 inline lms3dVector lms3dAdd(const lms3dVector& a, const lms3dVector& b)
 {
   return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
@@ -42,7 +48,7 @@ inline double lms3dGetLength(const lms3dVector& v)
   return std::sqrt(lms3dDot(v, v));
 }
 
-/// Of length 1; zero where the vector has no length or no finite one.
+/// Returns a vector of length 1, or zeros if the length is 0 or not finite.
 inline lms3dVector lms3dNormalize(const lms3dVector& v)
 {
   const double length = std::hypot(v[0], v[1], v[2]);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Where beams go: directions, starts, ends.
+ * @brief Kernels on rays: directions, origins, ends, and the points of returns.
  */
 #ifndef lms3dBeamKernels_inl
 #define lms3dBeamKernels_inl
@@ -12,11 +12,12 @@
 
 namespace
 {
-// Embree loses packets in which a direction component is a tiny negative number: its reciprocal is
-// taken as positive while the packet was sorted by the sign.
-constexpr double SmallestComponent = 1e-15;
+// Embree loses coherent packets with a tiny negative direction component: it sorts the packet by the
+// component's sign, but replaces reciprocals of components below 1e-18 by a positive number.
+constexpr double MinimumComponent = 1e-15;
 
-void Aim(const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamPacket& packet)
+void GenerateDirections(
+  const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamPacket& packet)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -26,12 +27,12 @@ void Aim(const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamP
         elevations.Cosine[i] * axes.Horizontal[axis][i] + elevations.Sine[i] * axes.Up[axis];
       packet.Direction[axis][i] = component;
       packet.NarrowDirection[axis][i] =
-        static_cast<float>(Magnitude(component) < SmallestComponent ? 0.0 : component);
+        static_cast<float>(Magnitude(component) < MinimumComponent ? 0.0 : component);
     }
   }
 }
 
-std::uint32_t FindWithin(const lms3dCone& cone, const lms3dBeamPacket& packet)
+std::uint32_t FindInCone(const lms3dCone& cone, const lms3dBeamPacket& packet)
 {
   Mask within;
   for (int i = 0; i < Size; ++i)
@@ -39,39 +40,41 @@ std::uint32_t FindWithin(const lms3dCone& cone, const lms3dBeamPacket& packet)
     within.Set(i,
       packet.Direction[0][i] * cone.Axis[0] + packet.Direction[1][i] * cone.Axis[1] +
           packet.Direction[2][i] * cone.Axis[2] >=
-        cone.Least);
+        cone.Minimum);
   }
   return within.GetBits();
 }
 
-// From far away the digits of the start that count are those that double would round.
-std::uint32_t SetStarts(const lms3dStart& start, const double* directions, float* starts)
+// Far from the scene, the origin and the ray offset nearly cancel; twice the digits of a double keep
+// the difference.
+std::uint32_t ShiftOrigins(
+  const lms3dShiftedOrigin& origin, const double* directions, float* origins)
 {
-  const Pair fromCenter = Subtract(start.Origin, start.Center);
+  const Pair fromCenter = lms3dTwoDifference(origin.Origin, origin.Center);
   Mask near;
   for (int i = 0; i < Size; ++i)
   {
-    const Pair seen = Add(fromCenter, Multiply(start.HeadStart, directions[i]));
-    const double position = seen.High / start.Unit;
-    const bool isNear = Magnitude(position) <= start.Farthest;
-    starts[i] = static_cast<float>(isNear ? position : 0.0);
+    const Pair shifted = Add(fromCenter, Multiply(origin.RayOffset, directions[i]));
+    const double position = shifted.High / origin.Unit;
+    const bool isNear = Magnitude(position) <= origin.MaximumDistance;
+    origins[i] = static_cast<float>(isNear ? position : 0.0);
     near.Set(i, isNear);
   }
   return near.GetBits();
 }
 
-void Shorten(const lms3dBeamPacket& packet, std::uint32_t changed, double headStart, double unit,
-  unsigned int geometry, const lms3dRayRun& run)
+void ClipRays(const lms3dBeamPacket& packet, std::uint32_t changed, double rayOffset, double unit,
+  unsigned int geometry, const lms3dRayRange& rays)
 {
-  const double* range = packet.Range + run.First;
-  const std::uint32_t bits = changed >> run.First;
-  for (int i = 0; i < run.Count; ++i)
+  const double* range = packet.Range + rays.First;
+  const std::uint32_t bits = changed >> rays.First;
+  for (int i = 0; i < rays.Count; ++i)
   {
     const bool isChanged = (bits >> i) & 1u;
-    const double reach =
-      ((range[i] - headStart) * lms3dReachMargin + range[i] * lms3dRangeRounding) / unit;
-    run.Reach[i] = isChanged ? static_cast<float>(Greatest(0.0, reach)) : run.Reach[i];
-    run.Geometry[i] = isChanged ? geometry : run.Geometry[i];
+    const double tfar =
+      ((range[i] - rayOffset) * lms3dTFarMargin + range[i] * lms3dRangeRounding) / unit;
+    rays.TFar[i] = isChanged ? static_cast<float>(Maximum(0.0, tfar)) : rays.TFar[i];
+    rays.Geometry[i] = isChanged ? geometry : rays.Geometry[i];
   }
 }
 
@@ -100,7 +103,7 @@ std::uint32_t FindHits(const lms3dBeamPacket& packet)
   return hits.GetBits();
 }
 
-void Finish(double minimumRange, lms3dBeamPacket& packet)
+void ApplyMinimumRange(double minimumRange, lms3dBeamPacket& packet)
 {
   for (int i = 0; i < Size; ++i)
   {

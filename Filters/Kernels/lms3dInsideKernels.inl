@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Whether beams pass inside a triangle, and which is the nearest.
+ * @brief Kernels that find the beams inside a triangle and keep the nearest hits.
+ *
+ * With corners a, b, c in the sensor frame, a beam along d passes inside if the three edge functions
+ * d.(b x c), d.(c x a), d.(a x b) have the same sign. Their rounding errors are bounded; where a sign
+ * is not certain, the caller decides with exact arithmetic.
  */
 #ifndef lms3dInsideKernels_inl
 #define lms3dInsideKernels_inl
@@ -16,15 +20,15 @@ namespace
 constexpr double DoubleEdgeError = 2e-15;
 constexpr float FloatEdgeError = 2e-6f;
 
-// What products lose that are too small to be normal numbers.
+// The absolute error of products that underflow.
 constexpr double DoubleUnderflow = 1e-300;
 constexpr float FloatUnderflow = 1e-36f;
 
-// Where the plane's normal is shorter than this share of its edges' product, or nearly at right
-// angles to what it is multiplied with, double keeps fewer than 13 digits of the range.
+// Relative to the lengths of its two factors. If the normal (a cross product of edges), or its dot
+// product with a direction or corner, is smaller, double keeps fewer than 13 digits of the range.
 constexpr double WellConditioned = 1e-3;
 
-// A share of the range, more than is wrong with 13 digits of it.
+// A relative error larger than that of a range with 13 digits.
 constexpr double LimitMargin = 1e-12;
 
 template <typename Real>
@@ -34,7 +38,8 @@ struct Edge
   Real Error;
 };
 
-// Swapping p and q changes nothing but the sign of the edge function, to the last bit.
+// Swapping p and q changes the sign of the edge function and no other bit. So two triangles that share
+// an edge always agree on which side of it a beam passes, and no beam slips between them.
 template <typename Real>
 Edge<Real> MakeEdge(const Real* p, const Real* q, Real error)
 {
@@ -47,14 +52,15 @@ double SumOfMagnitudes(const double* p)
   return Magnitude(p[0]) + Magnitude(p[1]) + Magnitude(p[2]);
 }
 
-/// The edge functions less, and plus, their errors: the smallest and the largest of the three.
+/// Bounds of the three edge functions: the smallest and the largest of the lower bounds (value minus
+/// error), and of the upper bounds (value plus error).
 template <typename Real>
 struct Limits
 {
-  Real LeastLow;
-  Real GreatestLow;
-  Real LeastHigh;
-  Real GreatestHigh;
+  Real MinimumLow;
+  Real MaximumLow;
+  Real MinimumHigh;
+  Real MaximumHigh;
 };
 
 template <typename Real>
@@ -68,13 +74,13 @@ Limits<Real> FindLimits(const Edge<Real>* edges, const Real (&direction)[3][Size
     low[e] = value - edges[e].Error;
     high[e] = value + edges[e].Error;
   }
-  return { Least(Least(low[0], low[1]), low[2]), Greatest(Greatest(low[0], low[1]), low[2]),
-    Least(Least(high[0], high[1]), high[2]), Greatest(Greatest(high[0], high[1]), high[2]) };
+  return { Minimum(Minimum(low[0], low[1]), low[2]), Maximum(Maximum(low[0], low[1]), low[2]),
+    Minimum(Minimum(high[0], high[1]), high[2]), Maximum(Maximum(high[0], high[1]), high[2]) };
 }
 
-// Whether single precision tells that all active beams pass outside: it rejects most candidates, at
-// half the cost. One error bound, that of the farthest corner, does for all three edges.
-bool AllMiss(const lms3dSeenTriangle& triangle, const lms3dBeamPacket& packet)
+// Returns true if single precision proves that all active beams pass outside. This rejects most
+// candidates at half the cost. The error bound of the farthest corner serves all three edges.
+bool AllMiss(const lms3dSensorFrameTriangle& triangle, const lms3dBeamPacket& packet)
 {
   float corner[3][3];
   float farthest = 0.0f;
@@ -83,7 +89,7 @@ bool AllMiss(const lms3dSeenTriangle& triangle, const lms3dBeamPacket& packet)
     for (int axis = 0; axis < 3; ++axis)
     {
       corner[i][axis] = static_cast<float>(triangle.Corner[i][axis]);
-      farthest = Greatest(farthest, corner[i][axis] < 0 ? -corner[i][axis] : corner[i][axis]);
+      farthest = Maximum(farthest, corner[i][axis] < 0 ? -corner[i][axis] : corner[i][axis]);
     }
   }
   const float error = 9.0f * FloatEdgeError * farthest * farthest + FloatUnderflow;
@@ -93,12 +99,12 @@ bool AllMiss(const lms3dSeenTriangle& triangle, const lms3dBeamPacket& packet)
   for (int i = 0; i < Size; ++i)
   {
     const Limits<float> limits = FindLimits(edges, packet.NarrowDirection, i);
-    missed.Set(i, (limits.GreatestLow > 0.0f) & (limits.LeastHigh < 0.0f));
+    missed.Set(i, (limits.MaximumLow > 0.0f) & (limits.MinimumHigh < 0.0f));
   }
   return (packet.Active & ~missed.GetBits()) == 0;
 }
 
-lms3dVerdicts Classify(const lms3dSeenTriangle& triangle, const lms3dBeamPacket& packet)
+lms3dHitMasks Classify(const lms3dSensorFrameTriangle& triangle, const lms3dBeamPacket& packet)
 {
   if (AllMiss(triangle, packet))
   {
@@ -113,47 +119,48 @@ lms3dVerdicts Classify(const lms3dSeenTriangle& triangle, const lms3dBeamPacket&
     MakeEdge(corner[2], corner[0], DoubleEdgeError * c * a + DoubleUnderflow),
     MakeEdge(corner[0], corner[1], DoubleEdgeError * a * b + DoubleUnderflow) };
   Mask hits;
-  Mask doubts;
+  Mask uncertain;
   for (int i = 0; i < Size; ++i)
   {
     const Limits<double> limits = FindLimits(edges, packet.Direction, i);
-    const bool isHit = (limits.LeastLow > 0.0) | (limits.GreatestHigh < 0.0);
-    const bool isMiss = (limits.GreatestLow > 0.0) & (limits.LeastHigh < 0.0);
+    const bool isHit = (limits.MinimumLow > 0.0) | (limits.MaximumHigh < 0.0);
+    const bool isMiss = (limits.MaximumLow > 0.0) & (limits.MinimumHigh < 0.0);
     hits.Set(i, isHit);
-    doubts.Set(i, !(isHit | isMiss));
+    uncertain.Set(i, !(isHit | isMiss));
   }
-  return { hits.GetBits(), doubts.GetBits() };
+  return { hits.GetBits(), uncertain.GetBits() };
 }
 
-lms3dRoughPlane SeeRoughly(const lms3dSeenTriangle& seen)
+lms3dDoublePlane MakeDoublePlane(const lms3dSensorFrameTriangle& triangle)
 {
-  const double(&a)[3] = seen.Corner[0];
+  const double(&a)[3] = triangle.Corner[0];
   double p[3], q[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    p[axis] = seen.Corner[1][axis] - a[axis];
-    q[axis] = seen.Corner[2][axis] - a[axis];
+    p[axis] = triangle.Corner[1][axis] - a[axis];
+    q[axis] = triangle.Corner[2][axis] - a[axis];
   }
   const Edge<double> plane = MakeEdge(p, q, 0.0);
   const double offset = plane.Normal[0] * a[0] + plane.Normal[1] * a[1] + plane.Normal[2] * a[2];
-  const double smallestSlope = WellConditioned * SumOfMagnitudes(p) * SumOfMagnitudes(q);
-  return { { plane.Normal[0], plane.Normal[1], plane.Normal[2] }, offset, smallestSlope,
-    Magnitude(offset) > smallestSlope * SumOfMagnitudes(a) };
+  const double minimumSlope = WellConditioned * SumOfMagnitudes(p) * SumOfMagnitudes(q);
+  return { { plane.Normal[0], plane.Normal[1], plane.Normal[2] }, offset, minimumSlope,
+    Magnitude(offset) > minimumSlope * SumOfMagnitudes(a) };
 }
 
-std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std::uint32_t beams,
-  double maximumRange, lms3dBeamPacket& packet, std::uint32_t& unsure)
+std::uint32_t UpdateNearest(const lms3dSensorFrameTriangle& corners, std::int32_t triangle,
+  std::uint32_t hits, double maximumRange, lms3dBeamPacket& packet, std::uint32_t& uncertain)
 {
-  const lms3dRoughPlane plane = SeeRoughly(seen);
-  if (!plane.IsGood)
+  const lms3dDoublePlane plane = MakeDoublePlane(corners);
+  if (!plane.IsWellConditioned)
   {
-    unsure |= beams;
+    uncertain |= hits;
     return 0;
   }
 
-  // The range that counts is measured later, with more digits; at the limit they are needed now.
-  const double surely = maximumRange * (1.0 - LimitMargin);
-  const double farthest = maximumRange * (1.0 + LimitMargin);
+  // RefineRanges computes the final range with more digits. Within its error of the maximum range,
+  // those digits already decide whether the hit counts.
+  const double certainMaximum = maximumRange * (1.0 - LimitMargin);
+  const double possibleMaximum = maximumRange * (1.0 + LimitMargin);
   Mask bad;
   Mask nearer;
   alignas(64) double ranges[Size];
@@ -164,12 +171,12 @@ std::uint32_t TakeHits(const lms3dSeenTriangle& seen, std::int32_t triangle, std
     const double range = plane.Offset / slope;
     ranges[i] = range;
     const bool isTie = (range == packet.Range[i]) & (triangle < packet.Triangle[i]);
-    nearer.Set(i, (range > 0.0) & (range <= surely) & ((range < packet.Range[i]) | isTie));
-    const bool isAtLimit = (range > surely) & (range <= farthest);
-    bad.Set(i, isAtLimit | !(Magnitude(slope) > plane.SmallestSlope));
+    nearer.Set(i, (range > 0.0) & (range <= certainMaximum) & ((range < packet.Range[i]) | isTie));
+    const bool isAtLimit = (range > certainMaximum) & (range <= possibleMaximum);
+    bad.Set(i, isAtLimit | !(Magnitude(slope) > plane.MinimumSlope));
   }
-  unsure |= beams & bad.GetBits();
-  const std::uint32_t changed = beams & nearer.GetBits() & ~bad.GetBits();
+  uncertain |= hits & bad.GetBits();
+  const std::uint32_t changed = hits & nearer.GetBits() & ~bad.GetBits();
   for (int i = 0; i < Size; ++i)
   {
     const bool isChanged = (changed >> i) & 1u;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The normals of a map's triangles, summed at their corners.
+ * @brief Sums the normals of a map's triangles at their corners, weighted by area.
  */
 #ifndef lms3dNormalKernels_inl
 #define lms3dNormalKernels_inl
@@ -43,8 +43,8 @@ void SetWeights(Tile& tile)
   }
 }
 
-// A triangle's normal is the cross product of its sides along the grid. Those of opposite corners
-// meet at the other two.
+// The normal of the triangle at corner i of a cell is the cross product of the cell's two sides at that
+// corner. Triangles at opposite corners share the other two corners.
 template <int Axis>
 void AddTriangles(Tile& tile)
 {

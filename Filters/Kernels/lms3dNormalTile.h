@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The sums of normals of a piece of a turn, with all that they are made of.
+ * @brief The sums of the normals at the points of a part of a turn, with all intermediate values.
  *
  * The sizes are fixed, so that compilers see that the rows do not overlap, and small enough for the
- * nearest cache.
+ * first-level cache. Coordinates are in metres, in any frame.
  */
 #ifndef lms3dNormalTile_h
 #define lms3dNormalTile_h
 
 #include <cstdint>
 
-/// Goes from turn to turn by lms3dPacketKernels::AddStrip.
+/// lms3dPacketKernels::AddStrip advances a tile by one turn.
 struct lms3dNormalTile
 {
-  /// A multiple of what a vector holds; cells that a tile does not need have no triangles.
+  /// A multiple of the width of vector registers. Unused cells have no triangles.
   static constexpr int Cells = 64;
   static constexpr int Points = Cells + 1;
 
@@ -23,28 +23,28 @@ struct lms3dNormalTile
   template <typename T>
   using Row = T[Cells + 64 / sizeof(T)];
 
-  /// To be set before a strip is added: for each cell bit i where it has a triangle at corner i, and
-  /// the coordinates of the next turn.
+  /// Input of AddStrip: for each cell bit i if the cell has a triangle at corner i, and the
+  /// coordinates of the points of the next turn.
   alignas(64) Row<std::uint8_t> Triangles;
   Row<double> Next[3];
 
-  /// Coordinates of this turn.
+  /// The coordinates of this turn's points.
   Row<double> Here[3];
-  /// The sides of cells: from turn to turn, and from beam to beam of both turns.
+  /// The sides of cells: from turn to turn, and from beam to beam in this and in the next turn.
   Row<double> Across[3];
   Row<double> HereSide[3];
   Row<double> NextSide[3];
-  /// For each corner of a cell 1 or 0: whether it has a triangle there.
+  /// For each corner of a cell: 1 if the cell has a triangle there, otherwise 0.
   Row<double> Weight[4];
 
-  /// What cells add at the beam where they begin, and at the one where they end, in both turns.
+  /// The sums that each cell adds to its four points: at its first and its last beam, in both turns.
   Row<double> HereBegin[3];
   Row<double> HereEnd[3];
   Row<double> NextBegin[3];
   Row<double> NextEnd[3];
 
-  /// At a point between two cells of this turn: the sum of the normals of its triangles, each as
-  /// long as twice the area, and 1 / its length.
+  /// Output of AddStrip for the points between two cells of this turn: the sum of the normals of the
+  /// point's triangles, each as long as twice the triangle's area, and 1 / the length of that sum.
   Row<double> Sum[3];
   Row<double> Scale;
 };

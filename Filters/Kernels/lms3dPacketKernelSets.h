@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The packet kernels of each instruction set that this build has.
+ * @brief The packet kernels of this build, one set for each instruction set.
  */
 #ifndef lms3dPacketKernelSets_h
 #define lms3dPacketKernelSets_h

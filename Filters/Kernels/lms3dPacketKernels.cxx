@@ -48,7 +48,7 @@ std::string GetAllNames()
   return names;
 }
 
-// The widest, or those that the environment names, so that what the others cost can be measured.
+// Returns the widest kernels, or the ones that the environment names, so that all can be measured.
 const lms3dPacketKernels& ChooseKernels()
 {
   const lms3dPacketKernels& widest = *GetAllKernels().back();
@@ -65,7 +65,7 @@ const lms3dPacketKernels& ChooseKernels()
     }
   }
   vtkGenericWarningMacro(<< "LMS3D_KERNELS is \"" << name << "\"; this processor has "
-                         << GetAllNames() << ". " << widest.Name << " is taken.");
+                         << GetAllNames() << ". Using " << widest.Name << ".");
   return widest;
 }
 } // namespace

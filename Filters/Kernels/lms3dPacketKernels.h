@@ -4,14 +4,18 @@
  * @file
  * @brief The arithmetic that is done for all beams of a packet, or of a tile of a map, at once.
  *
- * It is compiled for several instruction sets, and the widest that the processor has is chosen when
- * the program runs. Every one gives the same bits: the operations and their order are the same, and
- * no compiler may contract a product and a sum. (Beyond what a double can hold the last bits of a
- * range may differ: below 1e-290, which takes a scene smaller than 1e-90 m.)
+ * It is compiled for several instruction sets; the widest one of the processor is chosen at run
+ * time. All give the same bits: they do the same operations in the same order, and the compiler may
+ * not contract a product and a sum. (Exception: below 1e-290 m, thus in scenes smaller than 1e-90 m,
+ * the last bits of a range may differ, because products underflow.)
+ *
+ * Lengths are in metres. "Sensor frame" means coordinates relative to the sensor's position, with
+ * the axes of the world. A set of beams is a mask: bit i stands for beam i of the packet.
  */
 #ifndef lms3dPacketKernels_h
 #define lms3dPacketKernels_h
 
+#include "Geometry/lms3dTwoSum.h"
 #include "Kernels/lms3dBeamPacket.h"
 #include "Kernels/lms3dNormalTile.h"
 
@@ -24,98 +28,103 @@ struct lms3dElevations
   alignas(64) double Sine[lms3dBeamPacket::Size];
 };
 
-/// For each beam of a packet the horizontal axis of the fan, and the upward axis of all.
+/// The fan's horizontal axis for each beam of a packet, and the upward axis for all; unit vectors in
+/// world coordinates.
 struct lms3dFanAxes
 {
   alignas(64) double Horizontal[3][lms3dBeamPacket::Size];
   double Up[3];
 };
 
-/// The corners of a triangle seen from the sensor.
-struct lms3dSeenTriangle
+/// The corners of a triangle in the sensor frame, each coordinate rounded once.
+struct lms3dSensorFrameTriangle
 {
   double Corner[3][3];
 };
 
-/// Where beams pass a triangle: bits of those that do, and of those for which double cannot tell.
-struct lms3dVerdicts
+/// Which beams pass inside a triangle. Beams in neither mask pass outside.
+struct lms3dHitMasks
 {
+  /// Beams that certainly pass inside.
   std::uint32_t Hit;
-  std::uint32_t Doubt;
+
+  /// Beams so near to an edge that double precision cannot decide.
+  std::uint32_t Uncertain;
 };
 
-/// A number as the sum of two doubles.
-struct lms3dDoubleDouble
-{
-  double High;
-  double Low;
-};
-
-/// A plane, Normal.p = Offset, with p seen from the sensor.
-struct lms3dSeenPlane
+/// The plane of a triangle in the sensor frame, Normal.p = Offset, with about 31 digits. Normal is
+/// the cross product of two edges.
+struct lms3dDoubleDoublePlane
 {
   lms3dDoubleDouble Normal[3];
   lms3dDoubleDouble Offset;
 };
 
-/// The same in plain double.
-struct lms3dRoughPlane
+/// The same plane in double precision.
+struct lms3dDoublePlane
 {
   double Normal[3];
   double Offset;
 
-  /// A beam with a smaller Normal.direction has a range of fewer than 13 digits.
-  double SmallestSlope;
+  /// The range of a beam has at least 13 digits if |Normal.direction| is above this number.
+  double MinimumSlope;
 
-  /// False where the plane itself has fewer: the triangle is so narrow, or so near to the sensor's
-  /// own plane.
-  bool IsGood;
+  /// False if Offset itself has fewer than 13 digits, because the triangle is very narrow or its
+  /// plane passes very near to the sensor.
+  bool IsWellConditioned;
 };
 
-/// The beams of one turn that returned, and from where they start.
+/// The returns of one turn, and where their beams start. The arrays belong to the caller.
 struct lms3dReturnsOfTurn
 {
-  /// Cosine and sine of each one's elevation, and its range.
+  /// Cosine and sine of the elevation, and range, of each return.
   const double* Cosines;
   const double* Sines;
   const double* Ranges;
   int Count;
 
+  /// The fan's horizontal axis, the upward axis and the sensor's position in world coordinates.
   const double* FanAxis;
   const double* Up;
   const double* Position;
 };
 
-/// The directions D with Axis.D at least Least.
+/// The directions d with Axis.d >= Minimum.
 struct lms3dCone
 {
   double Axis[3];
-  double Least;
+  double Minimum;
 };
 
-/// One axis of where beams start: `HeadStart` along them from `Origin`, seen from `Center` and
-/// measured in `Unit`; not farther than `Farthest` from there.
-struct lms3dStart
+/// One coordinate of where rays start: `RayOffset` along each beam from `Origin` (world coordinates).
+/// The result is relative to `Center`, in units of `Unit` metres. Beams whose result exceeds
+/// `MaximumDistance` units are not cast.
+struct lms3dShiftedOrigin
 {
   double Origin;
-  double HeadStart;
+  double RayOffset;
   double Center;
   double Unit;
-  double Farthest;
+  double MaximumDistance;
 };
 
-/// How much farther than a range Embree looks, so that what was just found does not hide what lies
-/// at the same range: a share of the way from where the ray starts, and one of the range, by which
-/// their difference may be rounded.
-constexpr double lms3dReachMargin = 1.0 + 1e-6;
+/// How far beyond a hit Embree still searches, so that the hit does not hide another triangle at the
+/// same range: the margin covers the single precision of tfar, the rounding that of the difference
+/// between range and ray offset. Both are relative.
+constexpr double lms3dTFarMargin = 1.0 + 1e-6;
 constexpr double lms3dRangeRounding = 1e-15;
 
-/// A run of a packet's beams as Embree casts them.
-struct lms3dRayRun
+/// The rays of beams First to First + Count - 1 as Embree holds them. The arrays belong to Embree or
+/// the caller.
+struct lms3dRayRange
 {
   int First;
   int Count;
-  float* Reach;
+
+  /// Where the rays end, in units of the normalized scene from the rays' start.
+  float* TFar;
+
+  /// The geometry that each ray hit.
   unsigned int* Geometry;
 };
 
@@ -123,71 +132,81 @@ struct lms3dPacketKernels
 {
   const char* Name;
 
-  /// Fills both directions of a packet.
-  void (*Aim)(const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamPacket& packet);
+  /// Fills Direction and NarrowDirection of a packet.
+  void (*GenerateDirections)(
+    const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamPacket& packet);
 
-  /// The beams within a cone.
-  std::uint32_t (*FindWithin)(const lms3dCone& cone, const lms3dBeamPacket& packet);
+  /// Returns the beams whose direction lies in a cone.
+  std::uint32_t (*FindInCone)(const lms3dCone& cone, const lms3dBeamPacket& packet);
 
-  /// Sets one axis of where beams start, 0 for those that would start too far; returns the others.
-  std::uint32_t (*SetStarts)(const lms3dStart& start, const double* directions, float* starts);
+  /// Computes one coordinate of the origin of each ray, 0 for those beyond the maximum distance.
+  /// Returns the beams within that distance.
+  std::uint32_t (*ShiftOrigins)(
+    const lms3dShiftedOrigin& origin, const double* directions, float* origins);
 
-  /// Decides where beams pass a triangle, by the signs of its edge functions.
-  lms3dVerdicts (*Classify)(const lms3dSeenTriangle& triangle, const lms3dBeamPacket& packet);
+  /// Finds the beams that pass inside a triangle, by the signs of its three edge functions with a
+  /// bound of their rounding errors.
+  lms3dHitMasks (*Classify)(
+    const lms3dSensorFrameTriangle& triangle, const lms3dBeamPacket& packet);
 
   /**
-   * Takes the hits of some beams into the packet where they are the nearest so far, up to a maximum
-   * range; of two triangles at the same range the one with the smaller number stays. The range has
-   * about 13 digits. Beams for which double keeps fewer are left alone and told in `unsure`.
-   * Returns the beams that changed.
+   * Stores the hits of the beams in `hits` that are nearer than the packet's present ones and not
+   * beyond a maximum range. Of two triangles at the same range the one with the smaller index wins.
+   * Ranges have about 13 digits. Beams whose range would have fewer digits stay as they were and are
+   * added to `uncertain`. Returns the beams that changed.
    */
-  std::uint32_t (*TakeHits)(const lms3dSeenTriangle& seen, std::int32_t triangle,
-    std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet, std::uint32_t& unsure);
+  std::uint32_t (*UpdateNearest)(const lms3dSensorFrameTriangle& corners, std::int32_t triangle,
+    std::uint32_t hits, double maximumRange, lms3dBeamPacket& packet, std::uint32_t& uncertain);
 
-  /// Makes changed beams reach no farther than (Range - headStart) / unit, and a little more, and
-  /// gives them a geometry.
-  void (*Shorten)(const lms3dBeamPacket& packet, std::uint32_t changed, double headStart,
-    double unit, unsigned int geometry, const lms3dRayRun& run);
+  /// Ends the rays of changed beams a little beyond (Range - rayOffset) / unit, and sets their
+  /// geometry.
+  void (*ClipRays)(const lms3dBeamPacket& packet, std::uint32_t changed, double rayOffset,
+    double unit, unsigned int geometry, const lms3dRayRange& rays);
 
-  /// The beams with a triangle.
+  /// Returns the beams that have hit a triangle.
   std::uint32_t (*FindHits)(const lms3dBeamPacket& packet);
 
-  /// The plane through three corners, in world coordinates, with about 31 digits.
-  lms3dSeenPlane (*See)(const double* const* corners, const double* origin);
+  /// Computes the plane of three corners in world coordinates, relative to `origin`.
+  lms3dDoubleDoublePlane (*MakeDoubleDoublePlane)(
+    const double* const* corners, const double* origin);
 
-  /// The same in double, for a triangle that is seen already.
-  lms3dRoughPlane (*SeeRoughly)(const lms3dSeenTriangle& seen);
+  /// Computes the plane of a triangle in the sensor frame.
+  lms3dDoublePlane (*MakeDoublePlane)(const lms3dSensorFrameTriangle& triangle);
 
-  /// Offset / Normal.direction for all beams, within 2 units in the last place of a plane with
-  /// area.
-  void (*Measure)(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double* ranges);
+  /// Computes Offset / Normal.direction for all beams, within 2 units in the last place if the
+  /// triangle has an area.
+  void (*IntersectDoubleDoublePlane)(
+    const lms3dDoubleDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges);
 
-  /// The same with the rounding of double.
-  void (*MeasureRoughly)(
-    const lms3dRoughPlane& plane, const lms3dBeamPacket& packet, double* ranges);
+  /// The same with the rounding of double precision.
+  void (*IntersectDoublePlane)(
+    const lms3dDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges);
 
-  /// Sets the range of the beams that hit a triangle, and returns them; a hit is taken back where
-  /// the range is not above 0, or beyond the maximum.
-  std::uint32_t (*KeepRanges)(
+  /// Stores the range of the beams whose Triangle is `triangle`, and returns these beams. A hit is
+  /// removed if its range is not above 0 or beyond the maximum.
+  std::uint32_t (*StoreRanges)(
     const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet);
 
-  /// Makes a range NaN where there is no hit, or the hit is nearer than a minimum and taken back.
-  void (*Finish)(double minimumRange, lms3dBeamPacket& packet);
+  /// Removes hits that are nearer than a minimum, and makes the range of beams without a hit NaN.
+  void (*ApplyMinimumRange)(double minimumRange, lms3dBeamPacket& packet);
 
-  /// The coordinates of the returns, three for each.
+  /// Computes the world coordinates of the returns, three numbers for each.
   void (*Locate)(const lms3dReturnsOfTurn& returns, double* points);
 
-  /// Adds the normals of the triangles between the tile's two turns, finishes the sums of the first
-  /// and makes the next the first.
+  /// Adds the normals of the triangles between the tile's two turns, completes the sums of the first
+  /// turn and makes the second turn the first one.
   void (*AddStrip)(lms3dNormalTile& tile);
 };
 
-/// Those of the widest instruction set that the processor has, unless the environment variable
-/// LMS3D_KERNELS names narrower ones: Baseline, AVX2 or AVX512.
+/// Returns the kernels of the processor's widest instruction set, or of a narrower one that the
+/// environment variable LMS3D_KERNELS names: Baseline, AVX2 or AVX512.
 const lms3dPacketKernels& lms3dGetPacketKernels();
 
-/// All that this build has and the processor can run, for tests.
+///@{
+/// All kernels that this build has and the processor can run, from the narrowest to the widest; for
+/// tests.
 int lms3dGetNumberOfPacketKernels();
 const lms3dPacketKernels& lms3dGetPacketKernels(int i);
+///@}
 
 #endif

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The packet kernels; included once by the source of each instruction set.
+ * @brief All packet kernels. The source of each instruction set includes this file once.
  *
- * Plain loops over arrays, which compilers turn into vector instructions. Nothing here may be an
- * inline function that other sources share: the linker would keep one of them, perhaps the one that
- * the processor cannot run.
+ * The kernels are plain loops over arrays, which compilers turn into vector instructions. They must
+ * not use inline functions with external linkage: the linker keeps only one copy of such a function,
+ * perhaps the copy with instructions that the processor does not have.
  */
 #ifndef lms3dPacketKernels_inl
 #define lms3dPacketKernels_inl
@@ -17,8 +17,9 @@
 #include "Kernels/lms3dRangeKernels.inl"
 
 // In the order of lms3dPacketKernels.
-#define LMS3D_PACKET_KERNELS                                                                   \
-  Aim, FindWithin, SetStarts, Classify, TakeHits, Shorten, FindHits, See, SeeRoughly, Measure, \
-    MeasureRoughly, KeepRanges, Finish, Locate, AddStrip
+#define LMS3D_PACKET_KERNELS                                                                  \
+  GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, ClipRays, FindHits,  \
+    MakeDoubleDoublePlane, MakeDoublePlane, IntersectDoubleDoublePlane, IntersectDoublePlane, \
+    StoreRanges, ApplyMinimumRange, Locate, AddStrip
 
 #endif

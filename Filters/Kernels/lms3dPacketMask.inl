@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What all packet kernels are made of.
+ * @brief Masks of beams and small functions that all packet kernels use.
  */
 #ifndef lms3dPacketMask_inl
 #define lms3dPacketMask_inl
@@ -23,23 +23,23 @@ double Magnitude(double x)
 }
 
 template <typename Real>
-Real Least(Real x, Real y)
+Real Minimum(Real x, Real y)
 {
   return x < y ? x : y;
 }
 
 template <typename Real>
-Real Greatest(Real x, Real y)
+Real Maximum(Real x, Real y)
 {
   return x > y ? x : y;
 }
 
-// A condition for each beam: all bits set, or none.
+// A condition for each beam: -1 (all bits set) or 0.
 struct Mask
 {
   void Set(int beam, bool condition) { this->Beams[beam] = condition ? -1 : 0; }
 
-  // Bit i for beam i. Of a plain loop compilers make a tree of shifts.
+  // Returns bit i for beam i. Compilers turn a plain loop into a slow tree of shifts.
   std::uint32_t GetBits() const
   {
 #if defined(__AVX512DQ__)

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Arithmetic with twice the digits of a double (Dekker 1971, Knuth): pairs whose sum is the
- * number.
+ * @brief Arithmetic with about twice the digits of a double, on unevaluated sums of two doubles.
+ *
+ * Source: T. J. Dekker, "A floating-point technique for extending the available precision", 1971.
+ * Without fused multiply-add instructions, factors above 1e300 overflow.
  */
 #ifndef lms3dPairArithmetic_inl
 #define lms3dPairArithmetic_inl
@@ -14,19 +16,7 @@ namespace
 {
 using Pair = lms3dDoubleDouble;
 
-Pair Add(double x, double y)
-{
-  const double sum = x + y;
-  const double part = sum - x;
-  return { sum, (x - (sum - part)) + (y - part) };
-}
-
-Pair Subtract(double x, double y)
-{
-  return Add(x, -y);
-}
-
-// Both ways give the exact product.
+// Returns the exact product. Both ways give the same bits unless the error underflows.
 Pair Multiply(double x, double y)
 {
   const double product = x * y;
@@ -46,16 +36,16 @@ Pair Multiply(double x, double y)
 
 Pair Add(const Pair& x, const Pair& y)
 {
-  const Pair high = Add(x.High, y.High);
-  const Pair low = Add(x.Low, y.Low);
-  const Pair sum = Add(high.High, high.Low + low.High);
-  return Add(sum.High, sum.Low + low.Low);
+  const Pair high = lms3dTwoSum(x.High, y.High);
+  const Pair low = lms3dTwoSum(x.Low, y.Low);
+  const Pair sum = lms3dTwoSum(high.High, high.Low + low.High);
+  return lms3dTwoSum(sum.High, sum.Low + low.Low);
 }
 
 Pair Multiply(const Pair& x, const Pair& y)
 {
   const Pair product = Multiply(x.High, y.High);
-  return Add(product.High, product.Low + (x.High * y.Low + x.Low * y.High));
+  return lms3dTwoSum(product.High, product.Low + (x.High * y.Low + x.Low * y.High));
 }
 
 Pair Negate(const Pair& x)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The ranges of beams whose triangle is known, in double and with twice its digits.
+ * @brief Kernels that intersect beams with a plane, in double precision and with twice its digits.
  */
 #ifndef lms3dRangeKernels_inl
 #define lms3dRangeKernels_inl
@@ -12,16 +12,16 @@
 
 namespace
 {
-lms3dSeenPlane See(const double* const* corners, const double* origin)
+lms3dDoubleDoublePlane MakeDoubleDoublePlane(const double* const* corners, const double* origin)
 {
   Pair p[3], q[3], a[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    p[axis] = Subtract(corners[1][axis], corners[0][axis]);
-    q[axis] = Subtract(corners[2][axis], corners[0][axis]);
-    a[axis] = Subtract(corners[0][axis], origin[axis]);
+    p[axis] = lms3dTwoDifference(corners[1][axis], corners[0][axis]);
+    q[axis] = lms3dTwoDifference(corners[2][axis], corners[0][axis]);
+    a[axis] = lms3dTwoDifference(corners[0][axis], origin[axis]);
   }
-  lms3dSeenPlane plane;
+  lms3dDoubleDoublePlane plane;
   plane.Offset = { 0.0, 0.0 };
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -33,25 +33,27 @@ lms3dSeenPlane See(const double* const* corners, const double* origin)
   return plane;
 }
 
-void Measure(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double* ranges)
+void IntersectDoubleDoublePlane(
+  const lms3dDoubleDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges)
 {
   alignas(64) double measured[Size];
   for (int i = 0; i < Size; ++i)
   {
-    // The slope Normal.direction, each product and each sum with its rounding error.
+    // The dot product Normal.direction; `error` sums the rounding errors of its products and sums
+    // (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005).
     double slope = 0.0;
     double error = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double direction = packet.Direction[axis][i];
       const Pair product = Multiply(plane.Normal[axis].High, direction);
-      const Pair sum = Add(slope, product.High);
+      const Pair sum = lms3dTwoSum(slope, product.High);
       slope = sum.High;
       error += sum.Low + (product.Low + plane.Normal[axis].Low * direction);
     }
-    // At a grazing angle the error is no longer small beside the slope.
-    const Pair whole = Add(slope, error);
-    // The quotient, and its correction by what remains.
+    // At grazing incidence the error is not small compared with the slope.
+    const Pair whole = lms3dTwoSum(slope, error);
+    // The quotient, corrected by the remainder of the division.
     const double quotient = plane.Offset.High / whole.High;
     const Pair back = Multiply(quotient, whole.High);
     const double remainder =
@@ -64,7 +66,8 @@ void Measure(const lms3dSeenPlane& plane, const lms3dBeamPacket& packet, double*
   }
 }
 
-void MeasureRoughly(const lms3dRoughPlane& plane, const lms3dBeamPacket& packet, double* ranges)
+void IntersectDoublePlane(
+  const lms3dDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges)
 {
   for (int i = 0; i < Size; ++i)
   {
@@ -74,7 +77,7 @@ void MeasureRoughly(const lms3dRoughPlane& plane, const lms3dBeamPacket& packet,
   }
 }
 
-std::uint32_t KeepRanges(
+std::uint32_t StoreRanges(
   const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet)
 {
   Mask measured;

@@ -26,7 +26,7 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 /// One run: the request, and what all its steps use.
 struct lms3dScanJob::Scan
 {
-  const lms3dScanRequest& Request;
+  const lms3dScanJobRequest& Request;
   const lms3dProcesses& Processes;
   const lms3dScanGeometry& Geometry;
   const lms3dPose& Pose;
@@ -35,7 +35,7 @@ struct lms3dScanJob::Scan
   vtkImageData* const Image;
 };
 
-bool lms3dScanJob::Run(const lms3dScanRequest& request)
+bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
 {
   const lms3dProcesses processes(request.Controller);
   lms3dPose pose;
@@ -106,7 +106,7 @@ const lms3dTrajectory& lms3dScanJob::GetTrajectory(
 }
 
 // The pose at the requested time, and its own time: NaN without a trajectory.
-lms3dPose lms3dScanJob::GetPose(const lms3dScanRequest& request, double& time)
+lms3dPose lms3dScanJob::GetPose(const lms3dScanJobRequest& request, double& time)
 {
   const lms3dScanSettings& settings = request.Settings;
   if (!request.Trajectory)
@@ -123,7 +123,7 @@ lms3dPose lms3dScanJob::GetPose(const lms3dScanRequest& request, double& time)
   return trajectory.GetPose(step);
 }
 
-bool lms3dScanJob::Build(const lms3dScanRequest& request, bool isParallel)
+bool lms3dScanJob::Build(const lms3dScanJobRequest& request, bool isParallel)
 {
   const lms3dProgress progress = lms3dGetStepProgress(request.Progress, 0.0, BuildShare);
   const vtkMTimeType lastBuild = this->GetBuildTime();

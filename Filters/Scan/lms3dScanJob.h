@@ -32,7 +32,7 @@ class vtkMultiProcessController;
 class vtkPolyData;
 
 /// What one update needs. Everything that a pointer or reference refers to must outlive the update.
-struct lms3dScanRequest
+struct lms3dScanJobRequest
 {
   const lms3dScanSettings& Settings;
 
@@ -66,7 +66,7 @@ public:
    * one. Returns false, in all processes, with empty outputs that the next update fills, if
    * `Progress` stopped the work in one of them.
    */
-  bool Run(const lms3dScanRequest& request);
+  bool Run(const lms3dScanJobRequest& request);
 
   /// Returns the poses, read again only if the trajectory or the orientation (degrees, for points
   /// without one) changed. Throws std::runtime_error, with a text for the user, if they are bad.
@@ -79,8 +79,8 @@ private:
   struct Scan;
 
   const lms3dScanGeometry& GetGeometry(const lms3dScanSettings& settings);
-  lms3dPose GetPose(const lms3dScanRequest& request, double& time);
-  bool Build(const lms3dScanRequest& request, bool isParallel);
+  lms3dPose GetPose(const lms3dScanJobRequest& request, double& time);
+  bool Build(const lms3dScanJobRequest& request, bool isParallel);
   bool CastAlone(const Scan& scan);
   bool CastInParallel(const Scan& scan);
   void CheckScene(bool hasTriangles) const;

@@ -47,9 +47,9 @@ bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
   this->Allocate(CountBeams(geometry));
-  const lms3dBeamDirections directions(geometry, pose);
-  return lms3dScan(caster, geometry, directions, pose, limits, progress,
-    this->Ranges->GetPointer(0), this->Triangles.data());
+  return lms3dScan(
+    { caster, geometry, pose, limits, { this->Ranges->GetPointer(0), this->Triangles.data() } },
+    progress);
 }
 
 bool lms3dScanOutput::CastPart(const lms3dRayCaster* caster, const lms3dScanGeometry& geometry,
@@ -65,10 +65,10 @@ bool lms3dScanOutput::CastPart(const lms3dRayCaster* caster, const lms3dScanGeom
     std::fill_n(this->Ranges->GetPointer(0), beams, NAN);
     return true;
   }
-  const lms3dBeamDirections directions(geometry, pose);
-  const lms3dChoices choices = { this->ChosenRanges.data(), this->ChosenTriangles.data() };
-  return lms3dScan(*caster, geometry, directions, pose, limits, progress,
-    this->Ranges->GetPointer(0), this->Triangles.data(), &choices);
+  return lms3dScan(
+    { *caster, geometry, pose, limits, { this->Ranges->GetPointer(0), this->Triangles.data() },
+      { this->ChosenRanges.data(), this->ChosenTriangles.data() } },
+    progress);
 }
 
 void lms3dScanOutput::ReduceToNearest(

@@ -17,8 +17,8 @@
 
 namespace
 {
-// A packet is nearly square in angle where it matters, at the horizon, so that its beams meet the
-// same boxes.
+// A square tile of beams and turns is nearly square in angle at the horizon, so that its beams traverse
+// the same boxes of the tree.
 constexpr int TileSide = 4;
 static_assert(TileSide * TileSide == lms3dBeamPacket::Size, "a tile is a packet");
 
@@ -27,25 +27,20 @@ int CountTiles(int beamsOrTurns)
   return (beamsOrTurns - 1) / TileSide + 1;
 }
 
-/// Beam TileSide * i + j of a packet belongs to the tile's turn i and elevation j. Turns and beams
-/// beyond the grid's end repeat the last one, so that the packet stays coherent.
+/// Beam TileSide * i + j of a packet belongs to turn i and elevation j of a tile. Beyond the end of the
+/// grid a packet repeats the last turn or beam, inactive, so that it stays coherent.
 class Scan
 {
 public:
-  Scan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
-    const lms3dBeamDirections& directions, const lms3dPose& pose, const lms3dRangeLimits& limits,
-    double* ranges, std::int32_t* triangles, const lms3dChoices* choices)
-    : Caster(caster)
-    , Directions(directions)
+  explicit Scan(const lms3dScanRequest& request)
+    : Request(request)
+    , Directions(request.Geometry, request.Pose)
     , Kernels(lms3dGetPacketKernels())
-    , Elevations(MakeElevations(geometry))
-    , Viewpoint{ { pose.Position[0], pose.Position[1], pose.Position[2] }, limits.Maximum }
-    , MinimumRange(limits.Minimum)
-    , Turns(geometry.GetNumberOfTurns())
-    , Beams(geometry.GetNumberOfBeams())
-    , Ranges(ranges)
-    , Triangles(triangles)
-    , Choices(choices)
+    , Elevations(MakeElevations(request.Geometry))
+    , Origin{ { request.Pose.Position[0], request.Pose.Position[1], request.Pose.Position[2] },
+      request.Limits.Maximum }
+    , Turns(request.Geometry.GetNumberOfTurns())
+    , Beams(request.Geometry.GetNumberOfBeams())
   {
   }
 
@@ -54,23 +49,24 @@ public:
     const lms3dFanAxes axes = this->MakeAxes(firstTurn);
     const int turns = std::min(TileSide, this->Turns - firstTurn);
     const std::size_t tiles = this->Elevations.size();
-    // Not a vector, which would write zeros first.
+    // A vector would write zeros first.
     const std::unique_ptr<lms3dBeamPacket[]> packets(new lms3dBeamPacket[tiles]);
     for (std::size_t i = 0; i < tiles; ++i)
     {
-      this->Kernels.Aim(this->Elevations[i], axes, packets[i]);
+      this->Kernels.GenerateDirections(this->Elevations[i], axes, packets[i]);
       packets[i].Active = GetActive(turns, this->CountBeams(i));
     }
-    this->Caster.Choose(this->Viewpoint, packets.get(), static_cast<int>(tiles));
-    for (std::size_t i = 0; this->Choices && i < tiles; ++i)
+    const int count = static_cast<int>(tiles);
+    this->Request.Caster.FindNearest(this->Origin, packets.get(), count);
+    for (std::size_t i = 0; this->Request.NearestHits.Ranges && i < tiles; ++i)
     {
-      this->Store(firstTurn, turns, i, packets[i], this->Choices->Ranges, this->Choices->Triangles);
+      this->Store(firstTurn, turns, i, packets[i], this->Request.NearestHits);
     }
-    this->Caster.Measure(this->Viewpoint, packets.get(), static_cast<int>(tiles));
+    this->Request.Caster.RefineRanges(this->Origin, packets.get(), count);
     for (std::size_t i = 0; i < tiles; ++i)
     {
-      this->Kernels.Finish(this->MinimumRange, packets[i]);
-      this->Store(firstTurn, turns, i, packets[i], this->Ranges, this->Triangles);
+      this->Kernels.ApplyMinimumRange(this->Request.Limits.Minimum, packets[i]);
+      this->Store(firstTurn, turns, i, packets[i], this->Request.Returns);
     }
   }
 
@@ -122,7 +118,7 @@ private:
   }
 
   void Store(int firstTurn, int turns, std::size_t tile, const lms3dBeamPacket& packet,
-    double* ranges, std::int32_t* triangles) const
+    const lms3dBeamHits& hits) const
   {
     const int beams = this->CountBeams(tile);
     std::size_t slot = static_cast<std::size_t>(firstTurn) * this->Beams + tile * TileSide;
@@ -130,41 +126,34 @@ private:
     {
       const double* range = packet.Range + TileSide * turn;
       const std::int32_t* triangle = packet.Triangle + TileSide * turn;
-      // A number that the compiler knows saves the call of a general copy.
+      // With a constant count, the compiler does not call a general copy.
       if (beams == TileSide)
       {
-        std::copy_n(range, TileSide, ranges + slot);
-        std::copy_n(triangle, TileSide, triangles + slot);
+        std::copy_n(range, TileSide, hits.Ranges + slot);
+        std::copy_n(triangle, TileSide, hits.Triangles + slot);
       }
       else
       {
-        std::copy_n(range, beams, ranges + slot);
-        std::copy_n(triangle, beams, triangles + slot);
+        std::copy_n(range, beams, hits.Ranges + slot);
+        std::copy_n(triangle, beams, hits.Triangles + slot);
       }
     }
   }
 
-  const lms3dRayCaster& Caster;
-  const lms3dBeamDirections& Directions;
+  const lms3dScanRequest& Request;
+  const lms3dBeamDirections Directions;
   const lms3dPacketKernels& Kernels;
   const std::vector<lms3dElevations> Elevations;
-  const lms3dViewpoint Viewpoint;
-  const double MinimumRange;
+  const lms3dRayOrigin Origin;
   const int Turns;
   const int Beams;
-  double* Ranges;
-  std::int32_t* Triangles;
-  const lms3dChoices* Choices;
 };
 } // namespace
 
-bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
-  const lms3dBeamDirections& directions, const lms3dPose& pose, const lms3dRangeLimits& limits,
-  const lms3dProgress& progress, double* ranges, std::int32_t* triangles,
-  const lms3dChoices* choices)
+bool lms3dScan(const lms3dScanRequest& request, const lms3dProgress& progress)
 {
-  const Scan scan(caster, geometry, directions, pose, limits, ranges, triangles, choices);
-  const int rows = CountTiles(geometry.GetNumberOfTurns());
+  const Scan scan(request);
+  const int rows = CountTiles(request.Geometry.GetNumberOfTurns());
   std::atomic<int> rowsDone{ 0 };
   lms3dProgressReporter reporter(progress);
 

@@ -13,24 +13,42 @@
 
 #include <cstdint>
 
-/// What the caster chose for each beam, whatever becomes of it when it is measured: the range that
-/// it chose by (lms3dBeamPacket::NoRange where there is nothing) and the triangle.
-struct lms3dChoices
+/// A hit for each beam of a scan, ordered by turn, then by beam. The arrays belong to the caller.
+struct lms3dBeamHits
 {
+  /// Metres.
   double* Ranges;
+
+  /// Indices into the caster's mesh, lms3dBeamPacket::NoTriangle if there is no hit.
   std::int32_t* Triangles;
 };
 
+/// What to scan, and where the results go. All references and arrays must outlive the scan.
+struct lms3dScanRequest
+{
+  const lms3dRayCaster& Caster;
+  const lms3dScanGeometry& Geometry;
+
+  /// Where the sensor stands, in world coordinates, metres.
+  const lms3dPose& Pose;
+
+  /// A beam whose nearest surface is nearer than the minimum or beyond the maximum gives no return.
+  lms3dRangeLimits Limits;
+
+  /// The results; ranges are NaN where there is no return.
+  lms3dBeamHits Returns;
+
+  /// Optional: the hits that the caster found before it refined their ranges and before the minimum
+  /// range removed any; ranges are lms3dBeamPacket::NoRange where there is no hit. Processes with
+  /// parts of a scene compare these.
+  lms3dBeamHits NearestHits = { nullptr, nullptr };
+};
+
 /**
- * Fills `ranges` (metres, NaN where there is no return) and `triangles`
- * (lms3dBeamPacket::NoTriangle there), both ordered by turn, then beam. A beam whose nearest
- * surface lies outside the limits gives no return. Uses the threads of the calling TBB arena; the
- * result does not depend on their number. Returns false where `progress` stopped it.
- * `choices`, in the same order, may be null.
+ * Casts all beams of a scan. Uses the threads of the calling TBB arena; the results do not depend on
+ * their number. Returns false if `progress`, which must not be empty, stopped the scan; the results
+ * are then undefined.
  */
-bool lms3dScan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
-  const lms3dBeamDirections& directions, const lms3dPose& pose, const lms3dRangeLimits& limits,
-  const lms3dProgress& progress, double* ranges, std::int32_t* triangles,
-  const lms3dChoices* choices = nullptr);
+bool lms3dScan(const lms3dScanRequest& request, const lms3dProgress& progress);
 
 #endif

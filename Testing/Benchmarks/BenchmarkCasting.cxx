@@ -3,12 +3,12 @@
 #include "Benchmarks.h"
 
 #include "CastingContender.h"
-#include "ScanGrid.h"
 #include "ScanTruth.h"
 #include "Scenes.h"
 #include "SeparateProcess.h"
 #include "StabilityMethod.h"
 #include "Table.h"
+#include "ThinnedGrid.h"
 #include "Timer.h"
 
 #include <tbb/task_arena.h>
@@ -22,7 +22,7 @@ namespace
 {
 constexpr double NanosecondsPerMillisecond = 1e6;
 
-// Of the reference, which takes milliseconds for a beam that passes near many triangles.
+// The beams of the reference, which takes milliseconds for a beam that passes near many triangles.
 constexpr int StrideOfTruthOfLargeScene = 3;
 constexpr vtkIdType LargeScene = 50000;
 
@@ -32,7 +32,7 @@ struct Limits
   double Budget;
   double LongScan;
   /// For all that a caster does.
-  unsigned int MostSeconds;
+  unsigned int MaximumSeconds;
   /// Turns of each caster, so that what disturbs the machine for a while disturbs all of them.
   int Turns;
 };
@@ -48,8 +48,8 @@ std::vector<double> Measure(const CastingContender& contender, const Limits& lim
     [&]
     {
       const CastingScan scan = contender.Build();
-      const ScanGrid grid =
-        stride > 0 ? ScanGrid(stride) : ScanGrid::Choose(limits.LongScan, scan.Cast);
+      const ThinnedGrid grid =
+        stride > 0 ? ThinnedGrid(stride) : ThinnedGrid::Choose(limits.LongScan, scan.Cast);
       const double best = GetBestMilliseconds(limits.Budget, [&] { scan.Cast(grid); });
       result = { static_cast<double>(grid.GetStride()), best };
       const std::vector<double> ranges = scan.GetRanges(grid);
@@ -65,9 +65,9 @@ Truths MakeTruths(const BenchmarkScene& scene)
 {
   const bool isLarge = scene.Surface->GetNumberOfPolys() > LargeScene;
   Truths truths;
-  for (int stride : ScanGrid::Strides)
+  for (int stride : ThinnedGrid::Strides)
   {
-    const ScanGrid grid(isLarge && stride == 1 ? StrideOfTruthOfLargeScene : stride);
+    const ThinnedGrid grid(isLarge && stride == 1 ? StrideOfTruthOfLargeScene : stride);
     truths.emplace(stride, ScanTruth(scene, grid.GetBeams(), CastingMaximumRange));
   }
   return truths;
@@ -83,7 +83,7 @@ Table::Row MakeRow(const BenchmarkScene& scene, const std::string& name,
     row.push_back(result.Failure);
     return row;
   }
-  const ScanGrid grid(static_cast<int>(result.Numbers[0]));
+  const ThinnedGrid grid(static_cast<int>(result.Numbers[0]));
   const double beams = static_cast<double>(grid.GetNumberOfBeams());
   const ScanTruth& truth = truths.at(grid.GetStride());
   const ScanErrors errors = truth.GetErrors(result.Numbers.data() + 2);
@@ -118,7 +118,7 @@ void SaveBeams(const std::string& folder, const BenchmarkScene& scene, const Sca
   Save(start + "points", mesh.Points);
   Save(start + "triangles", mesh.Triangles);
   Save(start + "sensor", std::vector<Vector>{ scene.Sensor });
-  Save(start + "directions", ScanGrid::MakeDirections(scene));
+  Save(start + "directions", ThinnedGrid::MakeDirections(scene));
   Save(start + "ranges", truth.GetRanges());
 }
 
@@ -132,7 +132,7 @@ void Take(const CastingContender& contender, const Limits& limits, SeparateResul
   const bool isFirst = result.Numbers.empty();
   const int stride = isFirst ? 0 : static_cast<int>(result.Numbers[0]);
   SeparateResult other =
-    RunSeparately([&] { return Measure(contender, limits, stride); }, limits.MostSeconds);
+    RunSeparately([&] { return Measure(contender, limits, stride); }, limits.MaximumSeconds);
   if (isFirst || !other.Failure.empty() || other.Numbers[1] < result.Numbers[1])
   {
     result = std::move(other);

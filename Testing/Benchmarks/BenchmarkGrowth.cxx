@@ -4,10 +4,10 @@
 
 #include "GrowthWork.h"
 #include "Memory.h"
-#include "ScanGrid.h"
 #include "Scenes.h"
 #include "SeparateProcess.h"
 #include "Table.h"
+#include "ThinnedGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,19 +22,19 @@ namespace
 struct Plan
 {
   /// Powers of ten.
-  int MostTriangles;
-  int MostBeams;
-  int MostBeamsOfMap;
+  int MaximumTriangles;
+  int MaximumBeams;
+  int MaximumBeamsOfMap;
   int TrianglesForThreads;
   /// Turns of each number of threads, so that what disturbs the machine for a while disturbs all.
   int Turns;
-  unsigned int MostSeconds;
+  unsigned int MaximumSeconds;
   GrowthLimits Limits;
 };
 constexpr Plan Whole = { 7, 8, 7, 6, 3, 120, { 500.0, 6000.0, 25000.0 } };
 constexpr Plan Quick = { 5, 6, 5, 4, 1, 20, { 30.0, 300.0, 1000.0 } };
 
-// Of a scan at the most: what both outputs hold, and what is needed meanwhile.
+// The maximum for a scan: the memory of both outputs, and the memory needed meanwhile.
 constexpr double BytesPerBeam = 100.0;
 
 /// Measures works in one setting after another, and leaves out what would take too long.
@@ -94,7 +94,7 @@ private:
       return { {}, "needs more memory" };
     }
     SeparateResult result = RunSeparately(
-      [&] { return work.Do(setting, this->Schedule.Limits); }, this->Schedule.MostSeconds);
+      [&] { return work.Do(setting, this->Schedule.Limits); }, this->Schedule.MaximumSeconds);
     if (result.Failure.empty())
     {
       last = GetMillisecondsPerBeam(result);
@@ -119,7 +119,7 @@ private:
   // By the setting before, which had a tenth of the triangles or of the beams.
   static double GetPrediction(const GrowthSetting& setting, double last)
   {
-    const std::size_t fewest = ScanGrid(ScanGrid::Strides.back()).GetNumberOfBeams();
+    const std::size_t fewest = ThinnedGrid(ThinnedGrid::Strides.back()).GetNumberOfBeams();
     const double growth = setting.Against == "triangles" ? 10.0 : 1.0;
     return growth * last * (setting.MayThin() ? static_cast<double>(fewest) : setting.GetBeams());
   }
@@ -143,7 +143,7 @@ private:
 
 void GrowTriangles(const Plan& plan, Growth& growth)
 {
-  for (int power = 2; power <= plan.MostTriangles; ++power)
+  for (int power = 2; power <= plan.MaximumTriangles; ++power)
   {
     const BenchmarkScene scene = MakeTerrain(power);
     const GrowthSetting setting = { "triangles", scene };
@@ -156,12 +156,12 @@ void GrowTriangles(const Plan& plan, Growth& growth)
 void GrowBeams(const Plan& plan, Growth& growth)
 {
   const BenchmarkScene scene = MakeScene("room");
-  for (int power = 3; power <= plan.MostBeams; ++power)
+  for (int power = 3; power <= plan.MaximumBeams; ++power)
   {
     GrowthSetting setting = { "beams", scene };
     setting.Alphas = setting.Betas = static_cast<int>(std::round(std::pow(10.0, power / 2.0)));
     growth.Add(GetGrowthScans(), setting);
-    if (power <= plan.MostBeamsOfMap)
+    if (power <= plan.MaximumBeamsOfMap)
     {
       growth.Add(GetGrowthMaps(), setting);
     }

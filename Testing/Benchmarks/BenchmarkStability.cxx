@@ -18,7 +18,7 @@ constexpr std::size_t Shots = 200;
 constexpr std::size_t ShotsWhenQuick = 20;
 
 // For one method in one situation, which takes seconds.
-constexpr unsigned int MostSeconds = 120;
+constexpr unsigned int MaximumSeconds = 120;
 
 std::vector<StabilityMethod> GetMethods()
 {
@@ -40,7 +40,7 @@ struct Cell
 // A method that fails returns nothing at all.
 Cell Measure(const StabilityMethod& method, const StabilityCase& scene, const StabilityTruth& truth)
 {
-  SeparateResult result = RunSeparately([&] { return method.Cast(scene); }, MostSeconds);
+  SeparateResult result = RunSeparately([&] { return method.Cast(scene); }, MaximumSeconds);
   if (!result.Failure.empty())
   {
     result.Numbers.assign(

@@ -32,13 +32,13 @@ CastingContender MakeMethod(const BenchmarkScene& scene, int method)
     filter->SetAlphaResolution(1);
     filter->SetBetaResolution(1);
     filter->Update();
-    const auto cast = [filter](const ScanGrid& grid)
+    const auto cast = [filter](const ThinnedGrid& grid)
     {
       grid.Apply(filter);
       filter->Modified();
       filter->Update();
     };
-    const auto getRanges = [filter](const ScanGrid& grid)
+    const auto getRanges = [filter](const ThinnedGrid& grid)
     {
       vtkDataArray* ranges = filter->GetRangeImage()->GetPointData()->GetScalars();
       return grid.SpreadGrid(vtkDoubleArray::SafeDownCast(ranges)->GetPointer(0));
@@ -55,14 +55,14 @@ CastingContender MakeRival(const BenchmarkScene& scene, const StabilityMethod& m
   {
     const StabilityCaster caster = method.Build(MakeMesh(scene.Surface));
     const auto shots = std::make_shared<std::map<int, std::vector<StabilityShot>>>();
-    for (int stride : ScanGrid::Strides)
+    for (int stride : ThinnedGrid::Strides)
     {
-      (*shots)[stride] = ScanGrid(stride).MakeShots(scene);
+      (*shots)[stride] = ThinnedGrid(stride).MakeShots(scene);
     }
     const auto ranges = std::make_shared<std::vector<double>>();
-    return { [caster, shots, ranges](const ScanGrid& grid)
+    return { [caster, shots, ranges](const ThinnedGrid& grid)
       { *ranges = caster(shots->at(grid.GetStride())); },
-      [ranges](const ScanGrid& grid) { return grid.SpreadShots(*ranges); } };
+      [ranges](const ThinnedGrid& grid) { return grid.SpreadShots(*ranges); } };
   };
   return { method.Name, build };
 }

@@ -8,7 +8,7 @@
 #ifndef CastingContender_h
 #define CastingContender_h
 
-#include "ScanGrid.h"
+#include "ThinnedGrid.h"
 
 #include <functional>
 #include <string>
@@ -22,9 +22,9 @@ constexpr double CastingMaximumRange = 1000.0;
 /// A scene that is ready to be scanned.
 struct CastingScan
 {
-  std::function<void(const ScanGrid&)> Cast;
+  std::function<void(const ThinnedGrid&)> Cast;
   /// The ranges of the last cast by the beams' numbers in the whole grid.
-  std::function<std::vector<double>(const ScanGrid&)> GetRanges;
+  std::function<std::vector<double>(const ThinnedGrid&)> GetRanges;
 };
 
 struct CastingContender

@@ -108,8 +108,8 @@ std::vector<double> MeasureScan(GrowthSetting setting, int method, const GrowthL
   filter->SetBetaResolution(setting.Betas);
   if (setting.MayThin())
   {
-    const ScanGrid chosen = ScanGrid::Choose(limits.LongScan,
-      [&](const ScanGrid& grid)
+    const ThinnedGrid chosen = ThinnedGrid::Choose(limits.LongScan,
+      [&](const ThinnedGrid& grid)
       {
         grid.Apply(filter);
         filter->Modified();

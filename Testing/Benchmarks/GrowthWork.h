@@ -7,7 +7,7 @@
 #ifndef GrowthWork_h
 #define GrowthWork_h
 
-#include "ScanGrid.h"
+#include "ThinnedGrid.h"
 
 #include <functional>
 #include <string>
@@ -30,13 +30,13 @@ struct GrowthSetting
   /// What grows.
   std::string Against;
   const BenchmarkScene& Scene;
-  int Alphas = ScanGrid::Alphas;
-  int Betas = ScanGrid::Betas;
+  int Alphas = ThinnedGrid::Alphas;
+  int Betas = ThinnedGrid::Betas;
   int Threads = 1;
 
   double GetBeams() const { return static_cast<double>(this->Alphas) * this->Betas; }
 
-  /// Fewer beams stand for those of a default scan, not for others.
+  /// Whether fewer beams may represent the scan: only for a default scan.
   bool MayThin() const { return this->Against != "beams"; }
 };
 

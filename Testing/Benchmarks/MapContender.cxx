@@ -57,7 +57,7 @@ vtkSmartPointer<vtkPolyData> Shake(vtkPolyData* surface)
   return shaken;
 }
 
-// The scan's own arrays tell where the beam of each return comes from.
+// The scan's arrays give the beam of each return.
 void GetSensor(vtkPolyData* scan, double sensor[3])
 {
   vtkDataArray* matrix = scan->GetFieldData()->GetArray("SensorToWorld");

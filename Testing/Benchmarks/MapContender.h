@@ -32,7 +32,7 @@ MapContender MakeLocalMap(vtkPolyData* scan, double maximumError, double depthSt
 MapContender DecimateByQuadrics(const MapContender& grid, vtkIdType triangles, double budget);
 MapContender DecimatePro(const MapContender& grid, vtkIdType triangles, double budget);
 
-/// vtkSurfaceReconstructionFilter, which knows the points alone, at a hundredth of the diagonal of
+/// vtkSurfaceReconstructionFilter, which uses only the points, at a hundredth of the diagonal of
 /// their box.
 MapContender ReconstructFromPoints(vtkPolyData* scan, double budget);
 

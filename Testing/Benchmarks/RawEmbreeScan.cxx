@@ -4,6 +4,7 @@
 
 #include "CoherentCaster.h"
 #include "EmbreeHandles.h"
+#include "Geometry/lms3dAngle.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -43,7 +44,7 @@ float Flush(double x)
 
 float GetSine(double degrees)
 {
-  return Flush(std::sin(degrees * 3.14159265358979323846 / 180.0));
+  return Flush(std::sin(degrees * lms3dPi / 180.0));
 }
 
 /// Sines and cosines of the elevations of each tile in a row, and of the platform angles of each

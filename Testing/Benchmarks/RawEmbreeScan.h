@@ -20,14 +20,14 @@ class vtkPolyData;
 class RawEmbreeScan
 {
 public:
-  /// Builds with so many threads.
+  /// Builds the tree with a number of threads.
   RawEmbreeScan(vtkPolyData* surface, const double sensor[3], double maximumRange, int threads);
   ~RawEmbreeScan();
 
   /// Casts all beams.
   void Cast(int threads) const;
 
-  /// Casts all beams and tells how many hit.
+  /// Casts all beams and returns how many hit.
   int CountHits() const;
 
 private:

@@ -3,8 +3,8 @@
 #include "ScanTruth.h"
 
 #include "ExactReference.h"
-#include "ScanGrid.h"
 #include "Scenes.h"
+#include "ThinnedGrid.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -38,17 +38,17 @@ ExactReference MakeReference(vtkPolyData* surface)
 
 std::vector<std::size_t> Spread(std::size_t count)
 {
-  const std::size_t step = std::max<std::size_t>(1, ScanGrid::MostBeams / count);
+  const std::size_t step = std::max<std::size_t>(1, ThinnedGrid::MaximumBeams / count);
   std::vector<std::size_t> beams;
-  beams.reserve(ScanGrid::MostBeams / step + 1);
-  for (std::size_t beam = 0; beam < ScanGrid::MostBeams; beam += step)
+  beams.reserve(ThinnedGrid::MaximumBeams / step + 1);
+  for (std::size_t beam = 0; beam < ThinnedGrid::MaximumBeams; beam += step)
   {
     beams.push_back(beam);
   }
   return beams;
 }
 
-// The smallest number that no more than so many in a thousand are above.
+// The smallest number that at most a given number in a thousand exceed.
 double GetPercentile(const std::vector<double>& sorted, std::size_t above)
 {
   return sorted.empty() ? std::numeric_limits<double>::quiet_NaN()
@@ -62,7 +62,7 @@ ScanTruth::ScanTruth(
   , MaximumRange(maximumRange)
 {
   const ExactReference reference = MakeReference(scene.Surface);
-  const std::vector<ExactReference::Vector> directions = ScanGrid::MakeDirections(scene);
+  const std::vector<ExactReference::Vector> directions = ThinnedGrid::MakeDirections(scene);
   this->Ranges.reserve(this->Beams.size());
   for (std::size_t beam : this->Beams)
   {
@@ -108,7 +108,7 @@ ScanErrors ScanTruth::GetErrors(const double* ranges) const
 
 std::vector<double> ScanTruth::GetRanges() const
 {
-  std::vector<double> ranges(ScanGrid::MostBeams, std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> ranges(ThinnedGrid::MaximumBeams, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < this->Beams.size(); ++i)
   {
     ranges[this->Beams[i]] = this->Ranges[i];

@@ -26,10 +26,10 @@ struct ScanErrors
 class ScanTruth
 {
 public:
-  /// Asks the exact reference for some beams, numbered as in a default scan.
+  /// Casts some beams with the exact reference, numbered as in a default scan.
   ScanTruth(const BenchmarkScene& scene, std::vector<std::size_t> beams, double maximumRange);
 
-  /// The same for about so many, spread evenly.
+  /// The same for about a given number of beams, spread evenly.
   ScanTruth(const BenchmarkScene& scene, int count, double maximumRange);
 
   int GetNumberOfBeams() const { return static_cast<int>(this->Ranges.size()); }
@@ -40,7 +40,7 @@ public:
   ScanErrors GetErrors(const double* ranges) const;
 
   /// The range of each beam of a default scan, infinite where there is no return, and not a number
-  /// where nobody asked.
+  /// where the reference was not cast.
   std::vector<double> GetRanges() const;
 
 private:

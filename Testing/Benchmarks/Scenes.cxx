@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
+#include "Geometry/lms3dAngle.h"
+
 #include "vtkVRMLImporterSource.h"
 
 #include <vtkCellArray.h>
@@ -15,8 +17,6 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 BenchmarkScene ReadScene(const std::string& name, const std::array<double, 3>& sensor)
 {
   vtkNew<vtkVRMLImporterSource> reader;
@@ -53,9 +53,9 @@ public:
     const vtkIdType first = this->Points->GetNumberOfPoints();
     for (int i = 0; i < sides; ++i)
     {
-      const double angle = 2.0 * Pi * (i + 0.5) / sides;
-      const double x = centre[0] + halfSize[0] * std::cos(angle) / std::cos(Pi / sides);
-      const double y = centre[1] + halfSize[1] * std::sin(angle) / std::cos(Pi / sides);
+      const double angle = 2.0 * lms3dPi * (i + 0.5) / sides;
+      const double x = centre[0] + halfSize[0] * std::cos(angle) / std::cos(lms3dPi / sides);
+      const double y = centre[1] + halfSize[1] * std::sin(angle) / std::cos(lms3dPi / sides);
       this->AddPoint(x, y, bottom);
       this->AddPoint(x, y, top);
     }
@@ -126,8 +126,8 @@ double GetHeight(double x, double y)
   {
     const double u = x * std::cos(octave) + y * std::sin(octave);
     const double v = y * std::cos(octave) - x * std::sin(octave);
-    height += amplitude * std::sin(2.0 * Pi * u / length + octave) *
-      std::cos(2.0 * Pi * v / length + 2.0 * octave);
+    height += amplitude * std::sin(2.0 * lms3dPi * u / length + octave) *
+      std::cos(2.0 * lms3dPi * v / length + 2.0 * octave);
   }
   return height;
 }

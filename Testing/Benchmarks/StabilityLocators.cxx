@@ -19,7 +19,7 @@ namespace
 // Metres, as vtkLMS3DScanFilter's StaticCellLocator has.
 constexpr double CommonTolerance = 1e-9;
 
-// A line is cast so many times as far as the farthest corner is from the sensor.
+// The length of a line, relative to the distance of the farthest corner from the sensor.
 constexpr double Reach = 2.0;
 
 double GetLargestDistance(const std::vector<Vector>& points, const Vector& sensor)

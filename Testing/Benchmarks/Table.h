@@ -26,7 +26,7 @@ public:
   /// Writes all rows. Throws std::runtime_error where the file cannot be written.
   void Save(const std::string& fileName) const;
 
-  /// A number with so many digits after the point, or "-" where it is not a number.
+  /// A number with a fixed count of digits after the point, or "-" for NaN.
   static std::string Format(double x, int decimals);
 
   /// A number in the style of 1.2e-16.

@@ -21,7 +21,7 @@ double GetMilliseconds(const Work& work)
 }
 
 /// Repeats the work until the budget (ms) is spent, but at least once; the best time counts, since
-/// whatever else runs on the machine can only add.
+/// other work on the machine can only add to it.
 template <typename Work>
 double GetBestMilliseconds(double budget, const Work& work)
 {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExactReference.h"
 
+#include "ExactExpansion.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,81 +22,6 @@ constexpr std::size_t LeafSize = 4;
 
 // Widens balls and ranges in the search, far beyond the rounding of a double.
 constexpr double Margin = 1e-14;
-
-/// A number as the sum of doubles, from the smallest to the largest, that do not overlap.
-class Expansion
-{
-public:
-  Expansion() = default;
-  explicit Expansion(double x) { this->Add(x); }
-
-  Expansion operator+(const Expansion& other) const { return this->Sum(other, 1.0); }
-  Expansion operator-(const Expansion& other) const { return this->Sum(other, -1.0); }
-
-  Expansion operator*(const Expansion& other) const
-  {
-    Expansion product;
-    for (double x : this->Terms)
-    {
-      for (double y : other.Terms)
-      {
-        product.Add(std::fma(x, y, -(x * y)));
-        product.Add(x * y);
-      }
-    }
-    return product;
-  }
-
-  int GetSign() const
-  {
-    return this->Terms.empty() ? 0 : (this->Terms.back() > 0.0) - (this->Terms.back() < 0.0);
-  }
-
-  Quad GetValue() const
-  {
-    Quad sum = 0;
-    for (double term : this->Terms)
-    {
-      sum += term;
-    }
-    return sum;
-  }
-
-private:
-  Expansion Sum(const Expansion& other, double factor) const
-  {
-    Expansion sum = *this;
-    for (double term : other.Terms)
-    {
-      sum.Add(factor * term);
-    }
-    return sum;
-  }
-
-  // Each step passes the rounded sum on and leaves its rounding error behind.
-  void Add(double x)
-  {
-    std::size_t kept = 0;
-    for (double term : this->Terms)
-    {
-      const double sum = x + term;
-      const double part = sum - x;
-      const double error = (x - (sum - part)) + (term - part);
-      if (error != 0.0)
-      {
-        this->Terms[kept++] = error;
-      }
-      x = sum;
-    }
-    this->Terms.resize(kept);
-    if (x != 0.0)
-    {
-      this->Terms.push_back(x);
-    }
-  }
-
-  std::vector<double> Terms;
-};
 
 template <typename Number>
 using Triple = std::array<Number, 3>;
@@ -168,9 +95,10 @@ int GetCertainSign(const Edge& edge)
 int GetExactSign(const Edge& edge)
 {
   const Vector& d = *edge.Direction;
-  const Triple<Expansion> direction = { Expansion(d[0]), Expansion(d[1]), Expansion(d[2]) };
-  return GetDeterminant(direction, Subtract<Expansion>(*edge.P, *edge.Origin),
-    Subtract<Expansion>(*edge.Q, *edge.Origin))
+  const Triple<ExactExpansion> direction = { ExactExpansion(d[0]), ExactExpansion(d[1]),
+    ExactExpansion(d[2]) };
+  return GetDeterminant(direction, Subtract<ExactExpansion>(*edge.P, *edge.Origin),
+    Subtract<ExactExpansion>(*edge.Q, *edge.Origin))
     .GetSign();
 }
 
@@ -205,7 +133,7 @@ std::pair<Number, Number> GetPlane(
     GetDeterminant({ Number(d[0]), Number(d[1]), Number(d[2]) }, p, q) };
 }
 
-// Whether double tells that a plane is behind the origin, or beyond a limit.
+// Whether double precision proves that a plane is behind the origin, or beyond a limit.
 bool IsOutOfReach(const Vector* const* corners, const Vector& origin, const Vector& d, double limit)
 {
   static const double bound = 8 * GetPrecision<double>();
@@ -244,7 +172,7 @@ Quad GetRange(const Vector* const* corners, const Vector& origin, const Vector& 
   {
     return offset / slope;
   }
-  const auto [exactOffset, exactSlope] = GetPlane<Expansion>(corners, origin, direction);
+  const auto [exactOffset, exactSlope] = GetPlane<ExactExpansion>(corners, origin, direction);
   return exactOffset.GetValue() / exactSlope.GetValue();
 }
 

@@ -43,7 +43,7 @@ public:
     Quad WideRange;
     /// The same rounded to double.
     double Range;
-    /// Of several at the same range the one with the smallest number, or NoTriangle.
+    /// The triangle, the smallest index of several at the same range, or NoTriangle.
     std::int32_t Triangle;
   };
 

@@ -39,12 +39,12 @@ StabilityMethod MakeMethod(const std::string& name, const NewCaster& newCaster)
     } };
 }
 
-/// A tolerance of so many powers of ten.
+/// A tolerance of 10 to the power of Exponent.
 template <int Exponent>
 class ForgivingTest : public lms3dAngleSumTest
 {
 public:
-  explicit ForgivingTest(const lms3dSeenTriangle& triangle)
+  explicit ForgivingTest(const lms3dSensorFrameTriangle& triangle)
     : lms3dAngleSumTest(triangle, { std::pow(10.0, Exponent), 0.0 })
   {
   }
@@ -54,7 +54,7 @@ public:
 class StrictTest : public lms3dAngleSumTest
 {
 public:
-  explicit StrictTest(const lms3dSeenTriangle& triangle)
+  explicit StrictTest(const lms3dSensorFrameTriangle& triangle)
     : lms3dAngleSumTest(triangle, { 0.0, 0.0 })
   {
   }

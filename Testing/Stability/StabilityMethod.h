@@ -29,7 +29,7 @@ struct StabilityMethod
   }
 };
 
-/// Those of vtkLMS3DScanFilter, by number, from the scene as the filter takes it.
+/// The methods of vtkLMS3DScanFilter, by their numbers, for the scene as the filter takes it.
 std::vector<StabilityMethod> GetFilterMethods();
 
 /// The founding paper's sum of angles, as AngleSum, with other tolerances; the first has none.

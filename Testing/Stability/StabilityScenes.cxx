@@ -12,7 +12,7 @@ struct Weights
   double Second;
 };
 
-// Of a triangle's second and third corner.
+// Concerns a triangle's second and third corner.
 Weights Choose(StabilityAim aim, Random& random)
 {
   if (aim == StabilityAim::ANYTHING)

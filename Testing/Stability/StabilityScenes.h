@@ -50,11 +50,11 @@ StabilityCase AimAtTJunction(Random& random, std::size_t shots);
 StabilityCase AimOnGrid(const lms3dTriangleMesh& mesh, int reach, double spacing, int finer,
   Random& random, std::size_t shots);
 
-/// Shots at a wall of triangles that are so many times longer than wide: at their sides and within,
+/// Shots at a wall of triangles that are `aspect` times longer than wide: at their sides and within,
 /// away from the wall's border.
 StabilityCase AimAtNeedles(double aspect, Random& random, std::size_t shots);
 
-/// Shots from so many metres above the middle of a square of 4 m x 4 m.
+/// Shots from a height in metres above the middle of a square of 4 m x 4 m.
 StabilityCase AimAlongFloor(double height, Random& random, std::size_t shots);
 
 /// Shots within a ball; of each direction one component, x, y or z, is nothing but this.

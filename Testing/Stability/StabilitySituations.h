@@ -20,11 +20,11 @@ struct StabilitySituation
   /// What is difficult, as in "slivers", and how much, as in "1e4".
   std::string Name;
   std::string Parameter;
-  /// Of the random numbers, so that beams are the same in each run.
+  /// The seed of the random numbers, so that beams are the same in each run.
   std::uint64_t Seed;
   std::function<StabilityCase(Random&, std::size_t)> Make;
 
-  /// So many packets of 16 beams at the scene.
+  /// The number of packets of 16 beams at the scene.
   StabilityCase MakeCase(std::size_t shots) const;
 };
 

@@ -12,7 +12,7 @@ namespace
 constexpr double LargestError = 1e-6;
 
 // Below, products of coordinates leave the numbers that the reference takes.
-constexpr double SmallestSize = 1e-30;
+constexpr double MinimumSize = 1e-30;
 
 bool IsFinite(const Vector& p)
 {
@@ -59,7 +59,7 @@ StabilityTruth::StabilityTruth(const StabilityCase& scene)
 {
   lms3dTriangleMesh mesh = KeepFinite(scene.Mesh);
   const double size = GetSize(mesh);
-  this->Exponent = size < SmallestSize ? -std::ilogb(size) : 0;
+  this->Exponent = size < MinimumSize ? -std::ilogb(size) : 0;
   mesh = Map(std::move(mesh), [this](const Vector& p) { return Enlarge(p, this->Exponent); });
   const ExactReference reference(mesh.Points, mesh.Triangles);
   this->Hits.reserve(scene.Shots.size() * lms3dBeamPacket::Size);

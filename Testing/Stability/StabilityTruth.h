@@ -38,7 +38,7 @@ struct StabilityTally
 class StabilityTruth
 {
 public:
-  /// Asks the exact reference, in this thread alone. Triangles that are not finite are not there.
+  /// Casts with the exact reference, in this thread alone. Triangles that are not finite are skipped.
   explicit StabilityTruth(const StabilityCase& scene);
 
   /// Judges the ranges of all beams, in the order of the shots.

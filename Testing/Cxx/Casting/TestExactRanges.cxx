@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The ranges of the exact caster: right to their last bits whatever the triangle's shape and
+ * @brief The ranges of the exact caster: right to the last bits for any shape of triangle and
  * however the sensor stands to it, and held to the limit to the bit.
  */
 #include "Fixtures/CasterFixtures.h"
@@ -17,7 +17,7 @@
 
 namespace
 {
-/// Triangles a metre long anywhere within 10 m, so many times longer than wide.
+/// Triangles a metre long anywhere within 10 m, `aspect` times longer than wide.
 lms3dTriangleMesh MakeNeedles(double aspect)
 {
   std::vector<std::array<Vector, 3>> needles;
@@ -76,7 +76,7 @@ Vector Stay(const Vector& p)
   return p;
 }
 
-/// A right-angled triangle over x and y, one corner of which is the origin, where coordinates are
+/// A right-angled triangle over x and y with one corner at the origin, where coordinates are
 /// fine enough for any height. It is the triangle's first, second or third.
 struct Corner
 {

@@ -12,7 +12,7 @@
 
 namespace
 {
-/// A beam that hits nearer than `farthest`, whatever else is there.
+/// A beam that hits nearer than `farthest`, also if other triangles are there.
 Tally JudgeNearSide(const Target& ball, double farthest, const Vector& sensor,
   const Vector& direction, const lms3dBeamPacket& packet, int beam)
 {
@@ -27,7 +27,7 @@ Tally JudgeNearSide(const Target& ball, double farthest, const Vector& sensor,
 }
 
 /// Beams at the near side of a ball around the origin, that hit it well before its centre. Where
-/// the sensor is so far away that the reference cannot tell triangles apart from afar, this can.
+/// the sensor is so far away that the reference cannot separate distant triangles, this can.
 Tally JudgeNearSide(const Target& ball, double radius, const Vector& sensor, Random& random)
 {
   const double distance = GetLength(sensor);

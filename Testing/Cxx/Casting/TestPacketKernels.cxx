@@ -26,17 +26,17 @@ struct KernelResults
   lms3dBeamPacket Taken;
   lms3dBeamPacket Kept;
   lms3dBeamPacket Finished;
-  lms3dSeenPlane Plane;
+  lms3dDoubleDoublePlane Plane;
   double Ranges[lms3dBeamPacket::Size];
-  double RoughRanges[lms3dBeamPacket::Size];
+  double DoubleRanges[lms3dBeamPacket::Size];
   double Points[lms3dBeamPacket::Size][3];
-  float Starts[lms3dBeamPacket::Size];
-  float Reach[lms3dBeamPacket::Size];
+  float Origins[lms3dBeamPacket::Size];
+  float TFar[lms3dBeamPacket::Size];
   unsigned int Geometry[lms3dBeamPacket::Size];
-  lms3dVerdicts Verdicts;
+  lms3dHitMasks Masks;
   std::uint32_t Changed;
-  std::uint32_t Unsure;
-  std::uint32_t Within;
+  std::uint32_t Uncertain;
+  std::uint32_t InCone;
   std::uint32_t Near;
   std::uint32_t Hits;
   std::uint32_t Measured;
@@ -91,14 +91,14 @@ void ComputeBeams(
   const lms3dPacketKernels& kernels, const KernelInput& input, KernelResults& results)
 {
   const lms3dBeamPacket& packet = results.Taken;
-  const lms3dStart start = { input.Origin[0], 2.0, input.Corners[0][0], 3.0, 10.0 };
-  results.Near = kernels.SetStarts(start, packet.Direction[0], results.Starts);
+  const lms3dShiftedOrigin start = { input.Origin[0], 2.0, input.Corners[0][0], 3.0, 10.0 };
+  results.Near = kernels.ShiftOrigins(start, packet.Direction[0], results.Origins);
   const Vector& axis = input.Corners[1];
-  results.Within = kernels.FindWithin({ { axis[0], axis[1], axis[2] }, 0.5 }, packet);
-  std::fill_n(results.Reach, lms3dBeamPacket::Size, 7.0f);
-  kernels.Shorten(packet, results.Changed, 0.25, 3.0, 9, { 0, 8, results.Reach, results.Geometry });
-  kernels.Shorten(
-    packet, results.Changed, 0.25, 3.0, 9, { 8, 5, results.Reach + 8, results.Geometry + 8 });
+  results.InCone = kernels.FindInCone({ { axis[0], axis[1], axis[2] }, 0.5 }, packet);
+  std::fill_n(results.TFar, lms3dBeamPacket::Size, 7.0f);
+  kernels.ClipRays(packet, results.Changed, 0.25, 3.0, 9, { 0, 8, results.TFar, results.Geometry });
+  kernels.ClipRays(
+    packet, results.Changed, 0.25, 3.0, 9, { 8, 5, results.TFar + 8, results.Geometry + 8 });
   const lms3dReturnsOfTurn returns = { input.Elevations.Cosine, input.Elevations.Sine, packet.Range,
     lms3dBeamPacket::Size - 1, input.Corners[0].data(), input.Corners[1].data(),
     input.Origin.data() };
@@ -108,17 +108,18 @@ void ComputeBeams(
 void ComputeRanges(const lms3dPacketKernels& kernels, const lms3dCorners& corners,
   const KernelInput& input, KernelResults& results)
 {
-  results.Plane = kernels.See(corners.data(), input.Origin.data());
-  kernels.Measure(results.Plane, results.Taken, results.Ranges);
-  const lms3dSeenPlane& plane = results.Plane;
-  kernels.MeasureRoughly({ { plane.Normal[0].High, plane.Normal[1].High, plane.Normal[2].High },
-                           plane.Offset.High, 0.0, true },
-    results.Taken, results.RoughRanges);
+  results.Plane = kernels.MakeDoubleDoublePlane(corners.data(), input.Origin.data());
+  kernels.IntersectDoubleDoublePlane(results.Plane, results.Taken, results.Ranges);
+  const lms3dDoubleDoublePlane& plane = results.Plane;
+  kernels.IntersectDoublePlane(
+    { { plane.Normal[0].High, plane.Normal[1].High, plane.Normal[2].High }, plane.Offset.High, 0.0,
+      true },
+    results.Taken, results.DoubleRanges);
   results.Kept = results.Taken;
-  results.Measured = kernels.KeepRanges(results.Ranges, 3, 10.0, results.Kept);
+  results.Measured = kernels.StoreRanges(results.Ranges, 3, 10.0, results.Kept);
   results.Hits = kernels.FindHits(results.Kept);
   results.Finished = results.Kept;
-  kernels.Finish(0.5, results.Finished);
+  kernels.ApplyMinimumRange(0.5, results.Finished);
 }
 
 /// The bytes of the results.
@@ -129,14 +130,15 @@ std::string Compute(const lms3dPacketKernels& kernels, const KernelInput& input)
   KernelResults results;
   std::memset(static_cast<void*>(&results), 0, sizeof(results));
   lms3dBeamPacket& packet = results.Aimed;
-  kernels.Aim(input.Elevations, input.Axes, packet);
+  kernels.GenerateDirections(input.Elevations, input.Axes, packet);
   std::fill_n(packet.Range, lms3dBeamPacket::Size, 1.0);
   std::fill_n(packet.Triangle, lms3dBeamPacket::Size, 5);
   packet.Active = 0x7fffu;
-  const lms3dSeenTriangle seen = lms3dSee(corners, input.Origin.data());
-  results.Verdicts = kernels.Classify(seen, packet);
+  const lms3dSensorFrameTriangle triangle = lms3dToSensorFrame(corners, input.Origin.data());
+  results.Masks = kernels.Classify(triangle, packet);
   results.Taken = packet;
-  results.Changed = kernels.TakeHits(seen, 3, 0xffffu, 1e6, results.Taken, results.Unsure);
+  results.Changed =
+    kernels.UpdateNearest(triangle, 3, 0xffffu, 1e6, results.Taken, results.Uncertain);
   ComputeBeams(kernels, input, results);
   ComputeRanges(kernels, corners, input, results);
   return { reinterpret_cast<const char*>(&results), sizeof(results) };

@@ -100,7 +100,7 @@ void Check(int method, const StabilitySituation& situation, const StabilityTally
     EXPECT_EQ(tally.Wrong, 0u);
     return;
   }
-  // So few beams tell no share.
+  // A share needs more beams.
   if (Fewer == 1)
   {
     EXPECT_GE(tally.GetShare(), known->Least);

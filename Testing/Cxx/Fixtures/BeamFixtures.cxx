@@ -26,7 +26,7 @@ lms3dBeamPacket Aim(const Beams& directions)
     }
   }
   lms3dBeamPacket packet;
-  lms3dGetPacketKernels().Aim(level, axes, packet);
+  lms3dGetPacketKernels().GenerateDirections(level, axes, packet);
   packet.Active = 0xffffu;
   return packet;
 }

@@ -17,7 +17,7 @@ using Beams = std::array<Vector, lms3dBeamPacket::Size>;
 /// All beams of a packet the same.
 Beams MakeSame(const Vector& direction);
 
-/// A packet along some directions, no component of which is above 1.
+/// A packet along some directions. Each component must be at most 1.
 lms3dBeamPacket Aim(const Beams& directions);
 
 #endif

@@ -18,14 +18,14 @@
 #include <limits>
 #include <memory>
 
-/// Tests take one packet of so many: builds with a sanitizer, and Debug, define LMS3D_FEWER_BEAMS.
+/// Tests cast 1/Fewer of their packets. Sanitizer and Debug builds define LMS3D_FEWER_BEAMS.
 #ifdef LMS3D_FEWER_BEAMS
 constexpr std::size_t Fewer = 50;
 #else
 constexpr std::size_t Fewer = 1;
 #endif
 
-/// A mesh in the caster that is tested and in the one that is right.
+/// A mesh in the caster under test and in the exact reference.
 struct Target
 {
   explicit Target(const lms3dTriangleMesh& mesh);
@@ -35,7 +35,7 @@ struct Target
   Vector See(const Vector& origin, std::size_t triangle, int corner) const;
   /// Corners, points on edges and within a triangle, seen from an origin.
   Beams LookAt(std::size_t triangle, const Vector& origin, Random& random) const;
-  /// Beams at them: exactly but for the rounding of the direction. None where a corner is at the
+  /// Beams at these points, exact except for the rounding of the direction. No corner may be at the
   /// origin.
   Beams AimAt(std::size_t triangle, const Vector& origin, Random& random) const;
   lms3dBeamPacket Cast(const Vector& origin, const Beams& directions,
@@ -45,12 +45,12 @@ struct Target
   ExactReference Reference;
 };
 
-/// What was found wrong in how many beams.
+/// Counts of beams and of errors.
 struct Tally
 {
   std::int64_t Beams = 0;
   std::int64_t Hits = 0;
-  /// Of them those that miss what they truly hit.
+  /// Hits of the reference that the caster misses.
   std::int64_t Misses = 0;
   /// Hits of a triangle that the beam truly passes by, or that is not the nearest.
   std::int64_t FalseHits = 0;
@@ -78,13 +78,13 @@ Tally Judge(const Target& target, const Vector& origin, const Beams& directions)
 Tally JudgeBeam(const Target& target, const Vector& origin, const Vector& direction,
   const lms3dBeamPacket& packet, int beam);
 
-/// The sum of what `judge` tells of each number below count, on all cores.
+/// The sum of the results of `judge` for each number below count, on all cores.
 Tally JudgeEach(std::size_t count, const std::function<Tally(std::size_t)>& judge);
 
-/// So many packets, or fewer, at triangles here and there in the mesh.
+/// Casts `packets` packets, or fewer, at triangles throughout the mesh.
 Tally JudgeTriangles(const Target& target, const Vector& sensor, std::size_t packets);
 
-/// So many packets, or fewer, in all directions.
+/// Casts `packets` packets, or fewer, in all directions.
 Tally JudgeAllAround(const Target& target, const Vector& sensor, std::size_t packets);
 
 #endif

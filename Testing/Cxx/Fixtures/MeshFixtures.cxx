@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fixtures/MeshFixtures.h"
 
+#include "Geometry/lms3dVector.h"
+
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkIdList.h>
@@ -82,17 +84,17 @@ Vector Random::GetDirection()
 
 Vector operator+(const Vector& p, const Vector& q)
 {
-  return { p[0] + q[0], p[1] + q[1], p[2] + q[2] };
+  return lms3dAdd(p, q);
 }
 
 Vector operator-(const Vector& p, const Vector& q)
 {
-  return { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
+  return lms3dSubtract(p, q);
 }
 
 Vector operator*(double factor, const Vector& p)
 {
-  return { factor * p[0], factor * p[1], factor * p[2] };
+  return lms3dScale(p, factor);
 }
 
 double GetLength(const Vector& p)

@@ -44,17 +44,17 @@ Vector operator-(const Vector& p, const Vector& q);
 Vector operator*(double factor, const Vector& p);
 double GetLength(const Vector& p);
 Vector Normalize(const Vector& p);
-/// Turned by angles that are multiples of nothing.
+/// Turned by two angles that are not multiples of a simple fraction of a circle.
 Vector Turn(const Vector& p);
 
 lms3dTriangleMesh MakeMesh(const std::vector<std::array<Vector, 3>>& triangles);
-/// An icosahedron of radius 1 whose triangles are quartered so many times.
+/// An icosahedron of radius 1 whose triangles are quartered `level` times.
 lms3dTriangleMesh MakeIcosphere(int level);
 /// From -1 to 1, each side of cells x cells squares, two triangles each.
 lms3dTriangleMesh MakeCube(int cells);
 /// Boxes of 2 x 2 x 2 whose corners are whole numbers: some share faces, edges or corners.
 lms3dTriangleMesh MakeBlocks();
-/// An upright wall, a metre high, of 400 triangles that are so many times longer than wide.
+/// An upright wall, a metre high, of 400 triangles that are `aspect` times longer than wide.
 lms3dTriangleMesh MakeNeedleWall(double aspect);
 /// A triangle beside two that end in the middle of its first side, its middle off the side by
 /// rounding. Each triangle has points of its own.
@@ -66,7 +66,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface(const lms3dTriangleMesh& mesh);
 void Append(const lms3dTriangleMesh& other, lms3dTriangleMesh& mesh);
 lms3dTriangleMesh Map(lms3dTriangleMesh mesh, const std::function<Vector(const Vector&)>& map);
 lms3dTriangleMesh Move(lms3dTriangleMesh mesh, double scale, const Vector& offset);
-/// Whether each edge, told by its coordinates, is used as often in one direction as in the other.
+/// Whether each edge, identified by its coordinates, occurs equally often in both directions.
 bool IsClosed(const lms3dTriangleMesh& mesh);
 
 #endif

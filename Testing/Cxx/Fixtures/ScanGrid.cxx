@@ -181,7 +181,7 @@ ScanGrid::Place ScanGrid::GetPlace(const Vector& direction) const
   const double z = Dot(direction, this->Axes[2]);
   const double alpha = std::atan2(z, std::hypot(x, y));
   const double beta = std::atan2(-y, x);
-  // Of the angles that differ by full circles the one nearest to the middle of the turns.
+  // Among angles that differ by full circles, take the one nearest to the middle of the turns.
   const double circle = 2.0 * vtkMath::Pi() / std::abs(this->TurnStep);
   const double turn = (beta - vtkMath::RadiansFromDegrees(this->Betas.front())) / this->TurnStep;
   const double middle = 0.5 * (this->GetNumberOfTurns() - 1);

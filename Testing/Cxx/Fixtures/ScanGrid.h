@@ -54,13 +54,13 @@ public:
   /// The number of a beam's return, or NoReturn. Of a pole, which all turns share, that of median
   /// range.
   vtkIdType GetReturn(const Beam& beam) const;
-  /// All returns of a beam: of a pole those of all turns.
+  /// All returns of a beam. For a beam at a pole, the returns of all turns.
   std::vector<vtkIdType> GetReturns(const Beam& beam) const;
   /// The beam that a return came along.
   Beam GetBeam(vtkIdType number) const;
   bool Contains(const Beam& beam) const;
 
-  /// The direction of a place, whole numbers of which are those of beams.
+  /// The direction of a place. Places with whole numbers are beams.
   Vector GetDirection(const Place& place) const;
   Place GetPlace(const Vector& direction) const;
 

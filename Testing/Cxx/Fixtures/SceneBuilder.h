@@ -26,7 +26,7 @@ public:
   /// Its axes are half as long as the box.
   void AddTurnedBox(const Vector& center, const std::array<Vector, 3>& axes);
   void AddBox(const Vector& low, const Vector& high);
-  /// An upright cone, or with a radius at its top a cylinder, of so many sides.
+  /// An upright cone, or with a radius at its top a cylinder, with `sides` sides.
   void AddCone(const Vector& foot, double radius, double topRadius, double height, int sides);
   void AddBall(const Vector& center, double radius, int resolution);
   void AddSurface(vtkPolyData* triangles, const Vector& offset);

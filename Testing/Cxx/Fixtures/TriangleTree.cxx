@@ -14,11 +14,6 @@ constexpr std::size_t LeafSize = 4;
 // Boxes are larger than their triangles by this share, more than any margin of a beam.
 constexpr double BoxMargin = 1e-7;
 
-Vector Subtract(const Vector& p, const Vector& q)
-{
-  return { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
-}
-
 double GetSquaredDistanceFromBox(const Vector& point, const Vector& low, const Vector& high)
 {
   double squared = 0.0;
@@ -47,8 +42,8 @@ bool MeetsBox(const Vector& inverse, const Vector& low, const Vector& high)
 
 double GetDistance(const Vector& point, const Vector& a, const Vector& b)
 {
-  const Vector along = Subtract(b, a);
-  const Vector to = Subtract(point, a);
+  const Vector along = lms3dSubtract(b, a);
+  const Vector to = lms3dSubtract(point, a);
   const double squared = Dot(along, along);
   const double share = squared > 0.0 ? std::clamp(Dot(along, to) / squared, 0.0, 1.0) : 0.0;
   return std::hypot(to[0] - share * along[0], to[1] - share * along[1], to[2] - share * along[2]);
@@ -57,13 +52,13 @@ double GetDistance(const Vector& point, const Vector& a, const Vector& b)
 double GetDistance(const Vector& point, const std::array<Vector, 3>& triangle)
 {
   const auto& [a, b, c] = triangle;
-  const Vector normal = Cross(Subtract(b, a), Subtract(c, a));
+  const Vector normal = Cross(lms3dSubtract(b, a), lms3dSubtract(c, a));
   const auto isInside = [&](const Vector& p, const Vector& q)
-  { return Dot(Cross(normal, Subtract(q, p)), Subtract(point, p)) >= 0.0; };
+  { return Dot(Cross(normal, lms3dSubtract(q, p)), lms3dSubtract(point, p)) >= 0.0; };
   const double length = std::sqrt(Dot(normal, normal));
   if (length > 0.0 && isInside(a, b) && isInside(b, c) && isInside(c, a))
   {
-    return std::abs(Dot(normal, Subtract(point, a))) / length;
+    return std::abs(Dot(normal, lms3dSubtract(point, a))) / length;
   }
   return std::min({ GetDistance(point, a, b), GetDistance(point, b, c), GetDistance(point, c, a) });
 }
@@ -117,7 +112,7 @@ void TriangleTree::Enclose(Node& node, std::size_t first, std::size_t count) con
 
 std::size_t TriangleTree::Halve(const Node& node, std::size_t count)
 {
-  const Vector size = Subtract(node.High, node.Low);
+  const Vector size = lms3dSubtract(node.High, node.Low);
   const auto axis = std::max_element(size.begin(), size.end()) - size.begin();
   const auto begin = this->Order.begin() + static_cast<std::ptrdiff_t>(node.First);
   const auto half = static_cast<std::ptrdiff_t>(count / 2);
@@ -212,7 +207,7 @@ void TriangleTree::CastAt(
   {
     return;
   }
-  const double range = volume / Dot(Cross(Subtract(b, a), Subtract(c, a)), direction);
+  const double range = volume / Dot(Cross(lms3dSubtract(b, a), lms3dSubtract(c, a)), direction);
   if (range > 0.0 && std::isfinite(range))
   {
     hits.push_back({ range, triangle });

@@ -8,6 +8,7 @@
 #define TriangleTree_h
 
 #include "Fixtures/CasterFixtures.h"
+#include "Geometry/lms3dVector.h"
 
 #include <vtkType.h>
 
@@ -18,12 +19,12 @@
 
 inline double Dot(const Vector& p, const Vector& q)
 {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+  return lms3dDot(p, q);
 }
 
 inline Vector Cross(const Vector& p, const Vector& q)
 {
-  return { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0] };
+  return lms3dCross(p, q);
 }
 
 /// The distance of a point from the nearest point of a line between two, or of a triangle.

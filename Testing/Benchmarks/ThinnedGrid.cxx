@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ScanGrid.h"
+#include "ThinnedGrid.h"
 
 #include "Device/lms3dScanGeometry.h"
 #include "Scenes.h"
@@ -24,7 +24,7 @@ static_assert(TileSide * TileSide == lms3dBeamPacket::Size);
 
 std::vector<double> Spread(const double* ranges, const std::vector<std::size_t>& beams)
 {
-  std::vector<double> spread(ScanGrid::MostBeams, std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> spread(ThinnedGrid::MaximumBeams, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < beams.size(); ++i)
   {
     spread[beams[i]] = ranges[i];
@@ -33,12 +33,12 @@ std::vector<double> Spread(const double* ranges, const std::vector<std::size_t>&
 }
 } // namespace
 
-std::size_t ScanGrid::GetNumberOfBeams() const
+std::size_t ThinnedGrid::GetNumberOfBeams() const
 {
   return static_cast<std::size_t>(this->GetAlphaResolution()) * this->GetBetaResolution();
 }
 
-std::vector<std::size_t> ScanGrid::GetBeams() const
+std::vector<std::size_t> ThinnedGrid::GetBeams() const
 {
   std::vector<std::size_t> beams;
   beams.reserve(this->GetNumberOfBeams());
@@ -52,17 +52,17 @@ std::vector<std::size_t> ScanGrid::GetBeams() const
   return beams;
 }
 
-ScanGrid ScanGrid::Choose(double longest, const std::function<void(const ScanGrid&)>& cast)
+ThinnedGrid ThinnedGrid::Choose(double longest, const std::function<void(const ThinnedGrid&)>& cast)
 {
-  const ScanGrid coarsest(Strides.back());
+  const ThinnedGrid coarsest(Strides.back());
   const double ms = GetBestMilliseconds(BudgetOfTrial, [&] { cast(coarsest); }) /
     static_cast<double>(coarsest.GetNumberOfBeams());
-  return ScanGrid(*std::find_if(Strides.begin(), Strides.end() - 1,
+  return ThinnedGrid(*std::find_if(Strides.begin(), Strides.end() - 1,
     [&](int stride)
-    { return ms * static_cast<double>(ScanGrid(stride).GetNumberOfBeams()) <= longest; }));
+    { return ms * static_cast<double>(ThinnedGrid(stride).GetNumberOfBeams()) <= longest; }));
 }
 
-void ScanGrid::Apply(vtkLMS3DScanFilter* filter) const
+void ThinnedGrid::Apply(vtkLMS3DScanFilter* filter) const
 {
   const double step = (HighestAlpha - LowestAlpha) / (Alphas - 1) * this->Stride;
   const int alphas = this->GetAlphaResolution();
@@ -71,7 +71,7 @@ void ScanGrid::Apply(vtkLMS3DScanFilter* filter) const
   filter->SetBetaResolution(this->GetBetaResolution());
 }
 
-std::vector<std::size_t> ScanGrid::GetBeamsOfShots() const
+std::vector<std::size_t> ThinnedGrid::GetBeamsOfShots() const
 {
   const int alphas = this->GetAlphaResolution();
   const int betas = this->GetBetaResolution();
@@ -91,7 +91,7 @@ std::vector<std::size_t> ScanGrid::GetBeamsOfShots() const
   return beams;
 }
 
-std::vector<StabilityShot> ScanGrid::MakeShots(const BenchmarkScene& scene) const
+std::vector<StabilityShot> ThinnedGrid::MakeShots(const BenchmarkScene& scene) const
 {
   const std::vector<Vector> directions = MakeDirections(scene);
   const std::vector<std::size_t> beams = this->GetBeamsOfShots();
@@ -105,17 +105,17 @@ std::vector<StabilityShot> ScanGrid::MakeShots(const BenchmarkScene& scene) cons
   return shots;
 }
 
-std::vector<double> ScanGrid::SpreadGrid(const double* ranges) const
+std::vector<double> ThinnedGrid::SpreadGrid(const double* ranges) const
 {
   return Spread(ranges, this->GetBeams());
 }
 
-std::vector<double> ScanGrid::SpreadShots(const std::vector<double>& ranges) const
+std::vector<double> ThinnedGrid::SpreadShots(const std::vector<double>& ranges) const
 {
   return Spread(ranges.data(), this->GetBeamsOfShots());
 }
 
-std::vector<Vector> ScanGrid::MakeDirections(const BenchmarkScene& scene)
+std::vector<Vector> ThinnedGrid::MakeDirections(const BenchmarkScene& scene)
 {
   const double alphaRange[2] = { LowestAlpha, HighestAlpha };
   const double betaRange[2] = { 0.0, 360.0 };
@@ -123,8 +123,8 @@ std::vector<Vector> ScanGrid::MakeDirections(const BenchmarkScene& scene)
   const lms3dScanGeometry geometry(alphaRange, Alphas, betaRange, Betas);
   const lms3dPose pose = lms3dPose::FromOrientation(scene.Sensor.data(), upright);
   const lms3dBeamDirections directions(geometry, pose);
-  std::vector<Vector> all(MostBeams);
-  for (std::size_t beam = 0; beam < MostBeams; ++beam)
+  std::vector<Vector> all(MaximumBeams);
+  for (std::size_t beam = 0; beam < MaximumBeams; ++beam)
   {
     all[beam] =
       directions.GetDirection(static_cast<int>(beam / Alphas), static_cast<int>(beam % Alphas));

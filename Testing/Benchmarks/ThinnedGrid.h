@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The beams of a default scan, or some of them: so that all casters get the same.
+ * @brief The beams of a default scan, or a regular selection of them, the same for all casters.
  */
-#ifndef ScanGrid_h
-#define ScanGrid_h
+#ifndef ThinnedGrid_h
+#define ThinnedGrid_h
 
 #include "StabilityCase.h"
 
@@ -18,22 +18,22 @@ struct BenchmarkScene;
 class vtkLMS3DScanFilter;
 
 /**
- * Every so many-th elevation of every so many-th turn of the default grid, where that is not all of
- * them without the zenith: whole tiles of 4 x 4 beams, since methods cast no less at once. Its steps
- * are exact in double, so that the directions are those of the whole grid to the bit.
+ * With stride n, each n-th elevation of each n-th turn of the default grid; without the zenith if n is
+ * above 1, so that the grid consists of whole tiles of 4 x 4 beams, which casters cast at once. Its
+ * steps are exact in double precision, so that directions equal those of the whole grid to the bit.
  */
-class ScanGrid
+class ThinnedGrid
 {
 public:
   static constexpr int Alphas = 361;
   static constexpr int Betas = 360;
-  static constexpr std::size_t MostBeams = static_cast<std::size_t>(Alphas) * Betas;
+  static constexpr std::size_t MaximumBeams = static_cast<std::size_t>(Alphas) * Betas;
 
-  /// What Choose chooses from.
+  /// The strides that Choose tries.
   static constexpr std::array<int, 3> Strides = { 1, 6, 18 };
 
   /// 1, or another divisor of 360.
-  explicit ScanGrid(int stride)
+  explicit ThinnedGrid(int stride)
     : Stride(stride)
   {
   }
@@ -43,29 +43,30 @@ public:
   int GetBetaResolution() const { return Betas / this->Stride; }
   std::size_t GetNumberOfBeams() const;
 
-  /// The finest whose cast takes no longer, in milliseconds, as far as that of the coarsest tells.
-  static ScanGrid Choose(double longest, const std::function<void(const ScanGrid&)>& cast);
+  /// Returns the finest grid whose cast takes at most `longest` milliseconds, as estimated from the
+  /// coarsest grid.
+  static ThinnedGrid Choose(double longest, const std::function<void(const ThinnedGrid&)>& cast);
 
-  /// Lets a filter scan these beams.
+  /// Sets the resolutions of a filter.
   void Apply(vtkLMS3DScanFilter* filter) const;
 
-  /// Their numbers in the whole grid, turn by turn.
+  /// Returns the indices of the beams in the whole grid, turn by turn.
   std::vector<std::size_t> GetBeams() const;
 
   /// Packets of 4 x 4 neighbours. Those at the border have some beams more than once.
   std::vector<StabilityShot> MakeShots(const BenchmarkScene& scene) const;
 
   ///@{
-  /// The ranges by the beams' numbers in the whole grid; not a number for beams that are not here.
+  /// Returns ranges by the beams' indices in the whole grid, NaN for beams that are not selected.
   std::vector<double> SpreadGrid(const double* ranges) const;
   std::vector<double> SpreadShots(const std::vector<double>& ranges) const;
   ///@}
 
-  /// Those of the whole grid, for an upright sensor, as vtkLMS3DScanFilter has them.
+  /// Returns the directions of the whole grid for an upright sensor, as in vtkLMS3DScanFilter.
   static std::vector<Vector> MakeDirections(const BenchmarkScene& scene);
 
 private:
-  /// The numbers of the beams of all packets.
+  /// Returns the indices of the beams of all packets.
   std::vector<std::size_t> GetBeamsOfShots() const;
 
   int Stride;

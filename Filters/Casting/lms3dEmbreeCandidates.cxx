@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Casting/lms3dEmbreeCandidates.h"
+
+#include "Casting/lms3dEmbreeRays.h"
+#include "Casting/lms3dEmbreeTree.h"
+#include "Casting/lms3dOutlyingTriangles.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <type_traits>
+#include <vector>
+
+namespace
+{
+// The share of the scene's diagonal by which boxes are enlarged. The single precision of vertices,
+// ray origins, directions and traversal errs by less than 1e-6 of the diagonal together, as long as
+// rays start within a few diagonals.
+constexpr float BoxMargin = 4e-6f;
+
+/// What Embree passes to the callback of a candidate.
+struct Query
+{
+  /// The first member, so that Embree's pointer to the context is a pointer to the query.
+  lms3dEmbreeContext Context;
+  const lms3dRayOrigin* Origin;
+  const lms3dEmbreeRays* Rays;
+  lms3dBeamPacket* Packet;
+};
+static_assert(std::is_standard_layout_v<Query>, "a query starts with its context");
+
+// Returns an empty list if there are no outliers.
+std::vector<std::uint32_t> FindOthers(
+  const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& outliers)
+{
+  std::vector<std::uint32_t> others;
+  if (!outliers.empty())
+  {
+    std::vector<std::uint32_t> all(mesh.GetNumberOfTriangles());
+    std::iota(all.begin(), all.end(), 0u);
+    std::set_difference(
+      all.begin(), all.end(), outliers.begin(), outliers.end(), std::back_inserter(others));
+  }
+  return others;
+}
+
+// Embree calls back with the whole packet, with a part that suits its instruction set, or with one
+// ray. The id of a ray is the number of its beam.
+void ReportHits(
+  const Query& query, std::uint32_t changed, const RTCIntersectFunctionNArguments* args)
+{
+  RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
+  RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, args->N);
+  query.Rays->Clip(*query.Packet, changed, args->geomID,
+    { static_cast<int>(RTCRayN_id(rays, args->N, 0)), static_cast<int>(args->N),
+      &RTCRayN_tfar(rays, args->N, 0), &RTCHitN_geomID(hits, args->N, 0) });
+}
+} // namespace
+
+struct lms3dEmbreeCandidates::Internals
+{
+  Internals(const lms3dTriangleMesh& mesh, const lms3dCandidateTest& test)
+    : Mesh(mesh)
+    , CandidateTest(test)
+    , Outliers(lms3dFindOutlyingTriangles(mesh))
+    , Others(FindOthers(mesh, this->Outliers))
+    , Tree(mesh, this->Outliers)
+  {
+  }
+
+  void Build(const lms3dProgress& progress)
+  {
+    const lms3dEmbreeHandle<RTCGeometry> geometry = this->Tree.NewGeometry(RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry.get(),
+      static_cast<unsigned int>(this->Mesh.GetNumberOfTriangles() - this->Outliers.size()));
+    rtcSetGeometryUserData(geometry.get(), this);
+    rtcSetGeometryBoundsFunction(geometry.get(), &Internals::GetBox, nullptr);
+    rtcSetGeometryIntersectFunction(geometry.get(), &Internals::TestCandidate);
+    // For boxes the fast builder gives trees that are as fast to traverse, in a third of the memory.
+    this->Tree.Build(geometry.get(), RTC_BUILD_QUALITY_LOW, progress);
+  }
+
+  static void GetBox(const RTCBoundsFunctionArguments* args)
+  {
+    const Internals* self = static_cast<const Internals*>(args->geometryUserPtr);
+    const lms3dNormalization& normalization = self->Tree.GetNormalization();
+    const std::uint32_t triangle = self->GetTriangle(args->primID);
+    float low[3], high[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double x[3];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        x[corner] = normalization.GetCoordinate(self->Mesh.GetCorner(triangle, corner), axis);
+      }
+      low[axis] = static_cast<float>(std::min({ x[0], x[1], x[2] })) - BoxMargin;
+      high[axis] = static_cast<float>(std::max({ x[0], x[1], x[2] })) + BoxMargin;
+    }
+    *args->bounds_o = { low[0], low[1], low[2], 0.0f, high[0], high[1], high[2], 0.0f };
+  }
+
+  static void TestCandidate(const RTCIntersectFunctionNArguments* args)
+  {
+    const Internals* self = static_cast<const Internals*>(args->geometryUserPtr);
+    const Query* query = reinterpret_cast<const Query*>(args->context);
+    const std::uint32_t changed =
+      self->CandidateTest.Test(*query->Origin, self->GetTriangle(args->primID), *query->Packet);
+    if (changed != 0)
+    {
+      ReportHits(*query, changed, args);
+    }
+  }
+
+  std::uint32_t GetTriangle(std::uint32_t primitive) const
+  {
+    return this->Others.empty() ? primitive : this->Others[primitive];
+  }
+
+  // Returns the beams that hit an outlier.
+  std::uint32_t TestOutliers(const lms3dRayOrigin& origin, lms3dBeamPacket& packet) const
+  {
+    std::uint32_t changed = 0;
+    for (std::uint32_t triangle : this->Outliers)
+    {
+      changed |= this->CandidateTest.Test(origin, triangle, packet);
+    }
+    return changed;
+  }
+
+  const lms3dTriangleMesh& Mesh;
+  const lms3dCandidateTest& CandidateTest;
+
+  /// Each packet is tested against all outliers. The tree holds the others.
+  const std::vector<std::uint32_t> Outliers;
+  const std::vector<std::uint32_t> Others;
+  lms3dEmbreeTree Tree;
+};
+
+lms3dEmbreeCandidates::lms3dEmbreeCandidates(
+  const lms3dTriangleMesh& mesh, const lms3dCandidateTest& test, const lms3dProgress& progress)
+  : Internal(new Internals(mesh, test))
+{
+  this->Internal->Build(progress);
+}
+
+lms3dEmbreeCandidates::~lms3dEmbreeCandidates() = default;
+
+void lms3dEmbreeCandidates::Cast(
+  const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const
+{
+  lms3dEmbreeRays rays(this->Internal->Tree, origin, packets[0]);
+  Query query;
+  query.Origin = &origin;
+  query.Rays = &rays;
+  for (int i = 0; i < count; ++i)
+  {
+    lms3dBeamPacket& packet = packets[i];
+    std::fill_n(packet.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
+    std::fill_n(packet.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
+    const std::uint32_t known = this->Internal->TestOutliers(origin, packet);
+    const std::uint32_t active = rays.Prepare(packet);
+    if (active != 0)
+    {
+      if (known != 0)
+      {
+        rays.Clip(packet, known);
+      }
+      query.Packet = &packet;
+      rays.Intersect(active, query.Context);
+    }
+  }
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Casting/lms3dEmbreeTriangles.h"
+
+#include "Casting/lms3dEmbreeRays.h"
+#include "Casting/lms3dEmbreeTree.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace
+{
+// Embree gets its own vertices and the mesh's indices.
+lms3dEmbreeHandle<RTCGeometry> MakeGeometry(
+  const lms3dTriangleMesh& mesh, const lms3dEmbreeTree& tree)
+{
+  lms3dEmbreeHandle<RTCGeometry> geometry = tree.NewGeometry(RTC_GEOMETRY_TYPE_TRIANGLE);
+  float* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry.get(),
+    RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.Points.size()));
+  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+    mesh.Triangles.data(), 0, 3 * sizeof(std::uint32_t), mesh.Triangles.size());
+  tree.ThrowOnError();
+  for (const std::array<double, 3>& point : mesh.Points)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      *vertex++ = static_cast<float>(tree.GetNormalization().GetCoordinate(point.data(), axis));
+    }
+  }
+  return geometry;
+}
+} // namespace
+
+lms3dEmbreeTriangles::lms3dEmbreeTriangles(
+  const lms3dTriangleMesh& mesh, const lms3dProgress& progress)
+  : Tree(new lms3dEmbreeTree(mesh))
+{
+  this->Tree->Build(MakeGeometry(mesh, *this->Tree).get(), RTC_BUILD_QUALITY_MEDIUM, progress);
+}
+
+lms3dEmbreeTriangles::~lms3dEmbreeTriangles() = default;
+
+void lms3dEmbreeTriangles::Cast(
+  const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const
+{
+  lms3dEmbreeRays rays(*this->Tree, origin, packets[0]);
+  lms3dEmbreeContext context;
+  for (int i = 0; i < count; ++i)
+  {
+    lms3dBeamPacket& packet = packets[i];
+    std::fill_n(packet.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
+    std::fill_n(packet.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
+    const std::uint32_t active = rays.Prepare(packet);
+    if (active != 0)
+    {
+      rays.Intersect(active, context);
+      rays.StoreTriangles(packet);
+    }
+  }
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Triangles that Embree itself intersects, in single precision.
+ */
+#ifndef lms3dEmbreeTriangles_h
+#define lms3dEmbreeTriangles_h
+
+#include "Geometry/lms3dTriangleMesh.h"
+#include "Kernels/lms3dBeamPacket.h"
+#include "Pipeline/lms3dProgress.h"
+
+#include <memory>
+
+class lms3dEmbreeTree;
+
+class lms3dEmbreeTriangles
+{
+public:
+  /// Builds the tree of a mesh with at least one triangle, see lms3dEmbreeTree::Build. The mesh must
+  /// outlive this object and keep its addresses: Embree uses its indices.
+  lms3dEmbreeTriangles(const lms3dTriangleMesh& mesh, const lms3dProgress& progress);
+
+  ~lms3dEmbreeTriangles();
+  lms3dEmbreeTriangles(const lms3dEmbreeTriangles&) = delete;
+  lms3dEmbreeTriangles& operator=(const lms3dEmbreeTriangles&) = delete;
+
+  /// Sets Triangle of the active beams of some packets; Range becomes NoRange. Several threads may
+  /// call this at once.
+  void Cast(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
+
+  const lms3dEmbreeTree& GetTree() const { return *this->Tree; }
+
+private:
+  std::unique_ptr<lms3dEmbreeTree> Tree;
+};
+
+#endif

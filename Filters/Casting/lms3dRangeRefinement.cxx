@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Casting/lms3dRangeRefinement.h"
+
+#include "Casting/lms3dTriangle.h"
+#include "Kernels/lms3dPacketKernels.h"
+
+#include <array>
+
+namespace
+{
+/// Keeps the planes of recent triangles, because neighbouring packets hit the same ones.
+template <typename Plane>
+class PlaneCache
+{
+public:
+  template <typename Make>
+  const Plane& Get(std::int32_t triangle, const Make& make)
+  {
+    Entry& entry = this->Entries[triangle % NumberOfEntries];
+    if (entry.Triangle != triangle)
+    {
+      entry.Triangle = triangle;
+      entry.Value = make(triangle);
+    }
+    return entry.Value;
+  }
+
+private:
+  struct Entry
+  {
+    std::int32_t Triangle = lms3dBeamPacket::NoTriangle;
+    Plane Value;
+  };
+
+  static constexpr int NumberOfEntries = 64;
+
+  std::array<Entry, NumberOfEntries> Entries;
+};
+
+/// Intersects beams with a triangle's plane, with about 31 digits.
+class DoubleDoubleIntersector
+{
+public:
+  DoubleDoubleIntersector(const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin)
+    : Mesh(mesh)
+    , Origin(origin.Position)
+  {
+  }
+
+  void Intersect(std::int32_t triangle, const lms3dBeamPacket& packet, double* ranges)
+  {
+    const Plane& plane =
+      this->Planes.Get(triangle, [this](std::int32_t t) { return MakePlane(t); });
+    if (plane.IsNear)
+    {
+      lms3dIntersectNearPlane(lms3dGetCorners(this->Mesh, triangle), this->Origin, packet, ranges);
+    }
+    else
+    {
+      this->Kernels.IntersectDoubleDoublePlane(plane.Value, packet, ranges);
+    }
+  }
+
+private:
+  struct Plane
+  {
+    lms3dDoubleDoublePlane Value;
+    bool IsNear;
+  };
+
+  Plane MakePlane(std::int32_t triangle) const
+  {
+    const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
+    const lms3dDoubleDoublePlane plane =
+      this->Kernels.MakeDoubleDoublePlane(corners.data(), this->Origin);
+    return { plane, lms3dIsNearPlane(corners, this->Origin, plane) };
+  }
+
+  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
+  const lms3dTriangleMesh& Mesh;
+  const double* Origin;
+  PlaneCache<Plane> Planes;
+};
+
+/// The same in double precision. Planes that double precision cannot represent well are computed with
+/// more digits and rounded.
+class DoubleIntersector
+{
+public:
+  DoubleIntersector(const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin)
+    : Mesh(mesh)
+    , Origin(origin.Position)
+  {
+  }
+
+  void Intersect(std::int32_t triangle, const lms3dBeamPacket& packet, double* ranges)
+  {
+    this->Kernels.IntersectDoublePlane(
+      this->Planes.Get(triangle, [this](std::int32_t t) { return MakePlane(t); }), packet, ranges);
+  }
+
+private:
+  lms3dDoublePlane MakePlane(std::int32_t triangle) const
+  {
+    const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
+    lms3dDoublePlane plane =
+      this->Kernels.MakeDoublePlane(lms3dToSensorFrame(corners, this->Origin));
+    if (!plane.IsWellConditioned)
+    {
+      const lms3dDoubleDoublePlane precise =
+        this->Kernels.MakeDoubleDoublePlane(corners.data(), this->Origin);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        plane.Normal[axis] = precise.Normal[axis].High;
+      }
+      plane.Offset = precise.Offset.High;
+    }
+    return plane;
+  }
+
+  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
+  const lms3dTriangleMesh& Mesh;
+  const double* Origin;
+  PlaneCache<lms3dDoublePlane> Planes;
+};
+
+// `beams` is not 0.
+int GetFirst(std::uint32_t beams)
+{
+  int first = 0;
+  while (!((beams >> first) & 1u))
+  {
+    ++first;
+  }
+  return first;
+}
+
+template <typename Intersector>
+void StoreHits(Intersector& intersector, double maximumRange, lms3dBeamPacket* packets, int count)
+{
+  const lms3dPacketKernels& kernels = lms3dGetPacketKernels();
+  for (int i = 0; i < count; ++i)
+  {
+    lms3dBeamPacket& packet = packets[i];
+    std::uint32_t remaining = kernels.FindHits(packet);
+    while (remaining != 0)
+    {
+      const std::int32_t triangle = packet.Triangle[GetFirst(remaining)];
+      double ranges[lms3dBeamPacket::Size];
+      intersector.Intersect(triangle, packet, ranges);
+      remaining &= ~kernels.StoreRanges(ranges, triangle, maximumRange, packet);
+    }
+  }
+}
+} // namespace
+
+void lms3dRefineRanges(
+  const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count)
+{
+  DoubleDoubleIntersector intersector(mesh, origin);
+  StoreHits(intersector, origin.MaximumRange, packets, count);
+}
+
+void lms3dRefineRangesInDouble(
+  const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count)
+{
+  DoubleIntersector intersector(mesh, origin);
+  StoreHits(intersector, origin.MaximumRange, packets, count);
+}
