@@ -39,7 +39,7 @@ public:
    */
   void Build(RTCGeometry geometry, RTCBuildQuality quality, const lms3dProgress& progress);
 
-  /// From world coordinates, metres, to those of the Embree scene.
+  /// Converts world coordinates, metres, to coordinates of the Embree scene.
   const lms3dNormalization& GetNormalization() const { return this->Normalization; }
 
   RTCScene GetScene() const { return this->Scene.get(); }

@@ -35,7 +35,7 @@ double GetBoundOfRivals(double noise)
   return noise > 0.0 ? 0.02 : 0.01;
 }
 
-// Those of the best rival. With noise of 5 mm the map within 5 mm is the grid.
+// The bounds of the maps to which the best rival is compared. With noise of 5 mm the map within 5 mm is the grid.
 std::array<double, 3> GetBoundsOfQuadrics(double noise)
 {
   return { noise > 0.0 ? 0.01 : 0.001, GetBoundOfRivals(noise), 0.05 };
@@ -47,7 +47,7 @@ double GetBudget(const BenchmarkOptions& options)
   return options.IsQuick ? 200.0 : 2000.0;
 }
 
-/// Those of one scan, by their bounds.
+/// The maps of one scan, by their bounds.
 using Maps = std::map<double, MapContender>;
 
 struct Subject

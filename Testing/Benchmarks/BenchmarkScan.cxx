@@ -18,8 +18,8 @@ constexpr double Beams = 361.0 * 360.0;
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
 constexpr double Megabyte = 1024.0 * 1024.0;
 
-// Brute force takes seconds beyond.
-constexpr vtkIdType MostTrianglesOfBruteForce = 5000;
+// For more triangles, brute force takes seconds.
+constexpr vtkIdType MaximumTrianglesOfBruteForce = 5000;
 
 // The reference takes some microseconds for a beam that meets a small scene, and milliseconds where
 // it passes near many triangles.
@@ -27,8 +27,8 @@ constexpr int BeamsOfTruth = 129960;
 constexpr int BeamsOfTruthOfLargeScene = 10000;
 constexpr vtkIdType LargeScene = 50000;
 
-// Below, what is held beside the scene outweighs it.
-constexpr vtkIdType FewestTrianglesForMemory = 10000;
+// With fewer triangles, other memory outweighs the scene.
+constexpr vtkIdType MinimumTrianglesForMemory = 10000;
 
 // Milliseconds for which one contender is timed before it is the next one's turn.
 constexpr double BudgetOfTurn = 60.0;
@@ -63,7 +63,7 @@ std::vector<ScanContender> MakeContenders(
   for (int method : GetMethods(options))
   {
     if (ScanSubject::IsBruteForce(method) &&
-      (triangles > MostTrianglesOfBruteForce || options.IsQuick))
+      (triangles > MaximumTrianglesOfBruteForce || options.IsQuick))
     {
       ScanContender absent;
       absent.Name = ScanSubject::GetName(method);
@@ -92,8 +92,7 @@ void TimeRound(std::vector<ScanContender>& contenders, bool withSlow)
   }
 }
 
-// ScanContenders take turns, so that whatever disturbs the machine for a while disturbs all of
-// them. While another process has one of the cores, only waiting helps.
+// ScanContenders take turns, so that another program disturbs all of them alike. While another process has one of the cores, only waiting helps.
 void TimeScans(std::vector<ScanContender>& contenders, bool isQuick)
 {
   const int fewest = isQuick ? 3 : 12;
@@ -128,8 +127,8 @@ void TimeBuilds(std::vector<ScanContender>& contenders, const BenchmarkScene& sc
 
 std::string FormatBytesPerTriangle(const ScanContender& contender, vtkIdType triangles)
 {
-  return triangles < FewestTrianglesForMemory ? "-"
-                                              : Table::Format(contender.SceneBytes / triangles, 0);
+  return triangles < MinimumTrianglesForMemory ? "-"
+                                               : Table::Format(contender.SceneBytes / triangles, 0);
 }
 
 void AddRow(const BenchmarkScene& scene, const ScanContender& contender, int threads, double bound,

@@ -44,7 +44,7 @@ public:
   /// A beam takes a long time, the longer the more triangles there are.
   static bool IsBruteForce(int method);
   static std::string GetName(int method);
-  /// Of all methods, by number.
+  /// Returns the names of all methods, by number.
   static std::vector<std::string> GetNames();
 
 private:

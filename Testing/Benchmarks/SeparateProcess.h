@@ -19,8 +19,8 @@ struct SeparateResult
 };
 
 /**
- * Runs some work in a process of its own, which is ended after so many seconds. What it prints is
- * lost. To be called before this process has other threads, whose locks the other would inherit.
+ * Runs work in a process of its own, which is killed after the given number of seconds. Its output is
+ * lost. Must be called before this process starts threads, because the new process inherits locks.
  * Throws std::runtime_error where there can be no other process.
  */
 SeparateResult RunSeparately(

@@ -49,7 +49,7 @@ class Observer:
 
 
 def count_returns(*position):
-    """Of the direct pipeline."""
+    """The number of returns that the direct pipeline has."""
     room = lms3d.vtkVRMLImporterSource()
     room.SetFileName(str(DATA / "room.wrl"))
     scan = lms3d.vtkLMS3DScanFilter()

@@ -142,7 +142,7 @@ class CasterTest(unittest.TestCase):
             self.assertLess(float(fast[scene]["ns/beam"]), float(row["ns/beam"]), scene)
 
     def test_exact_and_fast_are_on_the_frontier(self):
-        """Whatever is quicker errs more."""
+        """Every quicker caster errs more."""
         for name in ("Exact", "Fast"):
             for scene, ours in self.timed(name).items():
                 for row in self.casting:

@@ -46,7 +46,7 @@ public:
 
 private:
   std::vector<ExactReference::Hit> Hits;
-  /// The hits are those of the scene made larger by this power of two.
+  /// The hits belong to the scene scaled by 2 to this power.
   int Exponent = 0;
 };
 

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  (after the choice of what draws)
 
-# Those of Okabe and Ito (2008), which people who see few colours can tell apart.
+# The palette of Okabe and Ito (2008): colour-blind people can distinguish its colours.
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
 
 pyplot.rcParams.update({

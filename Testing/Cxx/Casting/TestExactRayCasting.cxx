@@ -100,7 +100,7 @@ bool IsAtAim(const Target& target, const Enclosure& enclosure, const Vector& sen
 
 /// From within a closed mesh all beams hit, and most of them where they aim. The reference tells the
 /// rest: what hides the aim, a silhouette that rounding of the beam passes, a plane through the
-/// sensor; and, of one packet of so many, everything to the last bits.
+/// sensor; and, of one packet of many, everything to the last bits.
 Tally JudgeEnclosed(const Target& target, const Enclosure& enclosure, double scale,
   const Vector& center, std::size_t number)
 {

@@ -35,8 +35,8 @@ double GetStep(const std::vector<double>& angles)
   return angles.size() < 2 ? 0.0 : (angles.back() - angles.front()) / (angles.size() - 1.0);
 }
 
-// The largest angle between a row of beams and the straight line between two of its beams so many
-// radians apart, seen from the sensor: at an elevation a the line's middle is at
+// The largest angle between a row of beams and the straight line between two of its beams that
+// many radians apart, seen from the sensor: at an elevation a the line's middle is at
 // atan(tan(a) / cos(step / 2)).
 double GetSag(double step)
 {

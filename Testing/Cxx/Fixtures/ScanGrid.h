@@ -64,7 +64,7 @@ public:
   Vector GetDirection(const Place& place) const;
   Place GetPlace(const Vector& direction) const;
 
-  /// The beams that lie less than so many steps away along the fan and along the turn: of 1, the
+  /// The beams that lie less than `steps` steps away along the fan and along the turn: of 1, the
   /// four around a place. Some may be outside of the grid. Straight lines between turns run above
   /// rows of beams, in wide turns by more than a step, and the rows up to them count as well.
   std::vector<Beam> GetBeamsAround(const Place& place, double steps) const;
