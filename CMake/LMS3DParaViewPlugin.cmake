@@ -5,7 +5,7 @@
 set(LMS3D_PARAVIEW_HELP OFF)
 if (LMS3D_PARAVIEW_WINDOW)
   find_program(qt_xmlpatterns_executable NAMES xmlpatterns
-    HINTS "${ParaView_DIR}/../../../qt5/bin" NO_DEFAULT_PATH)
+    HINTS /usr/lib/qt5/bin NO_DEFAULT_PATH)
   if (qt_xmlpatterns_executable AND TARGET ${LMS3D_QT}::qhelpgenerator)
     set(LMS3D_PARAVIEW_HELP ON)
   endif ()

@@ -10,15 +10,15 @@
 
 namespace
 {
-// Embree gets its own vertices and the mesh's indices.
+// Embree gets its own vertices and shares the indices.
 lms3dEmbreeHandle<RTCGeometry> MakeGeometry(
-  const lms3dTriangleMesh& mesh, const lms3dEmbreeTree& tree)
+  const lms3dTriangleMesh& mesh, const lms3dTriangleIndices& indices, const lms3dEmbreeTree& tree)
 {
   lms3dEmbreeHandle<RTCGeometry> geometry = tree.NewGeometry(RTC_GEOMETRY_TYPE_TRIANGLE);
   float* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry.get(),
     RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.Points.size()));
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-    mesh.Triangles.data(), 0, 3 * sizeof(std::uint32_t), mesh.Triangles.size());
+    indices.data(), 0, 3 * sizeof(std::uint32_t), indices.size());
   tree.ThrowOnError();
   for (const std::array<double, 3>& point : mesh.Points)
   {
@@ -32,10 +32,11 @@ lms3dEmbreeHandle<RTCGeometry> MakeGeometry(
 } // namespace
 
 lms3dEmbreeTriangles::lms3dEmbreeTriangles(
-  const lms3dTriangleMesh& mesh, const lms3dProgress& progress)
+  const lms3dTriangleMesh& mesh, const lms3dTriangleIndices& indices, const lms3dProgress& progress)
   : Tree(new lms3dEmbreeTree(mesh))
 {
-  this->Tree->Build(MakeGeometry(mesh, *this->Tree).get(), RTC_BUILD_QUALITY_MEDIUM, progress);
+  this->Tree->Build(
+    MakeGeometry(mesh, indices, *this->Tree).get(), RTC_BUILD_QUALITY_MEDIUM, progress);
 }
 
 lms3dEmbreeTriangles::~lms3dEmbreeTriangles() = default;

@@ -18,9 +18,11 @@ class lms3dEmbreeTree;
 class lms3dEmbreeTriangles
 {
 public:
-  /// Builds the tree of a mesh with at least one triangle, see lms3dEmbreeTree::Build. The mesh must
-  /// outlive this object and keep its addresses: Embree uses its indices.
-  lms3dEmbreeTriangles(const lms3dTriangleMesh& mesh, const lms3dProgress& progress);
+  /// Builds the tree of a mesh with at least one triangle, see lms3dEmbreeTree::Build. `indices`
+  /// replace the mesh's triangles, one for one. The mesh and the indices must outlive this object and
+  /// keep their addresses: Embree shares the indices.
+  lms3dEmbreeTriangles(const lms3dTriangleMesh& mesh, const lms3dTriangleIndices& indices,
+    const lms3dProgress& progress);
 
   ~lms3dEmbreeTriangles();
   lms3dEmbreeTriangles(const lms3dEmbreeTriangles&) = delete;

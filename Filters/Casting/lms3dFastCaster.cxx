@@ -5,9 +5,11 @@
 #include "Casting/lms3dRayCaster.h"
 #include "Casting/lms3dTriangle.h"
 
+#include <tbb/concurrent_vector.h>
 #include <tbb/parallel_for.h>
 
 #include <cstddef>
+#include <utility>
 
 namespace
 {
@@ -17,8 +19,10 @@ class FastCaster final : public lms3dRayCaster
 {
 public:
   FastCaster(lms3dTriangleMesh mesh, const lms3dProgress& progress)
-    : lms3dRayCaster(CollapseTrianglesWithoutArea(std::move(mesh)))
-    , Triangles(this->GetMesh(), progress)
+    : lms3dRayCaster(std::move(mesh))
+    , Indices(CollapseTrianglesWithoutArea(this->GetMesh()))
+    , Triangles(this->GetMesh(), this->Indices.empty() ? this->GetMesh().Triangles : this->Indices,
+        progress)
   {
   }
 
@@ -30,20 +34,32 @@ public:
 
 private:
   // In single precision a beam may hit a triangle that has no area but a length; its plane gives no
-  // range. A triangle collapsed to a point is never hit.
-  static lms3dTriangleMesh CollapseTrianglesWithoutArea(lms3dTriangleMesh mesh)
+  // range. A triangle collapsed to a point is never hit. Returns an empty list if all have an area:
+  // Embree then shares the indices of the mesh.
+  static lms3dTriangleIndices CollapseTrianglesWithoutArea(const lms3dTriangleMesh& mesh)
   {
+    tbb::concurrent_vector<std::size_t> flat;
     tbb::parallel_for(std::size_t(0), mesh.GetNumberOfTriangles(),
-      [&mesh](std::size_t i)
+      [&](std::size_t i)
       {
         if (!lms3dHasArea(lms3dGetCorners(mesh, i)))
         {
-          mesh.Triangles[i].fill(mesh.Triangles[i][0]);
+          flat.push_back(i);
         }
       });
-    return mesh;
+    lms3dTriangleIndices indices;
+    if (!flat.empty())
+    {
+      indices = mesh.Triangles;
+    }
+    for (std::size_t i : flat)
+    {
+      indices[i].fill(indices[i][0]);
+    }
+    return indices;
   }
 
+  const lms3dTriangleIndices Indices;
   const lms3dEmbreeTriangles Triangles;
 };
 } // namespace

@@ -73,8 +73,22 @@ bool lms3dComparison::Run(lms3dTriangleMesh mapMesh, lms3dTriangleMesh sceneMesh
   const lms3dProgress& progress, vtkPolyData* mapWithErrors, vtkPolyData* scenePoints,
   lms3dComparisonResults& results) const
 {
-  const lms3dSurfaceQuery map(std::move(mapMesh));
-  const lms3dSurfaceQuery scene(std::move(sceneMesh));
+  try
+  {
+    const lms3dSurfaceQuery map(std::move(mapMesh), lms3dGetStepProgress(progress, 0.0, 0.15));
+    const lms3dSurfaceQuery scene(std::move(sceneMesh), lms3dGetStepProgress(progress, 0.15, 0.3));
+    return this->Compare(map, scene, progress, mapWithErrors, scenePoints, results);
+  }
+  catch (const lms3dBuildStopped&)
+  {
+    return false;
+  }
+}
+
+bool lms3dComparison::Compare(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
+  const lms3dProgress& progress, vtkPolyData* mapWithErrors, vtkPolyData* scenePoints,
+  lms3dComparisonResults& results) const
+{
   const lms3dSensorView view((this->Scan ? this->Scan : this->Map)->GetFieldData(), this->Limits);
   if (!progress(0.3))
   {

@@ -12,6 +12,7 @@
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Pipeline/lms3dProgress.h"
 
+class lms3dSurfaceQuery;
 class vtkPolyData;
 
 struct lms3dComparison
@@ -36,6 +37,11 @@ struct lms3dComparison
    */
   bool Run(lms3dTriangleMesh map, lms3dTriangleMesh scene, const lms3dProgress& progress,
     vtkPolyData* mapWithErrors, vtkPolyData* scenePoints, lms3dComparisonResults& results) const;
+
+private:
+  bool Compare(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
+    const lms3dProgress& progress, vtkPolyData* mapWithErrors, vtkPolyData* scenePoints,
+    lms3dComparisonResults& results) const;
 };
 
 #endif

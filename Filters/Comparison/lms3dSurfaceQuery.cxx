@@ -77,7 +77,7 @@ std::uint32_t AimAtPoints(
 
 lms3dSurfaceQuery::lms3dSurfaceQuery(lms3dTriangleMesh mesh, const lms3dProgress& progress)
   : Mesh(std::move(mesh))
-  , Triangles(this->Mesh, progress)
+  , Triangles(this->Mesh, this->Mesh.Triangles, progress)
 {
 }
 

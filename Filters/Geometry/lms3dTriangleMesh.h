@@ -12,13 +12,15 @@
 #include <cstdint>
 #include <vector>
 
+/// Three indices into the points of a mesh for each triangle.
+using lms3dTriangleIndices = std::vector<std::array<std::uint32_t, 3>>;
+
 struct lms3dTriangleMesh
 {
   /// Vertices in world coordinates, metres. Vertices that triangles use are finite.
   std::vector<std::array<double, 3>> Points;
 
-  /// Three indices into Points for each triangle.
-  std::vector<std::array<std::uint32_t, 3>> Triangles;
+  lms3dTriangleIndices Triangles;
 
   /// For each triangle the index of the scene's cell that it is a part of. Empty if triangle i is a
   /// part of cell i.

@@ -62,7 +62,7 @@ bool AreSame(const lms3dTriangleMesh& a, const lms3dTriangleMesh& b)
 bool lms3dBuiltScene::Update(vtkDataObject* scene, int method, const lms3dProgress& progress)
 {
   const vtkMTimeType time = GetSceneTime(scene);
-  const bool isSameMethod = this->Caster && this->Method == method;
+  const bool isSameMethod = this->Method == method;
   if (this->Scene == scene && this->SceneTime == time && isSameMethod)
   {
     return true;
@@ -75,7 +75,8 @@ bool lms3dBuiltScene::Update(vtkDataObject* scene, int method, const lms3dProgre
     return false;
   }
   this->Describe(triangles);
-  const bool isBuilt = isSameMethod && AreSame(this->Caster->GetMesh(), triangles.Mesh);
+  const bool isBuilt =
+    isSameMethod && this->Caster && AreSame(this->Caster->GetMesh(), triangles.Mesh);
   if (!isBuilt &&
     !this->Build(std::move(triangles), method, lms3dGetStepProgress(progress, CollectShare, 1.0)))
   {

@@ -148,7 +148,7 @@ bool lms3dScanJob::Build(const lms3dScanJobRequest& request, bool isParallel)
 bool lms3dScanJob::CastAlone(const Scan& scan)
 {
   const lms3dRayCaster* caster = this->Scene.GetCaster();
-  this->CheckScene(caster != nullptr);
+  this->CheckScene(caster != nullptr, this->Scene.GetPart());
   this->WarnIfIncomplete(this->Scene.GetPart(), scan);
   const lms3dScanSettings& settings = scan.Request.Settings;
   bool isDone = false;
@@ -170,8 +170,8 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
 {
   const lms3dProcesses& processes = scan.Processes;
   const lms3dRayCaster* caster = this->Scene.GetCaster();
-  this->CheckScene(processes.AnyOf(caster != nullptr));
   const lms3dProcesses::Cells cells = processes.GatherCells(this->Scene.GetPart());
+  this->CheckScene(processes.AnyOf(caster != nullptr), cells.Whole);
   if (processes.IsFirst())
   {
     this->WarnIfIncomplete(cells.Whole, scan);
@@ -210,22 +210,21 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
   return true;
 }
 
-void lms3dScanJob::CheckScene(bool hasTriangles) const
+void lms3dScanJob::CheckScene(bool hasTriangles, const lms3dScenePart& scene) const
 {
   if (hasTriangles)
   {
     return;
   }
   const std::string& skipped = this->Scene.GetSkippedCells();
-  const std::int64_t hidden = this->Scene.GetPart().HiddenCells;
   if (!skipped.empty())
   {
     throw std::runtime_error("There is nothing left to scan. " + skipped);
   }
-  if (hidden > 0)
+  if (scene.HiddenCells > 0)
   {
     throw std::runtime_error("There is nothing left to scan: vtkGhostType hides all polygons, " +
-      std::to_string(hidden) + " cells.");
+      std::to_string(scene.HiddenCells) + " cells.");
   }
   throw std::runtime_error("The scene has no polygons, so there is nothing to scan. Connect a data "
                            "set with polygons, triangle strips or volume cells.");

@@ -83,7 +83,7 @@ private:
   bool Build(const lms3dScanJobRequest& request, bool isParallel);
   bool CastAlone(const Scan& scan);
   bool CastInParallel(const Scan& scan);
-  void CheckScene(bool hasTriangles) const;
+  void CheckScene(bool hasTriangles, const lms3dScenePart& scene) const;
   void WarnIfIncomplete(const lms3dScenePart& scene, const Scan& scan);
 
   lms3dBuiltScene Scene;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshes/lms3dVRMLGeometry.h"
 
+#include "Geometry/lms3dAngle.h"
 #include "Grammar/lms3dVRMLNodeTypes.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int MinimumNumberOfSides = 8;
 constexpr int MaximumNumberOfSides = 2048;
 
@@ -41,7 +41,7 @@ std::int32_t AddCircle(double radius, double y, int sides, lms3dMesh& mesh)
   const std::int32_t first = static_cast<std::int32_t>(mesh.Points.size());
   for (int i = 0; i < sides; ++i)
   {
-    const double angle = 2.0 * Pi * i / sides;
+    const double angle = 2.0 * lms3dPi * i / sides;
     const int quarter = 4 * i / sides;
     const bool isOnAxis = quarter * sides == 4 * i;
     const double sine = isOnAxis ? (quarter == 1) - (quarter == 3) : std::sin(angle);
@@ -104,7 +104,7 @@ int lms3dCountSides(
     return MinimumNumberOfSides;
   }
   const double halfAngle = std::acos(isSphere ? std::sqrt(1.0 - share) : 1.0 - share);
-  const double sides = std::min(Pi / halfAngle, 1e6);
+  const double sides = std::min(lms3dPi / halfAngle, 1e6);
   if (sides > MaximumNumberOfSides)
   {
     evaluator.Warn(geometry,
@@ -153,7 +153,7 @@ lms3dMesh lms3dMakeSphere(
   }
   const int bands = sides / 2;
   std::int32_t below =
-    AddCircle(radius * std::sin(Pi / bands), -radius * std::cos(Pi / bands), sides, mesh);
+    AddCircle(radius * std::sin(lms3dPi / bands), -radius * std::cos(lms3dPi / bands), sides, mesh);
   for (int i = 0; i < sides; ++i)
   {
     mesh.Triangles.push_back({ below + (i + 1) % sides, below + i, sides });
@@ -162,7 +162,7 @@ lms3dMesh lms3dMakeSphere(
   for (int band = 2; band < bands; ++band)
   {
     const bool isEquator = 2 * band == bands;
-    const double angle = Pi * band / bands;
+    const double angle = lms3dPi * band / bands;
     const std::int32_t circle = AddCircle(isEquator ? radius : radius * std::sin(angle),
       isEquator ? 0.0 : -radius * std::cos(angle), sides, mesh);
     AddBand(below, circle, sides, mesh);

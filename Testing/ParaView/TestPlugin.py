@@ -100,6 +100,14 @@ def compare():
 class TestProxies(unittest.TestCase):
     """What the plugin adds, as the properties panel shows it."""
 
+    def test_the_reader_says_what_it_replaces_and_hides_what_crashes(self):
+        reader = VRMLReader(registrationName="shown").SMProxy
+        self.assertIn("replaces ParaView's own VRML reader",
+                      reader.GetDocumentation().GetLongHelp())
+        self.assertIsNotNone(reader.GetHints().FindNestedElementByName(
+            "ShowProxyDocumentationInPanel"))
+        self.assertEqual(reader.GetProperty("Engine").GetPanelVisibility(), "never")
+
     def test_python_names_give_our_classes(self):
         classes = {
             VRMLReader: "vtkVRMLImporterSource",

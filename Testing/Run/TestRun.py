@@ -15,6 +15,7 @@ import unittest
 from pathlib import Path
 
 FORBIDDEN = 10
+FAILED_BUILD = 13
 
 
 def is_supported():
@@ -87,6 +88,17 @@ class TestRun(unittest.TestCase):
         (build / ".made-for").write_text(self.stamp())
         self.assertIn("omniidl", self.missing("demo"))
         self.assertNotIn("libgtest-dev", self.missing("demo"))
+
+    def test_parts_of_a_failed_configuration_are_forgotten(self):
+        build = self.root / "build"
+        cache = build / "CMakeCache.txt"
+        self.stand_in("dpkg-query", 'for last; do echo; echo "$last installed"; done')
+        self.stand_in("cmake", f"echo LMS3D_BUILD_CORBA:BOOL=ON >{cache}; exit 1")
+        self.stand_in("apt-get", "exit 0")
+        self.stand_in("sudo", '"$@"')
+        outcome = self.call("server")
+        self.assertEqual(outcome.returncode, FAILED_BUILD, outcome.stderr)
+        self.assertFalse(cache.exists())
 
     def stamp(self):
         """The text that ./run writes into a build folder: its own folder and the system."""

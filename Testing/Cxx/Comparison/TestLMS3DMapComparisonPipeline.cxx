@@ -229,6 +229,15 @@ TEST(LMS3DMapComparisonPipeline, ComparesAgainAfterAnAbort)
     comparison.Update();
     comparison.ExpectNoResults();
   }
+  // The aborted outputs do not count as up to date: the filter runs again although nothing changed.
+  int runs = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&runs);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  comparison.Filter->AddObserver(vtkCommand::StartEvent, counter);
+  comparison.Update();
+  EXPECT_EQ(runs, 1);
   comparison.Filter->RemoveObserver(tag);
   comparison.Filter->AbortExecuteOff();
   EXPECT_NEAR(comparison.Update()->GetMapToSceneMean(), 0.03, 1e-12);

@@ -158,7 +158,6 @@ constexpr double BuildShare = 0.3;
 } // namespace
 
 // --- What builds
-// --------------------------------------------------------------------------------
 
 TEST(LMS3DScanBuild, NewArraysDoNotBuild)
 {
@@ -178,6 +177,18 @@ TEST(LMS3DScanBuild, NewArraysDoNotBuild)
 
   auto image = MakeImage();
   EXPECT_FALSE(Builds(image).After([&] { AddArrays(image); }));
+}
+
+TEST(LMS3DScanBuild, NewArraysDoNotBuildWhereATriangleHasNoArea)
+{
+  auto ball = MakeBall(1.0, 12);
+  const vtkIdType line[] = { 0, 1, 1 };
+  ball->GetPolys()->InsertNextCell(3, line);
+  ball->Modified();
+  Builds builds(ball);
+  builds.Scan->SetIntersectionMethodToFast();
+  builds.Scan->Update();
+  EXPECT_FALSE(builds.After([&] { AddArrays(ball); }));
 }
 
 TEST(LMS3DScanBuild, NewArraysOfABlockDoNotBuild)
@@ -291,7 +302,6 @@ TEST(LMS3DScanBuild, ASceneThatLostItsPolygonsIsNotScannedAgain)
 }
 
 // --- Progress and abort
-// -------------------------------------------------------------------------
 
 TEST(LMS3DScanBuild, ReportsProgress)
 {

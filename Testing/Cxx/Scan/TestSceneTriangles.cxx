@@ -3,6 +3,7 @@
 #include "Fixtures/SceneFixtures.h"
 #include "VRML/VRMLFixtures.h"
 
+#include "Geometry/lms3dAngle.h"
 #include "Geometry/lms3dVector.h"
 #include "Scene/lms3dSceneTriangles.h"
 #include "vtkLMS3DScanFilter.h"
@@ -22,7 +23,6 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 
 using Triangle = std::array<Point, 3>;
 
@@ -31,7 +31,7 @@ std::vector<Point> MakeStar(int corners, double inner, double outer)
   std::vector<Point> points;
   for (int i = 0; i < corners; ++i)
   {
-    const double angle = 2.0 * Pi * i / corners;
+    const double angle = 2.0 * lms3dPi * i / corners;
     const double radius = i % 2 == 0 ? outer : inner;
     points.push_back({ radius * std::cos(angle), radius * std::sin(angle), -1.0 });
   }
@@ -69,7 +69,7 @@ TEST(SceneTrianglesOfPolygons, AreExactForConvexPolygonsOfAnySize)
     const lms3dSceneTriangles scene = lms3dCollectTriangles(MakePolygon(MakeStar(sides, 2.0, 2.0)));
     EXPECT_EQ(scene.CrossedCells, 0);
     EXPECT_EQ(scene.Mesh.Triangles.size(), static_cast<std::size_t>(sides) - 2);
-    EXPECT_NEAR(GetArea(scene.Mesh), 2.0 * sides * std::sin(2.0 * Pi / sides), 1e-9);
+    EXPECT_NEAR(GetArea(scene.Mesh), 2.0 * sides * std::sin(2.0 * lms3dPi / sides), 1e-9);
   }
 }
 
@@ -84,7 +84,7 @@ TEST(SceneTrianglesOfPolygons, CoverARoundPolygonInSinglePrecision)
   polygon->SetPoints(points);
   const lms3dSceneTriangles scene = lms3dCollectTriangles(polygon);
   EXPECT_EQ(scene.CrossedCells, 0);
-  EXPECT_NEAR(GetArea(scene.Mesh), 2.0 * sides * std::sin(2.0 * Pi / sides), 1e-5);
+  EXPECT_NEAR(GetArea(scene.Mesh), 2.0 * sides * std::sin(2.0 * lms3dPi / sides), 1e-5);
 }
 
 TEST(SceneTrianglesOfPolygons, StopWithinOnePolygon)

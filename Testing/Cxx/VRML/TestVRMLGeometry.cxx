@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/lms3dAngle.h"
 #include "Geometry/lms3dVector.h"
 #include "Meshes/lms3dVRMLSpine.h"
 
@@ -12,7 +13,6 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 
 using VRMLGeometry = VRMLScene;
 using Texts = std::vector<std::string>;
@@ -74,12 +74,12 @@ TEST_F(VRMLGeometry, HasThePartsOfConesAndCylinders)
 {
   const auto area = [this](const std::string& geometry)
   { return GetArea(this->Read(Shape(geometry))); };
-  EXPECT_NEAR(area("Cone { bottomRadius 3 height 4 bottom FALSE }"), 15 * Pi, 0.1);
-  EXPECT_NEAR(area("Cone { bottomRadius 3 height 4 side FALSE }"), 9 * Pi, 0.1);
-  EXPECT_NEAR(area("Cylinder { radius 2 height 5 top FALSE bottom FALSE }"), 20 * Pi, 0.1);
-  EXPECT_NEAR(area("Cylinder { radius 2 side FALSE bottom FALSE }"), 4 * Pi, 0.1);
-  EXPECT_NEAR(GetVolume(this->Read(Shape("Cylinder { radius 2 height 5 }"))), 20 * Pi, 0.1);
-  EXPECT_NEAR(GetVolume(this->Read(Shape("Cone { bottomRadius 3 height 4 }"))), 12 * Pi, 0.1);
+  EXPECT_NEAR(area("Cone { bottomRadius 3 height 4 bottom FALSE }"), 15 * lms3dPi, 0.1);
+  EXPECT_NEAR(area("Cone { bottomRadius 3 height 4 side FALSE }"), 9 * lms3dPi, 0.1);
+  EXPECT_NEAR(area("Cylinder { radius 2 height 5 top FALSE bottom FALSE }"), 20 * lms3dPi, 0.1);
+  EXPECT_NEAR(area("Cylinder { radius 2 side FALSE bottom FALSE }"), 4 * lms3dPi, 0.1);
+  EXPECT_NEAR(GetVolume(this->Read(Shape("Cylinder { radius 2 height 5 }"))), 20 * lms3dPi, 0.1);
+  EXPECT_NEAR(GetVolume(this->Read(Shape("Cone { bottomRadius 3 height 4 }"))), 12 * lms3dPi, 0.1);
 }
 
 TEST_F(VRMLGeometry, ColoursTriangles)

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/lms3dAngle.h"
 #include "Model/lms3dTransform.h"
 
 #include "VRML/VRMLFixtures.h"
@@ -9,7 +10,6 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 
 using VRMLTransforms = VRMLScene;
 
@@ -26,8 +26,9 @@ TEST(Transform, MapsPoints)
 {
   ExpectNear(lms3dTransform::Translation({ 1, 2, 3 }).Apply({ 1, 1, 1 }), { 2, 3, 4 });
   ExpectNear(lms3dTransform::Scale({ 2, 3, -4 }).Apply({ 1, 1, 1 }), { 2, 3, -4 });
-  ExpectNear(lms3dTransform::Rotation({ 0, 0, 7, Pi / 2 }).Apply({ 1, 0, 5 }), { 0, 1, 5 });
-  ExpectNear(lms3dTransform::Rotation({ 1, 1, 1, 2 * Pi / 3 }).Apply({ 1, 2, 3 }), { 3, 1, 2 });
+  ExpectNear(lms3dTransform::Rotation({ 0, 0, 7, lms3dPi / 2 }).Apply({ 1, 0, 5 }), { 0, 1, 5 });
+  ExpectNear(
+    lms3dTransform::Rotation({ 1, 1, 1, 2 * lms3dPi / 3 }).Apply({ 1, 2, 3 }), { 3, 1, 2 });
   ExpectNear(lms3dTransform::Rotation({ 0, 0, 0, 1 }).Apply({ 1, 2, 3 }), { 1, 2, 3 });
   ExpectNear((lms3dTransform::Translation({ 1, 0, 0 }) * lms3dTransform::Scale({ 2, 2, 2 }))
                .Apply({ 1, 1, 1 }),
