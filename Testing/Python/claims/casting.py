@@ -119,6 +119,6 @@ def make_failure_claims():
          share("sum within 1e-3", "beside an edge", "1e-6", invented), 1, 1),
         ("with each about 45 % are lost", min(corners), 0.44, 0.46),
         ("with each about 45 % are lost", max(corners), 0.44, 0.46),
-        ("it loses no beam at either", share("AngleSum", "shared edges"), 0, 0),
-        ("it loses no beam at either", share("AngleSum", "shared vertices"), 0, 0),
+        ("It loses no beam at edges or corners", share("AngleSum", "shared edges"), 0, 0),
+        ("It loses no beam at edges or corners", share("AngleSum", "shared vertices"), 0, 0),
     )]

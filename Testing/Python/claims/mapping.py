@@ -38,7 +38,7 @@ def make_claims():
               14, 20),
         Claim(ACCURACY, "the scan has hit a third of them",
               grid(column="hit triangles") / grid(column="scene triangles"), 0.3, 0.36),
-        Claim(ACCURACY, "Of the teapot twice as many triangles were hit as the map",
+        Claim(ACCURACY, "the scan has hit twice as many triangles as the map",
               grid(scene="teapot", column="hit triangles")
               / bounded("10", scene="teapot", column=triangles), 1.9, 2.2),
         Claim(ACCURACY, "decimation has about a quarter less error than the map",
@@ -57,7 +57,7 @@ def make_claims():
               bounded("10", **hills, column=ms) / grid(**hills, column=ms), 21, 30),
         Claim(ACCURACY, "with noise about 100 times",
               bounded("10", "5", **hills, column=ms) / grid("5", **hills, column=ms), 85, 120),
-        Claim(ACCURACY, "still has a quarter of its triangles",
+        Claim(ACCURACY, "still has a quarter of the grid's triangles",
               bounded("10", **hills, column=triangles) / grid(**hills, column=triangles),
               0.22, 0.28),
         Claim(ACCURACY, "almost ten times as many as the scan has hit",
