@@ -48,18 +48,15 @@ lms3dVector GetNormal(const std::vector<lms3dVector>& corners)
 }
 
 // The corners on a straight line that is not parallel to an axis deviate from it by rounding.
-double GetRoundingOfTurns(const std::vector<lms3dVector>& corners, int first, int second)
+double GetRounding(const std::vector<lms3dVector>& corners, int first, int second)
 {
   constexpr double rounding = 1e-14;
   double farthest = 0.0;
-  double size = 0.0;
   for (const lms3dVector& corner : corners)
   {
     farthest = std::max({ farthest, std::abs(corner[first]), std::abs(corner[second]) });
-    size = std::max({ size, std::abs(corner[first] - corners[0][first]),
-      std::abs(corner[second] - corners[0][second]) });
   }
-  return rounding * farthest * size;
+  return rounding * farthest;
 }
 } // namespace
 
@@ -80,7 +77,7 @@ bool lms3dFlatPolygon::Project(const std::vector<lms3dVector>& corners)
     this->Points.push_back(
       { corner[first] - corners[0][first], corner[second] - corners[0][second] });
   }
-  this->MinimumTurn = GetRoundingOfTurns(corners, first, second);
+  this->Rounding = GetRounding(corners, first, second);
   return normal[axis] != 0.0;
 }
 
@@ -94,7 +91,8 @@ bool lms3dFlatPolygon::IsConvex() const
   for (std::int32_t a = 0; a < count; ++a)
   {
     const std::int32_t b = this->GetNext(a);
-    if (this->GetTurn(a, b, this->GetNext(b)) < -this->MinimumTurn)
+    const std::int32_t c = this->GetNext(b);
+    if (this->GetTurn(a, b, c) < -this->GetMinimumTurn(a, b, c))
     {
       return false;
     }

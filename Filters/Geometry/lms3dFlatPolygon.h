@@ -9,6 +9,7 @@
 
 #include "Geometry/lms3dVector.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -35,8 +36,17 @@ public:
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
   }
 
-  /// Returns the turn up to which three corners count as collinear, because of rounding.
-  double GetMinimumTurn() const { return this->MinimumTurn; }
+  /// Returns the turn up to which three corners count as collinear, because of rounding. It is
+  /// proportional to the size of their triangle.
+  double GetMinimumTurn(std::int32_t a, std::int32_t b, std::int32_t c) const
+  {
+    const Point& p = this->Points[a];
+    const Point& q = this->Points[b];
+    const Point& r = this->Points[c];
+    const auto [left, right] = std::minmax({ p[0], q[0], r[0] });
+    const auto [bottom, top] = std::minmax({ p[1], q[1], r[1] });
+    return this->Rounding * std::max(right - left, top - bottom);
+  }
 
   /// Returns the neighbours of a corner on the outline.
   std::int32_t GetNext(std::int32_t corner) const
@@ -53,7 +63,8 @@ public:
 
 private:
   std::vector<Point> Points;
-  double MinimumTurn = 0.0;
+  /// The deviation from a straight line up to which corners count as collinear.
+  double Rounding = 0.0;
 };
 
 #endif

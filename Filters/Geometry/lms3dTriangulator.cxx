@@ -8,8 +8,10 @@
 namespace
 {
 constexpr std::size_t WorkPerCorner = 2000;
+constexpr std::size_t WorkPerCornerIfExhausted = 10;
 constexpr std::size_t WorkAllowance = 1000000;
 constexpr std::size_t WorkPerCheck = 100000;
+constexpr std::int32_t LongWalk = 64;
 } // namespace
 
 bool lms3dTriangulator::Cut(const std::vector<lms3dVector>& corners, const KeepGoing& keepGoing)
@@ -19,11 +21,11 @@ bool lms3dTriangulator::Cut(const std::vector<lms3dVector>& corners, const KeepG
   {
     return true;
   }
-  if (this->Polygon.IsConvex())
+  if (this->Polygon.IsConvex() && this->MakeFan())
   {
-    this->MakeFan();
     return true;
   }
+  this->Triangles.clear();
   return this->ClipEars(keepGoing);
 }
 
@@ -32,9 +34,14 @@ double lms3dTriangulator::GetTurn(std::int32_t corner) const
   return this->Polygon.GetTurn(this->Previous[corner], corner, this->Next[corner]);
 }
 
+double lms3dTriangulator::GetMinimumTurn(std::int32_t corner) const
+{
+  return this->Polygon.GetMinimumTurn(this->Previous[corner], corner, this->Next[corner]);
+}
+
 bool lms3dTriangulator::IsStraight(std::int32_t corner) const
 {
-  return std::abs(this->GetTurn(corner)) <= this->Polygon.GetMinimumTurn();
+  return std::abs(this->GetTurn(corner)) <= this->GetMinimumTurn(corner);
 }
 
 // A fan has a degenerate triangle if a neighbour of its shared corner is straight. That triangle is
@@ -43,8 +50,10 @@ std::int32_t lms3dTriangulator::FindFanCorner() const
 {
   const auto isStraight = [this](std::int32_t corner)
   {
-    return this->Polygon.GetTurn(this->Polygon.GetPrevious(corner), corner,
-             this->Polygon.GetNext(corner)) <= this->Polygon.GetMinimumTurn();
+    const std::int32_t previous = this->Polygon.GetPrevious(corner);
+    const std::int32_t next = this->Polygon.GetNext(corner);
+    return this->Polygon.GetTurn(previous, corner, next) <=
+      this->Polygon.GetMinimumTurn(previous, corner, next);
   };
   const std::int32_t count = static_cast<std::int32_t>(this->Polygon.GetPoints().size());
   const std::int32_t preferred = this->FanCorner == FIRST_CORNER ? 0 : count - 1;
@@ -61,18 +70,25 @@ std::int32_t lms3dTriangulator::FindFanCorner() const
   return preferred;
 }
 
-void lms3dTriangulator::MakeFan()
+// Rounding can hide the reflex corners of a smooth outline. The fan shows them.
+bool lms3dTriangulator::MakeFan()
 {
   const std::int32_t shared = this->FindFanCorner();
   std::int32_t a = this->Polygon.GetNext(shared);
   for (std::int32_t b = this->Polygon.GetNext(a); b != shared; b = this->Polygon.GetNext(b))
   {
-    if (this->Polygon.GetTurn(shared, a, b) > 0.0)
+    const double turn = this->Polygon.GetTurn(shared, a, b);
+    if (turn > 0.0)
     {
       this->Triangles.push_back({ shared, a, b });
     }
+    else if (turn < -this->Polygon.GetMinimumTurn(shared, a, b))
+    {
+      return false;
+    }
     a = b;
   }
+  return true;
 }
 
 void lms3dTriangulator::LinkCorners()
@@ -94,7 +110,7 @@ void lms3dTriangulator::BuildGrid()
   for (std::size_t i = 0; i < this->Polygon.GetPoints().size(); ++i)
   {
     const std::int32_t corner = static_cast<std::int32_t>(i);
-    if (this->GetTurn(corner) <= this->Polygon.GetMinimumTurn())
+    if (this->GetTurn(corner) <= this->GetMinimumTurn(corner))
     {
       notConvex.push_back(corner);
     }
@@ -121,6 +137,7 @@ bool lms3dTriangulator::ClipEars(const KeepGoing& keepGoing)
   this->NextCheck = WorkPerCheck;
 
   bool isSimple = true;
+  bool stepsBack = false;
   int requirement = NO_CORNER_TOUCHES;
   std::int32_t corner = 0;
   std::int32_t failures = 0;
@@ -131,7 +148,7 @@ bool lms3dTriangulator::ClipEars(const KeepGoing& keepGoing)
       this->Triangles.clear();
       return false;
     }
-    requirement = this->IsExhausted() ? std::max<int>(requirement, CONVEX) : requirement;
+    requirement = std::max(requirement, this->GetAffordableRequirement());
     if (this->IsEar(corner, requirement))
     {
       // A corner on a straight line can be clipped under any requirement.
@@ -139,17 +156,32 @@ bool lms3dTriangulator::ClipEars(const KeepGoing& keepGoing)
       this->Clip(corner);
       --left;
       requirement = this->IsExhausted() ? requirement : NO_CORNER_TOUCHES;
+      // Clipping every other corner gives compact triangles. Next to a clipped corner the turns have
+      // changed: if ears are rare, the next one is there.
+      stepsBack = failures > LongWalk || (stepsBack && failures <= 1);
+      corner = stepsBack ? this->Previous[corner] : this->Next[this->Next[corner]];
       failures = 0;
+      continue;
     }
-    else if (static_cast<std::size_t>(++failures) == left)
+    corner = this->Next[corner];
+    if (static_cast<std::size_t>(++failures) == left)
     {
+      corner = this->Next[corner];
       ++requirement;
       failures = 0;
     }
-    // Clipping every other corner gives compact triangles.
-    corner = this->Next[failures == 0 ? this->Next[corner] : corner];
   }
   return isSimple;
+}
+
+int lms3dTriangulator::GetAffordableRequirement() const
+{
+  if (!this->IsExhausted())
+  {
+    return NO_CORNER_TOUCHES;
+  }
+  const std::size_t extra = WorkPerCornerIfExhausted * this->Polygon.GetPoints().size();
+  return this->Work < this->MaximumWork + extra ? CONVEX : ANY;
 }
 
 bool lms3dTriangulator::IsEar(std::int32_t corner, int requirement)
@@ -196,13 +228,14 @@ bool lms3dTriangulator::IsFree(std::int32_t corner, bool mayTouch)
     std::min({ p[1], q[1], r[1] }) };
   const lms3dFlatPolygon::Point maximum = { std::max({ p[0], q[0], r[0] }),
     std::max({ p[1], q[1], r[1] }) };
+  const double minimumTurn = this->GetMinimumTurn(corner);
   return this->Grid.AllOf(minimum, maximum, this->Work,
     [&](std::int32_t other)
     {
       const lms3dFlatPolygon::Point& point = this->Polygon.GetPoints()[other];
       const double inside = std::min({ this->Polygon.GetTurn(a, corner, other),
         this->Polygon.GetTurn(corner, c, other), this->Polygon.GetTurn(c, a, other) });
-      return point == p || point == q || point == r || inside < -this->Polygon.GetMinimumTurn() ||
-        (inside <= this->Polygon.GetMinimumTurn() && mayTouch);
+      return point == p || point == q || point == r || inside < -minimumTurn ||
+        (inside <= minimumTurn && mayTouch);
     });
 }

@@ -68,7 +68,8 @@ public:
 
 private:
   std::int32_t FindFanCorner() const;
-  void MakeFan();
+  /// Returns false, without a complete fan, if a triangle of the fan turns the other way.
+  bool MakeFan();
 
   void LinkCorners();
   void BuildGrid();
@@ -89,9 +90,12 @@ private:
   void Clip(std::int32_t corner);
   /// Returns whether the maximum of work is reached. From then on ears are not tested for corners.
   bool IsExhausted() const { return this->Work >= this->MaximumWork; }
+  /// Returns the strictest requirement that the work done so far allows.
+  int GetAffordableRequirement() const;
 
   /// Returns the turn at a corner between its present neighbours.
   double GetTurn(std::int32_t corner) const;
+  double GetMinimumTurn(std::int32_t corner) const;
   bool IsStraight(std::int32_t corner) const;
 
   FanCorners FanCorner;

@@ -27,6 +27,30 @@ double GetArea(const Corners& corners, const std::vector<lms3dTriangulator::Tria
   return area;
 }
 
+/// Returns the area that the outline encloses. Requires a polygon in a plane z.
+double GetAreaOfOutline(const Corners& corners)
+{
+  double area = 0.0;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+  {
+    area += 0.5 *
+      lms3dCross(
+        lms3dSubtract(corners[i], corners[0]), lms3dSubtract(corners[i + 1], corners[0]))[2];
+  }
+  return area;
+}
+
+/// Triangulates a polygon that does not cross itself. The calls tell the work, in tests of a corner.
+void ExpectExactCover(const Corners& corners)
+{
+  lms3dTriangulator triangulator;
+  std::size_t calls = 0;
+  EXPECT_TRUE(triangulator.Cut(corners, [&calls] { return ++calls > 0; }));
+  const double area = GetAreaOfOutline(corners);
+  EXPECT_NEAR(GetArea(corners, triangulator.GetTriangles()), area, 1e-5 * area);
+  EXPECT_LE(calls, (2000 * corners.size() + 1000000) / 100000);
+}
+
 Corners MakeComb(int teeth)
 {
   Corners corners = { { 0, -1, 0 } };
@@ -49,6 +73,43 @@ Corners MakeRegularPolygon(int sides, double radius)
   {
     const double angle = 2.0 * Pi * i / sides;
     corners.push_back({ radius * std::cos(angle), radius * std::sin(angle), 1.0 });
+  }
+  return corners;
+}
+
+/// Returns the upper half of a disk without the upper half of an ellipse.
+Corners MakeCrescent(int count, double radius, double far)
+{
+  Corners corners;
+  for (int i = 0; i < count / 2; ++i)
+  {
+    const double angle = Pi * i / (count / 2);
+    corners.push_back({ far + radius * std::cos(angle), far + radius * std::sin(angle), 0 });
+  }
+  for (int i = 0; i < count / 2; ++i)
+  {
+    const double angle = Pi * i / (count / 2);
+    corners.push_back({ far - radius * std::cos(angle), far + 0.7 * radius * std::sin(angle), 0 });
+  }
+  return corners;
+}
+
+/// Returns an equilateral triangle of side 1 whose sides are parabolas that bow inwards by 0.1.
+Corners MakeBowedTriangle(int cornersPerSide)
+{
+  const Corners tips = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, std::sqrt(0.75), 0 } };
+  Corners corners;
+  for (std::size_t side = 0; side < 3; ++side)
+  {
+    const lms3dVector along = lms3dSubtract(tips[(side + 1) % 3], tips[side]);
+    const lms3dVector inwards = { -along[1], along[0], 0 };
+    for (int i = 0; i < cornersPerSide; ++i)
+    {
+      const double t = static_cast<double>(i) / cornersPerSide;
+      const double depth = 0.1 * 4.0 * t * (1.0 - t);
+      corners.push_back(
+        lms3dAdd(lms3dAdd(tips[side], lms3dScale(along, t)), lms3dScale(inwards, depth)));
+    }
   }
   return corners;
 }
@@ -195,6 +256,32 @@ TEST(Triangulator, CutsConvexPolygonsOfAnySize)
     EXPECT_EQ(triangulator.GetTriangles().size(), static_cast<std::size_t>(sides) - 2);
     EXPECT_NEAR(GetArea(corners, triangulator.GetTriangles()),
       2.0 * sides * std::sin(2.0 * Pi / sides), 1e-9);
+  }
+}
+
+// The turns at single corners of a smooth outline are small, in particular far from the origin.
+TEST(Triangulator, CutsSmoothConcavePolygons)
+{
+  for (double far : { 0.0, 5e6 })
+  {
+    for (double radius : { 1.0, 10.0 })
+    {
+      for (int count : { 2000, 4000, 50000 })
+      {
+        SCOPED_TRACE(::testing::Message() << count << " corners, " << radius << " m, at " << far);
+        ExpectExactCover(MakeCrescent(count, radius, far));
+      }
+    }
+  }
+}
+
+// At first the tips are the only ears.
+TEST(Triangulator, CutsPolygonsWithFewConvexCorners)
+{
+  for (int cornersPerSide : { 2000, 5000 })
+  {
+    SCOPED_TRACE(cornersPerSide);
+    ExpectExactCover(MakeBowedTriangle(cornersPerSide));
   }
 }
 
