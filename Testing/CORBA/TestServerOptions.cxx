@@ -79,9 +79,10 @@ TEST_F(ServerOptions, ARateOfZeroMayBeWrittenAsOneLikes)
 TEST_F(ServerOptions, SayWhatIsWrongAndWhere)
 {
   EXPECT_TRUE(Speaks(GetProblem({}), "--scenes"));
-  EXPECT_TRUE(Speaks(GetProblem({ "--scene" }), "--scene: 1 required NAME missing"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--scene" }), "--scene: a value must follow: NAME"));
   EXPECT_TRUE(Speaks(GetProblem({ "--speed" }), "was not expected: --speed"));
   EXPECT_TRUE(Speaks(GetProblem({ "room.wrl" }), "was not expected: room.wrl"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--sce", "b", "c" }), "was not expected: --sce"));
   EXPECT_TRUE(Speaks(GetProblem({ "--rate", "fast" }), "\"fast\" is not a number from 0"));
   EXPECT_TRUE(Speaks(GetProblem({ "--rate", "nan" }), "nan"));
   EXPECT_TRUE(Speaks(GetProblem({ "--rate", "-1" }), "-1"));
@@ -94,7 +95,7 @@ TEST_F(ServerOptions, SayWhatIsWrongAndWhere)
   EXPECT_TRUE(Speaks(GetProblem({ "--up-axis", "x" }), "neither file nor y"));
   EXPECT_TRUE(Speaks(GetProblem({ "-ORBtraceLevel" }), "-ORBtraceLevel: a value must follow"));
   EXPECT_TRUE(Speaks(GetProblem({ "--config", "/no/such/file" }), "cannot be read"));
-  EXPECT_TRUE(Speaks(GetProblem({ "--read-only=yes" }), "read-only"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--read-only=yes" }), "--read-only: it takes no value"));
   EXPECT_TRUE(
     Speaks(GetProblem({ "--scenes", "Data", "--tls-key", "k.pem" }), "one needs the other"));
 
@@ -116,6 +117,64 @@ TEST_F(ServerOptions, ValuesMayBeNegative)
   EXPECT_EQ(options.Position, (std::array<double, 3>{ -1.0, 0.0, -0.5 }));
   EXPECT_EQ(options.Orientation, (std::array<double, 3>{ 10.0, -20.0, -30.0 }));
   EXPECT_EQ(options.ORBArguments, (std::vector<std::string>{ "-ORBtraceLevel", "-1" }));
+}
+
+TEST_F(ServerOptions, AnEqualsSignNeedsAValue)
+{
+  EXPECT_EQ(GetProblem({ "--scenes", "Data", "--name=", "--read-only" }),
+    "--name: a value must follow the \"=\": NAME");
+  EXPECT_EQ(GetProblem({ "--scenes", "Data", "--position=", "1", "2", "3" }),
+    "--position: a value must follow the \"=\": X Y Z");
+  EXPECT_EQ(GetProblem({ "--scenes", "Data", "--config=" }),
+    "--config: a value must follow the \"=\": FILE");
+  EXPECT_EQ(GetProblem({ "--scenes", "Data", "--no-map=", "5" }), "--no-map: it takes no value");
+  EXPECT_TRUE(Speaks(GetProblem({ "--scenes", "Data", "--foo=" }), "was not expected: --foo="));
+
+  const lms3dServerOptions options = lms3dReadServerOptions(
+    { "--scenes", "--rate=", "--scene=a=", "--name", "--read-only", "--position=1", "-.5", "3" });
+  EXPECT_EQ(options.Scenes, "--rate=");
+  EXPECT_EQ(options.Scene, "a=");
+  EXPECT_EQ(options.Name, "--read-only");
+  EXPECT_FALSE(options.ReadOnly);
+  EXPECT_EQ(options.Position, (std::array<double, 3>{ 1.0, -0.5, 3.0 }));
+}
+
+TEST_F(ServerOptions, NamesAreTakenAsTheyAre)
+{
+  const std::string file = this->Write("[odd].conf", "scene = -.5.wrl\nior = [a b]\n");
+  for (const char* name : { "-.wrl", "-.5.wrl", "[q]", "[a,b]", "{}", "%%", "--", "=" })
+  {
+    const lms3dServerOptions options = lms3dReadServerOptions(
+      { "--scenes", name, "--name", name, "--connect-to", name, "--config", file });
+    EXPECT_EQ(options.Scenes, name);
+    EXPECT_EQ(options.Name, name);
+    EXPECT_EQ(options.ConnectTo, std::vector<std::string>{ name });
+    EXPECT_EQ(options.Scene, "-.5.wrl");
+    EXPECT_EQ(options.IORFile, "[a b]");
+  }
+  EXPECT_TRUE(Speaks(GetProblem({ "--config", "[q]" }), "\"[q]\" cannot be read"));
+  EXPECT_TRUE(Speaks(GetProblem({ "--config", file, "q" }), "was not expected: q"));
+}
+
+TEST_F(ServerOptions, AFlagInAFileMayHaveAnEqualsSign)
+{
+  const std::string file = this->Write("flag.conf", "scenes = Data\nread-only =\nno-map=\n");
+  const lms3dServerOptions options = lms3dReadServerOptions({ "--config", file });
+  EXPECT_TRUE(options.ReadOnly);
+  EXPECT_FALSE(options.MakeMap);
+}
+
+TEST_F(ServerOptions, TheValuesOfAVectorStandTogether)
+{
+  EXPECT_TRUE(Speaks(GetProblem({ "--scenes", "Data", "--position", "1", "--position", "2", "3" }),
+    "--position: \"--position\" is not a number"));
+  EXPECT_TRUE(
+    Speaks(GetProblem({ "--scenes", "Data", "--position", "1", "2", "--read-only", "--no-map" }),
+      "--position: \"--read-only\" is not a number"));
+  EXPECT_TRUE(Speaks(
+    GetProblem({ "--scenes", "Data", "--position", "1", "2", "3", "4" }), "was not expected: 4"));
+  EXPECT_EQ(GetProblem({ "--scenes", "Data", "--position=1", "2" }),
+    "--position: 3 values must follow: X Y Z");
 }
 
 TEST_F(ServerOptions, OfRepeatedOptionsTheLastHoldsUnlessTheyAdd)
