@@ -3,9 +3,9 @@
 // The example clients in other languages, run as programs.
 #include "ClientORB.h"
 #include "ClientProgram.h"
-#include "CrowdOfWaiters.h"
 #include "DirectPipeline.h"
 #include "ServerProcess.h"
+#include "WaitingClients.h"
 
 #include <gtest/gtest.h>
 
@@ -73,7 +73,7 @@ TEST_P(PaperClient, PrintsTheDirectPipelinesTriples)
   EXPECT_EQ(triples, MakeDirect(WaitFor(Connect(server.GetCorbaloc()))).Triples);
 }
 
-TEST_P(PaperClient, TellsThatThereIsNoServer)
+TEST_P(PaperClient, ReportsThatThereIsNoServer)
 {
   const TemporaryFile file("lms3d-ior");
   ServerProcess server;
@@ -110,7 +110,7 @@ TEST_P(ScannerClient, PrintsTheScanFromWhereItMovedTheSensor)
   EXPECT_NE(std::find(triples.begin(), triples.end(), 0.0f), triples.end()) << "no misses";
 }
 
-TEST_P(ScannerClient, TellsWhyAPositionIsRefused)
+TEST_P(ScannerClient, ReportsWhyAPositionIsRefused)
 {
   ServerProcess server;
   const Outcome outcome = RunClient(GetParam(), server.GetCorbaloc(), { "0", "2e6", "0" });
@@ -120,7 +120,7 @@ TEST_P(ScannerClient, TellsWhyAPositionIsRefused)
     << outcome.Text;
 }
 
-TEST_P(ScannerClient, TellsThatItMayNotMoveTheSensor)
+TEST_P(ScannerClient, ReportsThatItMayNotMoveTheSensor)
 {
   ServerProcess server({ "--read-only" });
   const Outcome outcome = RunClient(GetParam(), server.GetCorbaloc(), { "0", "0", "1" });
@@ -168,10 +168,10 @@ class WatchingClient : public testing::TestWithParam<Client>
 {
 };
 
-TEST_P(WatchingClient, GoesOnWhereTheServerHasNoRoomForOneMoreWhoWaits)
+TEST_P(WatchingClient, ContinuesIfAllPlacesForWaitingCallsAreTaken)
 {
   ServerProcess server;
-  const CrowdOfWaiters crowd(server.GetCorbaloc());
+  const WaitingClients clients(server.GetCorbaloc());
   const Outcome outcome = RunClient(GetParam(), server.GetCorbaloc(), { "3" });
   EXPECT_EQ(outcome.Code, 0);
   EXPECT_EQ(std::count(outcome.Text.begin(), outcome.Text.end(), '\n'), 3) << outcome.Text;

@@ -143,17 +143,17 @@ class HostileTest(unittest.TestCase):
     def test_clients_that_vanish_while_they_wait(self):
         """Too many waiting calls. When their clients vanish, others get their places soon."""
         never = 2 ** 64 - 1
-        crowd, maximum = 40, 32
+        clients, maximum = 40, 32
         with contextlib.ExitStack() as stack:
             sockets = []
-            for _ in range(crowd):
+            for _ in range(clients):
                 client = stack.enter_context(self.server.connect())
                 client.connection.sendall(
                     giop.request(client.key, "waitForScan", start_arguments=wait(never, 10000)))
                 sockets.append(client.connection)
             # Refused calls are answered at once.
             self.assertTrue(wait_until(
-                lambda: len(select.select(sockets, [], [], 0)[0]) == crowd - maximum))
+                lambda: len(select.select(sockets, [], [], 0)[0]) == clients - maximum))
             with self.server.connect() as client:
                 self.assertIn("LimitExceeded", refuse(client, "waitForScan", wait(never, 1)))
         start = time.monotonic()

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClientORB.h"
-#include "CrowdOfWaiters.h"
 #include "ServerProcess.h"
+#include "WaitingClients.h"
 #include "WatchingSource.h"
 
 #include <vtkErrorCode.h>
@@ -195,10 +195,10 @@ TEST(RemoteFaults, AnotherURLIsWarnedOfAgain)
   }
 }
 
-TEST(RemoteFaults, TheServerHasNoRoomForOneMoreWhoWaits)
+TEST(RemoteFaults, AllPlacesForWaitingCallsAreTaken)
 {
   ServerProcess server;
-  const CrowdOfWaiters crowd(server.GetCorbaloc());
+  const WaitingClients clients(server.GetCorbaloc());
   WatchingSource source(server.GetCorbaloc());
   source->Update();
   const std::uint64_t first = source.GetNumber("ScanNumber");

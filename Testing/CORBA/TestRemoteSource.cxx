@@ -112,7 +112,7 @@ TEST(RemoteSource, ScanIsTakenByTheReconstruction)
   EXPECT_GT(made, 1000);
 }
 
-TEST(RemoteSource, FollowsTheScansAndTellsTheirOrigin)
+TEST(RemoteSource, FollowsTheScansAndReportsTheirOrigin)
 {
   ServerProcess server;
   WatchingSource source(server.GetCorbaloc());

@@ -27,10 +27,10 @@ CORBA::ULong CountWaiting(LMS3D::LaserScanner_ptr scanner)
 }
 
 /// Joins the threads in its destructor.
-class Crowd
+class ClientThreads
 {
 public:
-  ~Crowd() { this->Join(); }
+  ~ClientThreads() { this->Join(); }
 
   void Add(int count, const std::function<void()>& work)
   {
@@ -109,7 +109,7 @@ TEST(ServerLoad, EndsSoonUnderBusyAndWaitingClients)
   WaitFor(scanner);
   std::atomic<int> fetched(0);
   std::atomic<int> waited(0);
-  Crowd clients;
+  ClientThreads clients;
   clients.Add(8,
     [&] { CallUntilTheEnd([&] { const LMS3D::Data_var triples = scanner->fetch(); }, fetched); });
   clients.Add(20,
@@ -165,7 +165,7 @@ TEST(ServerLoad, NothingTearsWhileThePoseMoves)
   std::atomic<bool> isOver(false);
   std::atomic<int> good(0);
   std::atomic<int> torn(0);
-  Crowd clients;
+  ClientThreads clients;
   clients.Add(3,
     [&]
     {
@@ -219,7 +219,7 @@ TEST(ServerLoad, MemoryStaysFlat)
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   const auto fetch = [&scanner](int count)
   {
-    Crowd clients;
+    ClientThreads clients;
     clients.Add(Threads,
       [&]
       {

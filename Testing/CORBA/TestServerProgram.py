@@ -32,6 +32,14 @@ def write_scene_of_many_nodes(path):
     path.write_text("\n".join(lines))
 
 
+def write_scene_of_a_million_triangles(path):
+    """A jagged field."""
+    count = 708
+    heights = " ".join(str(i * 7919 % 1009) for i in range(count ** 2))
+    path.write_text("#VRML V2.0 utf8\nShape { geometry ElevationGrid { "
+                    f"xDimension {count} zDimension {count} height [ {heights} ] }} }}")
+
+
 def ask(client):
     """The result of one call."""
     try:
@@ -146,6 +154,24 @@ class StartTest(unittest.TestCase):
         self.assertEqual(output, "")
         self.assertIn("SIGTERM: ending before the scene was read", log)
         self.assertEqual(list(self.folder.iterdir()), [scene])
+
+    def test_end_while_the_search_tree_is_built(self):
+        """The server does not finish the tree, which takes most of the time of the first scan."""
+        write_scene_of_a_million_triangles(self.folder / "large.wrl")
+        options = ("--scenes", self.folder, "--scene", "large.wrl", "--no-map")
+        with Server(*options) as server:
+            start = time.monotonic()
+            self.assertIn("scan 1 ", run_client(server.corbaloc, "watch", "1").stdout)
+            first_scan = time.monotonic() - start
+        ends = []
+        for _ in range(3):
+            with Server(*options) as server:
+                time.sleep(first_scan / 4)
+                code, seconds = server.stop()
+                self.assertEqual(code, 0)
+                ends.append(seconds)
+        # A complete tree would take three quarters of the time in each run.
+        self.assertLess(min(ends), first_scan / 2)
 
     def test_clients_that_call_while_it_starts_and_ends(self):
         """They get either an answer or an exception that permits another try."""

@@ -70,7 +70,7 @@ void ExpectUnchanged(LMS3D::LaserScanner_ptr scanner, const LMS3D::Status& befor
 }
 } // namespace
 
-TEST(ServerSettings, GenerationTellsTheFirstScanFromAPose)
+TEST(ServerSettings, GenerationMarksTheFirstScanFromAPose)
 {
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());

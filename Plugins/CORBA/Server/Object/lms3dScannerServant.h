@@ -29,7 +29,16 @@ struct lms3dPermissions
   bool IsYUp = false;
 };
 
-/// LMS3DScanner.idl documents every operation. The ORB calls them in any thread, several at a time.
+/**
+ * Implements the operations of LMS3DScanner.idl, which documents what clients see.
+ *
+ * The ORB calls the operations in any thread, several at a time. The objects that they use may be
+ * called from any thread, so only selectScene() needs a lock here. An operation that returns data of
+ * a scan makes its whole answer from one snapshot, so an answer never mixes two scans.
+ *
+ * The ORB owns the arguments, which are valid until the operation returns, and frees the results
+ * that are returned by pointer.
+ */
 class lms3dScannerServant : public POA_LMS3D::LaserScanner
 {
 public:
@@ -41,34 +50,76 @@ public:
     lms3dSettingsBoard& board, const lms3dSnapshotStore& store, const lms3dScanLoop& loop,
     lms3dListeners& listeners);
 
+  /// The paper's operation: the newest scan. Waits for the first scan, and throws CORBA::TRANSIENT
+  /// if it does not come in time, CORBA::IMP_LIMIT if the scan does not fit into a message.
   LMS3D::Data* fetch() override;
 
+  ///@{
+  /// The settings of the next scan. They do not wait for a scan.
   LMS3D::Pose getPose() override;
-  CORBA::ULongLong setPose(const LMS3D::Pose& newPose) override;
   LMS3D::Configuration getConfiguration() override;
-  CORBA::ULongLong setConfiguration(const LMS3D::Configuration& newConfiguration) override;
-  LMS3D::SceneNames* listScenes() override;
   LMS3D::Scene* getScene() override;
+  ///@}
+
+  ///@{
+  /// Change the settings for all clients and return the new generation. Throw LMS3D::NotPermitted
+  /// if the server is read-only, and LMS3D::InvalidArgument or LMS3D::LimitExceeded for values that
+  /// lms3dCheckPose() or lms3dCheckConfiguration() refuses. After an exception nothing is changed.
+  CORBA::ULongLong setPose(const LMS3D::Pose& newPose) override;
+  CORBA::ULongLong setConfiguration(const LMS3D::Configuration& newConfiguration) override;
+  ///@}
+
+  /// The names of the catalogue. Throws CORBA::IMP_LIMIT if they do not fit into a message.
+  LMS3D::SceneNames* listScenes() override;
+
+  /// Reads the scene in the calling thread, one scene at a time, and only then replaces the old one.
+  /// Throws LMS3D::NotPermitted if the server is read-only, LMS3D::NoSuchScene for a name that is
+  /// not in the catalogue, LMS3D::LimitExceeded above MaximumSelections, LMS3D::SceneFailed if the
+  /// file has no surface, and CORBA::TRANSIENT if the server ends meanwhile.
   CORBA::ULongLong selectScene(const char* name) override;
 
+  /// Does not wait for a scan. Before the first one, its number and times are 0.
   LMS3D::Status* getStatus() override;
+
+  ///@{
+  /// The newest scan. Throw LMS3D::NoScanYet before the first one. getScan() throws
+  /// LMS3D::LimitExceeded if the ranges do not fit into a message.
   LMS3D::ScanHeader* getHeader() override;
+  LMS3D::Scan* getScan() override;
+  ///@}
+
+  /// Occupies a thread of the ORB and a place of lms3dWaitingRoom while it waits, ten seconds at
+  /// most. Throws LMS3D::NoScanYet after `timeout` (milliseconds), LMS3D::LimitExceeded if no place
+  /// is free, and CORBA::TRANSIENT if the server ends.
   LMS3D::ScanHeader* waitForScan(
     CORBA::ULongLong after, CORBA::ULongLong generation, CORBA::ULong timeout) override;
-  LMS3D::Scan* getScan() override;
+
+  ///@{
+  /// Copies of parts of the scan `number`. Throw LMS3D::ScanGone if the store does not have the
+  /// scan, LMS3D::InvalidArgument if it has fewer than `first` + `count` items, and
+  /// LMS3D::LimitExceeded if they do not fit into a message.
   LMS3D::Ranges* getRanges(
     CORBA::ULongLong number, CORBA::ULong first, CORBA::ULong count) override;
   LMS3D::Coordinates* getMapPoints(
     CORBA::ULongLong number, CORBA::ULong first, CORBA::ULong count) override;
   LMS3D::Indices* getMapTriangles(
     CORBA::ULongLong number, CORBA::ULong first, CORBA::ULong count) override;
+  ///@}
 
+  /// Keeps a reference to the listener and returns the number of the subscription. Throws
+  /// LMS3D::NotPermitted if the server has no callbacks, LMS3D::InvalidArgument for nil, and what
+  /// lms3dListeners::Add() throws.
   CORBA::ULong subscribe(LMS3D::ScanListener_ptr listener) override;
+  /// Waits for a current call of the listener. Throws LMS3D::InvalidArgument if there is no such
+  /// subscription.
   void unsubscribe(CORBA::ULong subscription) override;
 
 private:
+  /// Throws LMS3D::NotPermitted if the server is read-only.
   void RequireWritable() const;
+  /// Never null. Throws LMS3D::NoScanYet before the first scan.
   lms3dSnapshotPointer GetNewest() const;
+  /// Never null. Throws LMS3D::ScanGone.
   lms3dSnapshotPointer Find(CORBA::ULongLong number) const;
 
   const lms3dPermissions Permissions;
@@ -77,7 +128,9 @@ private:
   const lms3dSnapshotStore& Store;
   const lms3dScanLoop& Loop;
   lms3dListeners& Listeners;
+  /// Locked while a scene is read.
   std::mutex SceneMutex;
+  /// Current calls of selectScene().
   std::atomic<unsigned int> Selections{ 0 };
   lms3dWaitingRoom Waiting;
 };

@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 
 #include <charconv>
-#include <cstddef>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -132,27 +131,14 @@ void AddFlag(CLI::App& app, const Option& option, lms3dServerOptions& options)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
-// Sets the option once for each time that it was given, so that the last value remains.
-void SetEach(const Option& option, const Words& words, lms3dServerOptions& options)
-{
-  const auto count = static_cast<std::size_t>(option.Count);
-  if (words.size() % count != 0)
-  {
-    throw std::invalid_argument(std::to_string(count) + " values must follow: " + option.Values);
-  }
-  for (auto first = words.begin(); first != words.end(); first += option.Count)
-  {
-    option.Set(options, { first, first + option.Count });
-  }
-}
-
+// Sets the option each time that it is given, so that the last value remains.
 void AddValues(CLI::App& app, const Option& option, lms3dServerOptions& options)
 {
   const auto set = [&option, &options](const Words& words)
   {
     try
     {
-      SetEach(option, words, options);
+      option.Set(options, words);
       return true;
     }
     catch (const std::invalid_argument& problem)
@@ -163,8 +149,8 @@ void AddValues(CLI::App& app, const Option& option, lms3dServerOptions& options)
   app.add_option(option.Name, set, option.Help)
     ->option_text(option.Values)
     ->type_name(option.Values)
-    ->expected(option.Count)
-    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    ->type_size(option.Count)
+    ->trigger_on_parse();
 }
 } // namespace
 

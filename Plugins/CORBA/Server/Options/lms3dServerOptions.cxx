@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <regex>
 #include <sstream>
@@ -33,35 +32,87 @@ Exit code: 0 ended by a signal, 1 failed while starting, 2 wrong options
 // The options that a configuration file must not have.
 void AddCommandLineOptions(CLI::App& app, lms3dServerOptions& options, Words& files)
 {
+  const auto addFile = [&files](const Words& words)
+  {
+    files.push_back(words[0]);
+    return true;
+  };
   app
-    .add_option("--config", files,
+    .add_option("--config", addFile,
       "read options from a file, one per line: \"rate = 5\",\n"
       "\"position = 0.3 -0.2 1\", \"read-only\"; # begins a comment line.\n"
       "The command line overrules the file")
     ->option_text("FILE")
     ->type_name("FILE")
-    ->expected(1)
-    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    ->trigger_on_parse();
   app.add_flag("--help", options.Help, "print this text");
   app.add_flag("--version", options.Version, "print the version of LMS3D");
 }
 
-// Throws std::invalid_argument.
-void Parse(CLI::App& app, Words words)
+// Refuses the value of a flag, and an empty one: CLI11 would take the next option as the value of
+// "--name=".
+void CheckEqualsSign(const CLI::Option& option, const std::string& value)
 {
-  for (std::string& word : words)
+  if (option.get_items_expected_max() == 0)
   {
-    // CLI11 accepts "-0.5" as a value, but takes "-.5" for an option.
-    if (word.rfind("-.", 0) == 0)
-    {
-      word.insert(1, "0");
-    }
+    throw std::invalid_argument(option.get_name() + ": it takes no value");
   }
-  // CLI11 expects the words in reverse order.
-  std::reverse(words.begin(), words.end());
+  if (value.empty())
+  {
+    throw std::invalid_argument(
+      option.get_name() + ": a value must follow the \"=\": " + option.get_type_name());
+  }
+}
+
+// `count` is the number of words after the option.
+void CheckCount(const CLI::Option& option, std::size_t count)
+{
+  const auto expected = static_cast<std::size_t>(option.get_items_expected_max());
+  if (count < expected)
+  {
+    throw std::invalid_argument(option.get_name() + ": " +
+      (expected == 1 ? "a value" : std::to_string(expected) + " values") +
+      " must follow: " + option.get_type_name());
+  }
+}
+
+// Throws std::invalid_argument if an option has too few values, or a flag has one.
+void CheckValues(const CLI::App& app, const Words& words)
+{
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const std::string& word = words[i];
+    const std::size_t equals = word.find('=');
+    const CLI::Option* const option = app.get_option_no_throw(word.substr(0, equals));
+    if (!option)
+    {
+      continue;
+    }
+    const bool hasValue = equals != std::string::npos;
+    if (hasValue)
+    {
+      CheckEqualsSign(*option, word.substr(equals + 1));
+    }
+    const std::size_t first = i + (hasValue ? 0 : 1);
+    CheckCount(*option, words.size() - first);
+    // The values may look like options.
+    i = first + static_cast<std::size_t>(option->get_items_expected_max()) - 1;
+  }
+}
+
+// Throws std::invalid_argument.
+void Parse(CLI::App& app, const Words& words)
+{
+  CheckValues(app, words);
   try
   {
-    app.parse(words);
+    // CLI11 expects the words in reverse order.
+    app.parse(Words(words.rbegin(), words.rend()));
+  }
+  catch (const CLI::ExtrasError&)
+  {
+    throw std::invalid_argument(
+      "The following argument was not expected: " + app.remaining().front());
   }
   catch (const CLI::Error& problem)
   {
@@ -81,11 +132,12 @@ Words MakeWords(const CLI::App& app, const std::string& line)
   }
   const std::string values = lms3dTrim(line.substr(equals + 1));
   const CLI::Option* const option = app.get_option_no_throw(name);
-  if (option && option->get_expected_max() == 0)
+  const int count = option ? option->get_items_expected_max() : 1;
+  if (count == 0)
   {
-    throw std::invalid_argument("it takes no value");
+    return values.empty() ? Words{ name } : throw std::invalid_argument("it takes no value");
   }
-  if (!option || option->get_expected_max() == 1)
+  if (count == 1)
   {
     return { name + '=' + values };
   }

@@ -4,8 +4,8 @@
  * @file
  * @brief Clients that occupy all places for waiting calls.
  */
-#ifndef CrowdOfWaiters_h
-#define CrowdOfWaiters_h
+#ifndef WaitingClients_h
+#define WaitingClients_h
 
 #include "LMS3DScanner.hh"
 
@@ -16,14 +16,14 @@
 
 /// Waits for a scan that never comes, with as many calls as the server permits, until its
 /// destruction.
-class CrowdOfWaiters
+class WaitingClients
 {
 public:
   /// Fails the test if the server refuses no call.
-  explicit CrowdOfWaiters(const std::string& reference);
-  ~CrowdOfWaiters();
-  CrowdOfWaiters(const CrowdOfWaiters&) = delete;
-  void operator=(const CrowdOfWaiters&) = delete;
+  explicit WaitingClients(const std::string& reference);
+  ~WaitingClients();
+  WaitingClients(const WaitingClients&) = delete;
+  void operator=(const WaitingClients&) = delete;
 
 private:
   void Wait();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CrowdOfWaiters.h"
+#include "WaitingClients.h"
 
 #include "ClientORB.h"
 
@@ -8,7 +8,7 @@
 
 #include <chrono>
 
-CrowdOfWaiters::CrowdOfWaiters(const std::string& reference)
+WaitingClients::WaitingClients(const std::string& reference)
   : Scanner(Connect(reference))
 {
   constexpr int Many = 40;
@@ -25,7 +25,7 @@ CrowdOfWaiters::CrowdOfWaiters(const std::string& reference)
   EXPECT_GT(this->Refused, 0);
 }
 
-CrowdOfWaiters::~CrowdOfWaiters()
+WaitingClients::~WaitingClients()
 {
   this->IsOver = true;
   for (std::thread& client : this->Clients)
@@ -35,7 +35,7 @@ CrowdOfWaiters::~CrowdOfWaiters()
 }
 
 // When a call times out, one that was refused takes its place.
-void CrowdOfWaiters::Wait()
+void WaitingClients::Wait()
 {
   constexpr CORBA::ULongLong Never = ~CORBA::ULongLong(0);
   while (!this->IsOver)
