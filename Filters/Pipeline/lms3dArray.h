@@ -29,7 +29,7 @@ void lms3dFillOffsets(IntegerT* offsets, std::size_t cells, int size)
 {
   for (std::size_t cell = 0; cell <= cells; ++cell)
   {
-    offsets[cell] = static_cast<IntegerT>(cell * size);
+    offsets[cell] = static_cast<IntegerT>(cell) * static_cast<IntegerT>(size);
   }
 }
 
