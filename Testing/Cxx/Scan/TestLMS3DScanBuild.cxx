@@ -100,9 +100,10 @@ vtkSmartPointer<vtkPolyData> MakeLargeScene()
   double* coordinate = coordinates->GetPointer(0);
   for (int i = 0; i < (Columns + 1) * (Rows + 1); ++i)
   {
+    const int row = i / (Columns + 1);
     *coordinate++ = 5.0;
     *coordinate++ = 0.01 * (i % (Columns + 1)) - 5.0;
-    *coordinate++ = 0.02 * (i / (Columns + 1)) - 5.0;
+    *coordinate++ = 0.02 * row - 5.0;
   }
   vtkNew<vtkIdTypeArray> corners;
   corners->SetNumberOfValues(6 * Columns * Rows);
