@@ -57,8 +57,9 @@ class WindowTest(unittest.TestCase):
         # VTK 9.2 crashes if a second window is made after one was destroyed.
         _windows.append(self.viewer)
 
-    def press(self, key):
+    def press(self, key, with_shift=False):
         """Press a key."""
+        self.viewer.interactor.SetShiftKey(with_shift)
         self.viewer.interactor.SetKeySym(key)
         self.viewer.interactor.InvokeEvent("KeyPressEvent")
 
@@ -201,20 +202,22 @@ class TestKeys(WindowTest):
         self.assertLess(self.simulation.returns, self.simulation.beams / 2)
 
     def test_keys_turn_the_sensor(self):
+        """An upper case letter stands for a key with shift, which X11 names z and others Z."""
         x, y, z = np.eye(3)
         for keys, turns in {"x": [(TURN, x)], "Y": [(-TURN, y)], "zzZ": [(TURN, z)],
                             "xz": [(TURN, x), (TURN, z)], "yxX": [(TURN, y)]}.items():
-            with self.subTest(keys):
-                for key in keys:
-                    self.press(key)
-                angles = self.simulation.sensor.GetOrientation()
-                np.testing.assert_allclose(
-                    rotation((angles[2], z), (angles[0], x), (angles[1], y)), rotation(*turns),
-                    atol=1e-12)
-                self.assertIn("{} {} {} degrees".format(*map(round, angles)), self.viewer.text)
-                self.press("r")
-                self.assertEqual(self.simulation.sensor.GetOrientation(), (0, 0, 0))
-                self.assertNotIn("degrees", self.viewer.text)
+            for change in (str.lower, str):
+                with self.subTest(keys, change=change):
+                    for key in keys:
+                        self.press(change(key), key.isupper())
+                    angles = self.simulation.sensor.GetOrientation()
+                    np.testing.assert_allclose(
+                        rotation((angles[2], z), (angles[0], x), (angles[1], y)),
+                        rotation(*turns), atol=1e-12)
+                    self.assertIn("{} {} {} degrees".format(*map(round, angles)), self.viewer.text)
+                    self.press("r")
+                    self.assertEqual(self.simulation.sensor.GetOrientation(), (0, 0, 0))
+                    self.assertNotIn("degrees", self.viewer.text)
 
     def test_the_scan_turns_with_the_sensor(self):
         before = self.simulation.ranges().reshape(TURNS, BEAMS).copy()

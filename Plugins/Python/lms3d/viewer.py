@@ -13,7 +13,7 @@ from .framing import level_axes
 from .pose import TURN_STEP, describe, turn
 
 _HELP = ("arrows: move as seen", "page up/down: height", "x y z: turn about red, green, blue axis",
-         "X Y Z: turn back", "mouse: camera", "r: reset", "q: quit")
+         "with shift: turn back", "mouse: camera", "r: reset", "q: quit")
 
 # Steps to the right and up in the picture, and along the world's z axis.
 _MOVES = {
@@ -24,9 +24,7 @@ _MOVES = {
     "Next": (0, 0, -1),
     "Prior": (0, 0, 1),
 }
-
-# The sensor's own axis, and the sense of the turn.
-_TURNS = {"x": (0, 1), "X": (0, -1), "y": (1, 1), "Y": (1, -1), "z": (2, 1), "Z": (2, -1)}
+_AXES = {"x": 0, "y": 1, "z": 2}
 
 _FONT_SIZE = 14  # pixels
 _LETTER_WIDTH = 7.5  # pixels, the mean of this font
@@ -92,11 +90,12 @@ class Window:
         return interactor
 
     def _on_key(self, interactor, _event):
-        key = interactor.GetKeySym()
+        # With shift, VTK names a letter z or Z, by the system.
+        key = interactor.GetKeySym() or ""
         if key in _MOVES:
             self._move(_MOVES[key])
-        elif key in _TURNS:
-            self._turn(*_TURNS[key])
+        elif key.lower() in _AXES:
+            self._turn(_AXES[key.lower()], -1 if interactor.GetShiftKey() else 1)
         elif key == "r":
             self.set_pose(*self._start)
             self._figure.reset_camera()
