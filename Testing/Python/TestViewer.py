@@ -11,8 +11,8 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonTransforms import vtkTransform
 
+from lms3d.camera import level_axes
 from lms3d.commands.demo import ROOM, simulate
-from lms3d.framing import level_axes
 from lms3d.viewer import Viewer
 
 DATA = os.environ.get("LMS3D_DATA_DIR") or Path(__file__).resolve().parents[2] / "Data"

@@ -25,7 +25,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from .framing import choose_direction, frame, reframe
+from .camera import frame, get_direction, reframe
 from .messages import VTKMessages
 from .problems import Problem
 
@@ -98,7 +98,7 @@ class Figure:
     def reset_camera(self):
         """Show the whole scene, from a side that the sensor sees."""
         surface = self._surface()
-        direction = choose_direction(surface.GetBounds(), self._marker.GetPosition())
+        direction = get_direction(surface.GetBounds(), self._marker.GetPosition())
         self._aspect = self._measure_aspect()
         frame(self.camera, _points(surface), direction, self._aspect)
         self._reset_clipping()

@@ -8,8 +8,8 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401 renders the help line
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindowInteractor, vtkTextActor
 
+from .camera import level_axes
 from .figure import Figure
-from .framing import level_axes
 from .pose import TURN_STEP, describe, turn
 
 _HELP = ("arrows: move as seen", "page up/down: height", "x y z: turn about red, green, blue axis",

@@ -14,7 +14,7 @@ _OFFSET = 25.0  # degrees about z, from a sensor outside the scene
 _EYE_LEVEL = 0.01  # the sine of the elevation above which a camera looks down
 
 
-def choose_direction(bounds, sensor):
+def get_direction(bounds, sensor):
     """Unit vector from the scene to the camera.
 
     If the sensor is inside the scene, a fixed direction from above. If it is outside, it sees only
