@@ -86,6 +86,11 @@ class TestWindow(unittest.TestCase):
         scanner = RemoteScanner(self.url)
         viewer = RemoteViewer(scanner, SIZE, "test", step=0.5)
         viewer.refresh()
+        # From there the arrow keys follow the axes x and y.
+        renderers = viewer.interactor.GetRenderWindow().GetRenderers()
+        camera = renderers.GetFirstRenderer().GetActiveCamera()
+        camera.SetFocalPoint(0, 0, 1)
+        camera.SetPosition(0, -10, 6)
         # VTK 9.2 crashes if a second window is made after one was destroyed.
         _windows.append(viewer)
         return scanner, viewer
@@ -125,6 +130,16 @@ class TestWindow(unittest.TestCase):
             np.testing.assert_allclose(scanner.pose()[1], (10, 20, 30), rtol=0, atol=1e-9)
             self.press(viewer, "r")
             self.assert_place(scanner, viewer, (0.3, -0.2, 1.0))
+
+    def test_keys_turn_the_servers_sensor(self):
+        with Server(*self.arguments):
+            scanner, viewer = self.open()
+            self.press(viewer, "z")
+            self.press(viewer, "z")
+            self.assert_soon(viewer, lambda: np.allclose(scanner.pose()[1], (0, 0, 30)))
+            self.assertEqual(scanner.pose()[0], (0.3, -0.2, 1.0))
+            self.press(viewer, "r")
+            self.assert_soon(viewer, lambda: np.allclose(scanner.pose()[1], (0, 0, 0)))
 
     def test_keys_add_up_while_a_scan_is_far_off(self):
         with Server(*self.arguments, "--rate", "0.3"):

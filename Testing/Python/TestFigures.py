@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The paper's Figures 5 and 6, and their maps' triangles, compared with reviewed pictures; their
-numbers; and the window in which keys move the sensor.
+"""The paper's Figures 5 and 6, and their maps' triangles, compared with reviewed pictures; and their
+numbers.
 
 The baselines are in the folder LMS3D_BASELINE_DIR, by default in ../Data/Baseline. They are made
 and compared with Mesa's llvmpipe. After an intended change, write new baselines and review them:
@@ -18,14 +18,12 @@ import unittest
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 from vtkmodules.vtkImagingCore import vtkImageDifference
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 from lms3d.commands.demo import ROOM, TEAPOT, simulate
 from lms3d.figure import Figure
 from lms3d.results import save
-from lms3d.viewer import Viewer
 
 HERE = Path(__file__).resolve().parent
 DATA = os.environ.get("LMS3D_DATA_DIR") or HERE.parents[1] / "Data"
@@ -167,39 +165,6 @@ class TestTriangles(FigureTest):
         """One of 52,255 returns on the floor is 1e-5 rad outside their common outline."""
         beside = replace(ROOM, position=(0.2, 0.0, 1.0), maximum_error=0.01)
         self.assertLess(simulate(beside, DATA).map.GetNumberOfCells(), 2000)
-
-
-class TestViewer(unittest.TestCase):
-    """The interactive window and its keys."""
-
-    def setUp(self):
-        self.simulation = simulate(ROOM, DATA, maximum_error=0.0)  # the map's vertices are returns
-        self.viewer = Viewer(self.simulation, (400, 160), step=0.25)
-        self.viewer.refresh()
-
-    def press(self, key):
-        self.viewer.interactor.SetKeySym(key)
-        self.viewer.interactor.InvokeEvent("KeyPressEvent")
-
-    def test_keys_move_the_sensor_and_the_map_follows(self):
-        start = np.array(ROOM.position)
-        for key, move in {"Left": (-1, 0, 0), "Right": (1, 0, 0), "Down": (0, -1, 0),
-                          "Up": (0, 1, 0), "Next": (0, 0, -1), "Prior": (0, 0, 1)}.items():
-            with self.subTest(key):
-                self.press(key)
-                position = start + 0.25 * np.array(move)
-                np.testing.assert_allclose(self.simulation.sensor.GetPosition(), position)
-                self.assertAlmostEqual(self.simulation.ranges()[0], position[2], places=12)
-                self.assertEqual(self.simulation.map.GetPointData().GetArray("Range").GetRange(),
-                                 self.simulation.scan.GetPointData().GetArray("Range").GetRange())
-                self.press("r")
-                np.testing.assert_array_equal(self.simulation.sensor.GetPosition(), start)
-
-    def test_a_sensor_outside_sees_the_room_from_there(self):
-        for _ in range(60):
-            self.press("Left")
-        self.assertLess(self.simulation.sensor.GetPosition()[0], -14)
-        self.assertLess(self.simulation.returns, self.simulation.beams / 2)
 
 
 def write_baselines():

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tests what ./run wants to install, with a copy of it on a system without packages.
+"""Tests what ./run wants to install, with a copy of it on a system without packages, and whether a
+second user can start it in a build that another user has made.
 
 LMS3D_RUN is the script. Programs in a folder of the test replace dpkg-query, which then lists no
 package, and apt-get, sudo and cmake, which record that they were called.
@@ -112,6 +113,45 @@ class TestRun(unittest.TestCase):
 
     def test_unknown_commands_are_refused(self):
         self.assertEqual(self.call("frobnicate").returncode, 2)
+
+    def built(self):
+        """A build with the Python package, which the user of second_call() may only read."""
+        build = self.root / "build"
+        package = build / "lib" / "python3" / "dist-packages" / "lms3d"
+        package.mkdir(parents=True)
+        (package / "__init__.py").write_text("print('the package')\n")
+        (build / "build.ninja").touch()
+        (build / "CMakeCache.txt").write_text("LMS3D_BUILD_CORBA:BOOL=OFF\n")
+        (build / ".made-for").write_text(self.stamp())
+        self.root.chmod(0o755)
+        build.chmod(0o555)
+        self.addCleanup(build.chmod, 0o755)
+        return build
+
+    def second_call(self, *command):
+        """The outcome of ./run for a user who may write nothing, not even if this test runs as root."""
+        user = ("setpriv", "--reuid=65534", "--regid=65534", "--clear-groups") if os.geteuid() == 0 else ()
+        return subprocess.run(
+            [*user, self.root / "run", *command], capture_output=True, text=True, check=False,
+            env={"PATH": f"{self.programs}:{os.environ['PATH']}", "HOME": "/nonexistent"})
+
+    def test_a_second_user_uses_the_build(self):
+        self.built()
+        before = sorted(self.root.rglob("*"))
+        outcome = self.second_call("python", "-c", "import lms3d")
+        self.assertEqual((outcome.returncode, outcome.stdout, outcome.stderr), (0, "the package\n", ""))
+        self.assertEqual(sorted(self.root.rglob("*")), before)
+
+    def test_a_second_user_cannot_build(self):
+        build = self.built()
+        for command in ("server", "build"):
+            outcome = self.second_call(command)
+            self.assertEqual(outcome.returncode, FAILED_BUILD, outcome.stderr)
+            self.assertIn("cannot write to", outcome.stderr)
+        build.chmod(0o755)
+        (build / ".made-for").write_text("/elsewhere debian 12\n")
+        build.chmod(0o555)
+        self.assertEqual(self.second_call("python").returncode, FAILED_BUILD)
 
 
 if __name__ == "__main__":

@@ -2,33 +2,38 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A 3D laser range finder (a SICK LMS 200 on a rotating support), simulated with VTK.
 
-Scan a scene and look at the ranges (metres; angles are in degrees, z is up):
+Scan a mesh (metres; angles are in degrees, z is up) and look at the ranges, a numpy array:
 
     import lms3d
-    from vtkmodules.util.numpy_support import vtk_to_numpy
 
-    scene = lms3d.vtkVRMLImporterSource()
-    scene.SetFileName("room.wrl")
-    scan = lms3d.vtkLMS3DScanFilter()
-    scan.SetInputConnection(scene.GetOutputPort())
-    scan.SetPosition(0.3, -0.2, 1.0)
-    scan.Update()
-    ranges = vtk_to_numpy(scan.GetOutput().GetPointData().GetArray("Range"))
+    scan = lms3d.scan((vertices, triangles), position=(0.3, -0.2, 1.0))
+    print(scan.ranges.shape, scan.points.shape)
+
+`scan` also accepts a vtkPolyData, and `reconstruct` makes a local map of triangles from a scan.
 
 The classes are ordinary VTK algorithms: vtkVRMLImporterSource reads a scene, vtkLMS3DScanFilter
-scans it, vtkLMS3DSurfaceReconstructionFilter makes a local map of triangles from a scan, and
+scans it, vtkLMS3DSurfaceReconstructionFilter makes a local map from a scan, and
 vtkLMS3DMapComparison measures how far the map is from the scene. If LMS3D was built with CORBA,
 vtkLMS3DRemoteSource shows the scans of a running server.
 Importing the package needs no display. The same job from a shell:
 ``python3 -m lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp``.
 """
 
-# The wrapped modules need their base classes to be loaded first.
-from vtkmodules import vtkCommonDataModel, vtkCommonExecutionModel  # noqa: F401
+from . import _loading
 
-from ._version import __version__  # noqa: F401
-from .vtkLMS3DFilters import *  # noqa: F401,F403
-from .vtkLMS3DReaders import *  # noqa: F401,F403
+try:
+    from ._version import __version__  # noqa: F401
+
+    _loading.check_vtk()
+    # The wrapped modules need their base classes to be loaded first.
+    from vtkmodules import vtkCommonDataModel, vtkCommonExecutionModel  # noqa: F401
+
+    from .vtkLMS3DFilters import *  # noqa: F401,F403
+    from .vtkLMS3DReaders import *  # noqa: F401,F403
+    from .mesh import Mesh  # noqa: F401
+    from .scanning import Scan, reconstruct, scan  # noqa: F401
+except ImportError as error:
+    raise ImportError(_loading.explain(error), name=error.name, path=error.path) from error
 
 
 def __getattr__(name):

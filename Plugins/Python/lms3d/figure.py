@@ -9,7 +9,6 @@ a room face inwards, so the walls between camera and furniture are not drawn.
 import ctypes
 import ctypes.util
 
-import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 the implementation of the classes below
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox
@@ -26,6 +25,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
+from .camera import frame, get_direction, reframe
 from .messages import VTKMessages
 from .problems import Problem
 
@@ -44,11 +44,7 @@ _LIGHTS = ((0.55, (0.30, 0.50, 0.81)), (0.48, (0.0, 0.0, 1.0)), (0.36, (-0.80, -
 
 _FEATURE_ANGLE = 30.0  # degrees; edges with a larger angle are drawn sharp
 _MARKER_SIZE = 0.04  # of the diagonal of the scene
-_VIEW_ANGLE = 25.0  # degrees, vertical
-_MARGIN = 1.05
-_CAMERA_ELEVATION = 38.0  # degrees above the horizon
-_CAMERA_AZIMUTH = -118.0  # degrees about z, from x
-_CAMERA_OFFSET = 25.0  # degrees about z, from a sensor outside the scene
+_SCREEN_SHARE = (0.95, 0.9)  # of the screen's width and height; window managers add a frame
 
 
 def check_display():
@@ -75,18 +71,20 @@ class Figure:
     """Scene and local map of a simulation side by side.
 
     `window` is the vtkRenderWindow, off screen by default, and `camera` the camera of both halves.
-    With `edges` the edges of the map's triangles are drawn.
+    A window on the screen is never larger than the screen. With `edges` the edges of the map's
+    triangles are drawn.
     """
 
     def __init__(self, simulation, size=DEFAULT_SIZE, off_screen=True, edges=False):
         check_display()
         self._simulation = simulation
+        self._aspect = None
         self._marker = _sensor_marker(_MARKER_SIZE * _diagonal(self._surface()))
         self.camera = vtkCamera()
         self.window = vtkRenderWindow()
         self.window.SetMultiSamples(0)
-        self.window.SetSize(*size)
         self.window.SetOffScreenRendering(off_screen)
+        self.window.SetSize(*(size if off_screen else self._limit_to_screen(size)))
         self._add_half(self._left_actor(), (0.0, 0.0, 0.5, 1.0))
         self._add_half(_map_actor(self._map_port(), edges), (0.5, 0.0, 1.0, 1.0))
         self.place_marker()
@@ -100,11 +98,17 @@ class Figure:
     def reset_camera(self):
         """Show the whole scene, from a side that the sensor sees."""
         surface = self._surface()
-        direction = _camera_direction(surface.GetBounds(), self._marker.GetPosition())
-        points = vtk_to_numpy(surface.GetPoints().GetData())
-        width, height = self.window.GetSize()
-        _frame(self.camera, points, direction, 0.5 * width / height)
+        direction = get_direction(surface.GetBounds(), self._marker.GetPosition())
+        self._aspect = self._measure_aspect()
+        frame(self.camera, _points(surface), direction, self._aspect)
         self._reset_clipping()
+
+    def follow_size(self):
+        """Keep the whole scene in view after the window's size has changed."""
+        old_aspect, self._aspect = self._aspect, self._measure_aspect()
+        if self._aspect != old_aspect and self._surface().GetNumberOfPoints() > 0:
+            reframe(self.camera, _points(self._surface()), old_aspect, self._aspect)
+            self._reset_clipping()
 
     def render(self):
         """Draw the figure."""
@@ -144,6 +148,16 @@ class Figure:
         renderer.AddActor(self._marker)
         _light(renderer)
         self.window.AddRenderer(renderer)
+
+    def _limit_to_screen(self, size):
+        screen = self.window.GetScreenSize()
+        return [min(pixels, int(share * side))
+                for pixels, share, side in zip(size, _SCREEN_SHARE, screen)]
+
+    def _measure_aspect(self):
+        """Width by height of each half."""
+        width, height = self.window.GetSize()
+        return 0.5 * max(width, 1) / max(height, 1)
 
     def _reset_clipping(self):
         """Set the clipping range by the left half: the scene contains the map."""
@@ -227,50 +241,9 @@ def _marker_part(source, color):
     return part
 
 
+def _points(surface):
+    return vtk_to_numpy(surface.GetPoints().GetData())
+
+
 def _diagonal(surface):
     return vtkBoundingBox(surface.GetBounds()).GetDiagonalLength()
-
-
-def _camera_direction(bounds, sensor):
-    """Unit vector from the scene to the camera.
-
-    If the sensor is inside the scene, a fixed direction from above. If it is outside, it sees only
-    one side of the scene, and the camera shows that side.
-    """
-    if vtkBoundingBox(bounds).ContainsPoint(sensor):
-        azimuth, elevation = np.radians((_CAMERA_AZIMUTH, _CAMERA_ELEVATION))
-    else:
-        x, y, z = np.subtract(sensor, np.reshape(bounds, (3, 2)).mean(axis=1))
-        azimuth = np.arctan2(y, x) + np.radians(_CAMERA_OFFSET)
-        elevation = np.clip(np.arctan2(z, np.hypot(x, y)), *np.radians((10, 60)))
-    flat = np.cos(elevation)
-    return np.array((flat * np.cos(azimuth), flat * np.sin(azimuth), np.sin(elevation)))
-
-
-def _frame(camera, points, direction, aspect):
-    """Place the camera in a direction, as near as possible so that all points are in the view."""
-    right = np.cross((0, 0, 1), direction)
-    right /= np.linalg.norm(right)
-    up = np.cross(direction, right)
-    slope = np.tan(np.radians(_VIEW_ANGLE / 2)) / _MARGIN
-
-    height = points @ direction
-    across, distance_across = _fit(points @ right, height, slope * aspect)
-    upward, distance_upward = _fit(points @ up, height, slope)
-    depth = height.mean()
-    focus = across * right + upward * up + depth * direction
-
-    camera.SetViewAngle(_VIEW_ANGLE)
-    camera.SetFocalPoint(focus)
-    camera.SetPosition(focus + (max(distance_across, distance_upward) - depth) * direction)
-    camera.SetViewUp(0, 0, 1)
-
-
-def _fit(offset, height, slope):
-    """The camera's position along an axis of the picture, and its height, to show every point.
-
-    A point is visible if abs(offset - position) <= slope * (camera height - height).
-    """
-    high = (offset + slope * height).max()
-    low = (offset - slope * height).min()
-    return (high + low) / 2, (high - low) / (2 * slope)

@@ -5,7 +5,8 @@
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from .figure import Figure
-from .viewer import Window, format_position
+from .pose import TURN_STEP, describe
+from .viewer import Window
 
 _POLL_INTERVAL = 50  # milliseconds between two checks for a new scan
 _HUES = (0.0, 0.667)  # from red, near, to blue, far
@@ -43,11 +44,11 @@ class RemoteFigure(Figure):
 class RemoteViewer(Window):
     """A window that shows a RemoteScanner and redraws with each scan."""
 
-    def __init__(self, scanner, size, title, step=None, edges=False):
+    def __init__(self, scanner, size, title, step=None, edges=False, turn_step=TURN_STEP):
         self._scanner = scanner
-        self._start = self._sent = scanner.pose()
+        self._sent = scanner.pose()
         super().__init__(RemoteFigure(scanner, size, off_screen=False, edges=edges), title, step,
-                         scanner.scan.GetLength())
+                         scanner.scan.GetLength(), turn_step)
         self.interactor.AddObserver("TimerEvent", self._poll)
         self.interactor.CreateRepeatingTimer(_POLL_INTERVAL)
 
@@ -56,32 +57,25 @@ class RemoteViewer(Window):
         self._scanner.update()
         if self._scanner.returns > 0:
             self._figure.place_marker()
-        self.draw(self._scanner.pose()[0], self._scanner.returns, "\n" + self._describe_state())
+        self.draw(self._scanner.pose(), self._scanner.returns, *self._describe_state())
 
-    def move(self, shift):
-        """Move the sensor from its pose, or from the pose that was sent last."""
-        position, orientation = self._pose()
-        self._send([x + d for x, d in zip(position, shift)], orientation)
-
-    def reset(self):
-        """Move the sensor to the pose of the first scan."""
-        self._send(*self._start)
-
-    def _pose(self):
+    def pose(self):
+        """The sensor's pose, or the pose that was sent last if its scan has not arrived yet."""
         return self._sent if self._scanner.is_pose_pending else self._scanner.pose()
+
+    def set_pose(self, position, orientation):
+        """Send a pose to the server."""
+        self._sent = (position, orientation)
+        self._scanner.send_pose(position, orientation)
+        self.refresh()
 
     def _describe_state(self):
         words = [f"scan {self._scanner.number:,}"]
         if self._scanner.is_pose_pending:
-            words.append(f"on the way to {format_position(self._sent[0])} m")
+            words.append(f"on the way to {describe(self._sent)}")
         if self._scanner.problem:
             words.append(self._scanner.problem)
-        return "    ".join(words)
-
-    def _send(self, position, orientation):
-        self._sent = (position, orientation)
-        self._scanner.send_pose(position, orientation)
-        self.refresh()
+        return words
 
     def _poll(self, *_):
         if self._scanner.has_news():

@@ -1,17 +1,21 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The interactive window: keys move the sensor, and the local map follows."""
+"""The interactive window: keys move and turn the sensor, and the local map follows."""
 
 import math
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 renders the help line
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor, vtkTextActor
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindowInteractor, vtkTextActor
 
+from .camera import level_axes
 from .figure import Figure
+from .pose import TURN_STEP, describe, turn
 
-_HELP = "arrows: x, y    page up/down: z    mouse: camera    r: reset    q: quit"
+_HELP = ("arrows: move as seen", "page up/down: height", "x y z: turn about red, green, blue axis",
+         "with shift: turn back", "mouse: camera", "r: reset", "q: quit")
 
+# Steps to the right and up in the picture, and along the world's z axis.
 _MOVES = {
     "Left": (-1, 0, 0),
     "Right": (1, 0, 0),
@@ -20,20 +24,32 @@ _MOVES = {
     "Next": (0, 0, -1),
     "Prior": (0, 0, 1),
 }
+_AXES = {"x": 0, "y": 1, "z": 2}
+
+_FONT_SIZE = 14  # pixels
+_LETTER_WIDTH = 7.5  # pixels, the mean of this font
+_TEXT_MARGIN = 10  # pixels
+_GAP = "    "
 
 
 class Window:
-    """A window on a figure, in which keys move a sensor by `step` metres, or by 1/50 of `length`.
+    """A window on a figure, in which keys move and turn a sensor.
 
-    Subclasses define how the sensor moves and how the figure is refreshed.
+    A key moves the sensor by `step` metres, or by 1/50 of `length`, and turns it by `turn_step`
+    degrees. Subclasses define where the sensor is, how it gets elsewhere and how the figure is
+    refreshed.
     """
 
-    def __init__(self, figure, title, step, length):
+    def __init__(self, figure, title, step, length, turn_step=TURN_STEP):
         self._figure = figure
         self._step = step or _round_step(length / 50)
+        self._turn_step = turn_step
+        self._start = self.pose()
+        self._parts = ()
         self._figure.window.SetWindowName(f"lms3d: {title}")
         self._text = self._add_text()
         self.interactor = self._make_interactor()
+        self._figure.window.AddObserver("WindowResizeEvent", self._on_resize)
 
     def run(self):
         """Show the window until it is closed."""
@@ -44,18 +60,18 @@ class Window:
         """Update the figure and draw it."""
         raise NotImplementedError
 
-    def move(self, shift):
-        """Move the sensor by metres along x, y and z."""
+    def pose(self):
+        """The sensor's position (metres) and orientation (degrees)."""
         raise NotImplementedError
 
-    def reset(self):
-        """Move the sensor back to its first position."""
+    def set_pose(self, position, orientation):
+        """Move the sensor to a pose, and draw."""
         raise NotImplementedError
 
-    def draw(self, position, returns, further=""):
-        """Draw, with a line of text about the sensor and the keys."""
-        self._text.SetInput(f"sensor {format_position(position)} m    {returns:,} returns    "
-                            f"{_HELP}{further}")
+    def draw(self, pose, returns, *further):
+        """Draw, with a text about the sensor and the keys."""
+        self._parts = (f"sensor {describe(pose)}", f"{returns:,} returns", *further)
+        self._set_text()
         self._figure.render()
 
     @property
@@ -74,54 +90,89 @@ class Window:
         return interactor
 
     def _on_key(self, interactor, _event):
-        key = interactor.GetKeySym()
+        # With shift, VTK names a letter z or Z, by the system.
+        key = interactor.GetKeySym() or ""
         if key in _MOVES:
-            self.move([self._step * x for x in _MOVES[key]])
+            self._move(_MOVES[key])
+        elif key.lower() in _AXES:
+            self._turn(_AXES[key.lower()], -1 if interactor.GetShiftKey() else 1)
         elif key == "r":
-            self.reset()
+            self.set_pose(*self._start)
             self._figure.reset_camera()
             self.refresh()
         elif key == "q":
             interactor.TerminateApp()
 
+    def _move(self, steps):
+        position, orientation = self.pose()
+        axes = (*level_axes(self._figure.camera), (0, 0, 1))
+        for count, axis in zip(steps, axes):
+            position = [x + self._step * count * a for x, a in zip(position, axis)]
+        self.set_pose(position, orientation)
+
+    def _turn(self, axis, sign):
+        position, orientation = self.pose()
+        self.set_pose(position, turn(orientation, axis, sign * self._turn_step))
+
+    def _on_resize(self, *_):
+        self._figure.follow_size()
+        self._set_text()
+
+    def _set_text(self):
+        letters = (self._figure.window.GetSize()[0] - 2 * _TEXT_MARGIN) / _LETTER_WIDTH
+        self._text.SetInput("\n".join(_wrap(self._parts, letters) + _wrap(_HELP, letters)))
+
     def _add_text(self):
+        """A text in a layer of its own, over both halves."""
         text = vtkTextActor()
-        text.SetPosition(10, 8)
-        text.GetTextProperty().SetFontSize(14)
+        text.SetPosition(_TEXT_MARGIN, 8)
+        text.GetTextProperty().SetFontSize(_FONT_SIZE)
         text.GetTextProperty().SetColor(0.2, 0.2, 0.2)
-        self._figure.window.GetRenderers().GetFirstRenderer().AddViewProp(text)
+        layer = vtkRenderer()
+        layer.SetLayer(1)
+        layer.InteractiveOff()
+        layer.AddViewProp(text)
+        self._figure.window.SetNumberOfLayers(2)
+        self._figure.window.AddRenderer(layer)
         return text
 
 
 class Viewer(Window):
     """A window that shows a simulation."""
 
-    def __init__(self, simulation, size, step=None, edges=False):
+    def __init__(self, simulation, size, step=None, edges=False, turn_step=TURN_STEP):
         self._simulation = simulation
-        self._start = simulation.sensor.GetPosition()
         super().__init__(Figure(simulation, size, off_screen=False, edges=edges),
-                         simulation.scene.path.name, step, simulation.scene.surface.GetLength())
+                         simulation.scene.path.name, step, simulation.scene.surface.GetLength(),
+                         turn_step)
 
     def refresh(self):
-        """Scan from the sensor's position and draw."""
+        """Scan from the sensor's pose and draw."""
         self._simulation.reconstruction.Update()
         self._figure.place_marker()
-        self.draw(self._simulation.sensor.GetPosition(), self._simulation.returns)
+        self.draw(self.pose(), self._simulation.returns)
 
-    def move(self, shift):
-        """Move the sensor by metres along x, y and z, and scan."""
-        position = self._simulation.sensor.GetPosition()
-        self._simulation.sensor.SetPosition(*(x + d for x, d in zip(position, shift)))
+    def pose(self):
+        """The sensor's position (metres) and orientation (degrees)."""
+        sensor = self._simulation.sensor
+        return sensor.GetPosition(), sensor.GetOrientation()
+
+    def set_pose(self, position, orientation):
+        """Move the sensor to a pose, scan, and draw."""
+        self._simulation.sensor.SetPosition(position)
+        self._simulation.sensor.SetOrientation(orientation)
         self.refresh()
 
-    def reset(self):
-        """Move the sensor back to its first position."""
-        self._simulation.sensor.SetPosition(self._start)
 
-
-def format_position(position):
-    """Coordinates with centimetres."""
-    return "  ".join(f"{x:.2f}" for x in position)
+def _wrap(parts, letters):
+    """Join the parts to lines of at most a number of letters, unless a single part is longer."""
+    lines = []
+    for part in parts:
+        if lines and len(lines[-1] + _GAP + part) <= letters:
+            lines[-1] += _GAP + part
+        else:
+            lines.append(part)
+    return lines
 
 
 def _round_step(length):

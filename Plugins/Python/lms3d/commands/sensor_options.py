@@ -4,26 +4,16 @@
 
 import argparse
 import math
-import re
 
 import numpy as np
 
 from .. import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
 from ..problems import UsageProblem
+from ..properties import MAXIMUM_COUNT, MAXIMUM_THREADS, METHODS
 from ..scene import READERS, UP_AXES, read_scene
 from ..simulation import Simulation
 
-
-# The filter's names, written as options: AngleSum is angle-sum.
-METHODS = {
-    re.sub(r"(?<!^)(?=[A-Z])", "-", vtkLMS3DScanFilter.GetIntersectionMethodName(i)).lower(): i
-    for i in range(vtkLMS3DScanFilter.GetNumberOfIntersectionMethods())
-}
-
-# The limits of vtkLMS3DScanFilter. A count is an int in VTK.
-_MAXIMUM_COUNT = 2**31 - 1
-_MAXIMUM_THREADS = 1024
-_MAXIMUM_COORDINATE = 1e18  # metres
+_MAXIMUM_COORDINATE = 1e18  # metres, as in vtkLMS3DScanFilter
 
 
 def number(text):
@@ -50,7 +40,7 @@ def bound(text):
     return value
 
 
-def count(text, maximum=_MAXIMUM_COUNT):
+def count(text, maximum=MAXIMUM_COUNT):
     """A whole number from 1 to `maximum`."""
     value = int(text)
     if value < 1:
@@ -62,7 +52,7 @@ def count(text, maximum=_MAXIMUM_COUNT):
 
 def thread_count(text):
     """A number of threads; 0 stands for all cores."""
-    return 0 if int(text) == 0 else count(text, _MAXIMUM_THREADS)
+    return 0 if int(text) == 0 else count(text, MAXIMUM_THREADS)
 
 
 def add_scene(parser, is_needed=True):
@@ -182,10 +172,10 @@ def check(options):
         raise UsageProblem("--position {:g} {:g} {:g}: must lie within {:g} of 0".format(
             *options.position, _MAXIMUM_COORDINATE))
     beams = options.alpha_resolution * options.beta_resolution
-    if beams > _MAXIMUM_COUNT:
+    if beams > MAXIMUM_COUNT:
         raise UsageProblem(
             f"--alpha-resolution {options.alpha_resolution} --beta-resolution "
-            f"{options.beta_resolution}: {beams} beams, at most {_MAXIMUM_COUNT} are possible")
+            f"{options.beta_resolution}: {beams} beams, at most {MAXIMUM_COUNT} are possible")
     low, high = options.alpha_range
     if not (-90 <= low and high <= 90 and _is_range(low, high, options.alpha_resolution)):
         raise UsageProblem(f"--alpha-range {low:g} {high:g}: must increase and lie within -90 90")

@@ -3,6 +3,7 @@
 """lms3d view: a window with the scene, and with the local map that follows the sensor."""
 
 from ..figure import Figure, check_display
+from ..pose import TURN_STEP
 from ..problems import UsageProblem
 from ..remote import RemoteScanner
 from ..results import check_targets, save
@@ -13,11 +14,13 @@ NAME = "view"
 SUMMARY = "move the sensor in a window; the local map follows"
 DESCRIPTION = """\
 Show the scene on the left in blue and the local map on the right in green. With --server, show the
-newest scan of a server (lms3d-server) on the left, coloured by range.
+newest scan of a server (lms3d-server) on the left, coloured by range. The window is never larger
+than the screen.
 
   mouse               turns, moves and zooms both views
-  arrow keys          move the sensor along x and y
+  arrow keys          move the sensor at its height: left, right, up and down as you see them
   page up, page down  move the sensor along z
+  x, y, z             turn the sensor about its red, green and blue axis; with shift, turn it back
   r                   resets sensor and camera
   q                   quits
 """
@@ -41,6 +44,9 @@ def add_arguments(parser):
     sensor_options.add_map(view)
     view.add_argument("--step", type=sensor_options.positive, metavar="M",
                       help="metres that a key moves the sensor (default: 1/50 of the scene's size)")
+    view.add_argument("--turn-step", type=sensor_options.positive, metavar="DEG",
+                      default=TURN_STEP,
+                      help=f"degrees that a key turns the sensor (default: {TURN_STEP:g})")
     view.add_argument("--screenshot", metavar="FILE",
                       help="write a picture to this .png and exit, without a window")
     picture_options.add_picture(view)
@@ -72,7 +78,7 @@ def _view_scene(options):
     else:
         from ..viewer import Viewer  # text and interaction: only here
 
-        Viewer(simulation, options.size, options.step, options.edges).run()
+        Viewer(simulation, options.size, options.step, options.edges, options.turn_step).run()
 
 
 def _view_server(options):
@@ -90,7 +96,8 @@ def _view_server(options):
     if options.screenshot:
         _draw(RemoteFigure(scanner, options.size, edges=options.edges), options.screenshot)
     else:
-        RemoteViewer(scanner, options.size, options.server, options.step, options.edges).run()
+        RemoteViewer(scanner, options.size, options.server, options.step, options.edges,
+                     options.turn_step).run()
 
 
 def _draw(figure, path):
