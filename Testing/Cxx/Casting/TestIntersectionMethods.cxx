@@ -25,7 +25,7 @@ constexpr double RangeError = 1e-9;
 const Vector Center = { 0.0, 0.0, 0.0 };
 const Vector OffCenter = { 0.1, 0.2, -0.3 };
 
-/// A mesh, a method, and what the method finds wrongly.
+/// The ray caster of a method, and the errors of its results against the exact reference.
 class CheckedCaster
 {
 public:

@@ -31,9 +31,9 @@ struct Target
   explicit Target(const lms3dTriangleMesh& mesh);
 
   const lms3dTriangleMesh& GetMesh() const { return this->Caster->GetMesh(); }
-  /// The corner of a triangle seen from an origin.
+  /// The corner of a triangle, relative to an origin.
   Vector GetRelativeCorner(const Vector& origin, std::size_t triangle, int corner) const;
-  /// Corners, points on edges and within a triangle, seen from an origin.
+  /// Corners, points on edges and within a triangle, relative to an origin.
   Beams GetRelativePoints(std::size_t triangle, const Vector& origin, Random& random) const;
   /// Beams at these points, exact except for the rounding of the direction. No corner may be at the
   /// origin.

@@ -6,6 +6,7 @@
  */
 #include "Fixtures/SceneFixtures.h"
 
+#include "Scan/lms3dBuiltScene.h"
 #include "vtkLMS3DScanFilter.h"
 
 #include <vtkAppendFilter.h>
@@ -205,6 +206,28 @@ TEST(LMS3DScanBuild, AMovedImageBuilds)
   EXPECT_TRUE(builds.After([&] { image->SetOrigin(-1.0, -1.0, -1.5); }));
   EXPECT_TRUE(builds.After([&] { image->SetSpacing(1.0, 1.0, 1.1); }));
   EXPECT_TRUE(builds.After([&] { image->SetDimensions(3, 3, 4); }));
+}
+
+// As in a process that has no part of the scene.
+TEST(LMS3DScanBuild, ASceneWithoutTrianglesIsUpToDateAfterOneUpdate)
+{
+  vtkNew<vtkPolyData> nothing;
+  int calls = 0;
+  const auto count = [&calls](double) { return ++calls > 0; };
+  lms3dBuiltScene scene;
+  ASSERT_TRUE(scene.Update(nothing, vtkLMS3DScanFilter::EXACT, count));
+  EXPECT_EQ(scene.GetCaster(), nullptr);
+  const vtkMTimeType built = scene.GetBuildTime();
+  EXPECT_GT(built, 0u);
+
+  calls = 0;
+  EXPECT_TRUE(scene.Update(nothing, vtkLMS3DScanFilter::EXACT, count));
+  EXPECT_EQ(calls, 0);
+  EXPECT_EQ(scene.GetBuildTime(), built);
+
+  EXPECT_TRUE(scene.Update(MakeBall(1.0, 12), vtkLMS3DScanFilter::EXACT, count));
+  EXPECT_NE(scene.GetCaster(), nullptr);
+  EXPECT_GT(scene.GetBuildTime(), built);
 }
 
 TEST(LMS3DScanBuild, AnotherMethodBuilds)
