@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The distances of vtkLMS3DMapComparison against those of VTK, triangle by triangle, and far away.
+ * @brief The distances of vtkLMS3DMapComparison against VTK's, triangle by triangle, and far away.
  */
 #include "Comparison/ComparisonFixtures.h"
 
