@@ -9,7 +9,6 @@ a room face inwards, so the walls between camera and furniture are not drawn.
 import ctypes
 import ctypes.util
 
-import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 the implementation of the classes below
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox
@@ -26,6 +25,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
+from .camera import frame, get_direction
 from .messages import VTKMessages
 from .problems import Problem
 
@@ -44,11 +44,6 @@ _LIGHTS = ((0.55, (0.30, 0.50, 0.81)), (0.48, (0.0, 0.0, 1.0)), (0.36, (-0.80, -
 
 _FEATURE_ANGLE = 30.0  # degrees; edges with a larger angle are drawn sharp
 _MARKER_SIZE = 0.04  # of the diagonal of the scene
-_VIEW_ANGLE = 25.0  # degrees, vertical
-_MARGIN = 1.05
-_CAMERA_ELEVATION = 38.0  # degrees above the horizon
-_CAMERA_AZIMUTH = -118.0  # degrees about z, from x
-_CAMERA_OFFSET = 25.0  # degrees about z, from a sensor outside the scene
 
 
 def check_display():
@@ -100,10 +95,10 @@ class Figure:
     def reset_camera(self):
         """Show the whole scene, from a side that the sensor sees."""
         surface = self._surface()
-        direction = _camera_direction(surface.GetBounds(), self._marker.GetPosition())
+        direction = get_direction(surface.GetBounds(), self._marker.GetPosition())
         points = vtk_to_numpy(surface.GetPoints().GetData())
         width, height = self.window.GetSize()
-        _frame(self.camera, points, direction, 0.5 * width / height)
+        frame(self.camera, points, direction, 0.5 * width / height)
         self._reset_clipping()
 
     def render(self):
@@ -229,48 +224,3 @@ def _marker_part(source, color):
 
 def _diagonal(surface):
     return vtkBoundingBox(surface.GetBounds()).GetDiagonalLength()
-
-
-def _camera_direction(bounds, sensor):
-    """Unit vector from the scene to the camera.
-
-    If the sensor is inside the scene, a fixed direction from above. If it is outside, it sees only
-    one side of the scene, and the camera shows that side.
-    """
-    if vtkBoundingBox(bounds).ContainsPoint(sensor):
-        azimuth, elevation = np.radians((_CAMERA_AZIMUTH, _CAMERA_ELEVATION))
-    else:
-        x, y, z = np.subtract(sensor, np.reshape(bounds, (3, 2)).mean(axis=1))
-        azimuth = np.arctan2(y, x) + np.radians(_CAMERA_OFFSET)
-        elevation = np.clip(np.arctan2(z, np.hypot(x, y)), *np.radians((10, 60)))
-    flat = np.cos(elevation)
-    return np.array((flat * np.cos(azimuth), flat * np.sin(azimuth), np.sin(elevation)))
-
-
-def _frame(camera, points, direction, aspect):
-    """Place the camera in a direction, as near as possible so that all points are in the view."""
-    right = np.cross((0, 0, 1), direction)
-    right /= np.linalg.norm(right)
-    up = np.cross(direction, right)
-    slope = np.tan(np.radians(_VIEW_ANGLE / 2)) / _MARGIN
-
-    height = points @ direction
-    across, distance_across = _fit(points @ right, height, slope * aspect)
-    upward, distance_upward = _fit(points @ up, height, slope)
-    depth = height.mean()
-    focus = across * right + upward * up + depth * direction
-
-    camera.SetViewAngle(_VIEW_ANGLE)
-    camera.SetFocalPoint(focus)
-    camera.SetPosition(focus + (max(distance_across, distance_upward) - depth) * direction)
-    camera.SetViewUp(0, 0, 1)
-
-
-def _fit(offset, height, slope):
-    """The camera's position along an axis of the picture, and its height, to show every point.
-
-    A point is visible if abs(offset - position) <= slope * (camera height - height).
-    """
-    high = (offset + slope * height).max()
-    low = (offset - slope * height).min()
-    return (high + low) / 2, (high - low) / (2 * slope)
