@@ -6,12 +6,10 @@
  */
 #include "Comparison/ComparisonFixtures.h"
 
-#include "vtkLMS3DScanFilter.h"
-#include "vtkLMS3DSurfaceReconstructionFilter.h"
-
 #include <vtkDummyCommunicator.h>
 #include <vtkDummyController.h>
 #include <vtkErrorCode.h>
+#include <vtkObjectFactory.h>
 
 #include <gtest/gtest.h>
 

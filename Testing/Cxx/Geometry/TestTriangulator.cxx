@@ -22,7 +22,7 @@ double GetArea(const Corners& corners, const std::vector<lms3dTriangulator::Tria
   {
     ofCorners.push_back({ corners[a], corners[b], corners[c] });
   }
-  return GetArea(ofCorners);
+  return ::GetArea(ofCorners);
 }
 
 /// Returns the area that the outline encloses. Requires a polygon in a plane z.

@@ -4,7 +4,6 @@
 
 #include "Fixtures/SceneBuilder.h"
 #include "Fixtures/SceneFixtures.h"
-#include "Fixtures/TriangleTree.h"
 
 #include "vtkVRMLImporterSource.h"
 
