@@ -73,8 +73,8 @@
  * methods round each piece differently.
  * @par
  * The filter warns once if the global ids show that cells are missing: ids up to N, but fewer than
- * N + 1 cells in all processes together (fewer than N if the ids start above 0, because some file
- * formats number from 1).
+ * N + 1 cells in all processes together. (If no cell has the id 0, fewer than N, because some file
+ * formats number from 1.)
  *
  * @par Updates
  * The acceleration structure (Embree) is built again only if the scene's triangles, their cell
