@@ -121,7 +121,8 @@ private:
   {
     const std::size_t minimumBeams = ThinnedGrid(ThinnedGrid::Strides.back()).GetNumberOfBeams();
     const double growth = setting.Against == "triangles" ? 10.0 : 1.0;
-    return growth * last * (setting.MayThin() ? static_cast<double>(minimumBeams) : setting.GetBeams());
+    return growth * last *
+      (setting.MayThin() ? static_cast<double>(minimumBeams) : setting.GetBeams());
   }
 
   void AddRow(const GrowthWork& work, const GrowthSetting& setting, const SeparateResult& result)

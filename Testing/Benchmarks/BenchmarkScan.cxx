@@ -104,7 +104,8 @@ void TimeScans(std::vector<ScanContender>& contenders, bool isQuick)
   for (int round = 0; round < maximumRounds; ++round)
   {
     TimeRound(contenders, round < (isQuick ? 1 : RoundsOfSlow));
-    if (round + 1 >= minimumRounds && std::none_of(contenders.begin(), contenders.end(), isDisturbed))
+    if (round + 1 >= minimumRounds &&
+      std::none_of(contenders.begin(), contenders.end(), isDisturbed))
     {
       return;
     }

@@ -132,7 +132,8 @@ bool ExactTriangle::IsInside(const Vector& origin, const Vector& direction) cons
   bool isRight = false;
   for (int i = 0; i < 3 && !(isLeft && isRight); ++i)
   {
-    const int sign = GetSign({ &direction, &origin, this->Corners[(i + 1) % 3], this->Corners[(i + 2) % 3] });
+    const int sign =
+      GetSign({ &direction, &origin, this->Corners[(i + 1) % 3], this->Corners[(i + 2) % 3] });
     isLeft = isLeft || sign > 0;
     isRight = isRight || sign < 0;
   }

@@ -182,7 +182,8 @@ INSTANTIATE_TEST_SUITE_P(IntersectionMethods, AnyMethod,
   testing::Range(0, Scan::GetNumberOfIntersectionMethods()), GetMethodName);
 
 INSTANTIATE_TEST_SUITE_P(IntersectionMethods, MethodThatSeesVertices,
-  testing::Values(Scan::EXACT, Scan::FAST, Scan::ANGLE_SUM, Scan::STATIC_CELL_LOCATOR), GetMethodName);
+  testing::Values(Scan::EXACT, Scan::FAST, Scan::ANGLE_SUM, Scan::STATIC_CELL_LOCATOR),
+  GetMethodName);
 
 INSTANTIATE_TEST_SUITE_P(IntersectionMethods, MethodThatSeesThroughItsStand,
   testing::Values(Scan::EXACT, Scan::ANGLE_SUM, Scan::MOLLER_TRUMBORE, Scan::STATIC_CELL_LOCATOR),

@@ -135,7 +135,8 @@ TEST(Triangulator, CutsPolygonsOfManyThousandCorners)
   EXPECT_NEAR(GetArea(comb, triangulator.GetTriangles()), 2.0 * 20000 + 2.0 * 20000, 1e-6);
   const Corners star = MakeStar(20000);
   EXPECT_TRUE(triangulator.Cut(star));
-  EXPECT_NEAR(GetArea(star, triangulator.GetTriangles()), 20000 * 2.0 * std::sin(lms3dPi / 20000), 1e-9);
+  EXPECT_NEAR(
+    GetArea(star, triangulator.GetTriangles()), 20000 * 2.0 * std::sin(lms3dPi / 20000), 1e-9);
 }
 
 TEST(Triangulator, SharesTheFirstOrTheLastCornerOfAQuadrilateral)

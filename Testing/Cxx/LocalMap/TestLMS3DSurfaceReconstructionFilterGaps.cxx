@@ -35,7 +35,8 @@ TEST(LMS3DSurfaceReconstructionFilter, NeverCrossesADepthStep)
 {
   // A plate one metre in front of a wall.
   const double x = 3.0;
-  PlainGridPipeline pipeline(Join(MakePolygon({ { x, -9, -9 }, { x, 9, -9 }, { x, 9, 9 }, { x, -9, 9 } }),
+  PlainGridPipeline pipeline(Join(
+    MakePolygon({ { x, -9, -9 }, { x, 9, -9 }, { x, 9, 9 }, { x, -9, 9 } }),
     MakePolygon(
       { { x - 1, -0.5, -0.5 }, { x - 1, 0.5, -0.5 }, { x - 1, 0.5, 0.5 }, { x - 1, -0.5, 0.5 } })));
   pipeline.Scan->SetAlphaRange(-40.0, 40.0);

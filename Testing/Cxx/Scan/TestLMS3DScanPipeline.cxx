@@ -240,5 +240,4 @@ TEST_P(EveryMethod, GivesTheSameBitsForAnyNumberOfThreads)
 }
 
 INSTANTIATE_TEST_SUITE_P(LMS3DScanPipeline, EveryMethod,
-  testing::Range(0, vtkLMS3DScanFilter::GetNumberOfIntersectionMethods()),
-  GetMethodName);
+  testing::Range(0, vtkLMS3DScanFilter::GetNumberOfIntersectionMethods()), GetMethodName);

@@ -46,7 +46,8 @@ TEST(LMS3DScanTrajectory, NumbersThePosesWithoutTimes)
   for (int port : { 0, 1 })
   {
     EXPECT_EQ(GetTimes(scan, port), (std::vector<double>{ 0, 1, 2 }));
-    const double* range = scan->GetOutputInformation(port)->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+    const double* range =
+      scan->GetOutputInformation(port)->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
     EXPECT_EQ(range[0], 0.0);
     EXPECT_EQ(range[1], 2.0);
   }

@@ -57,7 +57,8 @@ TEST(SceneTrianglesOfPolygons, AreExactForConvexPolygonsOfAnySize)
     const lms3dSceneTriangles scene = lms3dCollectTriangles(MakePolygon(MakeStar(sides, 2.0, 2.0)));
     EXPECT_EQ(scene.CrossedCells, 0);
     EXPECT_EQ(scene.Mesh.Triangles.size(), static_cast<std::size_t>(sides) - 2);
-    EXPECT_NEAR(GetArea(GetTriangles(scene.Mesh)), 2.0 * sides * std::sin(2.0 * lms3dPi / sides), 1e-9);
+    EXPECT_NEAR(
+      GetArea(GetTriangles(scene.Mesh)), 2.0 * sides * std::sin(2.0 * lms3dPi / sides), 1e-9);
   }
 }
 
@@ -72,7 +73,8 @@ TEST(SceneTrianglesOfPolygons, CoverARoundPolygonInSinglePrecision)
   polygon->SetPoints(points);
   const lms3dSceneTriangles scene = lms3dCollectTriangles(polygon);
   EXPECT_EQ(scene.CrossedCells, 0);
-  EXPECT_NEAR(GetArea(GetTriangles(scene.Mesh)), 2.0 * sides * std::sin(2.0 * lms3dPi / sides), 1e-5);
+  EXPECT_NEAR(
+    GetArea(GetTriangles(scene.Mesh)), 2.0 * sides * std::sin(2.0 * lms3dPi / sides), 1e-5);
 }
 
 TEST(SceneTrianglesOfPolygons, StopWithinOnePolygon)

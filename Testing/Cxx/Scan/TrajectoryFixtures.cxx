@@ -61,6 +61,7 @@ std::vector<double> GetTimes(vtkLMS3DScanFilter* scan, int port)
   scan->UpdateInformation();
   vtkInformation* info = scan->GetOutputInformation(port);
   const double* first = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
-  return first ? std::vector<double>(first, first + info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()))
+  return first ? std::vector<double>(
+                   first, first + info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()))
                : std::vector<double>();
 }

@@ -139,8 +139,8 @@ TEST_F(VRMLImporterSource, IsEmptyWithoutAnErrorAfterAnAbort)
   }
   this->Write(text);
   this->Reader->SetFileName(this->File.string().c_str());
-  auto abort = std::make_unique<ProgressListener>(this->Reader,
-    [&](double progress) { this->Reader->SetAbortExecute(progress > 0.3 ? 1 : 0); });
+  auto abort = std::make_unique<ProgressListener>(
+    this->Reader, [&](double progress) { this->Reader->SetAbortExecute(progress > 0.3 ? 1 : 0); });
   EXPECT_EQ(UpdateAndGetError(this->Reader), "");
   EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 0);
   EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoError);
