@@ -73,8 +73,8 @@
  * methods round each piece differently.
  * @par
  * The filter warns once if the global ids show that cells are missing: ids up to N, but fewer than
- * N + 1 cells in all processes together (fewer than N if the ids start above 0, because some file
- * formats number from 1).
+ * N + 1 cells in all processes together. (If no cell has the id 0, fewer than N, because some file
+ * formats number from 1.)
  *
  * @par Updates
  * The acceleration structure (Embree) is built again only if the scene's triangles, their cell
@@ -221,9 +221,9 @@ public:
    * vertices and Position as they are in double precision, and for the direction of the beam as it
    * is rounded (its length is 1 to about 3e-16). Triangles are closed, so no beam passes between
    * two triangles that share an edge or a vertex. A beam in the plane of a triangle does not hit
-   * it. A range is right to 3 units in its last place, however narrow the triangle is. (Where two
-   * surfaces are closer to one another than 1e-13 of their range, the range can be that of either
-   * surface.)
+   * it. A range is right to 3 units in its last place, however narrow the triangle is; in ordinary
+   * scenes it is the true range, rounded to double. (Where two surfaces are closer to one another
+   * than 1e-13 of their range, the range can be that of either surface.)
    *
    * FAST: Embree's single precision decides. The range is then computed in double precision in the
    * plane of the triangle that Embree found, to about 13 digits; at a grazing angle as many digits

@@ -32,9 +32,9 @@ public:
   /// World coordinates, metres.
   using Points = std::vector<lms3dVector>;
 
-  /// Takes the mesh over, which must have at least one triangle and none without area. `progress`
-  /// may be empty; the constructor throws lms3dBuildStopped if `progress` stopped the build.
-  explicit lms3dSurfaceQuery(lms3dTriangleMesh mesh, const lms3dProgress& progress = {});
+  /// Takes the mesh over, which must have at least one triangle and none without area. Throws
+  /// lms3dBuildStopped if `progress` stopped the build.
+  lms3dSurfaceQuery(lms3dTriangleMesh mesh, const lms3dProgress& progress);
 
   const lms3dTriangleMesh& GetMesh() const { return this->Mesh; }
 

@@ -119,9 +119,10 @@ private:
   // By the setting before, which had a tenth of the triangles or of the beams.
   static double GetPrediction(const GrowthSetting& setting, double last)
   {
-    const std::size_t fewest = ThinnedGrid(ThinnedGrid::Strides.back()).GetNumberOfBeams();
+    const std::size_t minimumBeams = ThinnedGrid(ThinnedGrid::Strides.back()).GetNumberOfBeams();
     const double growth = setting.Against == "triangles" ? 10.0 : 1.0;
-    return growth * last * (setting.MayThin() ? static_cast<double>(fewest) : setting.GetBeams());
+    return growth * last *
+      (setting.MayThin() ? static_cast<double>(minimumBeams) : setting.GetBeams());
   }
 
   void AddRow(const GrowthWork& work, const GrowthSetting& setting, const SeparateResult& result)

@@ -92,18 +92,20 @@ void TimeRound(std::vector<ScanContender>& contenders, bool withSlow)
   }
 }
 
-// ScanContenders take turns, so that another program disturbs all of them alike. While another process has one of the cores, only waiting helps.
+// ScanContenders take turns, so that another program disturbs all of them alike. While another process
+// has one of the cores, only waiting helps.
 void TimeScans(std::vector<ScanContender>& contenders, bool isQuick)
 {
-  const int fewest = isQuick ? 3 : 12;
-  const int most = isQuick ? 10 : 60;
+  const int minimumRounds = isQuick ? 3 : 12;
+  const int maximumRounds = isQuick ? 10 : 60;
   const auto isDisturbed = [](ScanContender& contender) {
     return contender.IsPresent() && !contender.IsSlow && contender.GetSpeedUp() < SpeedUpWhenQuiet;
   };
-  for (int round = 0; round < most; ++round)
+  for (int round = 0; round < maximumRounds; ++round)
   {
     TimeRound(contenders, round < (isQuick ? 1 : RoundsOfSlow));
-    if (round + 1 >= fewest && std::none_of(contenders.begin(), contenders.end(), isDisturbed))
+    if (round + 1 >= minimumRounds &&
+      std::none_of(contenders.begin(), contenders.end(), isDisturbed))
     {
       return;
     }

@@ -17,10 +17,10 @@ namespace
 {
 // Ends this process without what is done at the end of one, which its parent will do.
 [[noreturn]] void WorkAndEnd(
-  const std::function<std::vector<double>()>& work, unsigned int mostSeconds, int pipe)
+  const std::function<std::vector<double>()>& work, unsigned int maximumSeconds, int pipe)
 {
   int status = EXIT_FAILURE;
-  alarm(mostSeconds);
+  alarm(maximumSeconds);
   if (std::freopen("/dev/null", "w", stdout) && std::freopen("/dev/null", "w", stderr))
   {
     try
@@ -63,7 +63,7 @@ std::string GetFailure(int status)
 } // namespace
 
 SeparateResult RunSeparately(
-  const std::function<std::vector<double>()>& work, unsigned int mostSeconds)
+  const std::function<std::vector<double>()>& work, unsigned int maximumSeconds)
 {
   std::fflush(nullptr);
   int ends[2];
@@ -79,7 +79,7 @@ SeparateResult RunSeparately(
   if (child == 0)
   {
     close(ends[0]);
-    WorkAndEnd(work, mostSeconds, ends[1]);
+    WorkAndEnd(work, maximumSeconds, ends[1]);
   }
   close(ends[1]);
   SeparateResult result = { ReadNumbers(ends[0]), "" };

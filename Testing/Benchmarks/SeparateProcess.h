@@ -24,6 +24,6 @@ struct SeparateResult
  * Throws std::runtime_error where there can be no other process.
  */
 SeparateResult RunSeparately(
-  const std::function<std::vector<double>()>& work, unsigned int mostSeconds);
+  const std::function<std::vector<double>()>& work, unsigned int maximumSeconds);
 
 #endif

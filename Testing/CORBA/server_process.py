@@ -94,13 +94,6 @@ class Server:
         return int(pages) * resource.getpagesize()
 
 
-def find_free_port():
-    """A port of 127.0.0.1 that is free at the moment."""
-    with socket.socket() as listener:
-        listener.bind(("127.0.0.1", 0))
-        return listener.getsockname()[1]
-
-
 def wait_until(condition, seconds=20):
     """Whether the condition becomes true in time."""
     end = time.monotonic() + seconds

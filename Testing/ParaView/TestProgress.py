@@ -12,6 +12,7 @@ import unittest
 from pathlib import Path
 
 from paraview import simple
+from proxies import algorithm
 
 ROOM = str(Path(os.environ["LMS3D_DATA_DIR"]) / "room.wrl")
 SIDE = 400
@@ -28,11 +29,6 @@ def write_field(path):
     faces = " ".join("{}, {}, {}, {}, -1,".format(*corner) for corner in corners)
     path.write_text("#VRML V2.0 utf8\nShape { geometry IndexedFaceSet { coord Coordinate { point ["
                     f"{points}] }} coordIndex [{faces}] }} }}\n")
-
-
-def algorithm(proxy):
-    """The VTK filter behind a proxy."""
-    return proxy.SMProxy.GetClientSideObject()
 
 
 def count(proxy):

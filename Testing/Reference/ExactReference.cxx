@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExactReference.h"
 
-#include "ExactExpansion.h"
+#include "ExactTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,157 +23,9 @@ constexpr std::size_t LeafSize = 4;
 // Widens balls and ranges in the search, far beyond the rounding of a double.
 constexpr double Margin = 1e-14;
 
-template <typename Number>
-using Triple = std::array<Number, 3>;
-
-template <typename Number>
-Triple<Number> Subtract(const Vector& p, const Vector& q)
+Vector Subtract(const Vector& p, const Vector& q)
 {
-  return { Number(p[0]) - Number(q[0]), Number(p[1]) - Number(q[1]), Number(p[2]) - Number(q[2]) };
-}
-
-template <typename Number>
-Number GetDeterminant(const Triple<Number>& p, const Triple<Number>& q, const Triple<Number>& r)
-{
-  return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
-    p[2] * (q[0] * r[1] - q[1] * r[0]);
-}
-
-template <typename Number>
-Number GetMagnitude(const Number& x)
-{
-  return x < 0 ? -x : x;
-}
-
-// No determinant's terms sum to more than this.
-template <typename Number>
-Number GetSize(const Triple<Number>& p, const Triple<Number>& q, const Triple<Number>& r)
-{
-  Number size = 1;
-  for (const Triple<Number>* t : { &p, &q, &r })
-  {
-    size = size * (GetMagnitude((*t)[0]) + GetMagnitude((*t)[1]) + GetMagnitude((*t)[2]));
-  }
-  return size;
-}
-
-// Two units in the last place of 1.
-template <typename Number>
-Number GetPrecision()
-{
-  Number unit = 1;
-  while (Number(1) + unit / 2 != Number(1))
-  {
-    unit = unit / 2;
-  }
-  return 2 * unit;
-}
-
-/// Two points of a beam's path seen from where the determinant's origin is, and its direction.
-struct Edge
-{
-  const Vector* Direction;
-  const Vector* Origin;
-  const Vector* P;
-  const Vector* Q;
-};
-
-// A determinant rounds 10 times at most on the way to a term: below 5 such precisions of its size.
-template <typename Number>
-int GetCertainSign(const Edge& edge)
-{
-  static const Number bound = 8 * GetPrecision<Number>();
-  const Vector& d = *edge.Direction;
-  const Triple<Number> direction = { Number(d[0]), Number(d[1]), Number(d[2]) };
-  const Triple<Number> p = Subtract<Number>(*edge.P, *edge.Origin);
-  const Triple<Number> q = Subtract<Number>(*edge.Q, *edge.Origin);
-  const Number value = GetDeterminant(direction, p, q);
-  const Number error = bound * GetSize(direction, p, q);
-  return (value > error) - (value < -error);
-}
-
-int GetExactSign(const Edge& edge)
-{
-  const Vector& d = *edge.Direction;
-  const Triple<ExactExpansion> direction = { ExactExpansion(d[0]), ExactExpansion(d[1]),
-    ExactExpansion(d[2]) };
-  return GetDeterminant(direction, Subtract<ExactExpansion>(*edge.P, *edge.Origin),
-    Subtract<ExactExpansion>(*edge.Q, *edge.Origin))
-    .GetSign();
-}
-
-int GetSign(const Edge& edge)
-{
-  int sign = GetCertainSign<double>(edge);
-  sign = sign != 0 ? sign : GetCertainSign<Quad>(edge);
-  return sign != 0 ? sign : GetExactSign(edge);
-}
-
-bool IsInside(const Vector* const* corners, const Vector& origin, const Vector& direction)
-{
-  bool isLeft = false;
-  bool isRight = false;
-  for (int i = 0; i < 3 && !(isLeft && isRight); ++i)
-  {
-    const int sign = GetSign({ &direction, &origin, corners[(i + 1) % 3], corners[(i + 2) % 3] });
-    isLeft = isLeft || sign > 0;
-    isRight = isRight || sign < 0;
-  }
-  return isLeft != isRight;
-}
-
-/// The plane's offset and slope, whose quotient is the range.
-template <typename Number>
-std::pair<Number, Number> GetPlane(
-  const Vector* const* corners, const Vector& origin, const Vector& d)
-{
-  const Triple<Number> p = Subtract<Number>(*corners[1], *corners[0]);
-  const Triple<Number> q = Subtract<Number>(*corners[2], *corners[0]);
-  return { GetDeterminant(Subtract<Number>(*corners[0], origin), p, q),
-    GetDeterminant({ Number(d[0]), Number(d[1]), Number(d[2]) }, p, q) };
-}
-
-// Whether double precision proves that a plane is behind the origin, or beyond a limit.
-bool IsOutOfReach(const Vector* const* corners, const Vector& origin, const Vector& d, double limit)
-{
-  static const double bound = 8 * GetPrecision<double>();
-  const Triple<double> p = Subtract<double>(*corners[1], *corners[0]);
-  const Triple<double> q = Subtract<double>(*corners[2], *corners[0]);
-  const Triple<double> a = Subtract<double>(*corners[0], origin);
-  const double offset = GetDeterminant(a, p, q);
-  const double slope = GetDeterminant<double>(d, p, q);
-  const double offsetError = bound * GetSize(a, p, q);
-  const double slopeError = bound * GetSize<double>(d, p, q);
-  if (std::abs(offset) <= offsetError || std::abs(slope) <= slopeError)
-  {
-    return false;
-  }
-  const double least = (std::abs(offset) - offsetError) / (std::abs(slope) + slopeError);
-  return (offset < 0.0) != (slope < 0.0) || least > limit * (1.0 + Margin);
-}
-
-// Whether quadruple precision keeps 24 digits of a plane's offset and slope.
-bool IsWide(const Quad& offset, const Quad& slope, const Vector* const* corners,
-  const Vector& origin, const Vector& d)
-{
-  static const Quad share = 1e25 * GetPrecision<Quad>();
-  const Triple<Quad> p = Subtract<Quad>(*corners[1], *corners[0]);
-  const Triple<Quad> q = Subtract<Quad>(*corners[2], *corners[0]);
-  const Triple<Quad> a = Subtract<Quad>(*corners[0], origin);
-  return GetMagnitude(offset) > share * GetSize(a, p, q) &&
-    GetMagnitude(slope) > share * GetSize<Quad>({ d[0], d[1], d[2] }, p, q);
-}
-
-// The beam is known to cross the plane, so the slope is not 0.
-Quad GetRange(const Vector* const* corners, const Vector& origin, const Vector& direction)
-{
-  const auto [offset, slope] = GetPlane<Quad>(corners, origin, direction);
-  if (IsWide(offset, slope, corners, origin, direction))
-  {
-    return offset / slope;
-  }
-  const auto [exactOffset, exactSlope] = GetPlane<ExactExpansion>(corners, origin, direction);
-  return exactOffset.GetValue() / exactSlope.GetValue();
+  return { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
 }
 
 double GetDot(const Vector& p, const Vector& q)
@@ -244,7 +96,7 @@ void ExactReference::Enclose(Node& node) const
   node.Center = { 0.5 * low[0] + 0.5 * high[0], 0.5 * low[1] + 0.5 * high[1],
     0.5 * low[2] + 0.5 * high[2] };
   forEachCorner([&](const Vector& p)
-    { node.Radius = std::max(node.Radius, GetLength(Subtract<double>(p, node.Center))); });
+    { node.Radius = std::max(node.Radius, GetLength(Subtract(p, node.Center))); });
 }
 
 // Orders the node's triangles about their middle, along the axis in which they are spread most.
@@ -280,7 +132,7 @@ ExactReference::Hit ExactReference::Cast(
   // origin, or behind the nearest hit.
   const auto mayHit = [&](const Node& node)
   {
-    const Vector center = Subtract<double>(node.Center, origin);
+    const Vector center = Subtract(node.Center, origin);
     const double radius = node.Radius + Margin * (node.Radius + GetLength(center));
     const double along = GetDot(center, direction) / length;
     const double x = center[1] * direction[2] - center[2] * direction[1];
@@ -323,19 +175,20 @@ ExactReference::Hit ExactReference::Cast(
 ExactReference::Hit ExactReference::Cast(
   std::int32_t triangle, const Vector& origin, const Vector& direction, double limit) const
 {
-  const Vector* corners[3] = { &this->GetCorner(triangle, 0), &this->GetCorner(triangle, 1),
-    &this->GetCorner(triangle, 2) };
+  const ExactTriangle exact(
+    this->GetCorner(triangle, 0), this->GetCorner(triangle, 1), this->GetCorner(triangle, 2));
   static const Hit miss = { Quad(Infinity), Infinity, NoTriangle };
-  if (IsOutOfReach(corners, origin, direction, limit) || !IsInside(corners, origin, direction))
+  if (exact.IsOutOfReach(origin, direction, limit) || !exact.IsInside(origin, direction))
   {
     return miss;
   }
-  const Quad range = GetRange(corners, origin, direction);
+  const Quad range = exact.GetRange(origin, direction);
   return range > 0 && range < limit ? Hit{ range, static_cast<double>(range), triangle } : miss;
 }
 
 double ExactReference::GetError(double range, const Hit& truth)
 {
   const double unit = std::nextafter(truth.Range, Infinity) - truth.Range;
-  return static_cast<double>(GetMagnitude(range - truth.WideRange) / unit);
+  const Quad error = range - truth.WideRange;
+  return static_cast<double>((error < 0 ? -error : error) / unit);
 }

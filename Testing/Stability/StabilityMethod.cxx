@@ -20,7 +20,7 @@ std::vector<double> CastWith(const lms3dRayCaster& caster, const std::vector<Sta
   ranges.reserve(shots.size() * lms3dBeamPacket::Size);
   for (const StabilityShot& shot : shots)
   {
-    lms3dBeamPacket packet = Aim(shot.Directions);
+    lms3dBeamPacket packet = MakePacket(shot.Directions);
     const Vector& sensor = shot.Sensor;
     caster.Cast({ { sensor[0], sensor[1], sensor[2] }, lms3dBeamPacket::NoRange }, &packet, 1);
     ranges.insert(ranges.end(), std::begin(packet.Range), std::end(packet.Range));

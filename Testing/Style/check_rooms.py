@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks the C++ sources against the table of rooms in Documentation/architecture.md.
 
-Each folder with C++ sources is a room and has a row in the table. A row names the rooms whose
-headers the room may include, and the libraries that it may use. The rooms have no cycle.
+Each folder with C++ sources in Filters, Readers, Plugins and Testing/Cxx is a room and has a row in
+the table. A row names the rooms whose headers the room may include, and the libraries that it may
+use. The rooms have no cycle.
 
 Usage: check_rooms.py [ROOT]     Prints each violation and exits with 1 if there is one.
 """
@@ -14,10 +15,10 @@ import sys
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-FOLDERS = ("Filters", "Readers", "Plugins")
+FOLDERS = ("Filters", "Readers", "Plugins", "Testing/Cxx")
 ROW = re.compile(r"^\| `([\w/]+)` \|([^|]*)\|([^|]*)\|[^|]*\|$", re.MULTILINE)
-INCLUDE = re.compile(r'^#include ([<"])([^>"]+)[>"]', re.MULTILINE)
-# By the beginning of what is included in angle brackets.
+INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)
+# By the beginning of the header's name.
 LIBRARIES = {"ParaView": r"pq|vtkSM|vtkPV", "VTK": r"vtk", "TBB": r"tbb/", "Embree": r"embree\d/",
              "omniORB": r"omni", "Qt": r"Q[A-Z]"}
 
@@ -49,17 +50,24 @@ def get_library(include):
     return next((name for name, start in LIBRARIES.items() if re.match(start, include)), None)
 
 
+def names_room(include, target, source):
+    """Headers of the same room, and of a room without a parent, may be written without a room."""
+    is_near = target.parent == source.parent or len(target.parts) == 2
+    return f"/{target.as_posix()}".endswith(f"/{include}") and ("/" in include or is_near)
+
+
 def check_file(path, text, room, headers):
     """Yields the violations of one file."""
-    for bracket, include in INCLUDE.findall(text):
+    for include in INCLUDE.findall(text):
         target = headers.get(Path(include).name)
-        if bracket == '"' and target is not None:
-            if not str(target).endswith(include):
+        if target is not None:
+            if not names_room(include, target, path):
                 yield f'{path}: "{include}" is at {target}; write the room'
             if not room.may_include(target.parent.as_posix()):
                 yield f"{path}: {room.name} may not include {target}"
+            continue
         library = get_library(include)
-        if bracket == "<" and library and library not in room.libraries:
+        if library and library not in room.libraries:
             yield f"{path}: {room.name} may not use {library} ({include})"
 
 

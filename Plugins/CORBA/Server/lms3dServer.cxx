@@ -6,6 +6,7 @@
 #include "Common/lms3dLog.h"
 #include "Connections/lms3dRequestGate.h"
 #include "Object/lms3dSettingsCheck.h"
+#include "Options/lms3dOptionsCheck.h"
 
 #include <iostream>
 #include <stdexcept>

@@ -103,7 +103,7 @@ Tally JudgeGrazing(const Target& target, const Vector& sensor, const Vector& foo
     [&](std::size_t number)
     {
       Random random(number);
-      Beams beams = target.LookAt(0, sensor, random);
+      Beams beams = target.GetRelativePoints(0, sensor, random);
       for (Vector& beam : beams)
       {
         const Vector toFoot = foot - sensor;
@@ -161,7 +161,7 @@ TEST(ExactRanges, CountUpToTheLimitAndNotAUnitFarther)
   Random random(2);
   for (std::size_t triangle = 0; triangle < target.GetMesh().GetNumberOfTriangles(); ++triangle)
   {
-    const Beams beams = target.AimAt(triangle, sensor, random);
+    const Beams beams = target.MakeBeamsAt(triangle, sensor, random);
     const lms3dBeamPacket free = target.Cast(sensor, beams);
     for (int i = 0; i < lms3dBeamPacket::Size; ++i)
     {

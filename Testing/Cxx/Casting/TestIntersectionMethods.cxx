@@ -4,16 +4,14 @@
  * @file
  * @brief What the header of vtkLMS3DScanFilter promises of methods other than the exact one.
  */
+#include "Casting/MethodFixtures.h"
 #include "Fixtures/CasterFixtures.h"
 
 #include "vtkLMS3DScanFilter.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string>
 
 namespace
 {
@@ -27,11 +25,11 @@ constexpr double RangeError = 1e-9;
 const Vector Center = { 0.0, 0.0, 0.0 };
 const Vector OffCenter = { 0.1, 0.2, -0.3 };
 
-/// A mesh, a method, and what the method finds wrongly.
-class Contest
+/// The ray caster of a method, and the errors of its results against the exact reference.
+class CheckedCaster
 {
 public:
-  Contest(int method, const lms3dTriangleMesh& mesh)
+  CheckedCaster(int method, const lms3dTriangleMesh& mesh)
     : Caster(lms3dRayCaster::New(method, mesh))
     , Reference(mesh.Points, mesh.Triangles)
   {
@@ -39,7 +37,7 @@ public:
 
   void Cast(const Vector& sensor, const Beams& beams)
   {
-    lms3dBeamPacket packet = Aim(beams);
+    lms3dBeamPacket packet = MakePacket(beams);
     this->Caster->Cast(
       { { sensor[0], sensor[1], sensor[2] }, lms3dBeamPacket::NoRange }, &packet, 1);
     for (int i = 0; i < lms3dBeamPacket::Size; ++i)
@@ -79,11 +77,6 @@ Beams MakeRandomBeams(Random& random)
   return beams;
 }
 
-std::string GetName(const testing::TestParamInfo<int>& method)
-{
-  return Scan::GetIntersectionMethodName(method.param);
-}
-
 class AnyMethod : public testing::TestWithParam<int>
 {
 };
@@ -110,7 +103,7 @@ TEST_P(AnyMethod, NeverHitsTrianglesWithoutArea)
     const Vector q = 0.5 * ball.Points[i + 1];
     Append(MakeMesh({ { { p, p, p } }, { { p, q, p } }, { { p, q, q } } }), mesh);
   }
-  Contest contest(GetParam(), mesh);
+  CheckedCaster caster(GetParam(), mesh);
   Random random(1);
   for (int i = 0; i < Packets; ++i)
   {
@@ -121,27 +114,27 @@ TEST_P(AnyMethod, NeverHitsTrianglesWithoutArea)
     {
       beam = Normalize(p + random.Get() * (q - p) - OffCenter);
     }
-    contest.Cast(OffCenter, beams);
+    caster.Cast(OffCenter, beams);
   }
-  contest.ExpectNoneWrong();
+  caster.ExpectNoneWrong();
 }
 
 TEST_P(AnyMethod, SeesABallAllAround)
 {
   const lms3dTriangleMesh ball = MakeIcosphere(3);
-  Contest contest(GetParam(), ball);
+  CheckedCaster caster(GetParam(), ball);
   Random random(2);
   for (int i = 0; i < Packets; ++i)
   {
-    contest.Cast(OffCenter, MakeRandomBeams(random));
+    caster.Cast(OffCenter, MakeRandomBeams(random));
   }
-  contest.ExpectNoneWrong();
+  caster.ExpectNoneWrong();
 }
 
 TEST_P(MethodThatSeesVertices, LosesNoneOfTheirBeams)
 {
   const lms3dTriangleMesh ball = MakeIcosphere(3);
-  Contest contest(GetParam(), ball);
+  CheckedCaster caster(GetParam(), ball);
   Random random(3);
   for (int i = 0; i < Packets; ++i)
   {
@@ -152,45 +145,46 @@ TEST_P(MethodThatSeesVertices, LosesNoneOfTheirBeams)
       {
         beam = Normalize(ball.Points[random.GetBits() % ball.Points.size()] - sensor);
       }
-      contest.Cast(sensor, beams);
+      caster.Cast(sensor, beams);
     }
   }
-  contest.ExpectNoneWrong();
+  caster.ExpectNoneWrong();
 }
 
 TEST_P(MethodThatSeesThroughItsStand, SeesTheOtherSideOfABallFromItsVertices)
 {
   const lms3dTriangleMesh ball = MakeIcosphere(3);
-  Contest contest(GetParam(), ball);
+  CheckedCaster caster(GetParam(), ball);
   Random random(4);
   for (int i = 0; i < Packets; ++i)
   {
-    contest.Cast(ball.Points[i], MakeRandomBeams(random));
+    caster.Cast(ball.Points[i], MakeRandomBeams(random));
   }
-  contest.ExpectNoneWrong();
+  caster.ExpectNoneWrong();
 }
 
 TEST_P(MethodThatSeesThroughItsStand, SeesTheOtherSidesOfACubeFromItsTop)
 {
-  Contest contest(GetParam(), MakeCube(2));
+  CheckedCaster caster(GetParam(), MakeCube(2));
   Random random(5);
   for (const Vector& sensor : { Vector{ 0.25, 0.5, 1.0 }, Vector{ 0.5, 0.5, 1.0 },
          Vector{ 0.0, 0.0, 1.0 }, Vector{ 1.0, 0.25, 1.0 }, Vector{ 1.0, 1.0, 1.0 } })
   {
     for (int i = 0; i < Packets / 5; ++i)
     {
-      contest.Cast(sensor, MakeRandomBeams(random));
+      caster.Cast(sensor, MakeRandomBeams(random));
     }
   }
-  contest.ExpectNoneWrong();
+  caster.ExpectNoneWrong();
 }
 
 INSTANTIATE_TEST_SUITE_P(IntersectionMethods, AnyMethod,
-  testing::Range(0, Scan::GetNumberOfIntersectionMethods()), GetName);
+  testing::Range(0, Scan::GetNumberOfIntersectionMethods()), GetMethodName);
 
 INSTANTIATE_TEST_SUITE_P(IntersectionMethods, MethodThatSeesVertices,
-  testing::Values(Scan::EXACT, Scan::FAST, Scan::ANGLE_SUM, Scan::STATIC_CELL_LOCATOR), GetName);
+  testing::Values(Scan::EXACT, Scan::FAST, Scan::ANGLE_SUM, Scan::STATIC_CELL_LOCATOR),
+  GetMethodName);
 
 INSTANTIATE_TEST_SUITE_P(IntersectionMethods, MethodThatSeesThroughItsStand,
   testing::Values(Scan::EXACT, Scan::ANGLE_SUM, Scan::MOLLER_TRUMBORE, Scan::STATIC_CELL_LOCATOR),
-  GetName);
+  GetMethodName);

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What the header of vtkLMS3DScanFilter promises of bad, large, tiny and far scenes, for each
+ * @brief What the header of vtkLMS3DScanFilter promises of bad and far scenes, for each
  * method.
  */
+#include "Casting/MethodFixtures.h"
 #include "Fixtures/SceneFixtures.h"
 
 #include "vtkLMS3DScanFilter.h"
 
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
@@ -18,11 +18,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <vector>
 
 namespace
 {
@@ -32,26 +30,6 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 class RobustMethods : public testing::TestWithParam<int>
 {
 };
-
-/// All but VTK's, whose tolerance is a length: it hits beyond a limit, tiny scenes grow by it, and
-/// beams are lost where coordinates are rounded to more.
-class RobustOwnMethods : public testing::TestWithParam<int>
-{
-};
-
-// The share of beams that must hit from within a closed mesh: beams at vertices and edges may be
-// lost where the header says so.
-double GetLeastShare(int method)
-{
-  switch (method)
-  {
-    case vtkLMS3DScanFilter::MOLLER_TRUMBORE:
-    case vtkLMS3DScanFilter::STATIC_CELL_LOCATOR:
-      return 0.98;
-    default:
-      return 1.0;
-  }
-}
 
 // How far, relative to the range, a far scene may seem to be off.
 double GetFarError(int method)
@@ -87,14 +65,6 @@ vtkSmartPointer<vtkPolyData> MakeBadTriangle(double bad, int corner)
   return triangle;
 }
 
-void Prepare(vtkLMS3DScanFilter* scan, vtkPolyData* scene, int method)
-{
-  scan->SetInputData(scene);
-  scan->SetIntersectionMethod(method);
-  scan->SetAlphaResolution(31);
-  scan->SetBetaResolution(36);
-}
-
 std::size_t Count(const std::string& text, const std::string& word)
 {
   std::size_t count = 0;
@@ -105,14 +75,6 @@ std::size_t Count(const std::string& text, const std::string& word)
   return count;
 }
 
-std::string UpdateAndGetWarning(vtkLMS3DScanFilter* scan)
-{
-  vtkNew<vtkTest::ErrorObserver> observer;
-  const unsigned long tag = scan->AddObserver(vtkCommand::WarningEvent, observer);
-  EXPECT_EQ(UpdateAndGetError(scan), "");
-  scan->RemoveObserver(tag);
-  return observer->GetWarningMessage();
-}
 } // namespace
 
 TEST_P(RobustMethods, LeavesCellsOutThatAreNotFinite)
@@ -120,9 +82,9 @@ TEST_P(RobustMethods, LeavesCellsOutThatAreNotFinite)
   vtkSmartPointer<vtkPolyData> ball = MakeBall(1.0, 24);
   vtkSmartPointer<vtkPolyData> floor = MakeFloor(1.0, -5.0);
   vtkNew<vtkLMS3DScanFilter> clean;
-  Prepare(clean, Join(ball, floor), GetParam());
+  SetUpScan(clean, Join(ball, floor), GetParam());
   EXPECT_EQ(UpdateAndGetWarning(clean), "");
-  ASSERT_GE(clean->GetOutput()->GetNumberOfPoints(), GetLeastShare(GetParam()) * 31 * 36);
+  ASSERT_GE(clean->GetOutput()->GetNumberOfPoints(), GetMinimumShare(GetParam()) * 31 * 36);
 
   vtkSmartPointer<vtkPolyData> scene = ball;
   int count = 0;
@@ -133,7 +95,7 @@ TEST_P(RobustMethods, LeavesCellsOutThatAreNotFinite)
   // A good cell after the bad ones.
   scene = Join(scene, floor);
   vtkNew<vtkLMS3DScanFilter> scan;
-  Prepare(scan, scene, GetParam());
+  SetUpScan(scan, scene, GetParam());
   const std::string warning = UpdateAndGetWarning(scan);
   EXPECT_EQ(Count(warning, "cells with a point that is not finite"), 1u) << warning;
   EXPECT_NE(warning.find("left out: 5."), std::string::npos) << warning;
@@ -145,7 +107,7 @@ TEST_P(RobustMethods, LeavesCellsOutThatAreNotFinite)
 TEST_P(RobustMethods, KeepsTheNumbersOfTheCellsBehindThoseLeftOut)
 {
   vtkNew<vtkLMS3DScanFilter> scan;
-  Prepare(scan, Join(MakeBadTriangle(NaN, 0), MakeFloor(1.0, -1.0)), GetParam());
+  SetUpScan(scan, Join(MakeBadTriangle(NaN, 0), MakeFloor(1.0, -1.0)), GetParam());
   EXPECT_NE(UpdateAndGetWarning(scan), "");
   ASSERT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(scan->GetOutput()->GetPointData()->GetArray("CellId")->GetRange()[0], 1.0);
@@ -154,7 +116,7 @@ TEST_P(RobustMethods, KeepsTheNumbersOfTheCellsBehindThoseLeftOut)
 TEST_P(RobustMethods, WarnsOnlyWhenItBuilds)
 {
   vtkNew<vtkLMS3DScanFilter> scan;
-  Prepare(scan, Join(MakeBall(1.0, 8), MakeBadTriangle(NaN, 0)), GetParam());
+  SetUpScan(scan, Join(MakeBall(1.0, 8), MakeBadTriangle(NaN, 0)), GetParam());
   EXPECT_NE(UpdateAndGetWarning(scan), "");
   scan->SetPosition(0.1, 0.0, 0.0);
   EXPECT_EQ(UpdateAndGetWarning(scan), "");
@@ -163,7 +125,7 @@ TEST_P(RobustMethods, WarnsOnlyWhenItBuilds)
 TEST_P(RobustMethods, RefusesASceneWithoutAUsableCell)
 {
   vtkNew<vtkLMS3DScanFilter> scan;
-  Prepare(scan, Join(MakeBadTriangle(NaN, 0), MakeBadTriangle(1e19, 1)), GetParam());
+  SetUpScan(scan, Join(MakeBadTriangle(NaN, 0), MakeBadTriangle(1e19, 1)), GetParam());
   EXPECT_NE(UpdateAndGetError(scan), "");
   EXPECT_EQ(scan->GetErrorCode(), vtkErrorCode::UserError);
   EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
@@ -174,10 +136,10 @@ TEST_P(RobustMethods, SeesDuplicatedFacesAsOne)
 {
   vtkSmartPointer<vtkPolyData> ball = MakeBall(1.0, 24);
   vtkNew<vtkLMS3DScanFilter> once;
-  Prepare(once, ball, GetParam());
+  SetUpScan(once, ball, GetParam());
   once->Update();
   vtkNew<vtkLMS3DScanFilter> twice;
-  Prepare(twice, Join(ball, ball), GetParam());
+  SetUpScan(twice, Join(ball, ball), GetParam());
   twice->Update();
   ExpectSameRanges(twice, once);
   const std::uint64_t first = Hash(twice->GetOutput());
@@ -189,54 +151,10 @@ TEST_P(RobustMethods, SeesDuplicatedFacesAsOne)
 TEST_P(RobustMethods, NeverReturnsTheSurfaceItStandsOn)
 {
   vtkNew<vtkLMS3DScanFilter> scan;
-  Prepare(scan, MakeFloor(10.0, 0.0), GetParam());
+  SetUpScan(scan, MakeFloor(10.0, 0.0), GetParam());
   scan->SetPosition(0.25, 0.5, 0.0);
   scan->Update();
   EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
-}
-
-TEST_P(RobustOwnMethods, SeesScenesOfAnySizeAtAnyOffset)
-{
-  for (double scale : { 1e-6, 1e-3, 1.0, 1e3, 1e7 })
-  {
-    for (double offset : { 0.0, 1e5, 1e7 })
-    {
-      vtkSmartPointer<vtkPolyData> ball = MakeBall(1.0, 24);
-      const double inradius = GetInradius(ball);
-      const Point center = { scale * offset, 0.0, -scale * offset };
-      Place(ball, scale, center);
-      vtkNew<vtkLMS3DScanFilter> scan;
-      Prepare(scan, ball, GetParam());
-      scan->SetPosition(center.data());
-      scan->SetMaximumRange(Infinity);
-      scan->Update();
-      ASSERT_GE(scan->GetOutput()->GetNumberOfPoints(), GetLeastShare(GetParam()) * 31 * 36)
-        << scale << ", " << offset;
-      // The vertices themselves are rounded at an offset.
-      const double tolerance = scale * (1e-14 + 4e-16 * offset);
-      const double* ranges = GetArray(scan, "Range")->GetRange();
-      EXPECT_GE(ranges[0], scale * inradius - tolerance) << scale << ", " << offset;
-      EXPECT_LE(ranges[1], scale + tolerance) << scale << ", " << offset;
-    }
-  }
-}
-
-TEST_P(RobustOwnMethods, SeesTinyScenes)
-{
-  for (double radius : { 1e-9, 1e-15, 1e-20, 1e-22, 1e-24, 1e-100 })
-  {
-    vtkSmartPointer<vtkPolyData> ball = MakeBall(1.0, 12);
-    const double inradius = GetInradius(ball);
-    Place(ball, radius, {});
-    vtkNew<vtkLMS3DScanFilter> scan;
-    Prepare(scan, ball, GetParam());
-    EXPECT_EQ(UpdateAndGetWarning(scan), "") << radius;
-    ASSERT_GE(scan->GetOutput()->GetNumberOfPoints(), GetLeastShare(GetParam()) * 31 * 36)
-      << radius;
-    const double* ranges = GetArray(scan, "Range")->GetRange();
-    EXPECT_GE(ranges[0], radius * inradius * (1.0 - 1e-14)) << radius;
-    EXPECT_LE(ranges[1], radius * (1.0 + 1e-14)) << radius;
-  }
 }
 
 TEST_P(RobustMethods, MayStandAsFarAwayAsItLikes)
@@ -250,9 +168,9 @@ TEST_P(RobustMethods, MayStandAsFarAwayAsItLikes)
       {
         vtkSmartPointer<vtkPolyData> ball = MakeBall(1.0, 8);
         const double inradius = GetInradius(ball);
-        Place(ball, radius, {});
+        ScaleAndMove(ball, radius, {});
         vtkNew<vtkLMS3DScanFilter> scan;
-        Prepare(scan, ball, GetParam());
+        SetUpScan(scan, ball, GetParam());
         // The first beam runs along x, through the ball's middle.
         scan->SetPosition(-distance, 0.0, 0.0);
         scan->SetMaximumRange(Infinity);
@@ -268,38 +186,5 @@ TEST_P(RobustMethods, MayStandAsFarAwayAsItLikes)
   }
 }
 
-TEST_P(RobustOwnMethods, CountsUpToTheMaximumRange)
-{
-  vtkNew<vtkLMS3DScanFilter> scan;
-  Prepare(scan, MakeBall(1.0, 24), GetParam());
-  scan->SetAlphaRange(33.0, 90.0);
-  scan->SetAlphaResolution(1);
-  scan->SetBetaRange(77.0, 90.0);
-  scan->SetBetaResolution(1);
-  scan->Update();
-  ASSERT_EQ(scan->GetOutput()->GetNumberOfPoints(), 1);
-  const double range = GetRange(scan, 0);
-  scan->SetMaximumRange(range);
-  scan->Update();
-  ASSERT_EQ(scan->GetOutput()->GetNumberOfPoints(), 1);
-  EXPECT_EQ(GetRange(scan, 0), range);
-  scan->SetMaximumRange(std::nextafter(range, 0.0));
-  scan->Update();
-  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
-}
-
-namespace
-{
-std::string GetName(const testing::TestParamInfo<int>& method)
-{
-  return vtkLMS3DScanFilter::GetIntersectionMethodName(method.param);
-}
-} // namespace
-
 INSTANTIATE_TEST_SUITE_P(EachOfThem, RobustMethods,
-  testing::Range(0, vtkLMS3DScanFilter::GetNumberOfIntersectionMethods()), GetName);
-
-INSTANTIATE_TEST_SUITE_P(EachOfThem, RobustOwnMethods,
-  testing::Values(vtkLMS3DScanFilter::EXACT, vtkLMS3DScanFilter::FAST,
-    vtkLMS3DScanFilter::ANGLE_SUM, vtkLMS3DScanFilter::MOLLER_TRUMBORE),
-  GetName);
+  testing::Range(0, vtkLMS3DScanFilter::GetNumberOfIntersectionMethods()), GetMethodName);

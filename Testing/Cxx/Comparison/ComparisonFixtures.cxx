@@ -5,6 +5,8 @@
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +31,15 @@ vtkSmartPointer<vtkPolyData> MakePose(
   AddDoubles(pose, "SensorToWorld",
     { 1, 0, 0, sensor[0], 0, 1, 0, sensor[1], 0, 0, 1, sensor[2], 0, 0, 0, 1 });
   return pose;
+}
+
+vtkSmartPointer<vtkPolyData> Transform(vtkPolyData* surface, vtkTransform* transform)
+{
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetTransform(transform);
+  filter->Update();
+  return filter->GetOutput();
 }
 
 Comparison::Comparison(vtkPolyData* map, vtkDataObject* scene, const Point& sensor)

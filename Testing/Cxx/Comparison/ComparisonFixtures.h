@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+class vtkTransform;
+
 /// Adds an array to the field data.
 void AddDoubles(vtkPolyData* data, const char* name, const std::vector<double>& values);
 
@@ -26,6 +28,8 @@ void AddDoubles(vtkPolyData* data, const char* name, const std::vector<double>& 
 vtkSmartPointer<vtkPolyData> MakePose(const Point& sensor,
   const std::vector<double>& alphas = { -90.0, 90.0 },
   const std::vector<double>& betas = { 0.0, 120.0, 240.0 });
+
+vtkSmartPointer<vtkPolyData> Transform(vtkPolyData* surface, vtkTransform* transform);
 
 struct Comparison
 {

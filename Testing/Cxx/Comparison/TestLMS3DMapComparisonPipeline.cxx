@@ -2,20 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief vtkLMS3DMapComparison in a pipeline: inputs, outputs, getters, threads, abort, processes, errors.
+ * @brief vtkLMS3DMapComparison in a pipeline: inputs, outputs, getters, threads, abort, pieces.
  */
 #include "Comparison/ComparisonFixtures.h"
+#include "Fixtures/ProgressListener.h"
 
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
-#include <vtkDummyCommunicator.h>
-#include <vtkDummyController.h>
-#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
-#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 
@@ -25,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 TEST(LMS3DMapComparisonPipeline, HasTheSameBitsForAnyNumberOfThreads)
@@ -122,49 +120,6 @@ TEST(LMS3DMapComparisonPipeline, SkipsCellsThatAreNotFinite)
   EXPECT_TRUE(std::isnan(output->GetCellData()->GetArray("LargestError")->GetTuple1(1)));
 }
 
-TEST(LMS3DMapComparisonPipeline, RefusesWhatCannotBeCompared)
-{
-  const auto surface = MakeFloor(2.0, 0.0);
-  const Point sensor = { 0.0, 0.0, 1.0 };
-  vtkNew<vtkPolyData> nothing;
-  Comparison noMap(nothing, surface, sensor);
-  noMap.ExpectError("The map has no triangles");
-  Comparison noScene(surface, nothing, sensor);
-  noScene.ExpectError("The scene has no triangles");
-  Comparison noArea(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }), surface, sensor);
-  noArea.ExpectError("The map has no triangles");
-  Comparison points(MakePose(sensor), surface, sensor);
-  points.ExpectError("The map has no triangles");
-  Comparison noPose(surface, surface, nothing);
-  noPose.ExpectError("SensorToWorld");
-  Comparison farAway(surface, surface, Point{ 0.0, 0.0, 100.0 });
-  farAway.ExpectError("sees nothing of the scene");
-
-  vtkSmartPointer<vtkPolyData> pose = MakePose(sensor);
-  AddDoubles(pose, "AlphaAngles", { -90.0, std::numeric_limits<double>::quiet_NaN() });
-  Comparison badAngles(surface, surface, pose);
-  badAngles.ExpectError("AlphaAngles is not finite");
-  pose = MakePose(sensor);
-  AddDoubles(pose, "SensorToWorld", { 1.0, 2.0 });
-  Comparison badMatrix(surface, surface, pose);
-  badMatrix.ExpectError("matrix of 16");
-}
-
-TEST(LMS3DMapComparisonPipeline, RefusesBadProperties)
-{
-  Comparison comparison(MakeFloor(2.0, 0.0), MakeFloor(2.0, 0.0), Point{ 0.0, 0.0, 1.0 });
-  comparison.Filter->SetTolerance(std::numeric_limits<double>::quiet_NaN());
-  comparison.ExpectError("Tolerance");
-  comparison.Filter->SetTolerance(0.01);
-  comparison.Filter->SetMinimumRange(5.0);
-  comparison.Filter->SetMaximumRange(2.0);
-  comparison.ExpectError("MinimumRange and MaximumRange are 5 and 2");
-  comparison.Filter->SetMaximumRange(std::numeric_limits<double>::infinity());
-  comparison.Filter->SetMinimumRange(0.0);
-  EXPECT_EQ(UpdateAndGetError(comparison.Filter), "");
-  EXPECT_EQ(comparison.Filter->GetErrorCode(), vtkErrorCode::NoError);
-}
-
 TEST(LMS3DMapComparisonPipeline, ReturnsTheSameResultsByGettersAndAsFieldData)
 {
   vtkNew<vtkLMS3DScanFilter> scan;
@@ -210,18 +165,14 @@ TEST(LMS3DMapComparisonPipeline, ComparesAgainAfterAnAbort)
   const Point sensor = { 0.0, 0.0, 1.0 };
   Comparison comparison(MakeFloor(2.0, 0.03), MakeFloor(2.0, 0.0), sensor);
   double aborted = 0.0;
-  vtkNew<vtkCallbackCommand> stopper;
-  stopper->SetClientData(&aborted);
-  stopper->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void*)
+  auto stopper = std::make_unique<ProgressListener>(comparison.Filter,
+    [&](double progress)
     {
-      vtkAlgorithm* algorithm = static_cast<vtkAlgorithm*>(caller);
-      if (algorithm->GetProgress() >= *static_cast<double*>(data))
+      if (progress >= aborted)
       {
-        algorithm->AbortExecuteOn();
+        comparison.Filter->AbortExecuteOn();
       }
     });
-  const unsigned long tag = comparison.Filter->AddObserver(vtkCommand::ProgressEvent, stopper);
   for (double share : { 0.3, 0.6, 0.9 })
   {
     aborted = share;
@@ -238,7 +189,7 @@ TEST(LMS3DMapComparisonPipeline, ComparesAgainAfterAnAbort)
   comparison.Filter->AddObserver(vtkCommand::StartEvent, counter);
   comparison.Update();
   EXPECT_EQ(runs, 1);
-  comparison.Filter->RemoveObserver(tag);
+  stopper.reset();
   comparison.Filter->AbortExecuteOff();
   EXPECT_NEAR(comparison.Update()->GetMapToSceneMean(), 0.03, 1e-12);
   EXPECT_EQ(comparison.Filter->GetOutput()->GetNumberOfCells(), 1);
@@ -252,85 +203,4 @@ TEST(LMS3DMapComparisonPipeline, IsOnePiece)
   comparison.ExpectNoResults();
   comparison.Filter->UpdatePiece(0, 2, 0);
   EXPECT_NEAR(comparison.Filter->GetMapToSceneMean(), 0.03, 1e-12);
-}
-
-namespace
-{
-/// Two processes: this one, and one that has a part of the scene or nothing, and reports no error.
-class TwoProcesses : public vtkDummyCommunicator
-{
-public:
-  static TwoProcesses* New();
-  vtkTypeMacro(TwoProcesses, vtkDummyCommunicator);
-
-  int AllReduceVoidArray(
-    const void* mine, void* all, vtkIdType length, int type, int operation) override
-  {
-    EXPECT_EQ(type, VTK_INT);
-    std::copy_n(static_cast<const int*>(mine), length, static_cast<int*>(all));
-    if (operation == SUM_OP && !this->HasCounted)
-    {
-      *static_cast<int*>(all) += this->OtherHasScene ? 1 : 0;
-      this->HasCounted = true;
-    }
-    return 1;
-  }
-  int BroadcastVoidArray(void*, vtkIdType, int, int) override { return 1; }
-
-  bool OtherHasScene = false;
-  /// The first sum counts the parts of the scene, later ones the aborts.
-  bool HasCounted = false;
-
-protected:
-  TwoProcesses()
-  {
-    this->MaximumNumberOfProcesses = 2;
-    this->NumberOfProcesses = 2;
-  }
-};
-vtkStandardNewMacro(TwoProcesses);
-} // namespace
-
-TEST(LMS3DMapComparisonPipeline, RefusesAPieceOfTheScene)
-{
-  vtkNew<TwoProcesses> processes;
-  vtkNew<vtkDummyController> controller;
-  controller->SetCommunicator(processes);
-  ASSERT_EQ(controller->GetNumberOfProcesses(), 2);
-  Comparison comparison(MakeFloor(2.0, 0.03), MakeFloor(2.0, 0.0), Point{ 0.0, 0.0, 1.0 });
-  comparison.Filter->SetController(controller);
-  EXPECT_EQ(comparison.Filter->GetController(), controller);
-  processes->OtherHasScene = true;
-  comparison.ExpectError("The scene is spread over 2 processes");
-
-  processes->OtherHasScene = false;
-  processes->HasCounted = false;
-  comparison.Filter->Modified();
-  EXPECT_NEAR(comparison.Update()->GetMapToSceneMean(), 0.03, 1e-12);
-
-  // Without the controller this process compares alone.
-  processes->OtherHasScene = true;
-  processes->HasCounted = false;
-  comparison.Filter->SetController(nullptr);
-  EXPECT_NEAR(comparison.Update()->GetMapToSceneMean(), 0.03, 1e-12);
-  EXPECT_FALSE(processes->HasCounted);
-}
-
-TEST(LMS3DMapComparisonPipeline, ReportsTheErrorOfAProcessOfSeveral)
-{
-  vtkNew<TwoProcesses> processes;
-  vtkNew<vtkDummyController> controller;
-  controller->SetCommunicator(processes);
-  const auto surface = MakeFloor(2.0, 0.0);
-  Comparison comparison(surface, surface, Point{ 0.0, 0.0, 100.0 });
-  comparison.Filter->SetController(controller);
-  comparison.ExpectError("Process 0: The sensor at 0 0 100 sees nothing of the scene");
-}
-
-TEST(LMS3DMapComparisonPipeline, ComparesAloneWithAControllerOfOneProcess)
-{
-  vtkNew<vtkDummyController> controller;
-  Comparison comparison(MakeFloor(2.0, 0.03), MakeFloor(2.0, 0.0), Point{ 0.0, 0.0, 1.0 });
-  comparison.Filter->SetController(controller);
-  EXPECT_NEAR(comparison.Update()->GetMapToSceneMean(), 0.03, 1e-12);
 }

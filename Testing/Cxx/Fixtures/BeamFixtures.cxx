@@ -11,7 +11,7 @@ Beams MakeSame(const Vector& direction)
   return beams;
 }
 
-lms3dBeamPacket Aim(const Beams& directions)
+lms3dBeamPacket MakePacket(const Beams& directions)
 {
   lms3dElevations level;
   lms3dFanAxes axes;

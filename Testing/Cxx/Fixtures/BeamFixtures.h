@@ -18,6 +18,6 @@ using Beams = std::array<Vector, lms3dBeamPacket::Size>;
 Beams MakeSame(const Vector& direction);
 
 /// A packet along some directions. Each component must be at most 1.
-lms3dBeamPacket Aim(const Beams& directions);
+lms3dBeamPacket MakePacket(const Beams& directions);
 
 #endif

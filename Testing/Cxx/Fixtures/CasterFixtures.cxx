@@ -30,21 +30,21 @@ Target::Target(const lms3dTriangleMesh& mesh)
 {
 }
 
-Vector Target::See(const Vector& origin, std::size_t triangle, int corner) const
+Vector Target::GetRelativeCorner(const Vector& origin, std::size_t triangle, int corner) const
 {
   const double* p = this->GetMesh().GetCorner(triangle, corner);
   return { p[0] - origin[0], p[1] - origin[1], p[2] - origin[2] };
 }
 
-Beams Target::LookAt(std::size_t triangle, const Vector& origin, Random& random) const
+Beams Target::GetRelativePoints(std::size_t triangle, const Vector& origin, Random& random) const
 {
   constexpr int Corners = 1;
   constexpr int Edges = 4;
   Beams points;
   const int first = static_cast<int>(random.GetBits() % 3);
-  const Vector a = this->See(origin, triangle, first);
-  const Vector b = this->See(origin, triangle, (first + 1) % 3);
-  const Vector c = this->See(origin, triangle, (first + 2) % 3);
+  const Vector a = this->GetRelativeCorner(origin, triangle, first);
+  const Vector b = this->GetRelativeCorner(origin, triangle, (first + 1) % 3);
+  const Vector c = this->GetRelativeCorner(origin, triangle, (first + 2) % 3);
   for (int i = 0; i < lms3dBeamPacket::Size; ++i)
   {
     const double u = random.Get();
@@ -54,9 +54,9 @@ Beams Target::LookAt(std::size_t triangle, const Vector& origin, Random& random)
   return points;
 }
 
-Beams Target::AimAt(std::size_t triangle, const Vector& origin, Random& random) const
+Beams Target::MakeBeamsAt(std::size_t triangle, const Vector& origin, Random& random) const
 {
-  Beams beams = this->LookAt(triangle, origin, random);
+  Beams beams = this->GetRelativePoints(triangle, origin, random);
   std::transform(beams.begin(), beams.end(), beams.begin(), Normalize);
   return beams;
 }
@@ -64,7 +64,7 @@ Beams Target::AimAt(std::size_t triangle, const Vector& origin, Random& random) 
 lms3dBeamPacket Target::Cast(
   const Vector& origin, const Beams& directions, double maximumRange) const
 {
-  lms3dBeamPacket packet = Aim(directions);
+  lms3dBeamPacket packet = MakePacket(directions);
   this->Caster->Cast({ { origin[0], origin[1], origin[2] }, maximumRange }, &packet, 1);
   return packet;
 }
@@ -153,7 +153,7 @@ Tally JudgeTriangles(const Target& target, const Vector& sensor, std::size_t pac
     {
       Random random(number);
       const std::size_t triangle = random.GetBits() % target.GetMesh().GetNumberOfTriangles();
-      return Judge(target, sensor, target.AimAt(triangle, sensor, random));
+      return Judge(target, sensor, target.MakeBeamsAt(triangle, sensor, random));
     });
 }
 

@@ -31,13 +31,13 @@ struct Target
   explicit Target(const lms3dTriangleMesh& mesh);
 
   const lms3dTriangleMesh& GetMesh() const { return this->Caster->GetMesh(); }
-  /// The corner of a triangle seen from an origin.
-  Vector See(const Vector& origin, std::size_t triangle, int corner) const;
-  /// Corners, points on edges and within a triangle, seen from an origin.
-  Beams LookAt(std::size_t triangle, const Vector& origin, Random& random) const;
+  /// The corner of a triangle, relative to an origin.
+  Vector GetRelativeCorner(const Vector& origin, std::size_t triangle, int corner) const;
+  /// Corners, points on edges and within a triangle, relative to an origin.
+  Beams GetRelativePoints(std::size_t triangle, const Vector& origin, Random& random) const;
   /// Beams at these points, exact except for the rounding of the direction. No corner may be at the
   /// origin.
-  Beams AimAt(std::size_t triangle, const Vector& origin, Random& random) const;
+  Beams MakeBeamsAt(std::size_t triangle, const Vector& origin, Random& random) const;
   lms3dBeamPacket Cast(const Vector& origin, const Beams& directions,
     double maximumRange = std::numeric_limits<double>::infinity()) const;
 

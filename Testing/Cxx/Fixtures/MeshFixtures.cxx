@@ -7,7 +7,6 @@
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkIdList.h>
-#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 
@@ -64,57 +63,6 @@ lms3dTriangleMesh MakeIcosahedron()
   return mesh;
 }
 } // namespace
-
-std::uint64_t Random::GetBits()
-{
-  this->State += 0x9e3779b97f4a7c15u;
-  std::uint64_t bits = this->State;
-  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
-  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
-  return bits ^ (bits >> 31);
-}
-
-Vector Random::GetDirection()
-{
-  const double z = this->Get(-1.0, 1.0);
-  const double angle = this->Get(0.0, 2.0 * vtkMath::Pi());
-  const double radius = std::sqrt(1.0 - z * z);
-  return { radius * std::cos(angle), radius * std::sin(angle), z };
-}
-
-Vector operator+(const Vector& p, const Vector& q)
-{
-  return lms3dAdd(p, q);
-}
-
-Vector operator-(const Vector& p, const Vector& q)
-{
-  return lms3dSubtract(p, q);
-}
-
-Vector operator*(double factor, const Vector& p)
-{
-  return lms3dScale(p, factor);
-}
-
-double GetLength(const Vector& p)
-{
-  return std::hypot(p[0], p[1], p[2]);
-}
-
-Vector Normalize(const Vector& p)
-{
-  return (1.0 / GetLength(p)) * p;
-}
-
-Vector Turn(const Vector& p)
-{
-  const double a = 0.37;
-  const double b = 1.13;
-  const Vector q = { std::cos(a) * p[0] - std::sin(a) * p[1],
-    std::sin(a) * p[0] + std::cos(a) * p[1], p[2] };
-  return { q[0], std::cos(b) * q[1] - std::sin(b) * q[2], std::sin(b) * q[1] + std::cos(b) * q[2] };
-}
 
 lms3dTriangleMesh MakeMesh(const std::vector<std::array<Vector, 3>>& triangles)
 {
@@ -238,6 +186,16 @@ lms3dTriangleMesh MakeMesh(vtkPolyData* surface)
       static_cast<std::uint32_t>(corners->GetId(2)) });
   }
   return mesh;
+}
+
+double GetArea(const std::vector<std::array<Vector, 3>>& triangles)
+{
+  double area = 0.0;
+  for (const auto& [a, b, c] : triangles)
+  {
+    area += 0.5 * lms3dGetLength(lms3dCross(b - a, c - a));
+  }
+  return area;
 }
 
 void Append(const lms3dTriangleMesh& other, lms3dTriangleMesh& mesh)

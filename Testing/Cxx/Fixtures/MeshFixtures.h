@@ -2,50 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Numbers, vectors and meshes for tests below VTK.
+ * @brief Meshes for tests below VTK.
  */
 #ifndef MeshFixtures_h
 #define MeshFixtures_h
 
+#include "Fixtures/VectorFixtures.h"
 #include "Geometry/lms3dTriangleMesh.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <vector>
-
-using Vector = std::array<double, 3>;
-
-/// The same sequence everywhere for the same seed (SplitMix64).
-class Random
-{
-public:
-  explicit Random(std::uint64_t seed)
-    : State(seed)
-  {
-  }
-  /// All 64 bits.
-  std::uint64_t GetBits();
-  /// From 0 up to, not including, 1.
-  double Get() { return static_cast<double>(this->GetBits() >> 11) * 0x1p-53; }
-  double Get(double low, double high) { return low + (high - low) * this->Get(); }
-  /// A vector on the unit sphere.
-  Vector GetDirection();
-
-private:
-  std::uint64_t State;
-};
-
-Vector operator+(const Vector& p, const Vector& q);
-Vector operator-(const Vector& p, const Vector& q);
-Vector operator*(double factor, const Vector& p);
-double GetLength(const Vector& p);
-Vector Normalize(const Vector& p);
-/// Turned by two angles that are not multiples of a simple fraction of a circle.
-Vector Turn(const Vector& p);
 
 lms3dTriangleMesh MakeMesh(const std::vector<std::array<Vector, 3>>& triangles);
 /// An icosahedron of radius 1 whose triangles are quartered `level` times.
@@ -63,6 +33,8 @@ lms3dTriangleMesh MakeTJunction();
 lms3dTriangleMesh MakeMesh(vtkPolyData* surface);
 /// The same the other way round.
 vtkSmartPointer<vtkPolyData> MakeSurface(const lms3dTriangleMesh& mesh);
+/// The sum of the triangles' areas.
+double GetArea(const std::vector<std::array<Vector, 3>>& triangles);
 void Append(const lms3dTriangleMesh& other, lms3dTriangleMesh& mesh);
 lms3dTriangleMesh Map(lms3dTriangleMesh mesh, const std::function<Vector(const Vector&)>& map);
 lms3dTriangleMesh Move(lms3dTriangleMesh mesh, double scale, const Vector& offset);

@@ -19,6 +19,8 @@
 #include <vtkSphereSource.h>
 #include <vtkTriangle.h>
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -86,7 +88,7 @@ vtkSmartPointer<vtkPolyData> Join(vtkPolyData* a, vtkPolyData* b)
   return append->GetOutput();
 }
 
-void Place(vtkPolyData* surface, double scale, const Point& offset)
+void ScaleAndMove(vtkPolyData* surface, double scale, const Point& offset)
 {
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
@@ -185,6 +187,13 @@ constexpr ScanChange ToSmaller = { "Smaller",
 constexpr ScanChange ToNoReturns = { "NoReturns",
   [](vtkLMS3DScanFilter* scan) { scan->SetMaximumRange(0.1); } };
 
+Point GetPaperDirection(double alpha, double beta)
+{
+  const double a = vtkMath::RadiansFromDegrees(alpha);
+  const double b = vtkMath::RadiansFromDegrees(beta);
+  return { std::cos(a) * std::cos(b), -std::cos(a) * std::sin(b), std::sin(a) };
+}
+
 std::string UpdateAndGetError(vtkAlgorithm* algorithm)
 {
   // The executive repeats each failure in words of its own.
@@ -197,4 +206,13 @@ std::string UpdateAndGetError(vtkAlgorithm* algorithm)
   algorithm->RemoveObserver(tag);
   algorithm->GetExecutive()->RemoveObserver(executiveTag);
   return observer->GetErrorMessage();
+}
+
+std::string UpdateAndGetWarning(vtkAlgorithm* algorithm)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  const unsigned long tag = algorithm->AddObserver(vtkCommand::WarningEvent, observer);
+  EXPECT_EQ(UpdateAndGetError(algorithm), "");
+  algorithm->RemoveObserver(tag);
+  return observer->GetWarningMessage();
 }

@@ -39,8 +39,8 @@ vtkSmartPointer<vtkPolyData> MakePolygon(const std::vector<Point>& points);
 /// One surface of both.
 vtkSmartPointer<vtkPolyData> Join(vtkPolyData* a, vtkPolyData* b);
 
-/// Moves the points of a surface.
-void Place(vtkPolyData* surface, double scale, const Point& offset);
+/// Scales the points of a surface about the origin, then moves them.
+void ScaleAndMove(vtkPolyData* surface, double scale, const Point& offset);
 
 /// Data/room.wrl.
 vtkSmartPointer<vtkPolyData> ReadRoom();
@@ -72,7 +72,13 @@ extern const ScanChange ToSmaller;
 extern const ScanChange ToNoReturns;
 ///@}
 
+/// The paper's d(alpha, beta), written down independently of the filter. Degrees.
+Point GetPaperDirection(double alpha, double beta);
+
 /// The words of the errors that the algorithm gives in an Update(), empty if there is none.
 std::string UpdateAndGetError(vtkAlgorithm* algorithm);
+
+/// The words of the warnings. Fails the test if there is an error.
+std::string UpdateAndGetWarning(vtkAlgorithm* algorithm);
 
 #endif

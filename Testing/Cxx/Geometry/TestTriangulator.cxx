@@ -1,30 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Fixtures/MeshFixtures.h"
+#include "Geometry/PolygonFixtures.h"
+#include "Geometry/lms3dAngle.h"
 #include "Geometry/lms3dTriangulator.h"
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace
 {
-using Corners = std::vector<lms3dVector>;
-
-constexpr double Pi = 3.14159265358979323846;
-
 double GetArea(const Corners& corners, const std::vector<lms3dTriangulator::Triangle>& triangles)
 {
-  double area = 0.0;
+  std::vector<std::array<Vector, 3>> ofCorners;
+  ofCorners.reserve(triangles.size());
   for (const auto& [a, b, c] : triangles)
   {
-    const lms3dVector normal =
-      lms3dCross(lms3dSubtract(corners[b], corners[a]), lms3dSubtract(corners[c], corners[a]));
-    area += 0.5 * std::sqrt(lms3dDot(normal, normal));
+    ofCorners.push_back({ corners[a], corners[b], corners[c] });
   }
-  return area;
+  return ::GetArea(ofCorners);
 }
 
 /// Returns the area that the outline encloses. Requires a polygon in a plane z.
@@ -40,7 +38,7 @@ double GetAreaOfOutline(const Corners& corners)
   return area;
 }
 
-/// Triangulates a polygon that does not cross itself. The calls tell the work, in tests of a corner.
+/// Triangulates a polygon that does not cross itself. The number of calls measures the work.
 void ExpectExactCover(const Corners& corners)
 {
   lms3dTriangulator triangulator;
@@ -49,82 +47,6 @@ void ExpectExactCover(const Corners& corners)
   const double area = GetAreaOfOutline(corners);
   EXPECT_NEAR(GetArea(corners, triangulator.GetTriangles()), area, 1e-5 * area);
   EXPECT_LE(calls, (2000 * corners.size() + 1000000) / 100000);
-}
-
-Corners MakeComb(int teeth)
-{
-  Corners corners = { { 0, -1, 0 } };
-  for (int i = 0; i < teeth; ++i)
-  {
-    corners.push_back({ 2.0 * i + 1, -1, 0 });
-    corners.push_back({ 2.0 * i + 1, 1, 0 });
-    corners.push_back({ 2.0 * i + 2, 1, 0 });
-    corners.push_back({ 2.0 * i + 2, -1, 0 });
-  }
-  corners.push_back({ 2.0 * teeth, -2, 0 });
-  corners.push_back({ 0, -2, 0 });
-  return corners;
-}
-
-Corners MakeRegularPolygon(int sides, double radius)
-{
-  Corners corners;
-  for (int i = 0; i < sides; ++i)
-  {
-    const double angle = 2.0 * Pi * i / sides;
-    corners.push_back({ radius * std::cos(angle), radius * std::sin(angle), 1.0 });
-  }
-  return corners;
-}
-
-/// Returns the upper half of a disk without the upper half of an ellipse.
-Corners MakeCrescent(int count, double radius, double far)
-{
-  const int half = count / 2;
-  Corners corners;
-  for (int i = 0; i < half; ++i)
-  {
-    const double angle = Pi * i / half;
-    corners.push_back({ far + radius * std::cos(angle), far + radius * std::sin(angle), 0 });
-  }
-  for (int i = 0; i < half; ++i)
-  {
-    const double angle = Pi * i / half;
-    corners.push_back({ far - radius * std::cos(angle), far + 0.7 * radius * std::sin(angle), 0 });
-  }
-  return corners;
-}
-
-/// Returns an equilateral triangle of side 1 whose sides are parabolas that bow inwards by 0.1.
-Corners MakeBowedTriangle(int cornersPerSide)
-{
-  const Corners tips = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, std::sqrt(0.75), 0 } };
-  Corners corners;
-  for (std::size_t side = 0; side < 3; ++side)
-  {
-    const lms3dVector along = lms3dSubtract(tips[(side + 1) % 3], tips[side]);
-    const lms3dVector inwards = { -along[1], along[0], 0 };
-    for (int i = 0; i < cornersPerSide; ++i)
-    {
-      const double t = static_cast<double>(i) / cornersPerSide;
-      const double depth = 0.1 * 4.0 * t * (1.0 - t);
-      corners.push_back(
-        lms3dAdd(lms3dAdd(tips[side], lms3dScale(along, t)), lms3dScale(inwards, depth)));
-    }
-  }
-  return corners;
-}
-
-Corners MakeStar(int points)
-{
-  Corners corners;
-  for (int i = 0; i < 2 * points; ++i)
-  {
-    const double angle = Pi * i / points;
-    const double radius = i % 2 == 0 ? 2.0 : 1.0;
-    corners.push_back({ radius * std::cos(angle), radius * std::sin(angle), 0 });
-  }
-  return corners;
 }
 } // namespace
 
@@ -199,7 +121,7 @@ TEST(Triangulator, ReportsPolygonsThatCrossThemselves)
   Corners pentagram;
   for (int i = 0; i < 5; ++i)
   {
-    pentagram.push_back({ std::cos(0.8 * Pi * i), std::sin(0.8 * Pi * i), 0 });
+    pentagram.push_back({ std::cos(0.8 * lms3dPi * i), std::sin(0.8 * lms3dPi * i), 0 });
   }
   EXPECT_FALSE(triangulator.Cut(pentagram));
   EXPECT_FALSE(triangulator.GetTriangles().empty());
@@ -213,7 +135,8 @@ TEST(Triangulator, CutsPolygonsOfManyThousandCorners)
   EXPECT_NEAR(GetArea(comb, triangulator.GetTriangles()), 2.0 * 20000 + 2.0 * 20000, 1e-6);
   const Corners star = MakeStar(20000);
   EXPECT_TRUE(triangulator.Cut(star));
-  EXPECT_NEAR(GetArea(star, triangulator.GetTriangles()), 20000 * 2.0 * std::sin(Pi / 20000), 1e-9);
+  EXPECT_NEAR(
+    GetArea(star, triangulator.GetTriangles()), 20000 * 2.0 * std::sin(lms3dPi / 20000), 1e-9);
 }
 
 TEST(Triangulator, SharesTheFirstOrTheLastCornerOfAQuadrilateral)
@@ -256,7 +179,7 @@ TEST(Triangulator, CutsConvexPolygonsOfAnySize)
     EXPECT_TRUE(triangulator.Cut(corners));
     EXPECT_EQ(triangulator.GetTriangles().size(), static_cast<std::size_t>(sides) - 2);
     EXPECT_NEAR(GetArea(corners, triangulator.GetTriangles()),
-      2.0 * sides * std::sin(2.0 * Pi / sides), 1e-9);
+      2.0 * sides * std::sin(2.0 * lms3dPi / sides), 1e-9);
   }
 }
 

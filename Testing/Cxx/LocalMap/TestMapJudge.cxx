@@ -2,19 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Breaks each law of maps on purpose and checks that the judge finds the breach.
+ * @brief Breaks each law of maps on purpose and checks that the judge finds the breach.
  */
-#include "LocalMap/MapFixtures.h"
+#include "LocalMap/MapJudgeFixture.h"
 
-#include "Fixtures/SceneFixtures.h"
-
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkFloatArray.h>
-#include <vtkIdList.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -22,108 +16,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 namespace
 {
-using Triangle = std::array<vtkIdType, 3>;
-
-/// A ball seen from inside, and its plain grid, which is within 1 cm as well.
-class MapJudge : public testing::Test
-{
-protected:
-  MapJudge()
-  {
-    this->Scene.Surface = MakeBall(2.0, 96);
-    this->Scene.AlphaResolution = 31;
-    this->Scene.BetaResolution = 30;
-    this->Scan = MakeScan(this->Scene);
-    this->TakeGrid();
-  }
-
-  void TakeGrid()
-  {
-    this->Map->DeepCopy(MakeMap(this->Scan, 0.0));
-    this->AddValue<vtkIntArray>("NumberOfPatches", 1);
-    this->AddValue<vtkIntArray>(
-      "NumberOfReturns", static_cast<double>(this->Scan->GetNumberOfPoints()));
-    this->AddValue<vtkIntArray>(
-      "NumberOfReturnsOnPatches", static_cast<double>(this->Scan->GetNumberOfPoints()));
-    this->AddValue<vtkDoubleArray>("LargestDeviation", 0.0);
-    this->ReadTriangles();
-  }
-
-  void ReadTriangles()
-  {
-    this->Triangles.clear();
-    vtkNew<vtkIdList> corners;
-    for (vtkIdType cell = 0; cell < this->Map->GetNumberOfCells(); ++cell)
-    {
-      this->Map->GetCellPoints(cell, corners);
-      this->Triangles.push_back({ corners->GetId(0), corners->GetId(1), corners->GetId(2) });
-    }
-  }
-
-  template <typename ArrayT>
-  void AddValue(const char* name, double value)
-  {
-    vtkNew<ArrayT> array;
-    array->SetName(name);
-    array->InsertNextTuple1(value);
-    this->Map->GetFieldData()->AddArray(array);
-  }
-
-  vtkIdType AddPoint(const Vector& point)
-  {
-    this->Map->GetPointData()->GetArray("Range")->InsertNextTuple1(GetLength(point));
-    const Vector normal = (-1.0 / GetLength(point)) * point;
-    this->Map->GetPointData()->GetNormals()->InsertNextTuple(normal.data());
-    return this->Map->GetPoints()->InsertNextPoint(point.data());
-  }
-
-  Vector GetPoint(vtkIdType number)
-  {
-    Vector point;
-    this->Map->GetPoint(number, point.data());
-    return point;
-  }
-
-  void MovePoint(vtkIdType number, double factor)
-  {
-    const Vector to = factor * this->GetPoint(number);
-    this->Map->GetPoints()->SetPoint(number, to.data());
-    this->Map->GetPointData()->GetArray("Range")->SetTuple1(number, GetLength(to));
-  }
-
-  MapVerdict Judge()
-  {
-    vtkNew<vtkCellArray> cells;
-    vtkNew<vtkIntArray> patches;
-    patches->SetName("PatchId");
-    for (const auto& [a, b, c] : this->Triangles)
-    {
-      cells->InsertNextCell({ a, b, c });
-      patches->InsertNextValue(0);
-    }
-    this->Map->SetPolys(cells);
-    this->Map->GetCellData()->AddArray(patches);
-    return JudgeMap(this->Scan, this->Map, { 0.01, 0.1, this->Scene.Surface });
-  }
-
-  void ExpectBreach(const std::string& law)
-  {
-    const MapVerdict verdict = this->Judge();
-    EXPECT_GT(verdict.GetNumberOfBreaches(law), 0) << law << verdict;
-  }
-
-  MapScene Scene;
-  vtkSmartPointer<vtkPolyData> Scan;
-  vtkNew<vtkPolyData> Map;
-  std::vector<Triangle> Triangles;
-};
-
 /// The number of a triangle that is far from borders, like its neighbours.
 constexpr std::size_t Inside = 501;
 } // namespace

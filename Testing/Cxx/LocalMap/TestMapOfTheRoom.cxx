@@ -4,12 +4,10 @@
  * @file
  * Checks the size of the local map of Data/room.wrl, its independence of threads, and invalid input.
  */
+#include "Fixtures/ProgressListener.h"
 #include "LocalMap/MapFixtures.h"
+#include "LocalMap/PlainGridFixtures.h"
 
-#include "Fixtures/SceneFixtures.h"
-#include "vtkLMS3DSurfaceReconstructionFilter.h"
-
-#include <vtkCallbackCommand.h>
 #include <vtkCell.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -66,21 +64,6 @@ double GetSmallestAngle(vtkPolyData* map, vtkIdType cell)
       smallest, vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(to.data(), from.data())));
   }
   return smallest;
-}
-
-void ExpectError(vtkPolyData* scan, const std::string& words)
-{
-  vtkNew<vtkLMS3DSurfaceReconstructionFilter> filter;
-  filter->SetInputDataObject(scan);
-  for (double bound : { 0.0, 0.01 })
-  {
-    filter->SetMaximumError(bound);
-    const std::string error = UpdateAndGetError(filter);
-    EXPECT_NE(error.find(words), std::string::npos) << error;
-    EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::UserError);
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
-  }
 }
 } // namespace
 
@@ -175,20 +158,14 @@ TEST(MapOfTheRoom, IsEmptyWhereTheUserStopsIt)
   {
     vtkNew<vtkLMS3DSurfaceReconstructionFilter> filter;
     filter->SetInputDataObject(scan);
-    vtkNew<vtkCallbackCommand> stop;
-    stop->SetClientData(&share);
-    stop->SetCallback(
-      [](vtkObject* caller, unsigned long, void* at, void*)
-      {
-        auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-        algorithm->SetAbortExecute(algorithm->GetProgress() >= *static_cast<double*>(at) ? 1 : 0);
-      });
-    const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
-    filter->Update();
+    {
+      const ProgressListener stopper(
+        filter, [&](double progress) { filter->SetAbortExecute(progress >= share ? 1 : 0); });
+      filter->Update();
+    }
     EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::NoError);
     EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0) << share;
 
-    filter->RemoveObserver(tag);
     filter->AbortExecuteOff();
     filter->Update();
     EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 100) << share;
@@ -235,22 +212,22 @@ TEST(MapOfTheRoom, IsRefusedForBadReturns)
   {
     vtkSmartPointer<vtkPolyData> scan = MakeScan(scene);
     scan->GetPointData()->GetArray("Range")->SetTuple1(7, bad);
-    ExpectError(scan, "Return 7 of the scan has the Range");
+    ExpectRefused(scan, "Return 7 of the scan has the Range");
   }
   vtkSmartPointer<vtkPolyData> scan = MakeScan(scene);
   scan->GetPointData()->GetArray("BeamId")->SetTuple1(7, 3);
-  ExpectError(scan, "Return 7 of the scan has the BeamId");
+  ExpectRefused(scan, "Return 7 of the scan has the BeamId");
   for (const char* name : { "Range", "BeamId" })
   {
     scan = MakeScan(scene);
     scan->GetPointData()->RemoveArray(name);
-    ExpectError(scan, name);
+    ExpectRefused(scan, name);
   }
   for (const char* name : { "AlphaAngles", "BetaAngles", "SensorToWorld" })
   {
     scan = MakeScan(scene);
     scan->GetFieldData()->GetArray(name)->SetComponent(
       0, 0, std::numeric_limits<double>::quiet_NaN());
-    ExpectError(scan, name);
+    ExpectRefused(scan, name);
   }
 }

@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The acceleration structure of vtkLMS3DScanFilter: what builds it, its
- * progress and its abort.
+ * @brief Which changes make vtkLMS3DScanFilter build its acceleration structure.
  */
 #include "Fixtures/SceneFixtures.h"
 
+#include "Scan/lms3dBuiltScene.h"
 #include "vtkLMS3DScanFilter.h"
 
 #include <vtkAppendFilter.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
@@ -26,10 +24,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <chrono>
 #include <functional>
-#include <vector>
 
 namespace
 {
@@ -88,77 +83,7 @@ void AddArrays(vtkDataSet* data)
   data->GetCellData()->AddArray(MakeArray("New", data->GetNumberOfCells()));
 }
 
-/// A wall of 1,000,000 triangles at x = 5, made without VTK's sources, which
-/// are slow.
-vtkSmartPointer<vtkPolyData> MakeLargeScene()
-{
-  constexpr int Columns = 1000;
-  constexpr int Rows = 500;
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples((Columns + 1) * (Rows + 1));
-  double* coordinate = coordinates->GetPointer(0);
-  for (int i = 0; i < (Columns + 1) * (Rows + 1); ++i)
-  {
-    const int row = i / (Columns + 1);
-    *coordinate++ = 5.0;
-    *coordinate++ = 0.01 * (i % (Columns + 1)) - 5.0;
-    *coordinate++ = 0.02 * row - 5.0;
-  }
-  vtkNew<vtkIdTypeArray> corners;
-  corners->SetNumberOfValues(6 * Columns * Rows);
-  vtkIdType* corner = corners->GetPointer(0);
-  for (int i = 0; i < Columns * Rows; ++i)
-  {
-    const vtkIdType low = i / Columns * (Columns + 1) + i % Columns;
-    const vtkIdType high = low + Columns + 1;
-    for (vtkIdType id : { low, low + 1, high, high, low + 1, high + 1 })
-    {
-      *corner++ = id;
-    }
-  }
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
-  vtkNew<vtkCellArray> triangles;
-  triangles->SetData(3, corners);
-  auto scene = vtkSmartPointer<vtkPolyData>::New();
-  scene->SetPoints(points);
-  scene->SetPolys(triangles);
-  return scene;
-}
-
-/// Calls a function in each progress event.
-class ProgressListener
-{
-public:
-  ProgressListener(vtkAlgorithm* algorithm, std::function<void(double)> react)
-    : Algorithm(algorithm)
-    , React(std::move(react))
-  {
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(this);
-    command->SetCallback(
-      [](vtkObject* caller, unsigned long, void* data, void*)
-      {
-        static_cast<ProgressListener*>(data)->React(
-          static_cast<vtkAlgorithm*>(caller)->GetProgress());
-      });
-    this->Tag = algorithm->AddObserver(vtkCommand::ProgressEvent, command);
-  }
-
-  ~ProgressListener() { this->Algorithm->RemoveObserver(this->Tag); }
-
-private:
-  vtkAlgorithm* Algorithm;
-  std::function<void(double)> React;
-  unsigned long Tag;
-};
-
-// The share of the progress that the class documentation gives for building.
-constexpr double BuildShare = 0.3;
 } // namespace
-
-// --- What builds
 
 TEST(LMS3DScanBuild, NewArraysDoNotBuild)
 {
@@ -283,6 +208,28 @@ TEST(LMS3DScanBuild, AMovedImageBuilds)
   EXPECT_TRUE(builds.After([&] { image->SetDimensions(3, 3, 4); }));
 }
 
+// As in a process that has no part of the scene.
+TEST(LMS3DScanBuild, ASceneWithoutTrianglesIsUpToDateAfterOneUpdate)
+{
+  vtkNew<vtkPolyData> nothing;
+  int calls = 0;
+  const auto count = [&calls](double) { return ++calls > 0; };
+  lms3dBuiltScene scene;
+  ASSERT_TRUE(scene.Update(nothing, vtkLMS3DScanFilter::EXACT, count));
+  EXPECT_EQ(scene.GetCaster(), nullptr);
+  const vtkMTimeType built = scene.GetBuildTime();
+  EXPECT_GT(built, 0u);
+
+  calls = 0;
+  EXPECT_TRUE(scene.Update(nothing, vtkLMS3DScanFilter::EXACT, count));
+  EXPECT_EQ(calls, 0);
+  EXPECT_EQ(scene.GetBuildTime(), built);
+
+  EXPECT_TRUE(scene.Update(MakeBall(1.0, 12), vtkLMS3DScanFilter::EXACT, count));
+  EXPECT_NE(scene.GetCaster(), nullptr);
+  EXPECT_GT(scene.GetBuildTime(), built);
+}
+
 TEST(LMS3DScanBuild, AnotherMethodBuilds)
 {
   Builds builds(MakeBall(1.0, 12));
@@ -300,77 +247,4 @@ TEST(LMS3DScanBuild, ASceneThatLostItsPolygonsIsNotScannedAgain)
   scan->Modified();
   EXPECT_NE(UpdateAndGetError(scan), "");
   EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
-}
-
-// --- Progress and abort
-
-TEST(LMS3DScanBuild, ReportsProgress)
-{
-  auto scan = MakeScan(MakeLargeScene());
-  SetGrid(scan, 9, 8);
-  std::vector<double> shares;
-  const ProgressListener listener(scan, [&](double share) { shares.push_back(share); });
-  scan->Update();
-  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-  EXPECT_EQ(shares.back(), 1.0);
-  const auto isOfBuild = [](double share) { return share > 0.0 && share < BuildShare; };
-  EXPECT_GE(std::count_if(shares.begin(), shares.end(), isOfBuild), 5);
-}
-
-TEST(LMS3DScanBuild, StopsInTheFirstProgressEvent)
-{
-  auto scene = MakeLargeScene();
-  auto scan = MakeScan(scene);
-  SetGrid(scan, 9, 8);
-  const auto start = std::chrono::steady_clock::now();
-  {
-    const ProgressListener stopper(scan,
-      [&](double share)
-      {
-        if (share > 0.0)
-        {
-          scan->AbortExecuteOn();
-        }
-      });
-    scan->Update();
-  }
-  const std::chrono::duration<double> stopped = std::chrono::steady_clock::now() - start;
-  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(scan->GetRangeImage()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(scan->GetBuildTime(), 0u);
-
-  scan->AbortExecuteOff();
-  const auto again = std::chrono::steady_clock::now();
-  scan->Update();
-  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - again;
-  auto undisturbed = MakeScan(scene);
-  SetGrid(undisturbed, 9, 8);
-  undisturbed->Update();
-  EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(Hash(scan->GetOutput()), Hash(undisturbed->GetOutput()));
-  EXPECT_LT(stopped.count(), 0.5 * whole.count());
-}
-
-TEST(LMS3DScanBuild, StopsWhileEmbreeBuilds)
-{
-  auto scan = MakeScan(MakeLargeScene());
-  SetGrid(scan, 9, 8);
-  for (const double limit : { 0.4 * BuildShare, 0.6 * BuildShare })
-  {
-    const ProgressListener stopper(scan,
-      [&](double share)
-      {
-        if (share > limit)
-        {
-          scan->AbortExecuteOn();
-        }
-      });
-    scan->Update();
-    EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
-    EXPECT_EQ(scan->GetBuildTime(), 0u);
-    scan->AbortExecuteOff();
-    scan->Modified();
-  }
-  EXPECT_EQ(UpdateAndGetError(scan), "");
-  EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
 }

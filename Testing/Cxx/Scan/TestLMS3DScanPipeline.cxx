@@ -4,14 +4,14 @@
  * @file
  * @brief vtkLMS3DScanFilter in a pipeline: what makes it build and run, progress, threads, pieces.
  */
+#include "Casting/MethodFixtures.h"
+#include "Fixtures/ProgressListener.h"
 #include "Fixtures/SceneFixtures.h"
 
 #include "vtkLMS3DScanFilter.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkImageData.h>
 #include <vtkIntArray.h>
 #include <vtkMath.h>
@@ -96,15 +96,7 @@ TEST(LMS3DScanPipeline, TellsProgressFromTheStartToTheEnd)
 {
   auto scan = MakeScan(MakeBall(1.0));
   std::vector<double> shares;
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&shares);
-  listener->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void*)
-    {
-      static_cast<std::vector<double>*>(data)->push_back(
-        static_cast<vtkAlgorithm*>(caller)->GetProgress());
-    });
-  scan->AddObserver(vtkCommand::ProgressEvent, listener);
+  const ProgressListener listener(scan, [&](double share) { shares.push_back(share); });
   scan->SetNumberOfThreads(1);
   scan->Update();
   // At least once for every tenth of the work.
@@ -118,21 +110,19 @@ TEST(LMS3DScanPipeline, StopsWhenAskedAndIsWholeAgainAfterwards)
   auto scan = MakeScan(MakeBall(1.0));
   // Only the calling thread reports progress, and other threads could do all of its work.
   scan->SetNumberOfThreads(1);
-  vtkNew<vtkCallbackCommand> stopper;
-  stopper->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
-    {
-      vtkAlgorithm* algorithm = static_cast<vtkAlgorithm*>(caller);
-      if (algorithm->GetProgress() > 0.5)
+  {
+    const ProgressListener stopper(scan,
+      [&](double share)
       {
-        algorithm->AbortExecuteOn();
-      }
-    });
-  const unsigned long tag = scan->AddObserver(vtkCommand::ProgressEvent, stopper);
-  scan->Update();
+        if (share > 0.5)
+        {
+          scan->AbortExecuteOn();
+        }
+      });
+    scan->Update();
+  }
   EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
 
-  scan->RemoveObserver(tag);
   scan->AbortExecuteOff();
   scan->Update();
   EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 361 * 360);
@@ -250,5 +240,4 @@ TEST_P(EveryMethod, GivesTheSameBitsForAnyNumberOfThreads)
 }
 
 INSTANTIATE_TEST_SUITE_P(LMS3DScanPipeline, EveryMethod,
-  testing::Range(0, vtkLMS3DScanFilter::GetNumberOfIntersectionMethods()),
-  [](const auto& method) { return vtkLMS3DScanFilter::GetIntersectionMethodName(method.param); });
+  testing::Range(0, vtkLMS3DScanFilter::GetNumberOfIntersectionMethods()), GetMethodName);

@@ -63,15 +63,6 @@ vtkSmartPointer<vtkLMS3DScanFilter> LookDown(vtkDataObject* scene)
   SetGrid(scan, 1, 1);
   return scan;
 }
-
-std::string UpdateAndGetWarning(vtkAlgorithm* algorithm)
-{
-  vtkNew<vtkTest::ErrorObserver> observer;
-  const unsigned long tag = algorithm->AddObserver(vtkCommand::WarningEvent, observer);
-  algorithm->Update();
-  algorithm->RemoveObserver(tag);
-  return observer->GetWarningMessage();
-}
 } // namespace
 
 // --- Hidden and duplicate cells -----------------------------------------------------------------

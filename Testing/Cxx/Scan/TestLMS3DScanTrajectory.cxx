@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief vtkLMS3DScanFilter with a trajectory: its times, its poses, and what is wrong with it.
+ * @brief vtkLMS3DScanFilter with a trajectory: its times and its poses.
  */
-#include "Fixtures/SceneFixtures.h"
+#include "Scan/TrajectoryFixtures.h"
 
-#include "vtkLMS3DScanFilter.h"
-
-#include <vtkCellArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
-#include <vtkMultiBlockDataSet.h>
-#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTrivialProducer.h>
@@ -23,68 +16,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <string>
 #include <vector>
 
 namespace
 {
-using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-vtkSmartPointer<vtkPolyData> MakePoses(const std::vector<Point>& positions)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Point& position : positions)
-  {
-    points->InsertNextPoint(position.data());
-  }
-  auto poses = vtkSmartPointer<vtkPolyData>::New();
-  poses->SetPoints(points);
-  return poses;
-}
-
-void AddLine(vtkPolyData* poses, const std::vector<vtkIdType>& order)
-{
-  if (poses->GetNumberOfLines() == 0)
-  {
-    poses->SetLines(vtkNew<vtkCellArray>());
-  }
-  poses->GetLines()->InsertNextCell(static_cast<vtkIdType>(order.size()), order.data());
-}
-
-void AddArray(
-  vtkPolyData* poses, const char* name, int components, const std::vector<double>& values)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  for (double value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  poses->GetPointData()->AddArray(array);
-}
-
-vtkSmartPointer<vtkLMS3DScanFilter> MakeJourney(vtkPolyData* poses)
-{
-  auto scan = MakeScan(MakeBall(5.0));
-  SetGrid(scan, 9, 8);
-  scan->SetTrajectoryData(poses);
-  return scan;
-}
-
-std::vector<double> GetTimes(vtkLMS3DScanFilter* scan, int port = 0)
-{
-  scan->UpdateInformation();
-  vtkInformation* info = scan->GetOutputInformation(port);
-  const double* first = info->Get(Pipeline::TIME_STEPS());
-  return first ? std::vector<double>(first, first + info->Length(Pipeline::TIME_STEPS()))
-               : std::vector<double>();
-}
-
 double GetEntry(vtkLMS3DScanFilter* scan, int row, int column)
 {
   vtkDataArray* pose = scan->GetOutput()->GetFieldData()->GetArray("SensorToWorld");
@@ -103,17 +38,16 @@ void ExpectAxis(vtkLMS3DScanFilter* scan, int column, const Point& axis)
     EXPECT_NEAR(GetEntry(scan, row, column), axis[row], 1e-15) << column;
   }
 }
-
-const std::vector<Point> ThreePlaces = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 2, 0 } };
 } // namespace
 
 TEST(LMS3DScanTrajectory, NumbersThePosesWithoutTimes)
 {
-  auto scan = MakeJourney(MakePoses(ThreePlaces));
+  auto scan = MakeScanAlong(MakePoses(ThreePositions));
   for (int port : { 0, 1 })
   {
     EXPECT_EQ(GetTimes(scan, port), (std::vector<double>{ 0, 1, 2 }));
-    const double* range = scan->GetOutputInformation(port)->Get(Pipeline::TIME_RANGE());
+    const double* range =
+      scan->GetOutputInformation(port)->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
     EXPECT_EQ(range[0], 0.0);
     EXPECT_EQ(range[1], 2.0);
   }
@@ -121,9 +55,9 @@ TEST(LMS3DScanTrajectory, NumbersThePosesWithoutTimes)
 
 TEST(LMS3DScanTrajectory, GivesTheScanOfTheLastPoseWhoseTimeHasCome)
 {
-  auto poses = MakePoses(ThreePlaces);
+  auto poses = MakePoses(ThreePositions);
   AddArray(poses, "Time", 1, { 10, 11, 15 });
-  auto scan = MakeJourney(poses);
+  auto scan = MakeScanAlong(poses);
   EXPECT_EQ(GetTimes(scan), (std::vector<double>{ 10, 11, 15 }));
   struct
   {
@@ -136,7 +70,7 @@ TEST(LMS3DScanTrajectory, GivesTheScanOfTheLastPoseWhoseTimeHasCome)
   {
     SCOPED_TRACE(c.Asked);
     scan->UpdateTimeStep(c.Asked);
-    EXPECT_EQ(GetPosition(scan), ThreePlaces[c.Step]);
+    EXPECT_EQ(GetPosition(scan), ThreePositions[c.Step]);
     EXPECT_EQ(scan->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), c.Given);
     EXPECT_EQ(
       scan->GetRangeImage()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), c.Given);
@@ -145,7 +79,7 @@ TEST(LMS3DScanTrajectory, GivesTheScanOfTheLastPoseWhoseTimeHasCome)
 
 TEST(LMS3DScanTrajectory, StartsWithTheFirstPose)
 {
-  auto scan = MakeJourney(MakePoses({ { 0, 1, 0 }, { 0, 2, 0 } }));
+  auto scan = MakeScanAlong(MakePoses({ { 0, 1, 0 }, { 0, 2, 0 } }));
   scan->SetPosition(3.0, 0.0, 0.0);
   scan->Update();
   EXPECT_EQ(GetPosition(scan), (Point{ 0, 1, 0 }));
@@ -153,7 +87,7 @@ TEST(LMS3DScanTrajectory, StartsWithTheFirstPose)
 
 TEST(LMS3DScanTrajectory, BuildsOnceForAllSteps)
 {
-  auto scan = MakeJourney(MakePoses(ThreePlaces));
+  auto scan = MakeScanAlong(MakePoses(ThreePositions));
   scan->UpdateTimeStep(0);
   const vtkMTimeType built = scan->GetBuildTime();
   const std::uint64_t first = Hash(scan->GetOutput());
@@ -167,7 +101,7 @@ TEST(LMS3DScanTrajectory, BuildsOnceForAllSteps)
 
 TEST(LMS3DScanTrajectory, MeasuresAsASensorThatStandsThere)
 {
-  auto scan = MakeJourney(MakePoses(ThreePlaces));
+  auto scan = MakeScanAlong(MakePoses(ThreePositions));
   scan->SetOrientation(10.0, 20.0, 30.0);
   scan->UpdateTimeStep(2);
   const std::uint64_t moved = Hash(scan->GetOutput());
@@ -182,7 +116,7 @@ TEST(LMS3DScanTrajectory, MeasuresAsASensorThatStandsThere)
 
 TEST(LMS3DScanTrajectory, IsForgottenWhenItIsTakenAway)
 {
-  auto scan = MakeJourney(MakePoses(ThreePlaces));
+  auto scan = MakeScanAlong(MakePoses(ThreePositions));
   scan->UpdateTimeStep(2);
   scan->SetTrajectoryData(nullptr);
   scan->SetPosition(0.0, 0.0, 1.0);
@@ -194,8 +128,8 @@ TEST(LMS3DScanTrajectory, IsForgottenWhenItIsTakenAway)
 
 TEST(LMS3DScanTrajectory, NoticesANewTrajectory)
 {
-  auto poses = MakePoses(ThreePlaces);
-  auto scan = MakeJourney(poses);
+  auto poses = MakePoses(ThreePositions);
+  auto scan = MakeScanAlong(poses);
   scan->UpdateTimeStep(1);
   poses->GetPoints()->InsertNextPoint(0, 0, 3);
   poses->GetPoints()->Modified();
@@ -207,10 +141,10 @@ TEST(LMS3DScanTrajectory, NoticesANewTrajectory)
 TEST(LMS3DScanTrajectory, TakesAnOlderTrajectoryInPlaceOfANewerOne)
 {
   auto older = MakePoses({ { 0, 0, 1 } });
-  auto newer = MakePoses(ThreePlaces);
+  auto newer = MakePoses(ThreePositions);
   vtkNew<vtkTrivialProducer> producer;
   producer->SetOutput(newer);
-  auto scan = MakeJourney(nullptr);
+  auto scan = MakeScanAlong(nullptr);
   scan->SetTrajectoryConnection(producer->GetOutputPort());
   scan->Update();
   EXPECT_EQ(GetTimes(scan).size(), 3u);
@@ -220,27 +154,6 @@ TEST(LMS3DScanTrajectory, TakesAnOlderTrajectoryInPlaceOfANewerOne)
   EXPECT_EQ(GetPosition(scan), (Point{ 0, 0, 1 }));
 }
 
-TEST(LMS3DScanTrajectory, RefusesOtherKindsOfData)
-{
-  vtkNew<vtkMultiBlockDataSet> group;
-  group->SetBlock(0, MakePoses(ThreePlaces));
-  auto scan = MakeJourney(MakePoses(ThreePlaces));
-  scan->Update();
-  ASSERT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
-  scan->SetTrajectoryData(group);
-  const std::string error = UpdateAndGetError(scan);
-  EXPECT_NE(error.find("The trajectory is not a vtkPolyData"), std::string::npos) << error;
-  EXPECT_EQ(scan->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
-  for (int port : { 0, 1 })
-  {
-    EXPECT_EQ(scan->GetOutputDataObject(port)->GetNumberOfElements(vtkDataObject::POINT), 0);
-  }
-
-  scan->SetTrajectoryData(MakePoses(ThreePlaces));
-  scan->Update();
-  EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
-}
-
 TEST(LMS3DScanTrajectory, TurnsByQuaternions)
 {
   const double half = std::sqrt(0.5);
@@ -248,7 +161,7 @@ TEST(LMS3DScanTrajectory, TurnsByQuaternions)
   // None, 90 degrees about z, and the same again at a length that no square holds.
   AddArray(
     poses, "Orientation", 4, { 1, 0, 0, 0, half, 0, 0, half, half * 1e300, 0, 0, half * 1e300 });
-  auto scan = MakeJourney(poses);
+  auto scan = MakeScanAlong(poses);
   scan->UpdateTimeStep(0);
   ExpectAxis(scan, 0, { 1, 0, 0 });
   ExpectAxis(scan, 2, { 0, 0, 1 });
@@ -266,7 +179,7 @@ TEST(LMS3DScanTrajectory, FollowsAPolylineInItsOrder)
   // Up the x axis, standing, round a corner, and straight up.
   auto poses = MakePoses({ { 1, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 1, 1, 2 } });
   AddLine(poses, { 1, 0, 2, 3, 4, 4 });
-  auto scan = MakeJourney(poses);
+  auto scan = MakeScanAlong(poses);
   EXPECT_EQ(GetTimes(scan).size(), 6u);
   const double half = std::sqrt(0.5);
   const double slope = std::sqrt(0.2);
@@ -289,103 +202,3 @@ TEST(LMS3DScanTrajectory, FollowsAPolylineInItsOrder)
   scan->UpdateTimeStep(2);
   ExpectAxis(scan, 0, { half, half, 0 });
 }
-
-namespace
-{
-struct BadTrajectory
-{
-  const char* Name;
-  void (*Spoil)(vtkPolyData*);
-  const char* Words;
-};
-
-void PrintTo(const BadTrajectory& bad, std::ostream* os)
-{
-  *os << bad.Name;
-}
-
-class Bad : public testing::TestWithParam<BadTrajectory>
-{
-};
-
-const BadTrajectory BadTrajectories[] = {
-  { "NoPoints", [](vtkPolyData* poses) { poses->Initialize(); }, "no points" },
-  { "PositionIsNaN", [](vtkPolyData* poses) { poses->GetPoints()->SetPoint(1, NAN, 0, 0); },
-    "point 1 at nan 0 0" },
-  { "PositionIsFar", [](vtkPolyData* poses) { poses->GetPoints()->SetPoint(1, 1e19, 0, 0); },
-    "point 1 at 1e+19 0 0" },
-  { "TimeStands",
-    [](vtkPolyData* poses) {
-      AddArray(poses, "Time", 1, { 0, 1, 1 });
-    },
-    "Time 1 at its point 2, after 1" },
-  { "TimeRunsBack",
-    [](vtkPolyData* poses) {
-      AddArray(poses, "Time", 1, { 0, -1, 1 });
-    },
-    "Time -1 at its point 1, after 0" },
-  { "TimeIsNaN",
-    [](vtkPolyData* poses) {
-      AddArray(poses, "Time", 1, { NAN, 1, 2 });
-    },
-    "Time nan at its point 0" },
-  { "TimeIsInfinite",
-    [](vtkPolyData* poses) {
-      AddArray(poses, "Time", 1, { 0, 1, Infinity });
-    },
-    "Time inf at its point 2" },
-  { "TimeHasTwoComponents",
-    [](vtkPolyData* poses) {
-      AddArray(poses, "Time", 2, { 0, 1, 2, 3, 4, 5 });
-    },
-    "Time of 2 components" },
-  { "TimesAreTooFew",
-    [](vtkPolyData* poses) {
-      AddArray(poses, "Time", 1, { 0, 1 });
-    },
-    "only 2 values" },
-  { "OrientationHasThreeComponents",
-    [](vtkPolyData* poses) { AddArray(poses, "Orientation", 3, std::vector<double>(9, 1.0)); },
-    "quaternions w x y z" },
-  { "QuaternionIsZero",
-    [](vtkPolyData* poses) {
-      AddArray(poses, "Orientation", 4, { 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0 });
-    },
-    "Orientation 0 0 0 0 at its point 1" },
-  { "QuaternionIsNaN",
-    [](vtkPolyData* poses) {
-      AddArray(poses, "Orientation", 4, { 1, 0, 0, 0, 1, NAN, 0, 0, 1, 0, 0, 0 });
-    },
-    "Orientation 1 nan 0 0 at its point 1" },
-  { "TwoLines",
-    [](vtkPolyData* poses)
-    {
-      AddLine(poses, { 0, 1 });
-      AddLine(poses, { 1, 2 });
-    },
-    "2 lines" },
-  { "LineOfNoPoints", [](vtkPolyData* poses) { AddLine(poses, {}); }, "no points" },
-  { "LineBeyondThePoints",
-    [](vtkPolyData* poses) {
-      AddLine(poses, { 0, 7 });
-    },
-    "missing points" },
-};
-} // namespace
-
-TEST_P(Bad, GivesAnErrorAndEmptyOutputs)
-{
-  auto poses = MakePoses(ThreePlaces);
-  GetParam().Spoil(poses);
-  auto scan = MakeJourney(poses);
-  EXPECT_TRUE(GetTimes(scan).empty());
-  const std::string error = UpdateAndGetError(scan);
-  EXPECT_NE(error.find("The trajectory has"), std::string::npos) << error;
-  EXPECT_NE(error.find(GetParam().Words), std::string::npos) << error;
-  EXPECT_EQ(scan->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
-  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(scan->GetRangeImage()->GetNumberOfPoints(), 0);
-}
-
-INSTANTIATE_TEST_SUITE_P(LMS3DScanTrajectory, Bad, testing::ValuesIn(BadTrajectories),
-  [](const auto& bad) { return bad.param.Name; });

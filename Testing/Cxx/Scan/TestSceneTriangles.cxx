@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Fixtures/MeshFixtures.h"
+#include "Fixtures/ProgressListener.h"
 #include "Fixtures/SceneFixtures.h"
 #include "VRML/VRMLFixtures.h"
 
 #include "Geometry/lms3dAngle.h"
-#include "Geometry/lms3dVector.h"
 #include "Scene/lms3dSceneTriangles.h"
 #include "vtkLMS3DScanFilter.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkPoints.h>
@@ -17,13 +16,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
 namespace
 {
-
 using Triangle = std::array<Point, 3>;
 
 std::vector<Point> MakeStar(int corners, double inner, double outer)
@@ -48,17 +47,6 @@ std::vector<Triangle> GetTriangles(const lms3dTriangleMesh& mesh)
   return triangles;
 }
 
-double GetArea(const lms3dTriangleMesh& mesh)
-{
-  double area = 0.0;
-  for (const auto& [a, b, c] : GetTriangles(mesh))
-  {
-    const lms3dVector normal = lms3dCross(lms3dSubtract(b, a), lms3dSubtract(c, a));
-    area += 0.5 * std::sqrt(lms3dDot(normal, normal));
-  }
-  return area;
-}
-
 using SceneTriangles = VRMLScene;
 } // namespace
 
@@ -69,7 +57,8 @@ TEST(SceneTrianglesOfPolygons, AreExactForConvexPolygonsOfAnySize)
     const lms3dSceneTriangles scene = lms3dCollectTriangles(MakePolygon(MakeStar(sides, 2.0, 2.0)));
     EXPECT_EQ(scene.CrossedCells, 0);
     EXPECT_EQ(scene.Mesh.Triangles.size(), static_cast<std::size_t>(sides) - 2);
-    EXPECT_NEAR(GetArea(scene.Mesh), 2.0 * sides * std::sin(2.0 * lms3dPi / sides), 1e-9);
+    EXPECT_NEAR(
+      GetArea(GetTriangles(scene.Mesh)), 2.0 * sides * std::sin(2.0 * lms3dPi / sides), 1e-9);
   }
 }
 
@@ -84,7 +73,8 @@ TEST(SceneTrianglesOfPolygons, CoverARoundPolygonInSinglePrecision)
   polygon->SetPoints(points);
   const lms3dSceneTriangles scene = lms3dCollectTriangles(polygon);
   EXPECT_EQ(scene.CrossedCells, 0);
-  EXPECT_NEAR(GetArea(scene.Mesh), 2.0 * sides * std::sin(2.0 * lms3dPi / sides), 1e-5);
+  EXPECT_NEAR(
+    GetArea(GetTriangles(scene.Mesh)), 2.0 * sides * std::sin(2.0 * lms3dPi / sides), 1e-5);
 }
 
 TEST(SceneTrianglesOfPolygons, StopWithinOnePolygon)
@@ -105,17 +95,14 @@ TEST(SceneTrianglesOfPolygons, TheScanFilterStopsOnAbort)
   vtkNew<vtkLMS3DScanFilter> scan;
   scan->SetInputDataObject(MakePolygon(MakeStar(200000, 1.0, 2.0)));
   SetGrid(scan, 19, 18);
-  vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
+  auto abort = std::make_unique<ProgressListener>(scan,
+    [&](double share)
     {
-      auto* filter = static_cast<vtkLMS3DScanFilter*>(caller);
-      if (filter->GetProgress() < 0.1)
+      if (share < 0.1)
       {
-        filter->AbortExecuteOn();
+        scan->AbortExecuteOn();
       }
     });
-  const unsigned long tag = scan->AddObserver(vtkCommand::ProgressEvent, abort);
   const vtkMTimeType built = scan->GetBuildTime();
   EXPECT_EQ(UpdateAndGetError(scan), "");
   EXPECT_EQ(scan->GetErrorCode(), vtkErrorCode::NoError);
@@ -123,7 +110,7 @@ TEST(SceneTrianglesOfPolygons, TheScanFilterStopsOnAbort)
   EXPECT_EQ(scan->GetRangeImage()->GetNumberOfPoints(), 0);
   EXPECT_EQ(scan->GetBuildTime(), built);
 
-  scan->RemoveObserver(tag);
+  abort.reset();
   scan->AbortExecuteOff();
   EXPECT_EQ(UpdateAndGetError(scan), "");
   EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);

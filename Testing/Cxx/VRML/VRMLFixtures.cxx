@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VRML/VRMLFixtures.h"
 
+#include "Fixtures/MeshFixtures.h"
 #include "Geometry/lms3dVector.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <limits>
 
@@ -33,13 +33,7 @@ std::vector<std::array<lms3dPoint, 3>> GetTriangles(const lms3dScene& scene)
 
 double GetArea(const lms3dScene& scene)
 {
-  double area = 0.0;
-  for (const auto& [a, b, c] : GetTriangles(scene))
-  {
-    const lms3dVector normal = lms3dCross(lms3dSubtract(b, a), lms3dSubtract(c, a));
-    area += 0.5 * std::sqrt(lms3dDot(normal, normal));
-  }
-  return area;
+  return GetArea(GetTriangles(scene));
 }
 
 double GetVolume(const lms3dScene& scene)

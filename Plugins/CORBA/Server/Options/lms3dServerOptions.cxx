@@ -4,11 +4,11 @@
 
 #include "Options/lms3dConfigurationFile.h"
 #include "Options/lms3dOptionTable.h"
+#include "Options/lms3dOptionsCheck.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cstddef>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -183,35 +183,6 @@ Words TakeORBArguments(Words& arguments)
   return taken;
 }
 
-void CheckTLS(const lms3dServerOptions& options)
-{
-  if (options.TLSKey.empty() != options.TLSAuthorities.empty())
-  {
-    throw std::invalid_argument("--tls-key and --tls-authorities: one needs the other");
-  }
-  constexpr const char* TLSPrefix = "giop:ssl:";
-  if ((options.Endpoint.rfind(TLSPrefix, 0) == 0) == options.TLSKey.empty())
-  {
-    throw std::invalid_argument(options.TLSKey.empty()
-        ? "--endpoint: giop:ssl:HOST:PORT needs --tls-key and --tls-authorities"
-        : "--tls-key: \"" + options.Endpoint + "\" would be served without TLS; give --endpoint " +
-          "giop:ssl:HOST:PORT");
-  }
-}
-
-void Check(const lms3dServerOptions& options)
-{
-  if (options.Scenes.empty() && !options.Help && !options.Version)
-  {
-    throw std::invalid_argument("--scenes: name the folder of the scenes");
-  }
-  if (!options.AllowRemote && !lms3dIsLocalEndpoint(options.Endpoint))
-  {
-    throw std::invalid_argument("--endpoint: other machines could reach \"" + options.Endpoint +
-      "\" and move the sensor. To permit that, add --allow-remote");
-  }
-  CheckTLS(options);
-}
 } // namespace
 
 lms3dServerOptions lms3dReadServerOptions(const std::vector<std::string>& arguments)
@@ -234,7 +205,7 @@ lms3dServerOptions lms3dReadServerOptions(const std::vector<std::string>& argume
   fromFiles.ORBArguments = options.ORBArguments;
   options = fromFiles;
   Parse(app, words);
-  Check(options);
+  lms3dCheckServerOptions(options);
   return options;
 }
 
@@ -248,13 +219,4 @@ std::string lms3dGetServerHelp()
   app.get_formatter()->column_width(32);
   app.footer(Footer);
   return app.help();
-}
-
-bool lms3dIsLocalEndpoint(const std::string& endpoint)
-{
-  // The library's regular expressions recurse for each letter.
-  constexpr std::size_t MaximumLength = 1000;
-  static const std::regex local(
-    R"(giop:unix:.*|giop:(tcp|ssl):(127(\.\d{1,3}){3}|localhost|\[::1\]):\d*)");
-  return endpoint.size() <= MaximumLength && std::regex_match(endpoint, local);
 }

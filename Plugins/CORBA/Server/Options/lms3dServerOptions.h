@@ -59,7 +59,4 @@ lms3dServerOptions lms3dReadServerOptions(const std::vector<std::string>& argume
 /// The text of --help.
 std::string lms3dGetServerHelp();
 
-/// True if no other machine can connect to `endpoint`, "giop:TRANSPORT:HOST:PORT".
-bool lms3dIsLocalEndpoint(const std::string& endpoint);
-
 #endif
