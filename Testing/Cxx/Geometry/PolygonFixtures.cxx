@@ -35,15 +35,16 @@ Corners MakeRegularPolygon(int sides, double radius)
 
 Corners MakeCrescent(int count, double radius, double far)
 {
+  const int half = count / 2;
   Corners corners;
-  for (int i = 0; i < count / 2; ++i)
+  for (int i = 0; i < half; ++i)
   {
-    const double angle = lms3dPi * i / (count / 2);
+    const double angle = lms3dPi * i / half;
     corners.push_back({ far + radius * std::cos(angle), far + radius * std::sin(angle), 0 });
   }
-  for (int i = 0; i < count / 2; ++i)
+  for (int i = 0; i < half; ++i)
   {
-    const double angle = lms3dPi * i / (count / 2);
+    const double angle = lms3dPi * i / half;
     corners.push_back({ far - radius * std::cos(angle), far + 0.7 * radius * std::sin(angle), 0 });
   }
   return corners;
