@@ -42,6 +42,7 @@ SCANS = {
     "near": (ROOM, {"Position": [0.3, -0.2, 1.0], "MinimumRange": 2.0, "MaximumRange": 4.0}),
     # From the middle, beams hit the ball's vertices and edges, and the squares' corners.
     "lattice": ("lattice.vtp", {"Position": [0.0, 0.0, 0.0]}),
+    "labelled": (ROOM, {"Position": [0.3, -0.2, 1.0], "SurfaceAttributes": 1, **COARSE}),
     "paper": (ROOM, {"Position": [0.0, 0.0, 1.0], "IntersectionMethod": 2, **COARSE}),
     "textbook": ("lattice.vtp", {"Position": [0.0, 0.0, 0.0], "IntersectionMethod": 3, **COARSE}),
 }
