@@ -84,7 +84,7 @@ private:
   const lms3dTriangleMesh& Mesh;
   const lms3dVector& Position;
   std::int32_t Triangle = lms3dBeamPacket::NoTriangle;
-  lms3dVector Normal;
+  lms3dVector Normal{};
 };
 
 // An arc cosine would lose half of the digits near 0.
