@@ -259,7 +259,7 @@ TEST(LMS3DScanSurfaceAttributes, NormalsAreOnTheSideOfTheSensorWithoutRounding)
 {
 #ifdef __SIZEOF_INT128__
   __extension__ using Integer = __int128;
-  // Coordinates of the sensor are multiples of this, those of corners are whole numbers.
+  // The sensor's coordinates are multiples of this. The corners' are whole numbers.
   constexpr double Unit = 0x1p-43;
   Random random(1);
   int returns = 0;
@@ -320,7 +320,7 @@ TEST(LMS3DScanSurfaceAttributes, ANeedleHasItsNormal)
 
 // --- Cell data ----------------------------------------------------------------------------------
 
-TEST(LMS3DScanSurfaceAttributes, LabelsAreThoseOfTheCellThatWasHit)
+TEST(LMS3DScanSurfaceAttributes, LabelsBelongToTheCellThatWasHit)
 {
   auto room = ReadRoom();
   auto scan = MakeLabelledScan(room);
