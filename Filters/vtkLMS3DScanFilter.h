@@ -90,7 +90,7 @@
  * methods round each piece differently.
  * @par
  * Surface attributes come from the process whose triangle was hit. A cell array must exist on all
- * processes that have returns. VTK sends vtkIdType values as 32 bit integers.
+ * processes that have returns. Arrays of vtkIdType become arrays of vtkTypeInt64.
  * @par
  * The filter warns once if the global ids show that cells are missing: ids up to N, but fewer than
  * N + 1 cells in all processes together (fewer than N if the ids start above 0, because some file

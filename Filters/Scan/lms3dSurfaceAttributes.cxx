@@ -11,6 +11,7 @@
 #include "Scene/lms3dJoinedArrays.h"
 #include "Scene/lms3dSceneCellData.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
@@ -20,6 +21,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
+#include <vtkTypeInt64Array.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -122,6 +124,20 @@ void AddNormals(const lms3dSurfaceHits& hits, const std::vector<int>& beams, vtk
   data->AddArray(incidences);
 }
 
+// VTK sends the types vtkIdType and long long as 32 bits and as vtkTypeInt64.
+vtkSmartPointer<vtkAbstractArray> ToSendableType(vtkAbstractArray* array)
+{
+  const int type = array->GetDataType();
+  if (type != VTK_ID_TYPE && type != VTK_LONG_LONG)
+  {
+    return array;
+  }
+  vtkNew<vtkTypeInt64Array> copy;
+  copy->DeepCopy(array);
+  copy->SetName(array->GetName());
+  return copy.Get();
+}
+
 vtkSmartPointer<vtkTable> MakeTable(const std::vector<int>& beams, vtkFieldData* attributes)
 {
   const auto ids = lms3dMakeArray<vtkIntArray>(BeamIds, beams.size());
@@ -130,9 +146,10 @@ vtkSmartPointer<vtkTable> MakeTable(const std::vector<int>& beams, vtkFieldData*
   table->GetRowData()->AddArray(ids);
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
-    if (!table->GetRowData()->HasArray(attributes->GetAbstractArray(i)->GetName()))
+    vtkAbstractArray* array = attributes->GetAbstractArray(i);
+    if (!table->GetRowData()->HasArray(array->GetName()))
     {
-      table->GetRowData()->AddArray(attributes->GetAbstractArray(i));
+      table->GetRowData()->AddArray(ToSendableType(array));
     }
   }
   return table.Get();
