@@ -43,7 +43,7 @@ struct vtkLMS3DScanFilter::Internals
     return { vector(filter->Position), vector(filter->Orientation), range(filter->AlphaRange),
       filter->AlphaResolution, range(filter->BetaRange), filter->BetaResolution,
       { filter->MinimumRange, filter->MaximumRange }, filter->IntersectionMethod,
-      filter->NumberOfThreads };
+      filter->NumberOfThreads, filter->SurfaceAttributes };
   }
 
   // RequestData reports a bad trajectory.
@@ -97,6 +97,21 @@ vtkMTimeType vtkLMS3DScanFilter::GetBuildTime() const
 vtkImageData* vtkLMS3DScanFilter::GetRangeImage()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+void vtkLMS3DScanFilter::SetIntersectionMethod(int method)
+{
+  if (!GetIntersectionMethodName(method))
+  {
+    vtkErrorMacro("IntersectionMethod " << method << ": must be from " << EXACT << " (Exact) to "
+                                        << STATIC_CELL_LOCATOR << " (StaticCellLocator). It stays "
+                                        << this->GetIntersectionMethodAsString() << ".");
+  }
+  else if (this->IntersectionMethod != method)
+  {
+    this->IntersectionMethod = method;
+    this->Modified();
+  }
 }
 
 const char* vtkLMS3DScanFilter::GetIntersectionMethodAsString() const
@@ -204,6 +219,7 @@ int vtkLMS3DScanFilter::RequestData(
   {
     vtkErrorMacro(<< error);
     this->SetErrorCode(vtkErrorCode::UserError);
+    lms3dClearOutputs(outputVector);
     return 0;
   }
   return 1;
@@ -228,6 +244,7 @@ void vtkLMS3DScanFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumRange: " << this->MaximumRange << '\n';
   os << indent << "IntersectionMethod: " << this->GetIntersectionMethodAsString() << '\n';
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << '\n';
+  os << indent << "SurfaceAttributes: " << this->SurfaceAttributes << '\n';
   os << indent << "Controller: " << this->GetController() << '\n';
   os << indent << "BuildTime: " << this->GetBuildTime() << '\n';
 }

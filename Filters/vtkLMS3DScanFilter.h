@@ -35,6 +35,23 @@
  * Its field data: `AlphaAngles` and `BetaAngles` (float64, degrees) are the axes of the grid of
  * beams; `SensorToWorld` (16 float64) is the pose as a row-major matrix.
  *
+ * @par Surface attributes
+ * If SurfaceAttributes is on, the scan has more point data, in this order:
+ * - `Normals` (float32, 3 components, the active normals): the unit normal of the triangle that the
+ *   beam hit, towards the sensor. The side is that of Position, without rounding errors. (Only with
+ *   FAST a beam can hit a triangle whose plane contains the sensor. Its normal is on the side from
+ *   which its corners are counter-clockwise.)
+ * - `Incidence` (float32): the angle between the beam and the normal, 0 to 90 degrees. 0 means that
+ *   the beam is perpendicular to the surface.
+ * - The cell arrays of the scene, with the names and types that they have there: the value of the
+ *   cell that CellId names. A scene from vtkVRMLImporterSource has `ShapeId` and `Color`, and the
+ *   names of the shapes in the field data `ShapeNames`.
+ * @par
+ * These cell arrays are left out: vtkGhostType, the global ids (CellId has them), arrays without a
+ * name or with the name of an array of the scan, and arrays that not all data sets of a composite
+ * have with the same type and number of components. The range image stays the same; BeamId is the
+ * index of a return in it.
+ *
  * @par Output 1, the range image
  * A vtkImageData of AlphaResolution x BetaResolution points with the array `Range` (float64,
  * metres), which is NaN if the beam gave no return. The axes of the image are the angles in
@@ -71,6 +88,9 @@
  * returned. Without global ids, cells are numbered consecutively over the processes, so CellId, and
  * which of several hits at the same range is returned, depend on the distribution. The other
  * methods round each piece differently.
+ * @par
+ * Surface attributes come from the process whose triangle was hit. A cell array must exist on all
+ * processes that have returns. Arrays of vtkIdType become arrays of vtkTypeInt64.
  * @par
  * The filter warns once if the global ids show that cells are missing: ids up to N, but fewer than
  * N + 1 cells in all processes together. (If no cell has the id 0, fewer than N, because some file
@@ -112,7 +132,8 @@
  * In addition to the input and the outputs: for EXACT and FAST 24 bytes for each point and 12 for
  * each triangle (20 if some cells are not triangles), and Embree's structure; while a changed scene
  * is compared with the last one, its points and triangles again; 4 bytes for each beam, and 20 more
- * with several processes. The memory of outputs that were released is kept for the next scan.
+ * with several processes; with SurfaceAttributes 28 bytes for each return while they are filled. The
+ * memory of outputs that were released is kept for the next scan.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkVRMLImporterSource
@@ -272,10 +293,11 @@ public:
 
   ///@{
   /**
-   * How a beam finds the surface, one of IntersectionMethods. Other values are clamped. The default
-   * is EXACT. A change builds the acceleration structure again.
+   * How a beam finds the surface, one of IntersectionMethods. Another value is an error
+   * (vtkErrorMacro) and changes nothing. The default is EXACT. A change builds the acceleration
+   * structure again.
    */
-  vtkSetClampMacro(IntersectionMethod, int, EXACT, GetNumberOfIntersectionMethods() - 1);
+  virtual void SetIntersectionMethod(int method);
   vtkGetMacro(IntersectionMethod, int);
   void SetIntersectionMethodToExact() { this->SetIntersectionMethod(EXACT); }
   void SetIntersectionMethodToFast() { this->SetIntersectionMethod(FAST); }
@@ -304,6 +326,17 @@ public:
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the scan says what each return has hit. On adds the point arrays that the class
+   * documentation lists under "Surface attributes". The default is off. A change does not build the
+   * acceleration structure.
+   */
+  vtkSetMacro(SurfaceAttributes, bool);
+  vtkGetMacro(SurfaceAttributes, bool);
+  vtkBooleanMacro(SurfaceAttributes, bool);
   ///@}
 
   ///@{
@@ -363,6 +396,7 @@ private:
   double MaximumRange = 80.0;
   int IntersectionMethod = EXACT;
   int NumberOfThreads = 0;
+  bool SurfaceAttributes = false;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

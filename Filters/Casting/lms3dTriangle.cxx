@@ -112,7 +112,8 @@ bool lms3dHasArea(const lms3dCorners& corners)
   return false;
 }
 
-bool lms3dIsEdgeOn(const lms3dCorners& corners, const double origin[3])
+// The determinant is the product of the normal and the vector from the sensor to the triangle.
+int lms3dGetSide(const lms3dCorners& corners, const double origin[3])
 {
   const Difference a = Subtract(corners[0], origin);
   const Difference p = Subtract(corners[1], corners[0]);
@@ -125,8 +126,11 @@ bool lms3dIsEdgeOn(const lms3dCorners& corners, const double origin[3])
     rounded += a[axis].High * (p[next].High * q[last].High - p[last].High * q[next].High);
   }
   const double size = SumOfMagnitudes(a) * SumOfMagnitudes(p) * SumOfMagnitudes(q);
-  return std::abs(rounded) <= RoundingOfDeterminant * size &&
-    GetDeterminant(a, p, q).GetSign() == 0;
+  if (std::abs(rounded) > RoundingOfDeterminant * size)
+  {
+    return rounded > 0.0 ? -1 : 1;
+  }
+  return -GetDeterminant(a, p, q).GetSign();
 }
 
 bool lms3dIsNearPlane(

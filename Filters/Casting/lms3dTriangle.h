@@ -41,9 +41,15 @@ bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const do
 /// Returns whether the corners do not lie on one line, with exact arithmetic.
 bool lms3dHasArea(const lms3dCorners& corners);
 
-/// Returns whether the triangle has no area or its plane contains the sensor, with exact arithmetic.
-/// No beam hits such a triangle.
-bool lms3dIsEdgeOn(const lms3dCorners& corners, const double origin[3]);
+/// Returns 1 if the corners are counter-clockwise as the sensor sees them and -1 if they are clockwise,
+/// with exact arithmetic. Returns 0 if the triangle has no area or its plane contains the sensor.
+int lms3dGetSide(const lms3dCorners& corners, const double origin[3]);
+
+/// Returns whether lms3dGetSide is 0. No beam hits such a triangle.
+inline bool lms3dIsEdgeOn(const lms3dCorners& corners, const double origin[3])
+{
+  return lms3dGetSide(corners, origin) == 0;
+}
 
 /// Returns whether the sensor is so near to the triangle's plane that the 31 digits of `plane` are not
 /// enough for a range.

@@ -202,6 +202,24 @@ lms3dProcesses::Cells lms3dProcesses::GatherCells(const lms3dScenePart& mine) co
   return cells;
 }
 
+std::vector<vtkSmartPointer<vtkDataObject>> lms3dProcesses::GatherToFirst(vtkDataObject* mine) const
+{
+  std::vector<vtkSmartPointer<vtkDataObject>> objects(1, mine);
+  if (this->IsParallel())
+  {
+    const bool isDone = this->Controller->Gather(mine, objects, 0) != 0;
+    this->RunCollectively(
+      [isDone]
+      {
+        if (!isDone)
+        {
+          throw std::runtime_error("The processes cannot exchange their surface attributes.");
+        }
+      });
+  }
+  return objects;
+}
+
 void lms3dProcesses::ReduceToNearest(
   const std::vector<double>& chosenRanges, std::vector<vtkIdType>& cells, double* ranges) const
 {

@@ -11,6 +11,8 @@
 #include "Pipeline/lms3dFailure.h"
 #include "Scan/lms3dScenePart.h"
 
+#include <vtkDataObject.h>
+#include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <cstdint>
@@ -86,6 +88,10 @@ public:
    */
   void ReduceToNearest(
     const std::vector<double>& chosenRanges, std::vector<vtkIdType>& cells, double* ranges) const;
+
+  /// Returns the data objects of all processes, by rank, in the first process. In all others the
+  /// result is undefined. Throws std::runtime_error in all processes if one cannot send.
+  std::vector<vtkSmartPointer<vtkDataObject>> GatherToFirst(vtkDataObject* mine) const;
 
 private:
   void ThrowFirstError(const std::string& mine) const;

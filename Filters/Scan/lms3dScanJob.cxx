@@ -3,17 +3,20 @@
 #include "Scan/lms3dScanJob.h"
 
 #include "Pipeline/lms3dPipelineRequests.h"
+#include "Scan/lms3dSurfaceAttributes.h"
 
 #include <vtkDataObject.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 
 namespace
 {
@@ -62,6 +65,10 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
       lms3dGetStepProgress(request.Progress, BuildShare, 1.0), points, image };
     isDone = processes.IsParallel() ? this->CastInParallel(scan) : this->CastAlone(scan);
     this->Output.Discard();
+    if (request.Settings.SurfaceAttributes)
+    {
+      points->GetPointData()->SetActiveNormals("Normals");
+    }
   }
   if (!isDone)
   {
@@ -148,7 +155,7 @@ bool lms3dScanJob::Build(const lms3dScanJobRequest& request, bool isParallel)
 bool lms3dScanJob::CastAlone(const Scan& scan)
 {
   const lms3dRayCaster* caster = this->Scene.GetCaster();
-  this->CheckScene(caster != nullptr, this->Scene.GetPart());
+  lms3dCheckScene(caster != nullptr, this->Scene.GetPart(), this->Scene.GetSkippedCells());
   this->WarnIfIncomplete(this->Scene.GetPart(), scan);
   const lms3dScanSettings& settings = scan.Request.Settings;
   bool isDone = false;
@@ -160,6 +167,7 @@ bool lms3dScanJob::CastAlone(const Scan& scan)
       {
         this->Output.FillScan(&caster->GetMesh(), scan.Geometry, scan.Pose, scan.Points);
         this->Output.FillRangeImage(scan.Geometry, scan.Image);
+        this->AddSurfaceAttributes(scan, scan.Points->GetPointData());
       }
     });
   return isDone;
@@ -171,7 +179,7 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
   const lms3dProcesses& processes = scan.Processes;
   const lms3dRayCaster* caster = this->Scene.GetCaster();
   const lms3dProcesses::Cells cells = processes.GatherCells(this->Scene.GetPart());
-  this->CheckScene(processes.AnyOf(caster != nullptr), cells.Whole);
+  lms3dCheckScene(processes.AnyOf(caster != nullptr), cells.Whole, this->Scene.GetSkippedCells());
   if (processes.IsFirst())
   {
     this->WarnIfIncomplete(cells.Whole, scan);
@@ -207,27 +215,24 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
       }
       this->Output.FillRangeImagePiece(scan.Geometry, piece, scan.Image);
     });
+  if (settings.SurfaceAttributes)
+  {
+    vtkNew<vtkFieldData> own;
+    processes.RunCollectively([&] { run([&] { this->AddSurfaceAttributes(scan, own); }); });
+    lms3dGatherSurfaceAttributes(processes, this->Output.GetOwnTriangles(), own, scan.Points);
+  }
   return true;
 }
 
-void lms3dScanJob::CheckScene(bool hasTriangles, const lms3dScenePart& scene) const
+void lms3dScanJob::AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) const
 {
-  if (hasTriangles)
+  const lms3dRayCaster* caster = this->Scene.GetCaster();
+  if (scan.Request.Settings.SurfaceAttributes && caster)
   {
-    return;
+    lms3dAddSurfaceAttributes(
+      { caster->GetMesh(), scan.Geometry, scan.Pose, this->Output.GetOwnTriangles() },
+      scan.Request.Scene, this->Scene.GetPart().HasGlobalIds, data);
   }
-  const std::string& skipped = this->Scene.GetSkippedCells();
-  if (!skipped.empty())
-  {
-    throw std::runtime_error("There is nothing left to scan. " + skipped);
-  }
-  if (scene.HiddenCells > 0)
-  {
-    throw std::runtime_error("There is nothing left to scan: vtkGhostType hides all polygons, " +
-      std::to_string(scene.HiddenCells) + " cells.");
-  }
-  throw std::runtime_error("The scene has no polygons, so there is nothing to scan. Connect a data "
-                           "set with polygons, triangle strips or volume cells.");
 }
 
 void lms3dScanJob::WarnIfIncomplete(const lms3dScenePart& scene, const Scan& scan)

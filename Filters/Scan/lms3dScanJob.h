@@ -25,6 +25,7 @@
 #include <string>
 
 class vtkDataObject;
+class vtkFieldData;
 class vtkImageData;
 class vtkInformation;
 class vtkInformationVector;
@@ -83,7 +84,7 @@ private:
   bool Build(const lms3dScanJobRequest& request, bool isParallel);
   bool CastAlone(const Scan& scan);
   bool CastInParallel(const Scan& scan);
-  void CheckScene(bool hasTriangles, const lms3dScenePart& scene) const;
+  void AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) const;
   void WarnIfIncomplete(const lms3dScenePart& scene, const Scan& scan);
 
   lms3dBuiltScene Scene;

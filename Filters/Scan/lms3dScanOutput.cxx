@@ -29,6 +29,7 @@ std::size_t CountBeams(const lms3dScanGeometry& geometry)
 void lms3dScanOutput::Discard()
 {
   this->Ranges = nullptr;
+  this->ChosenTriangles = {};
   this->Cells = {};
   this->Pool.FreeUnused();
 }
@@ -47,6 +48,7 @@ bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
   this->Allocate(CountBeams(geometry));
+  this->ChosenTriangles = {};
   return lms3dScan(
     { caster, geometry, pose, limits, { this->Ranges->GetPointer(0), this->Triangles.data() } },
     progress);
@@ -75,21 +77,29 @@ void lms3dScanOutput::ReduceToNearest(
   const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell)
 {
   const std::size_t beams = this->Triangles.size();
-  for (std::size_t i = 0; i < beams; ++i)
+  const auto getOwnCell = [this, caster, firstCell](std::size_t beam)
   {
-    const std::int32_t triangle = this->ChosenTriangles[i];
-    this->Cells[i] = triangle == lms3dBeamPacket::NoTriangle
+    const std::int32_t triangle = this->ChosenTriangles[beam];
+    return triangle == lms3dBeamPacket::NoTriangle
       ? lms3dProcesses::NoCell
       : firstCell + caster->GetMesh().GetCell(triangle);
+  };
+  for (std::size_t i = 0; i < beams; ++i)
+  {
+    this->Cells[i] = getOwnCell(i);
   }
   double* ranges = this->Ranges->GetPointer(0);
   processes.ReduceToNearest(this->ChosenRanges, this->Cells, ranges);
   for (std::size_t i = 0; i < beams; ++i)
   {
-    this->Triangles[i] = std::isnan(ranges[i]) ? lms3dBeamPacket::NoTriangle : 0;
+    const bool isReturn = !std::isnan(ranges[i]);
+    this->Triangles[i] = isReturn ? 0 : lms3dBeamPacket::NoTriangle;
+    if (!isReturn || getOwnCell(i) != this->Cells[i])
+    {
+      this->ChosenTriangles[i] = lms3dBeamPacket::NoTriangle;
+    }
   }
   this->ChosenRanges = {};
-  this->ChosenTriangles = {};
 }
 
 std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& geometry) const

@@ -50,6 +50,13 @@ public:
   void ReduceToNearest(
     const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell);
 
+  /// Returns for each beam with a return the triangle that gave it, lms3dBeamPacket::NoTriangle for all
+  /// other beams, and for beams that hit another process's part. Valid until Discard.
+  const std::vector<std::int32_t>& GetOwnTriangles() const
+  {
+    return this->ChosenTriangles.empty() ? this->Triangles : this->ChosenTriangles;
+  }
+
   /// Fills output 0, which must be empty. `mesh` is that of the caster, or null after
   /// ReduceToNearest.
   void FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry,
@@ -77,7 +84,7 @@ private:
 
   ///@{
   /// Used only with several processes: what CastPart found for each beam, before limits applied,
-  /// and the cell of the nearest hit.
+  /// and the cell of the nearest hit. ReduceToNearest removes triangles that gave no return.
   std::vector<double> ChosenRanges;
   std::vector<std::int32_t> ChosenTriangles;
   std::vector<vtkIdType> Cells;

@@ -29,6 +29,9 @@ struct lms3dScanSettings
 
   /// 0 stands for all cores.
   int NumberOfThreads;
+
+  /// Whether the scan says what each return has hit.
+  bool SurfaceAttributes;
 };
 
 /// Returns a text for the user about the first bad property, empty if all are good.

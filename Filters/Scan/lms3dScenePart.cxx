@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 std::string lms3dDescribeMissingCells(const lms3dScenePart& scene)
 {
@@ -21,4 +22,24 @@ std::string lms3dDescribeMissingCells(const lms3dScenePart& scene)
          "its filter D3 instead.";
   }
   return text.str();
+}
+
+void lms3dCheckScene(
+  bool hasTriangles, const lms3dScenePart& scene, const std::string& skippedCells)
+{
+  if (hasTriangles)
+  {
+    return;
+  }
+  if (!skippedCells.empty())
+  {
+    throw std::runtime_error("There is nothing left to scan. " + skippedCells);
+  }
+  if (scene.HiddenCells > 0)
+  {
+    throw std::runtime_error("There is nothing left to scan: vtkGhostType hides all polygons, " +
+      std::to_string(scene.HiddenCells) + " cells.");
+  }
+  throw std::runtime_error("The scene has no polygons, so there is nothing to scan. Connect a data "
+                           "set with polygons, triangle strips or volume cells.");
 }

@@ -34,4 +34,9 @@ struct lms3dScenePart
 /// some file formats number from 1). Otherwise returns an empty string.
 std::string lms3dDescribeMissingCells(const lms3dScenePart& scene);
 
+/// Throws std::runtime_error, with a text for the user, if a whole scene has no triangles.
+/// `skippedCells` is a text about cells that were skipped, empty if there are none.
+void lms3dCheckScene(
+  bool hasTriangles, const lms3dScenePart& scene, const std::string& skippedCells);
+
 #endif

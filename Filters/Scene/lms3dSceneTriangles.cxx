@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/lms3dSceneTriangles.h"
 
+#include "Scene/lms3dSceneLeaves.h"
 #include "Scene/lms3dSurfaceTriangles.h"
 
 #include <vtkCellData.h>
-#include <vtkCompositeDataIterator.h>
-#include <vtkCompositeDataSet.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkGenericCell.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <array>
@@ -41,29 +39,13 @@ bool HasVolumeCells(vtkDataSet* data)
   return false;
 }
 
-std::vector<vtkDataSet*> GetLeaves(vtkDataObject* scene)
-{
-  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(scene);
-  if (!composite)
-  {
-    return { vtkDataSet::SafeDownCast(scene) };
-  }
-  std::vector<vtkDataSet*> leaves;
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    leaves.push_back(vtkDataSet::SafeDownCast(it->GetCurrentDataObject()));
-  }
-  return leaves;
-}
-
 class Collector
 {
 public:
   /// Returns false if `progress` stopped the work.
   bool Append(vtkDataObject* scene, const std::function<bool(double)>& progress)
   {
-    const std::vector<vtkDataSet*> leaves = GetLeaves(scene);
+    const std::vector<vtkDataSet*> leaves = lms3dGetLeaves(scene);
     const double count = static_cast<double>(leaves.size());
     for (std::size_t i = 0; i < leaves.size(); ++i)
     {

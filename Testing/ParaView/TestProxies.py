@@ -42,7 +42,9 @@ def values_of(shown):
 
 
 def entry_of(shown):
-    """The text that the window shows for the value of an enumeration, None for another property."""
+    """The text for the value of an enumeration or a switch, None for another property."""
+    if shown.FindDomain("vtkSMBooleanDomain"):
+        return ("off", "on")[shown.GetElement(0)]
     listed = shown.FindDomain("vtkSMEnumerationDomain")
     texts = {listed.GetEntryValue(i): listed.GetEntryText(i)
              for i in range(listed.GetNumberOfEntries())} if listed else {}

@@ -6,6 +6,7 @@
 import unittest
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, VTK_ID_TYPE, VTK_INT
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
@@ -26,6 +27,7 @@ from command_line import (
     pixels,
     points,
     read,
+    room,
     run,
     triangles,
 )
@@ -196,6 +198,29 @@ class TestOptions(CommandLineTest):
                   "--map", map_path)
         np.testing.assert_array_equal(points(read(vtkXMLPolyDataReader(), map_path)),
                                       points(read(vtkXMLPolyDataReader(), scan_path)))
+
+    def test_surface_attributes_label_the_points(self):
+        plain_path, path = self.folder / "plain.vtp", self.folder / "labelled.vtp"
+        self.done("scan", ROOM, *POSE, *COARSE, "-o", plain_path)
+        self.done("scan", ROOM, *POSE, *COARSE, "-o", path, "--surface-attributes")
+        plain, labelled = (read(vtkXMLPolyDataReader(), name) for name in (plain_path, path))
+        self.assertFalse(plain.GetPointData().HasArray("ShapeId"))
+        for i in range(plain.GetPointData().GetNumberOfArrays()):
+            name = plain.GetPointData().GetArrayName(i)
+            np.testing.assert_array_equal(array(labelled, name), array(plain, name))
+        scene = room()
+        cells = array(labelled, "CellId")
+        for name in ("ShapeId", "Color"):
+            np.testing.assert_array_equal(
+                array(labelled, name), vtk_to_numpy(scene.GetCellData().GetArray(name))[cells])
+        names = labelled.GetFieldData().GetAbstractArray("ShapeNames")
+        self.assertIn("Table", {names.GetValue(i) for i in array(labelled, "ShapeId")})
+        towards = POSITION - points(labelled)
+        towards /= np.linalg.norm(towards, axis=1)[:, None]
+        cosine = np.einsum("ij,ij->i", towards, array(labelled, "Normals"))
+        self.assertGreater(cosine.min(), 0)
+        np.testing.assert_allclose(np.cos(np.radians(array(labelled, "Incidence"))), cosine,
+                                   atol=1e-6)
 
     def test_the_largest_numbers_that_are_taken(self):
         self.done("scan", ROOM, *POSE, *COARSE, "--threads", 1024, "--maximum-range", "1e18",

@@ -5,6 +5,7 @@
 #include "vtkLMS3DScanFilter.h"
 
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkPoints.h>
@@ -13,6 +14,7 @@
 
 #include <limits>
 #include <ostream>
+#include <string>
 
 namespace
 {
@@ -108,6 +110,27 @@ TEST_P(EachBadProperty, GivesAnErrorAndEmptyOutputsAndRecovers)
 
 INSTANTIATE_TEST_SUITE_P(LMS3DScanFilter, EachBadProperty, testing::ValuesIn(BadProperties),
   [](const auto& property) { return property.param.Name; });
+
+TEST(LMS3DScanFilterErrors, AnUnknownMethodChangesNothing)
+{
+  for (int method : { -1, vtkLMS3DScanFilter::GetNumberOfIntersectionMethods(), 17 })
+  {
+    vtkNew<vtkLMS3DScanFilter> scan;
+    scan->SetIntersectionMethodToFast();
+    const vtkMTimeType time = scan->GetMTime();
+    vtkNew<vtkTest::ErrorObserver> observer;
+    scan->AddObserver(vtkCommand::ErrorEvent, observer);
+    scan->SetIntersectionMethod(method);
+    const std::string error = observer->GetErrorMessage();
+    EXPECT_NE(error.find("IntersectionMethod " + std::to_string(method) +
+                ": must be from 0 (Exact)"
+                " to 4"),
+      std::string::npos)
+      << error;
+    EXPECT_EQ(scan->GetIntersectionMethod(), vtkLMS3DScanFilter::FAST);
+    EXPECT_EQ(scan->GetMTime(), time);
+  }
+}
 
 TEST(LMS3DScanFilterErrors, RecoverWhenThePropertyIsRepaired)
 {

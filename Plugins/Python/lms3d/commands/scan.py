@@ -3,6 +3,7 @@
 """lms3d scan: scans a scene and writes the results."""
 
 from contextlib import ExitStack
+from pathlib import Path
 
 from ..figure import Figure, check_display
 from ..messages import say
@@ -32,7 +33,11 @@ examples:
   lms3d scan model.stl --up-axis y --position 0 0 1.5 --beta-range -45 45 \\
       --beta-resolution 181 -o points.csv --map map.stl --picture figure.png
   lms3d scan room.wrl --trajectory path.vtp -o scans.pvd --map maps.pvd
+  lms3d scan room.wrl --position 0.3 -0.2 1 -o labelled.vtp --surface-attributes
 """
+
+# The formats of points that keep all arrays.
+_COMPLETE = (".vtp", ".pvd")
 
 
 def add_arguments(parser):
@@ -42,6 +47,10 @@ def add_arguments(parser):
     results = parser.add_argument_group("results, at least one")
     results.add_argument("-o", "--output", metavar="FILE",
                          help="points: .vtp .ply .csv; with --trajectory .pvd")
+    results.add_argument("--surface-attributes", action="store_true",
+                         help="the points (.vtp, .pvd) also have what they hit: Normals, Incidence "
+                         "(degrees, 0: perpendicular) and the scene's cell arrays, for VRML ShapeId "
+                         "and Color; the field data ShapeNames has the names of the shapes")
     results.add_argument("--range-image", metavar="FILE",
                          help="grid of ranges, NaN without a return: .vti")
     results.add_argument("--map", metavar="FILE",
@@ -56,6 +65,7 @@ def run(options):
     """Check the options, scan, write."""
     _check(options)
     simulation = sensor_options.simulation(options)
+    simulation.sensor.SetSurfaceAttributes(options.surface_attributes)
     print(f"scene    {simulation.scene}")
     if options.trajectory:
         _scan_trajectory(options, simulation)
@@ -117,6 +127,9 @@ def _check(options):
     if not targets:
         raise UsageProblem("nothing to write: give a file name by -o, --range-image, --map or "
                            "--picture")
+    if options.surface_attributes and Path(options.output or "").suffix.lower() not in _COMPLETE:
+        raise UsageProblem("--surface-attributes: only points in a .vtp or .pvd file hold them; "
+                           "give its name by -o")
     sensor_options.check(options)
     check_targets(targets, options.scene, **inputs)
     if options.trajectory:

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief What the returns of a scan have hit: normals, incidence and cell data, as
+ * vtkLMS3DScanFilter documents them.
+ */
+#ifndef lms3dSurfaceAttributes_h
+#define lms3dSurfaceAttributes_h
+
+#include "Device/lms3dScanGeometry.h"
+#include "Geometry/lms3dTriangleMesh.h"
+#include "Scan/lms3dProcesses.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkDataObject;
+class vtkFieldData;
+class vtkPolyData;
+
+/// The triangle that each beam of a scan hit, ordered by turn, then by beam;
+/// lms3dBeamPacket::NoTriangle for beams that do not count.
+using lms3dHitTriangles = std::vector<std::int32_t>;
+
+/// The hits of a scan. References must outlive it.
+struct lms3dSurfaceHits
+{
+  const lms3dTriangleMesh& Mesh;
+  const lms3dScanGeometry& Geometry;
+  const lms3dPose& Pose;
+  const lms3dHitTriangles& Triangles;
+};
+
+/// Adds Normals, Incidence and the cell arrays of the scene to `data`, one tuple for each beam that
+/// counts. `hasGlobalIds` says whether the cells of the mesh are global ids. Uses the threads of the
+/// calling TBB arena.
+void lms3dAddSurfaceAttributes(
+  const lms3dSurfaceHits& hits, vtkDataObject* scene, bool hasGlobalIds, vtkFieldData* data);
+
+/// Adds the attributes of all processes to the first process's `scan`. In each process, `attributes`
+/// has a tuple for each beam that counts in `triangles`. If a beam counts in several processes, the
+/// lowest rank wins. Collective.
+void lms3dGatherSurfaceAttributes(const lms3dProcesses& processes,
+  const lms3dHitTriangles& triangles, vtkFieldData* attributes, vtkPolyData* scan);
+
+#endif
