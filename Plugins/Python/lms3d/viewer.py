@@ -9,8 +9,11 @@ from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor, vtkTextActor
 
 from .figure import Figure
+from .interruption import interruptible
 
 _HELP = "arrows: x, y    page up/down: z    mouse: camera    r: reset    q: quit"
+
+_INTERRUPTION_INTERVAL = 200  # milliseconds
 
 _MOVES = {
     "Left": (-1, 0, 0),
@@ -36,9 +39,13 @@ class Window:
         self.interactor = self._make_interactor()
 
     def run(self):
-        """Show the window until it is closed."""
+        """Show the window until it is closed, or until Ctrl-C in the terminal."""
         self.refresh()
-        self.interactor.Start()
+        # Python handles Ctrl-C when VTK calls an observer.
+        self.interactor.AddObserver("TimerEvent", lambda *_: None)
+        self.interactor.CreateRepeatingTimer(_INTERRUPTION_INTERVAL)
+        with interruptible(self.interactor.TerminateApp):
+            self.interactor.Start()
 
     def refresh(self):
         """Update the figure and draw it."""
