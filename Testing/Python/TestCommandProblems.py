@@ -245,7 +245,7 @@ class TestLosses(CommandLineTest):
     def test_limits_of_the_scene(self):
         path = self.write("USE Floor " * 9)
         self.assertIn("messages 0", run("info", path, "--scene-triangles", 20).stdout)
-        for option, value in (("nodes", 10), ("triangles", 19)):
+        for option, value in (("nodes", 9), ("triangles", 19)):
             with self.subTest(option):
                 words = run("info", path, f"--scene-{option}", value).stdout
                 self.assertIn(f"(on the command line --scene-{option})", words)

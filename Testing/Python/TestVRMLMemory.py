@@ -39,12 +39,12 @@ class Memory(SceneTest):
 
     def test_memory(self):
         text = SQUARE * 1000
-        enough = 1_000_000
+        enough = 2_000_000
         self.assertEqual(self.read(text, MaximumMemory=enough).words(), "")
         parsed = self.read(text, MaximumMemory=enough // 10)
         self.assertIn("MaximumMemory", parsed.words())
         self.assertEqual(len(parsed.errors), 1)
-        scene = self.read("DEF A " + SQUARE + "USE A " * 2000, MaximumMemory=enough // 2)
+        scene = self.read("DEF A " + SQUARE + "USE A " * 2000, MaximumMemory=enough // 4)
         self.assert_lost(scene)
         self.assertIn("MaximumMemory", scene.words())
         self.assertTrue(2 < scene.triangles < 4000)
@@ -62,7 +62,7 @@ class Memory(SceneTest):
                      "Coordinate { point [ " + "1 " * 100_000 + ".5 ] }",
                      "Inline { url [ " + '"" ' * 100_000 + "] }",
                      "Switch { choice [ " + "NULL " * 200_000 + "] }",
-                     "WorldInfo { " + " ".join(f"a{i} 1" for i in range(50_000)) + " }",
+                     "Unknown { " + " ".join(f"a{i} 1" for i in range(50_000)) + " }",
                      "".join(f"EXTERNPROTO P{i} [ ] [ ]" for i in range(10_000))):
             with self.subTest(text[:30]):
                 scene = self.read(SQUARE + text, MaximumMemory=1_000_000)
@@ -73,7 +73,7 @@ class Memory(SceneTest):
         name = "N" * 100_000
         often = "USE S " * 2000
         empty = "NULL " * 100_000
-        for text in (f"DEF S {SQUARE} DEF {name} Group {{ children [ {often} ] }}",
+        for text in (f"PROTO P [ ] {{ {SQUARE} }} DEF {name} Group {{ children [ {'P { } ' * 2000} ] }}",
                      f"{SQUARE} DEF S Group {{ children [ {empty} ] }} {often}"):
             with self.subTest(text[:30]):
                 scene = self.read(text, MaximumMemory=50_000_000)

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The file formats of results. Each turns a data object into the bytes of a file, in pieces.
 
-VTK's writers write to memory here, because they crash or report success if the disk is full.
+VTK's writers write to memory here, because they crash or report success if the disk is full. The
+one for PLY writes nothing to memory in VTK 9.2, and keeps no arrays.
 """
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
 from .execution import ProgressBar, write
@@ -77,26 +77,37 @@ def _encode_csv(scan, _failure):
     yield from _convert_rows(scan.GetNumberOfPoints(), convert)
 
 
-def _encode_ply(data, failure):
-    if data.GetNumberOfPolys() == 0:
-        return _encode_ply_points(data)
-    writer = vtkPLYWriter()
-    writer.SetInputDataObject(data)
-    writer.WriteToOutputStringOn()
-    write(writer, failure)
-    return _cut(writer.GetOutputString())
+def _encode_ply(data, _failure):
+    """Points with their arrays, or triangles with their points and normals."""
+    vertices = {name: column.astype(np.float32) for name, column in zip("xyz", _points(data).T)}
+    triangles = _triangles(data)
+    arrays = data.GetPointData()
+    if len(triangles) == 0:
+        for name in CSV_ARRAYS:
+            vertices[name] = _narrow(vtk_to_numpy(arrays.GetArray(name)))
+    elif arrays.GetNormals():
+        vertices.update(zip(("nx", "ny", "nz"), vtk_to_numpy(arrays.GetNormals()).T))
+    yield _ply_header(vertices, len(triangles))
+    yield from _convert_table(data.GetNumberOfPoints(), vertices)
+    if len(triangles) > 0:
+        count = np.full(len(triangles), 3, np.uint8)
+        yield from _convert_table(len(triangles), {"count": count, "corners": triangles})
 
 
-def _encode_ply_points(scan):
-    """The returns with their arrays, which VTK's writer leaves out."""
-    columns = {name: column.astype(np.float32)
-               for name, column in zip("xyz", _points(scan).T)}
-    arrays = scan.GetPointData()
-    for name in CSV_ARRAYS:
-        columns[name] = _narrow(vtk_to_numpy(arrays.GetArray(name)))
-    properties = "".join(f"property {_PLY_TYPES[column.dtype.str[1:]]} {name}\n"
-                         for name, column in columns.items())
-    types = [(name, "<" + column.dtype.str[1:]) for name, column in columns.items()]
+def _ply_header(vertices, triangle_count):
+    lines = ["ply", "format binary_little_endian 1.0", "comment metres, degrees",
+             f"element vertex {len(vertices['x'])}"]
+    lines += [f"property {_PLY_TYPES[column.dtype.str[1:]]} {name}"
+              for name, column in vertices.items()]
+    if triangle_count > 0:
+        lines += [f"element face {triangle_count}", "property list uchar int vertex_indices"]
+    return "\n".join([*lines, "end_header\n"]).encode("ascii")
+
+
+def _convert_table(count, columns):
+    """Rows of named columns as bytes without gaps."""
+    types = [(name, "<" + column.dtype.str[1:], column.shape[1:])
+             for name, column in columns.items()]
 
     def convert(rows):
         table = np.empty(rows.stop - rows.start, types)
@@ -104,10 +115,7 @@ def _encode_ply_points(scan):
             table[name] = column[rows]
         return table.tobytes()
 
-    count = scan.GetNumberOfPoints()
-    yield ("ply\nformat binary_little_endian 1.0\ncomment lengths in metres, angles in degrees\n"
-           f"element vertex {count}\n{properties}end_header\n").encode("ascii")
-    yield from _convert_rows(count, convert)
+    return _convert_rows(count, convert)
 
 
 # A type of numpy, without its byte order, and its name in PLY.
@@ -126,25 +134,31 @@ def _narrow(array):
 def _encode_stl(surface, _failure):
     """Triangles with normals, in single precision."""
     points = _points(surface)
-    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    triangles = _triangles(surface)
 
     def convert(rows):
         table = np.zeros(rows.stop - rows.start,
                          [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
-        placed = points[corners[rows]]
-        normals = np.cross(placed[:, 1] - placed[:, 0], placed[:, 2] - placed[:, 0])
+        corners = points[triangles[rows]]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         lengths = np.linalg.norm(normals, axis=1, keepdims=True)
         table["normal"] = np.divide(normals, lengths, out=normals, where=lengths > 0)
-        table["corners"] = placed
+        table["corners"] = corners
         return table.tobytes()
 
     # A header that begins with "solid" would stand for the format of text.
-    yield b"LMS3D".ljust(80) + np.array(len(corners), "<u4").tobytes()
-    yield from _convert_rows(len(corners), convert)
+    yield b"LMS3D".ljust(80) + np.array(len(triangles), "<u4").tobytes()
+    yield from _convert_rows(len(triangles), convert)
 
 
 def _points(data):
     return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def _triangles(surface):
+    """The numbers of the corners; the polygons of a map are triangles."""
+    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
+    return corners.reshape(-1, 3).astype(np.int32)
 
 
 _ENCODERS = {
