@@ -77,7 +77,7 @@ class TestInterrupt(CommandLineTest):
         code, text, seconds = process.finish()
         self.assertEqual(text, "lms3d: error: interrupted\r\n")
         self.assertEqual(code, 130)
-        self.assertLess(seconds, 10)
+        self.assertLess(seconds, 60)
         self.assertEqual(sorted(self.folder.iterdir()), before)
 
     def test_a_reader(self):
@@ -99,14 +99,14 @@ class TestInterrupt(CommandLineTest):
     def test_a_comparison(self):
         local_map = self.folder / "map.vtp"
         self.done("scan", ROOM, *POSE, *COARSE, "--map", local_map)
-        self.assert_interrupted("comparing", "compare", local_map, ROOM, "--samples", 50_000_000,
+        self.assert_interrupted("comparing", "compare", local_map, ROOM, "--samples", 10_000_000,
                                 "-o", self.folder / "errors.vtp")
 
     def test_a_search(self):
         self.assert_interrupted("measuring", "advise", ROOM, *POSE, "--tolerance", 0.001)
 
     def test_writing(self):
-        for ending in ("csv", "vtp"):
+        for ending in ("csv", "ply", "vtp"):
             with self.subTest(ending):
                 self.assert_interrupted("writing", "scan", ROOM, *POSE, *LARGE,
                                         "-o", self.folder / f"scan.{ending}")

@@ -47,11 +47,11 @@ def abortable(algorithm):
     """
     algorithms = _with_inputs(algorithm)
 
-    def abort():
+    def set_abort(value):
         for each in algorithms:
-            each.SetAbortExecute(1)
+            each.SetAbortExecute(value)
 
-    with interruptible(abort) as interruptions:
+    with interruptible(lambda: set_abort(1)) as interruptions:
         # Python handles signals when it enters the observer. VTK clears the flag when the next
         # algorithm starts, so the observer sets it again.
         def follow(caller, _event):
@@ -64,6 +64,8 @@ def abortable(algorithm):
         finally:
             for each, observer in zip(algorithms, observers):
                 each.RemoveObserver(observer)
+            if interruptions:
+                set_abort(0)  # for a next update
 
 
 def _with_inputs(algorithm):
