@@ -6,6 +6,7 @@
 import io
 import os
 import resource
+import stat
 import subprocess
 import sys
 import tempfile
@@ -68,16 +69,26 @@ class TestFullDisks(CommandLineTest):
                 self.assert_folder(path.name)
                 path.unlink()
 
+    def make_device(self, name, path):
+        """Make the path a device. A link to it would let a fault replace the system's own device."""
+        if os.geteuid() != 0:
+            path.symlink_to(f"/dev/{name}")
+            return
+        try:
+            os.mknod(path, 0o666 | stat.S_IFCHR, os.stat(f"/dev/{name}").st_rdev)
+            path.open("wb").close()
+        except OSError as error:
+            self.skipTest(f"no device can be made here: {error}")
+
     def test_a_full_device(self):
         for option, ending in RESULTS:
             with self.subTest(option + ending):
                 path = self.folder / f"full.{ending}"
-                path.symlink_to("/dev/full")
+                self.make_device("full", path)
                 result = run_process(*SCAN, option, path)
                 self.assert_failed(result, f"cannot write '{path}': No space left on device")
                 self.assert_folder(path.name)
                 path.unlink()
-        self.assertTrue(os.path.exists("/dev/full") and not os.path.isfile("/dev/full"))
 
     def test_a_series(self):
         path = self.folder / "scans.pvd"
@@ -102,11 +113,9 @@ class TestFullDisks(CommandLineTest):
 
     def test_devices_and_pipes_are_not_replaced(self):
         path = self.folder / "null.csv"
-        path.symlink_to("/dev/null")
+        self.make_device("null", path)
         self.done(*SCAN, "-o", path)
-        self.assertTrue(path.is_symlink())
         self.assertTrue(path.is_char_device())
-        path.unlink()
 
 
 class TestStandardOutput(CommandLineTest):
