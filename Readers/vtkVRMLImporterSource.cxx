@@ -115,6 +115,7 @@ lms3dScene vtkVRMLImporterSource::Internals::Read() const
   options.MaximumInlineDepth = this->Self->MaximumInlineDepth;
   options.MaximumNumberOfNodes = this->Self->MaximumNumberOfNodes;
   options.MaximumNumberOfTriangles = this->Self->MaximumNumberOfTriangles;
+  options.MaximumMemory = this->Self->MaximumMemory;
   options.MaximumFileSize = this->Self->MaximumFileSize;
   return lms3dReadVRML(this->Self->FileName, options, progress);
 }
@@ -179,9 +180,7 @@ bool vtkVRMLImporterSource::Internals::Execute(vtkInformation* output)
   catch (const std::bad_alloc&)
   {
     return this->Fail(output, vtkErrorCode::UserError,
-      std::string(this->Self->FileName) +
-        " needs more memory than there is; lower MaximumNumberOfNodes or "
-        "MaximumNumberOfTriangles.");
+      std::string(this->Self->FileName) + " needs more memory than there is; lower MaximumMemory.");
   }
   catch (const std::exception& exception)
   {
@@ -217,6 +216,7 @@ void vtkVRMLImporterSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumInlineDepth: " << this->MaximumInlineDepth << '\n';
   os << indent << "MaximumNumberOfNodes: " << this->MaximumNumberOfNodes << '\n';
   os << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << '\n';
+  os << indent << "MaximumMemory: " << this->MaximumMemory << '\n';
   os << indent << "MaximumFileSize: " << this->MaximumFileSize << '\n';
   os << indent << "NumberOfMessages: " << this->GetNumberOfMessages() << '\n';
 }

@@ -49,6 +49,10 @@
  * vtkErrorCode defines these codes. After an abort the output is empty, without an error or a
  * message.
  *
+ * @par Limits
+ * A short text with nested USEs can stand for a huge scene. The default limits are about ten times
+ * what large scenes need. At a limit the reader ends with an error that names it.
+ *
  * @warning
  * The engine VTKImporter exists for comparison only. It uses vtkVRMLImporter:
  * - It reads IndexedFaceSets with explicit values under Transforms that are not nested and only
@@ -168,7 +172,7 @@ public:
   /**
    * The maximum number of nodes in the files, and also the maximum number of visits to nodes, where
    * each USE and each instance counts again. The reader keeps the part of the scene before the
-   * limit. Minimum: 0. Default: 20,000,000.
+   * limit. Minimum: 0. Default: 2,000,000.
    */
   vtkSetClampMacro(MaximumNumberOfNodes, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaximumNumberOfNodes, vtkTypeInt64);
@@ -178,7 +182,7 @@ public:
   /**
    * The maximum number of triangles in the output. The reader keeps the shapes before the limit.
    * Faces without area count too, beyond an allowance of one million. Minimum: 0. Default:
-   * 400,000,000.
+   * 20,000,000.
    */
   vtkSetClampMacro(MaximumNumberOfTriangles, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaximumNumberOfTriangles, vtkTypeInt64);
@@ -186,8 +190,17 @@ public:
 
   ///@{
   /**
+   * The maximum memory for nodes, values, meshes and the output, in bytes; released memory counts
+   * too. The reader keeps the shapes before the limit. Minimum: 0. Default: 2,000,000,000 (2 GB).
+   */
+  vtkSetClampMacro(MaximumMemory, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(MaximumMemory, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
    * The maximum size of all files of the scene together, unpacked, in bytes. The reader keeps the
-   * part of the scene before the limit. Minimum: 0. Default: 2,147,483,648 (2 GiB).
+   * part of the scene before the limit. Minimum: 0. Default: 1,000,000,000 (1 GB).
    */
   vtkSetClampMacro(MaximumFileSize, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaximumFileSize, vtkTypeInt64);
@@ -230,9 +243,10 @@ private:
   int UpAxis = UP_AXIS_AS_IN_FILE;
   double ChordError = 0.001;
   int MaximumInlineDepth = 16;
-  vtkTypeInt64 MaximumNumberOfNodes = 20000000;
-  vtkTypeInt64 MaximumNumberOfTriangles = 400000000;
-  vtkTypeInt64 MaximumFileSize = 2147483648;
+  vtkTypeInt64 MaximumNumberOfNodes = 2000000;
+  vtkTypeInt64 MaximumNumberOfTriangles = 20000000;
+  vtkTypeInt64 MaximumMemory = 2000000000;
+  vtkTypeInt64 MaximumFileSize = 1000000000;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

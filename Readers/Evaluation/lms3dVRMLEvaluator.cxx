@@ -7,6 +7,13 @@
 
 #include <algorithm>
 
+namespace
+{
+// With its entry in the table of known instances.
+constexpr std::size_t BytesPerInstance =
+  sizeof(lms3dVRMLInstance) + sizeof(lms3dVRMLNodeInContext) + 3 * sizeof(void*);
+} // namespace
+
 lms3dVRMLNodeInContext lms3dVRMLEvaluator::Expand(lms3dVRMLNodeInContext node)
 {
   while (node.Node && node.Node->Prototype)
@@ -48,7 +55,7 @@ lms3dVRMLNodeInContext lms3dVRMLEvaluator::ExpandInstance(const lms3dVRMLNodeInC
     return {};
   }
   const lms3dVRMLPrototype* body = this->Documents.FindBody(*node.Node->Prototype);
-  if (!body)
+  if (!body || !this->CountMemory(node, BytesPerInstance))
   {
     return {};
   }
@@ -116,6 +123,11 @@ lms3dVRMLEvaluator::FoundValue lms3dVRMLEvaluator::Find(
 bool lms3dVRMLEvaluator::CountWork(const lms3dVRMLNodeInContext& geometry, std::size_t triangles)
 {
   return this->Context.CountWork(triangles, geometry.Node->Document->FileName, geometry.Node->Line);
+}
+
+bool lms3dVRMLEvaluator::CountMemory(const lms3dVRMLNodeInContext& node, std::size_t bytes)
+{
+  return this->Context.CountMemory(bytes, node.Node->Document->FileName, node.Node->Line);
 }
 
 void lms3dVRMLEvaluator::Warn(const lms3dVRMLNodeInContext& node, const std::string& text)

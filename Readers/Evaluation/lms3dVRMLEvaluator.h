@@ -137,6 +137,9 @@ public:
   /// See lms3dVRMLContext::CountWork.
   bool CountWork(const lms3dVRMLNodeInContext& geometry, std::size_t triangles);
 
+  /// Counts bytes that are made for a node. Returns false if the limit is exceeded.
+  bool CountMemory(const lms3dVRMLNodeInContext& node, std::size_t bytes);
+
   ///@{
   /// Add a message about a node: a warning, or an error because geometry is lost.
   void Warn(const lms3dVRMLNodeInContext& node, const std::string& text);

@@ -21,7 +21,8 @@ std::vector<lms3dVRMLNodeInContext> lms3dVRMLEvaluator::GetNodes(
 {
   const FoundNodes found = this->FindNodes(node, name);
   std::vector<lms3dVRMLNodeInContext> nodes;
-  if (found.Nodes)
+  // Counts null nodes too, which no visit counts.
+  if (found.Nodes && this->CountMemory(node, found.Nodes->size() * sizeof(nodes[0])))
   {
     nodes.reserve(found.Nodes->size());
     for (const lms3dVRMLNode* child : *found.Nodes)

@@ -26,11 +26,16 @@ std::shared_ptr<const List> Borrow(const List& list)
   return { std::shared_ptr<const List>(), &list };
 }
 
-// Converts a list once for all nodes that share it.
-template <typename From, typename To, typename Function>
-std::shared_ptr<const To> ConvertOnce(
-  const From& list, std::shared_ptr<const To>& known, const Function& convert)
+// Converts a list once for all nodes that share it. Returns an empty list if the limit of memory is
+// exceeded.
+template <typename From, typename To, typename Function, typename Count>
+std::shared_ptr<const To> ConvertOnce(const From& list, std::shared_ptr<const To>& known,
+  const Function& convert, const Count& countMemory)
 {
+  if (!known && !countMemory(list.size() * sizeof(typename To::value_type)))
+  {
+    return std::make_shared<To>();
+  }
   if (!known)
   {
     auto converted = std::make_shared<To>(list.size());
@@ -137,7 +142,9 @@ std::shared_ptr<const lms3dVRMLReals> lms3dVRMLEvaluator::GetReals(
   }
   else if (const auto* integers = std::get_if<lms3dVRMLIntegers>(found.Value))
   {
-    list = ConvertOnce(*integers, this->AsReals[found.Value], [](std::int32_t x) { return x; });
+    list = ConvertOnce(
+      *integers, this->AsReals[found.Value], [](std::int32_t x) { return x; },
+      [this, &node](std::size_t bytes) { return this->CountMemory(node, bytes); });
   }
   else
   {
@@ -165,7 +172,8 @@ std::shared_ptr<const lms3dVRMLIntegers> lms3dVRMLEvaluator::GetIntegers(
   }
   if (const auto* reals = value ? std::get_if<lms3dVRMLReals>(value) : nullptr)
   {
-    return ConvertOnce(*reals, this->AsIntegers[value], ToInteger);
+    return ConvertOnce(*reals, this->AsIntegers[value], ToInteger,
+      [this, &node](std::size_t bytes) { return this->CountMemory(node, bytes); });
   }
   if (value)
   {

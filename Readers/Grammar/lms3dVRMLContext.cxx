@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grammar/lms3dVRMLContext.h"
 
+#include "Grammar/lms3dVRMLNode.h"
+
 #include <algorithm>
 
 namespace
 {
 constexpr std::int64_t NodesPerReport = 4096;
 constexpr std::uint64_t WorkAllowance = 1'000'000;
+constexpr std::size_t BytesPerTriangle = 3 * sizeof(std::int32_t);
 } // namespace
 
 bool lms3dVRMLContext::Report(double fraction)
@@ -21,8 +24,8 @@ bool lms3dVRMLContext::CountParsedNode(const std::string& file, std::size_t line
 {
   ++this->ParsedNodes;
   return this->CheckLimit(this->ParsedNodes <= this->Options.MaximumNumberOfNodes,
-           "MaximumNumberOfNodes", file, line) &&
-    !this->IsAborted;
+           "MaximumNumberOfNodes", "--scene-nodes", file, line) &&
+    this->CountMemory(sizeof(lms3dVRMLNode), file, line) && !this->IsAborted;
 }
 
 bool lms3dVRMLContext::CountNode(const std::string& file, std::size_t line)
@@ -32,8 +35,8 @@ bool lms3dVRMLContext::CountNode(const std::string& file, std::size_t line)
     this->Report(this->Fraction);
   }
   this->IsFull = this->IsFull ||
-    !this->CheckLimit(
-      this->Nodes <= this->Options.MaximumNumberOfNodes, "MaximumNumberOfNodes", file, line);
+    !this->CheckLimit(this->Nodes <= this->Options.MaximumNumberOfNodes, "MaximumNumberOfNodes",
+      "--scene-nodes", file, line);
   return !this->IsFull && !this->IsAborted;
 }
 
@@ -42,7 +45,9 @@ bool lms3dVRMLContext::CountWork(std::size_t count, const std::string& file, std
   const std::uint64_t limit =
     static_cast<std::uint64_t>(this->Options.MaximumNumberOfTriangles) + WorkAllowance;
   this->IsFull = this->IsFull ||
-    !this->CheckLimit(count <= limit - this->Work, "MaximumNumberOfTriangles", file, line);
+    !this->CheckLimit(
+      count <= limit - this->Work, "MaximumNumberOfTriangles", "--scene-triangles", file, line) ||
+    !this->HasMemory(count * BytesPerTriangle, file, line);
   this->Work += this->IsFull ? 0 : count;
   return !this->IsFull;
 }
@@ -52,18 +57,32 @@ bool lms3dVRMLContext::CountTriangles(std::size_t count, const std::string& file
   this->IsFull = this->IsFull ||
     !this->CheckLimit(
       static_cast<std::int64_t>(count) <= this->Options.MaximumNumberOfTriangles - this->Triangles,
-      "MaximumNumberOfTriangles", file, line);
+      "MaximumNumberOfTriangles", "--scene-triangles", file, line);
   this->Triangles += this->IsFull ? 0 : static_cast<std::int64_t>(count);
   return !this->IsFull;
 }
 
+bool lms3dVRMLContext::CountMemory(std::size_t bytes, const std::string& file, std::size_t line)
+{
+  this->IsFull = this->IsFull || !this->HasMemory(bytes, file, line);
+  this->Memory += this->IsFull ? 0 : bytes;
+  return !this->IsFull;
+}
+
+bool lms3dVRMLContext::HasMemory(std::size_t bytes, const std::string& file, std::size_t line)
+{
+  return this->CheckLimit(
+    bytes <= this->GetMemoryLeft(), "MaximumMemory", "--scene-memory", file, line);
+}
+
 bool lms3dVRMLContext::CheckLimit(
-  bool isWithin, const std::string& limit, const std::string& file, std::size_t line)
+  bool isWithin, const char* limit, const char* option, const std::string& file, std::size_t line)
 {
   if (!isWithin && this->ReportedLimits.insert(limit).second)
   {
-    this->Messages.AddError(
-      file, line, "the rest of the scene is not read: it is larger than " + limit + " allows");
+    this->Messages.AddError(file, line,
+      std::string("the rest of the scene is not read: it is larger than ") + limit +
+        " allows (on the command line " + option + ")");
   }
   return isWithin;
 }

@@ -43,21 +43,32 @@ public:
   bool CountParsedNode(const std::string& file, std::size_t line);
   bool CountNode(const std::string& file, std::size_t line);
   bool CountTriangles(std::size_t count, const std::string& file, std::size_t line);
+  bool CountMemory(std::size_t bytes, const std::string& file, std::size_t line);
   ///@}
 
   /// Counts the triangles that a geometry node could have, before its mesh is made. Without this, a
   /// scene of many degenerate faces could cost unlimited time, because it has no triangles to
-  /// count. The limit is MaximumNumberOfTriangles plus one million. Returns as the functions above.
+  /// count. The limit is MaximumNumberOfTriangles plus one million. The triangles must also fit into
+  /// the memory that is left, which does not change. Returns as the functions above.
   bool CountWork(std::size_t count, const std::string& file, std::size_t line);
 
-  /// Returns how many bytes may still be read.
+  ///@{
+  /// Return how many bytes of files may still be read, and how many bytes may still be made of them.
   std::int64_t GetBytesLeft() const { return this->Options.MaximumFileSize - this->Bytes; }
+  std::uint64_t GetMemoryLeft() const
+  {
+    return static_cast<std::uint64_t>(this->Options.MaximumMemory) - this->Memory;
+  }
+  ///@}
   void CountBytes(std::size_t count) { this->Bytes += static_cast<std::int64_t>(count); }
 
 private:
-  /// Returns `isWithin`. Reports the first time that a limit is exceeded.
-  bool CheckLimit(
-    bool isWithin, const std::string& limit, const std::string& file, std::size_t line);
+  /// Returns `isWithin`. Reports the first time that a limit is exceeded. `option` is its name on the
+  /// command line.
+  bool CheckLimit(bool isWithin, const char* limit, const char* option, const std::string& file,
+    std::size_t line);
+  /// Returns whether so much can still be made.
+  bool HasMemory(std::size_t bytes, const std::string& file, std::size_t line);
 
   const lms3dProgressFunction& Progress;
   double Fraction = 0.0;
@@ -66,6 +77,7 @@ private:
   std::int64_t Triangles = 0;
   std::uint64_t Work = 0;
   std::int64_t Bytes = 0;
+  std::uint64_t Memory = 0;
   bool IsAborted = false;
   /// Whether no more shapes are collected, because a limit is exceeded.
   bool IsFull = false;

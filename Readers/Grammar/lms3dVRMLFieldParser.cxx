@@ -114,5 +114,6 @@ void lms3dVRMLParser::AddField(lms3dVRMLNode& node, lms3dVRMLField&& field)
       return;
     }
   }
+  this->CountMemory(sizeof(lms3dVRMLField));
   node.Fields.push_back(std::move(field));
 }

@@ -24,10 +24,12 @@ struct lms3dVRMLOptions
   int MaximumInlineDepth = 16;
   /// Limits two counts: of the nodes that the files contain, and of the visits to nodes, where each
   /// USE and each instance counts again.
-  std::int64_t MaximumNumberOfNodes = 20'000'000;
-  std::int64_t MaximumNumberOfTriangles = 400'000'000;
+  std::int64_t MaximumNumberOfNodes = 2'000'000;
+  std::int64_t MaximumNumberOfTriangles = 20'000'000;
+  /// In bytes: of all that the reader makes from the files, and of the output.
+  std::int64_t MaximumMemory = 2'000'000'000;
   /// In bytes; the sum over all files of the scene, unpacked.
-  std::int64_t MaximumFileSize = std::int64_t(1) << 31;
+  std::int64_t MaximumFileSize = 1'000'000'000;
 };
 
 /// Receives the fraction done, 0 to 1. Returns false to stop the reading.

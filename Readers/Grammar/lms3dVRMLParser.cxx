@@ -153,9 +153,24 @@ void lms3dVRMLParser::Stop()
   this->HasReportedEnd = true;
 }
 
+bool lms3dVRMLParser::CountMemory(std::size_t bytes)
+{
+  const bool isWithin = this->Context.CountMemory(bytes, this->Document.FileName, this->Get().Line);
+  if (!isWithin)
+  {
+    this->Stop();
+  }
+  return isWithin;
+}
+
 std::string_view lms3dVRMLParser::Intern(std::string_view name)
 {
-  return *this->Document.Names.emplace(name).first;
+  const auto [interned, isNew] = this->Document.Names.emplace(name);
+  if (isNew)
+  {
+    this->CountMemory(sizeof(std::string) + interned->capacity());
+  }
+  return *interned;
 }
 
 void lms3dVRMLParser::Warn(const std::string& text)

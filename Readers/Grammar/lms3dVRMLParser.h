@@ -109,6 +109,8 @@ private:
   /// Reports the progress. Stops after the user's abort.
   void ReportProgress();
   void Stop();
+  /// Returns false, and stops, if the limit of memory is exceeded.
+  bool CountMemory(std::size_t bytes);
   /// Returns the name as a view into the names of the document, which outlives the text.
   std::string_view Intern(std::string_view name);
   static std::string Quote(std::string_view text);

@@ -18,6 +18,7 @@ void lms3dVRMLParser::ParsePrototype(bool isExternal)
 {
   lms3dVRMLPrototype& prototype = this->Document.Prototypes.emplace_back(
     lms3dVRMLPrototype{ &this->Document, this->Get().Line, {}, {}, nullptr, isExternal, {} });
+  this->CountMemory(sizeof(lms3dVRMLPrototype));
   this->Lexer.AdvanceToName();
   prototype.Name = this->Intern(this->Get().Text);
   this->Advance();
@@ -124,6 +125,7 @@ void lms3dVRMLParser::ParseDeclaration(std::vector<lms3dVRMLField>& fields, bool
   }
   if (fields.size() < MaximumNumberOfFields)
   {
+    this->CountMemory(sizeof(lms3dVRMLField));
     fields.push_back(std::move(field));
   }
   else

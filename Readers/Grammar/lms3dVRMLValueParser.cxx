@@ -5,6 +5,7 @@
 #include "Grammar/lms3dVRMLContext.h"
 #include "Grammar/lms3dVRMLNodeTypes.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace
@@ -143,7 +144,8 @@ void lms3dVRMLParser::ParseNumbers(lms3dVRMLValue& value)
   if (auto* integers = std::get_if<lms3dVRMLIntegers>(&value))
   {
     this->ParseRun(*integers);
-    if (this->Get().Kind != lms3dVRMLToken::NUMBER)
+    if (this->Get().Kind != lms3dVRMLToken::NUMBER ||
+      !this->CountMemory(integers->size() * sizeof(double)))
     {
       return;
     }
@@ -175,13 +177,15 @@ void lms3dVRMLParser::ParseRun(List& numbers)
     {
       const double density =
         static_cast<double>(size - before) / static_cast<double>(this->Lexer.GetOffset() - begin);
+      const double more = 1.2 * density * static_cast<double>(this->Lexer.GetBytesToListEnd());
       numbers.reserve(size +
-        static_cast<std::size_t>(
-          1.2 * density * static_cast<double>(this->Lexer.GetBytesToListEnd())));
+        std::min(static_cast<std::size_t>(more),
+          static_cast<std::size_t>(this->Context.GetMemoryLeft() / sizeof(numbers[0]))));
     }
     this->Lexer.AppendNumbers(numbers, BatchSize);
     this->ReportProgress();
-    isMore = numbers.size() == size + BatchSize;
+    isMore = this->CountMemory((numbers.size() - size) * sizeof(numbers[0])) &&
+      numbers.size() == size + BatchSize;
   }
   if (numbers.size() > BatchSize && numbers.capacity() > 2 * numbers.size())
   {
@@ -212,6 +216,7 @@ void lms3dVRMLParser::ParseStrings(lms3dVRMLValue& value)
     {
       this->ReportLoss("the quote that ends a string is missing");
     }
+    this->CountMemory(sizeof(std::string) + this->Get().Text.size());
     std::get<lms3dVRMLStrings>(value).push_back(lms3dUnescape(this->Get().Text));
   }
 }
@@ -223,5 +228,6 @@ void lms3dVRMLParser::ParseNodes(lms3dVRMLValue& value)
   {
     value = lms3dVRMLNodes();
   }
+  this->CountMemory(sizeof(lms3dVRMLNode*));
   std::get<lms3dVRMLNodes>(value).push_back(this->ParseNodeStatement());
 }

@@ -15,6 +15,21 @@
 
 namespace
 {
+std::size_t GetSize(const lms3dMesh& mesh)
+{
+  return mesh.Points.size() * sizeof(mesh.Points[0]) +
+    mesh.Triangles.size() * sizeof(mesh.Triangles[0]) + mesh.Colors.size() * sizeof(mesh.Colors[0]);
+}
+
+// With the part of the output that vtkVRMLImporterSource makes of the shape: points, and for each
+// triangle its corners, its offset, ShapeId and Color.
+std::size_t GetSize(const lms3dShape& shape)
+{
+  constexpr std::size_t bytesPerTriangle = 4 * sizeof(std::int64_t) + sizeof(std::int32_t) + 4;
+  return sizeof(shape) + 2 * shape.Name.size() + shape.Mesh->Points.size() * sizeof(lms3dPoint) +
+    shape.Mesh->Triangles.size() * bytesPerTriangle;
+}
+
 // Discards the points of a mesh without triangles.
 lms3dMesh MakeMesh(lms3dVRMLEvaluator& evaluator, const lms3dVRMLNodeInContext& geometry, int sides)
 {
@@ -61,8 +76,11 @@ void lms3dVRMLTraversal::VisitShape(
   shape.Name = lms3dToUTF8(state.Name);
   shape.ToWorld = state.ToWorld;
   shape.Mesh = mesh.Triangles;
-  this->SetColor(shapeNode, shape);
-  this->Shapes.push_back(std::move(shape));
+  if (this->Evaluator.CountMemory(geometry, GetSize(shape)))
+  {
+    this->SetColor(shapeNode, shape);
+    this->Shapes.push_back(std::move(shape));
+  }
 }
 
 const lms3dVRMLTraversal::Mesh& lms3dVRMLTraversal::GetMesh(
@@ -78,6 +96,7 @@ const lms3dVRMLTraversal::Mesh& lms3dVRMLTraversal::GetMesh(
   if (isNew)
   {
     mesh.Triangles = std::make_shared<lms3dMesh>(MakeMesh(this->Evaluator, geometry, sides));
+    this->Evaluator.CountMemory(geometry, GetSize(*mesh.Triangles));
     mesh.LargestCoordinate = lms3dGetLargestCoordinate(*mesh.Triangles);
   }
   return mesh;

@@ -40,6 +40,10 @@ void lms3dVRMLTraversal::EnterFile(const lms3dVRMLDocument& file,
   const lms3dVRMLNodeInContext& fileNode, const InheritedState& state)
 {
   std::vector<lms3dVRMLNodeInContext> roots;
+  if (!this->Context.CountMemory(file.Roots.size() * sizeof(roots[0]), file.FileName, 0))
+  {
+    return;
+  }
   roots.reserve(file.Roots.size());
   for (const lms3dVRMLNode* root : file.Roots)
   {

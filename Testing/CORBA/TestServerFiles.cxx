@@ -4,6 +4,7 @@
 #include "Announcement/lms3dReferenceFile.h"
 #include "FolderTest.h"
 #include "Scanning/lms3dSceneCatalogue.h"
+#include "Scanning/lms3dServedScene.h"
 
 #include <gtest/gtest.h>
 
@@ -45,6 +46,21 @@ TEST_F(ServerFiles, ACatalogueNeedsScenes)
 {
   EXPECT_THROW(lms3dSceneCatalogue("/no/such/folder"), std::runtime_error);
   EXPECT_THROW(lms3dSceneCatalogue(this->Folder), std::runtime_error);
+}
+
+TEST_F(ServerFiles, ScenesAreReadWithinTheirLimits)
+{
+  const std::string box = "Shape { geometry Box { } }\n";
+  const std::string file = this->Write("two.wrl", "#VRML V2.0 utf8\n" + box + box);
+  const auto countTriangles = [&file](const lms3dSceneReading& reading)
+  { return lms3dReadScene("two.wrl", file, reading, [] { return false; })->Description.triangles; };
+  EXPECT_EQ(countTriangles({}), 24u);
+  lms3dSceneReading few;
+  few.MaximumNumberOfTriangles = 20;
+  EXPECT_EQ(countTriangles(few), 12u);
+  lms3dSceneReading little;
+  little.MaximumMemory = 10;
+  EXPECT_THROW(countTriangles(little), std::runtime_error);
 }
 
 TEST_F(ServerFiles, TheReferenceFileIsThereAsLongAsTheServer)

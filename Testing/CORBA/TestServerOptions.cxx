@@ -76,6 +76,14 @@ TEST_F(ServerOptions, ARateOfZeroHasAnyNotation)
   EXPECT_TRUE(Contains(GetProblem({ "--rate", "0.0005" }), "from 0.001 to 10000"));
 }
 
+TEST_F(ServerOptions, LimitScenes)
+{
+  const lms3dServerOptions options = lms3dReadServerOptions(
+    { "--scenes", "Data", "--scene-triangles", "5000000000", "--scene-memory", "300" });
+  EXPECT_EQ(options.SceneTriangles, 5'000'000'000);
+  EXPECT_EQ(options.SceneMemory, 300);
+}
+
 TEST_F(ServerOptions, SayWhatIsWrongAndWhere)
 {
   EXPECT_TRUE(Contains(GetProblem({}), "--scenes"));

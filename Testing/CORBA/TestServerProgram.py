@@ -67,6 +67,14 @@ class StartTest(unittest.TestCase):
         for option in ("--scenes", "--rate", "--read-only", "--callbacks", "--tls-key", "--config"):
             self.assertIn(option, finished.stdout)
 
+    def test_limits_of_a_scene(self):
+        """A scene beyond them ends the start with code 1 and the name of the limit."""
+        for option, limit in (("--scene-nodes", "MaximumNumberOfNodes"),
+                              ("--scene-triangles", "MaximumNumberOfTriangles")):
+            finished = run_server("--scenes", DATA, "--scene", "room.wrl", option, "1")
+            self.assertEqual(finished.returncode, 1)
+            self.assertIn(limit, finished.stderr)
+
     def test_wrong_options(self):
         """Code 2, and a message that names the option."""
         for arguments, word in (((), "--scenes"), (("--scenes", DATA, "--rate", "x"), "--rate"),
@@ -139,7 +147,8 @@ class StartTest(unittest.TestCase):
         """Code 0 at once, and no address is announced."""
         scene, reference = self.folder / "large.wrl", self.folder / "scanner.ior"
         write_scene_of_many_nodes(scene)
-        with subprocess.Popen([SERVER, "--scenes", self.folder, "--ior", reference],
+        with subprocess.Popen([SERVER, "--scenes", self.folder, "--ior", reference,
+                               "--scene-nodes", "100000000"],
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as server:
             try:
                 self.assertIn("reading the scene large.wrl", server.stderr.readline())

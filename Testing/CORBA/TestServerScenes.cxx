@@ -52,7 +52,7 @@ TEST_F(ServerScenes, FiveClientsSelectAtMostAndDoNotDelayTheEnd)
 {
   constexpr int Clients = 8;
   constexpr int Maximum = 5;
-  ServerProcess server({ "--scenes", this->Folder.string() });
+  ServerProcess server({ "--scenes", this->Folder.string(), "--scene-nodes", "100000000" });
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   std::atomic<int> refused(0);
   std::atomic<int> cut(0);

@@ -24,6 +24,7 @@ lms3dVRMLOptions GetOptions()
   options.MaximumInlineDepth = 4;
   options.MaximumNumberOfNodes = 20000;
   options.MaximumNumberOfTriangles = 100000;
+  options.MaximumMemory = 1 << 28;
   options.MaximumFileSize = 1 << 22;
   return options;
 }

@@ -66,6 +66,7 @@ class TestProblems(CommandLineTest):
                                           self.folder / "out.ply"),
             "one name twice": ("scan", ROOM, *POSE, *output, "--map", self.target),
             "no step": ("view", ROOM, "--step", 0),
+            "no memory": ("scan", ROOM, *POSE, *output, "--scene-memory", 0),
             "screenshot as text": ("view", ROOM, "--screenshot", self.folder / "picture.txt"),
         }
         for name, arguments in wrong.items():
@@ -240,9 +241,19 @@ class TestLosses(CommandLineTest):
     def test_scene_root_of_other_formats(self):
         path = self.folder / "ball.vtp"
         self._write(path)
-        result = run("info", path, "--scene-root", self.folder)
-        self.assertIn("is not a VRML file", result.stderr)
-        self.assertNotEqual(result.returncode, 0)
+        for option in ("--scene-root", self.folder), ("--scene-nodes", 100):
+            result = run("info", path, *option)
+            self.assertIn("is not a VRML file", result.stderr)
+            self.assertNotEqual(result.returncode, 0)
+
+    def test_limits_of_the_scene(self):
+        path = self.write("USE Floor " * 9)
+        self.assertIn("messages 0", run("info", path, "--scene-triangles", 20).stdout)
+        for option, value in (("nodes", 9), ("triangles", 19)):
+            with self.subTest(option):
+                words = run("info", path, f"--scene-{option}", value).stdout
+                self.assertIn(f"(on the command line --scene-{option})", words)
+                self.assertIn("messages 1", words)
 
     def test_info_of_other_formats(self):
         path = self.folder / "ball.vtp"

@@ -15,6 +15,18 @@ namespace
 {
 constexpr const char* ObjectKey = "LMS3D";
 
+lms3dSceneReading GetReading(const lms3dServerOptions& options)
+{
+  constexpr std::int64_t Megabyte = 1'000'000;
+  lms3dSceneReading reading;
+  reading.IsYUp = options.IsYUp;
+  reading.MaximumNumberOfNodes = options.SceneNodes;
+  reading.MaximumNumberOfTriangles = options.SceneTriangles;
+  reading.MaximumMemory = Megabyte * options.SceneMemory;
+  reading.MaximumFileSize = Megabyte * options.SceneSize;
+  return reading;
+}
+
 lms3dScanSettings MakeFirstSettings(const lms3dServerOptions& options,
   const lms3dSceneCatalogue& catalogue, const lms3dStopTest& isStopped)
 {
@@ -33,7 +45,7 @@ lms3dScanSettings MakeFirstSettings(const lms3dServerOptions& options,
     throw std::runtime_error("the folder of scenes has no \"" + name + "\"");
   }
   lms3dLog("reading the scene " + name);
-  settings.Scene = lms3dReadScene(name, *file, options.IsYUp, isStopped);
+  settings.Scene = lms3dReadScene(name, *file, GetReading(options), isStopped);
   return settings;
 }
 
@@ -43,7 +55,7 @@ lms3dPermissions GetPermissions(const lms3dServerOptions& options)
   permissions.ReadOnly = options.ReadOnly;
   permissions.Callbacks = options.Callbacks;
   permissions.Rate = options.Rate;
-  permissions.IsYUp = options.IsYUp;
+  permissions.Reading = GetReading(options);
   return permissions;
 }
 

@@ -3,6 +3,7 @@
 """The command line: one parser, with a subcommand for each module of `commands`."""
 
 import argparse
+import os
 import re
 import sys
 
@@ -20,7 +21,7 @@ above. By default 361 beams from -90 to 90 in each of 360 turns of one degree.
 """
 
 _EPILOG = """\
-exit codes: 0 success, 1 the job failed, 2 the command was invalid
+exit codes: 0 success, 1 the job failed, 2 the command was invalid, 130 Ctrl-C
 
 examples:
   lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp --map map.vtp
@@ -30,6 +31,8 @@ examples:
 
 'lms3d COMMAND --help' explains each command.
 """
+
+_INTERRUPTED = 130  # as shells report it: 128 and the number of the signal
 
 # argparse takes "-1e-3" for an option, unless it begins with a blank.
 _NEGATIVE_NUMBER = re.compile(r"-\.?\d")
@@ -61,17 +64,32 @@ def build_parser():
 
 
 def main(arguments=None):
-    """Run the command line; returns the exit code: 0 success, 1 the job failed, 2 usage."""
+    """Run the command line; returns the exit code, which the help explains."""
     words = sys.argv[1:] if arguments is None else arguments
     options = build_parser().parse_args(
         [f" {word}" if _NEGATIVE_NUMBER.match(word) else word for word in words]
     )
     try:
         options.run(options)
+        if sys.stdout:
+            sys.stdout.flush()
     except Problem as problem:
-        print(f"lms3d: error: {problem}", file=sys.stderr)
-        return problem.exit_code
+        return _fail(problem, problem.exit_code)
+    except MemoryError:
+        return _fail("not enough memory", Problem.exit_code)
+    except OSError as error:
+        return _fail(_end_output(error), Problem.exit_code)
     except KeyboardInterrupt:
-        print("lms3d: error: interrupted", file=sys.stderr)
-        return 130
+        return _fail("interrupted", _INTERRUPTED)
     return 0
+
+
+def _fail(message, exit_code):
+    print(f"lms3d: error: {message}", file=sys.stderr)
+    return exit_code
+
+
+def _end_output(error):
+    """Say why printing failed, and print no more: at its end Python would print a traceback."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    return f"cannot print to the standard output: {error.strerror}"

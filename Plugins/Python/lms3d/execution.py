@@ -1,11 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs VTK algorithms: shows their progress, and raises their errors as Problem."""
+"""Runs VTK algorithms: shows their progress, and raises their errors as Problem.
+
+Ctrl-C aborts an algorithm and raises KeyboardInterrupt.
+"""
 
 import sys
 
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
+from .interruption import abortable
 from .messages import VTKMessages
 
 _BAR_WIDTH = 30
@@ -13,34 +17,31 @@ _CLEAR_LINE = "\r\033[K"
 
 
 class ProgressBar:
-    """Shows an algorithm's progress in one line of the terminal while a ``with`` block runs.
+    """Shows progress in one line of the terminal while a ``with`` block runs.
 
-    `share` are the start and the end of the bar's part that the algorithm fills, 0 to 1. Draws
-    nothing if the stream is not a terminal. Clears the line at the end.
+    `share` are the start and the end of the bar's part that the block fills, 0 to 1. Draws nothing
+    if the stream is not a terminal. Clears the line at the end.
     """
 
-    def __init__(self, label, algorithm, stream=None, share=(0.0, 1.0)):
+    def __init__(self, label, share=(0.0, 1.0), stream=None):
         self._label = label
         self._share = share
-        self._algorithm = algorithm
         self._stream = stream or sys.stderr
+        self._is_shown = self._stream.isatty()
         self._percent = None
-        self._observer = None
 
     def __enter__(self):
-        if self._stream.isatty():
-            self._observer = self._algorithm.AddObserver("ProgressEvent", self._follow)
         return self
 
     def __exit__(self, *_):
-        if self._observer is not None:
-            self._algorithm.RemoveObserver(self._observer)
+        if self._percent is not None:
             self._write(_CLEAR_LINE)
 
-    def _follow(self, algorithm, _event):
+    def show(self, done):
+        """Show how much of the block's work is done, 0 to 1."""
         start, end = self._share
-        percent = round(100 * (start + (end - start) * min(max(algorithm.GetProgress(), 0.0), 1.0)))
-        if percent != self._percent:
+        percent = round(100 * (start + (end - start) * min(max(done, 0.0), 1.0)))
+        if self._is_shown and percent != self._percent:
             self._percent = percent
             self._write("\r" + self.line(percent))
 
@@ -66,13 +67,18 @@ def update(algorithm, label, failure, keeps_parts=False, time=None, share=(0.0, 
 
 
 def write(writer, failure):
-    """Write the file of a VTK writer; raises Problem if VTK reports an error."""
+    """Run a VTK writer; raises Problem, beginning with `failure`, if VTK reports an error."""
     _run(writer, writer.Write, "writing", failure)
 
 
 def _run(algorithm, job, label, failure, keeps_parts=False, share=(0.0, 1.0)):
-    with VTKMessages() as messages, ProgressBar(label, algorithm, share=share):
-        job()
+    with VTKMessages() as messages, ProgressBar(label, share) as bar, abortable(algorithm):
+        observer = algorithm.AddObserver(
+            "ProgressEvent", lambda *_: bar.show(algorithm.GetProgress()))
+        try:
+            job()
+        finally:
+            algorithm.RemoveObserver(observer)
     code = algorithm.GetErrorCode()
     failed = code != vtkErrorCode.NoError
     if keeps_parts and not failed:

@@ -3,17 +3,11 @@
 """Writes results. The file ending chooses the format; a failed write leaves no incomplete file."""
 
 import os
-import shutil
-from contextlib import contextmanager
+import sys
+from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOGeometry import vtkSTLWriter
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOPLY import vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
-
-from .execution import write
+from .formats import encode
 from .problems import Problem, UsageProblem
 
 # The formats of each result.
@@ -28,7 +22,18 @@ ENDINGS = {
     "series of maps": (".pvd",),
 }
 
-CSV_ARRAYS = ("Range", "Alpha", "Beta", "BeamId", "CellId")
+# In place of a path: the standard output, with one format for each result.
+STREAM = "-"
+STREAM_ENDINGS = {
+    "scan": ".csv",
+    "range image": ".vti",
+    "map": ".ply",
+    "picture": ".png",
+    "map with errors": ".vtp",
+    "scene points": ".vtp",
+}
+_BINARY_ENDINGS = (".ply", ".png")
+_STDOUT = 1  # the descriptor, also while prints go elsewhere
 
 
 def check_targets(targets, scene=None, **inputs):
@@ -41,11 +46,23 @@ def check_targets(targets, scene=None, **inputs):
         inputs["scene"] = scene
     taken = {Path(path).resolve(): name for name, path in inputs.items()}
     for result, path in targets:
-        _check_ending(result, path)
-        check_writable(result, path)
+        if path == STREAM:
+            _check_stream(result)
+        else:
+            _check_ending(result, path)
+            check_writable(result, path)
         other = taken.setdefault(Path(path).resolve(), result)
         if other != result:
             raise UsageProblem(f"'{path}' is both {other} and {result}: choose two names")
+
+
+def _check_stream(result):
+    if result not in STREAM_ENDINGS:
+        raise UsageProblem(f"cannot write the {result} to the standard output: it is several "
+                           "files; give a file name that ends in " + " or ".join(ENDINGS[result]))
+    if STREAM_ENDINGS[result] in _BINARY_ENDINGS and os.isatty(_STDOUT):
+        raise UsageProblem(f"cannot write the {result} to a terminal: the format "
+                           f"{STREAM_ENDINGS[result]} is binary")
 
 
 def _check_ending(result, path):
@@ -59,32 +76,70 @@ def check_writable(result, path):
     folder = Path(path).resolve().parent
     if not folder.is_dir():
         raise Problem(f"cannot write the {result} to '{path}': there is no folder '{folder}'")
-    if not os.access(folder, os.W_OK):
-        raise Problem(f"cannot write the {result} to '{path}': no permission to write there")
     if Path(path).is_dir():
         raise Problem(f"cannot write the {result} to '{path}': that is a folder")
+    if not os.access(path if _is_device(path) else folder, os.W_OK):
+        raise Problem(f"cannot write the {result} to '{path}': no permission to write there")
 
 
-def save(data, path):
-    """Write a data object. The file gets its name only when it is complete."""
-    with _temporary(Path(path).resolve()) as temporary:
-        _SAVERS[Path(path).suffix.lower()](data, temporary, f"cannot write '{path}'")
+@contextmanager
+def reports(targets):
+    """A block whose prints go to the error stream if a result goes to the standard output."""
+    if any(path == STREAM for _, path in targets):
+        with redirect_stdout(sys.stderr):
+            yield
+    else:
+        yield
+
+
+def save(data, path, result=None, shown=None):
+    """Write a data object. A file gets its name only when it is complete.
+
+    If the path is STREAM, `result` (a key of STREAM_ENDINGS) chooses the format. `shown` is the
+    name of the file in messages, by default the path.
+    """
+    shown = "the standard output" if path == STREAM else f"'{shown or path}'"
+    ending = STREAM_ENDINGS[result] if path == STREAM else Path(path).suffix.lower()
+    with _writing(shown):
+        pieces = encode(data, ending, f"cannot write {shown}")
+        with _opened(path) as file:
+            for piece in pieces:
+                file.write(piece)
 
 
 def save_text(text, path):
     """Write a text. The file gets its name only when it is complete."""
-    with _temporary(Path(path).resolve()) as temporary:
-        with writing(path):
-            temporary.write_text(text, encoding="utf-8")
+    with writing(path), _opened(path) as file:
+        file.write(text.encode())
+
+
+def writing(path):
+    """A block that writes `path`: turns an OSError or a MemoryError into a Problem."""
+    return _writing(f"'{path}'")
 
 
 @contextmanager
-def writing(path):
-    """A block that writes `path`: turns an OSError into a Problem."""
+def _writing(shown):
     try:
         yield
     except OSError as error:
-        raise Problem(f"cannot write '{path}': {error.strerror}") from error
+        raise Problem(f"cannot write {shown}: {error.strerror}") from error
+    except MemoryError as error:
+        raise Problem(f"cannot write {shown}: not enough memory") from error
+
+
+@contextmanager
+def _opened(path):
+    """A binary file to write to: the standard output, a device or a pipe, or a new file."""
+    if path == STREAM:
+        with open(_STDOUT, "wb", closefd=False) as file:
+            yield file
+    elif _is_device(path):
+        with open(path, "wb") as file:
+            yield file
+    else:
+        with _temporary(Path(path).resolve()) as temporary, open(temporary, "wb") as file:
+            yield file
 
 
 @contextmanager
@@ -93,48 +148,11 @@ def _temporary(path):
     temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
     try:
         yield temporary
-        with writing(path):
-            os.replace(temporary, path)
+        os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
 
 
-def _saver(writer_class, prepare=lambda writer: None):
-    """A function that saves through one of VTK's writers."""
-
-    def save_data(data, path, failure):
-        writer = writer_class()
-        writer.SetInputDataObject(data)
-        writer.SetFileName(str(path))
-        prepare(writer)
-        write(writer, failure)
-        if shutil.disk_usage(path.parent).free == 0:  # not every writer reports it
-            raise Problem(f"{failure}: no space left on the device")
-
-    return save_data
-
-
-def _save_csv(scan, path, failure):
-    """One line for each return, with all digits (VTK's own table writer keeps six)."""
-    arrays = scan.GetPointData()
-    columns = list(vtk_to_numpy(scan.GetPoints().GetData()).T)
-    columns += [vtk_to_numpy(arrays.GetArray(name)) for name in CSV_ARRAYS]
-    rows = zip(*(column.astype(str) for column in columns))
-    try:
-        with open(path, "w", encoding="ascii") as file:
-            file.write(",".join(("x", "y", "z") + CSV_ARRAYS) + "\n")
-            file.writelines(",".join(row) + "\n" for row in rows)
-    except OSError as error:
-        raise Problem(f"{failure}: {error.strerror}") from error
-
-
-# By default VTK appends binary data to the file, which is not valid XML: some XML parsers, such as
-# the one in Debian 12, refuse to read it.
-_SAVERS = {
-    ".vtp": _saver(vtkXMLPolyDataWriter, vtkXMLPolyDataWriter.SetDataModeToBinary),
-    ".vti": _saver(vtkXMLImageDataWriter, vtkXMLImageDataWriter.SetDataModeToBinary),
-    ".ply": _saver(vtkPLYWriter),
-    ".stl": _saver(vtkSTLWriter, vtkSTLWriter.SetFileTypeToBinary),
-    ".png": _saver(vtkPNGWriter),
-    ".csv": _save_csv,
-}
+def _is_device(path):
+    """Whether a path names a device or a pipe, which no file may replace."""
+    return Path(path).exists() and not Path(path).is_file()

@@ -39,6 +39,14 @@ UP_AXES = {
     "y": "turned from y-up to z-up",
 }
 
+# The limits of the VRML reader: its property, and how many of the property's units make one here.
+LIMITS = {
+    "nodes": ("MaximumNumberOfNodes", 1),
+    "triangles": ("MaximumNumberOfTriangles", 1),
+    "memory": ("MaximumMemory", 10**6),
+    "size": ("MaximumFileSize", 10**6),
+}
+
 _MESSAGES_SHOWN = 10
 
 
@@ -102,15 +110,18 @@ def read_data(path, what):
     return _read(_make_reader(path), path, what)
 
 
-def read_scene(path, up_axis="file", root=None):
+def read_scene(path, up_axis="file", root=None, limits=None):
     """Read a scene. With up_axis "y" the file's y axis becomes the scene's z axis.
 
-    A VRML file can only use files below `root`, by default its own folder.
+    A VRML file can only use files below `root`, by default its own folder. `limits` are values for
+    keys of LIMITS.
     """
     check_readable(path)
     reader = _make_reader(path)
     if root is not None:
         _set_root(reader, path, root)
+    for name, value in (limits or {}).items():
+        _set_limit(reader, path, name, value)
     data = _read(reader, path, "scene", up_axis)
     scene = Scene(Path(path), up_axis, data, _surface(data), _messages(reader))
     if scene.triangles <= 0:
@@ -131,6 +142,13 @@ def _set_root(reader, path, root):
     if not Path(root).is_dir():
         raise Problem(f"cannot read scene '{path}': --scene-root {root} is not a folder")
     reader.SetSceneRoot(str(root))
+
+
+def _set_limit(reader, path, name, value):
+    if not isinstance(reader, vtkVRMLImporterSource):
+        raise UsageProblem(f"--scene-{name} {value}: '{path}' is not a VRML file")
+    property_name, unit = LIMITS[name]
+    getattr(reader, "Set" + property_name)(unit * value)
 
 
 def _read(reader, path, what, up_axis="file"):

@@ -84,7 +84,8 @@ class Series:
 
     def add(self, data, time):
         """Write the result of the next step."""
-        save(data, self._folder / self._names[len(self._times)])
+        name = self._names[len(self._times)]
+        save(data, self._folder / name, shown=self._path.with_name(name))
         self._times.append(time)
 
     def __exit__(self, failure, *_):

@@ -10,10 +10,13 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindowInteractor, 
 
 from .camera import level_axes
 from .figure import Figure
+from .interruption import interruptible
 from .pose import TURN_STEP, describe, turn
 
 _HELP = ("arrows: move as seen", "page up/down: height", "x y z: turn about red, green, blue axis",
          "with shift: turn back", "mouse: camera", "r: reset", "q: quit")
+
+_INTERRUPTION_INTERVAL = 200  # milliseconds
 
 # Steps to the right and up in the picture, and along the world's z axis.
 _MOVES = {
@@ -52,9 +55,13 @@ class Window:
         self._figure.window.AddObserver("WindowResizeEvent", self._on_resize)
 
     def run(self):
-        """Show the window until it is closed."""
+        """Show the window until it is closed, or until Ctrl-C in the terminal."""
         self.refresh()
-        self.interactor.Start()
+        # Python handles Ctrl-C when VTK calls an observer.
+        self.interactor.AddObserver("TimerEvent", lambda *_: None)
+        self.interactor.CreateRepeatingTimer(_INTERRUPTION_INTERVAL)
+        with interruptible(self.interactor.TerminateApp):
+            self.interactor.Start()
 
     def refresh(self):
         """Update the figure and draw it."""

@@ -205,3 +205,20 @@ TEST_F(VRMLGeometry, RefusesExtrusionsBeyondTheLimit)
   ASSERT_EQ(scene.Messages.size(), 1u);
   EXPECT_NE(scene.Messages[0].Text.find("MaximumNumberOfTriangles"), std::string::npos);
 }
+
+TEST_F(VRMLGeometry, RefusesShapesBeyondTheMemory)
+{
+  std::string uses;
+  for (int i = 0; i < 100; ++i)
+  {
+    uses += "USE S ";
+  }
+  const std::string text = "DEF S " + std::string(SquareShape) + uses;
+  EXPECT_DOUBLE_EQ(GetArea(this->Read(text)), 101.0);
+  this->Options.MaximumMemory = 20'000;
+  const lms3dScene scene = this->Read(text);
+  EXPECT_GT(scene.Shapes.size(), 10u);
+  EXPECT_LT(scene.Shapes.size(), 90u);
+  ASSERT_EQ(scene.Messages.size(), 1u);
+  EXPECT_NE(scene.Messages[0].Text.find("MaximumMemory"), std::string::npos);
+}

@@ -210,3 +210,20 @@ TEST(VRMLParser, BoundsTheNumberOfNodes)
   EXPECT_NE(parsed.Messages[0].find("error 4"), std::string::npos);
   EXPECT_NE(parsed.Messages[0].find("MaximumNumberOfNodes"), std::string::npos);
 }
+
+TEST(VRMLParser, BoundsTheMemoryOfValues)
+{
+  std::string numbers;
+  for (int i = 0; i < 1000; ++i)
+  {
+    numbers += "1 ";
+  }
+  const std::string list = "Coordinate { point [ " + numbers + "] }\n";
+  lms3dVRMLOptions options;
+  options.MaximumMemory = 10'000;
+  EXPECT_TRUE(Parsed(list, options).Messages.empty());
+  const Parsed parsed(list + list + list + list, options);
+  EXPECT_LT(parsed.Document.Nodes.size(), 4u);
+  ASSERT_EQ(parsed.Messages.size(), 1u);
+  EXPECT_NE(parsed.Messages[0].find("MaximumMemory"), std::string::npos);
+}

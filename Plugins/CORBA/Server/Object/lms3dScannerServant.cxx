@@ -90,7 +90,7 @@ CORBA::ULongLong lms3dScannerServant::selectScene(const char* name)
   try
   {
     const CORBA::ULongLong generation = this->Board.SetScene(lms3dReadScene(
-      name, *file, this->Permissions.IsYUp, [this] { return this->Store.IsStopped(); }));
+      name, *file, this->Permissions.Reading, [this] { return this->Store.IsStopped(); }));
     lms3dLog("a client selected the scene " + std::string(name));
     return generation;
   }

@@ -25,8 +25,7 @@ struct lms3dPermissions
   bool Callbacks = false;
   /// Scans per second, for the status.
   double Rate = 0.0;
-  /// Rotates scenes whose y axis is up so that the z axis is up.
-  bool IsYUp = false;
+  lms3dSceneReading Reading;
 };
 
 /**

@@ -42,6 +42,13 @@ double ReadRate(const std::string& text)
   return isZero ? 0.0 : ReadNumber(text, MinimumRate, MaximumRate);
 }
 
+std::int64_t ReadLimit(const std::string& text)
+{
+  // A million times this fits.
+  constexpr std::int64_t Maximum = 1'000'000'000'000;
+  return ReadNumber<std::int64_t>(text, 1, Maximum);
+}
+
 std::array<double, 3> ReadVector(const Words& words)
 {
   constexpr double Maximum = 1e6;
@@ -76,6 +83,14 @@ const Option Options[] = {
     [](lms3dServerOptions& o, const Words& w) { o.Scene = w[0]; } },
   { "--up-axis", 1, "file|y", "file: z is up in the files (default); y: turn them so that z is up",
     [](lms3dServerOptions& o, const Words& w) { o.IsYUp = ReadIsYUp(w[0]); } },
+  { "--scene-nodes", 1, "N", "nodes of a scene, with each USE and instance (default 2000000)",
+    [](lms3dServerOptions& o, const Words& w) { o.SceneNodes = ReadLimit(w[0]); } },
+  { "--scene-triangles", 1, "N", "triangles of a scene (default 20000000)",
+    [](lms3dServerOptions& o, const Words& w) { o.SceneTriangles = ReadLimit(w[0]); } },
+  { "--scene-memory", 1, "MB", "memory for what is made of a scene's files (default 2000)",
+    [](lms3dServerOptions& o, const Words& w) { o.SceneMemory = ReadLimit(w[0]); } },
+  { "--scene-size", 1, "MB", "files of a scene together, unpacked (default 1000)",
+    [](lms3dServerOptions& o, const Words& w) { o.SceneSize = ReadLimit(w[0]); } },
   { "--position", 3, "X Y Z", "position of the sensor, metres (default 0 0 0)",
     [](lms3dServerOptions& o, const Words& w) { o.Position = ReadVector(w); } },
   { "--orientation", 3, "X Y Z", "its angles about the axes, degrees (default 0 0 0)",

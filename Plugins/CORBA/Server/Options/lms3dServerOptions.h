@@ -8,6 +8,7 @@
 #define lms3dServerOptions_h
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,14 @@ struct lms3dServerOptions
   /// 0: all cores.
   int Threads = 0;
   int Keep = 4;
+  ///@{
+  /// Limits for reading a scene. 0: the reader's default.
+  std::int64_t SceneNodes = 0;
+  std::int64_t SceneTriangles = 0;
+  /// Megabytes.
+  std::int64_t SceneMemory = 0;
+  std::int64_t SceneSize = 0;
+  ///@}
 
   std::string Endpoint = "giop:tcp:127.0.0.1:";
   std::string TLSKey;

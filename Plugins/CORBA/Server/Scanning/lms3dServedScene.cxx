@@ -29,6 +29,20 @@ void LogIfAny(const std::string& name, const std::string& message)
   }
 }
 
+void SetUp(vtkVRMLImporterSource* reader, const lms3dSceneReading& reading)
+{
+  reader->SetUpAxis(
+    reading.IsYUp ? vtkVRMLImporterSource::UP_AXIS_Y : vtkVRMLImporterSource::UP_AXIS_AS_IN_FILE);
+  const auto choose = [](std::int64_t given, vtkTypeInt64 standard)
+  { return given > 0 ? static_cast<vtkTypeInt64>(given) : standard; };
+  reader->SetMaximumNumberOfNodes(
+    choose(reading.MaximumNumberOfNodes, reader->GetMaximumNumberOfNodes()));
+  reader->SetMaximumNumberOfTriangles(
+    choose(reading.MaximumNumberOfTriangles, reader->GetMaximumNumberOfTriangles()));
+  reader->SetMaximumMemory(choose(reading.MaximumMemory, reader->GetMaximumMemory()));
+  reader->SetMaximumFileSize(choose(reading.MaximumFileSize, reader->GetMaximumFileSize()));
+}
+
 LMS3D::Scene Describe(const std::string& name, vtkPolyData* surface)
 {
   double bounds[6];
@@ -43,13 +57,12 @@ LMS3D::Scene Describe(const std::string& name, vtkPolyData* surface)
 } // namespace
 
 lms3dServedScenePointer lms3dReadScene(const std::string& name, const std::filesystem::path& file,
-  bool isYUp, const lms3dStopTest& isStopped)
+  const lms3dSceneReading& reading, const lms3dStopTest& isStopped)
 {
   vtkNew<vtkVRMLImporterSource> reader;
   lms3dAlgorithmMessages messages(reader);
   reader->SetFileName(file.c_str());
-  reader->SetUpAxis(
-    isYUp ? vtkVRMLImporterSource::UP_AXIS_Y : vtkVRMLImporterSource::UP_AXIS_AS_IN_FILE);
+  SetUp(reader, reading);
   lms3dAbortIf(reader, isStopped);
   reader->Update();
   // An aborted reader has no surface, but the file is not at fault.

@@ -13,6 +13,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -26,6 +27,20 @@ struct lms3dServedScene
   vtkSmartPointer<vtkPolyData> Surface;
 };
 
+/// How scenes are read.
+struct lms3dSceneReading
+{
+  /// Rotates a scene whose y axis is up so that its z axis is up.
+  bool IsYUp = false;
+  ///@{
+  /// The limits of vtkVRMLImporterSource. 0: the default of that class.
+  std::int64_t MaximumNumberOfNodes = 0;
+  std::int64_t MaximumNumberOfTriangles = 0;
+  std::int64_t MaximumMemory = 0;
+  std::int64_t MaximumFileSize = 0;
+  ///@}
+};
+
 using lms3dServedScenePointer = std::shared_ptr<const lms3dServedScene>;
 
 /// Thrown if the server ends before the scene is read.
@@ -33,10 +48,9 @@ class lms3dReadingStopped : public std::exception
 {
 };
 
-/// Reads a VRML file. `isYUp` rotates a scene whose y axis is up so that its z axis is up. Throws
-/// std::runtime_error if the file has no surface, and lms3dReadingStopped if `isStopped` returns
-/// true. Messages for clients do not contain the server's folders.
+/// Reads a VRML file. Throws std::runtime_error if the file has no surface, and lms3dReadingStopped
+/// if `isStopped` returns true. Messages for clients do not contain the server's folders.
 lms3dServedScenePointer lms3dReadScene(const std::string& name, const std::filesystem::path& file,
-  bool isYUp, const lms3dStopTest& isStopped);
+  const lms3dSceneReading& reading, const lms3dStopTest& isStopped);
 
 #endif

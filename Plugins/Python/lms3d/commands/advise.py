@@ -11,7 +11,7 @@ from .. import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
 from ..problems import Problem
 from ..sampling import advise
 from ..scene import check_readable
-from . import sensor_options
+from . import scene_options, sensor_options
 
 NAME = "advise"
 SUMMARY = "find the coarsest scan and map of a scene that meet a tolerance"
@@ -37,7 +37,7 @@ _MINIMUM_STEP = 0.05
 
 def add_arguments(parser):
     """Add the options of this command."""
-    sensor_options.add_scene(parser)
+    scene_options.add_scene(parser)
     goal = parser.add_argument_group("goal")
     goal.add_argument("--tolerance", type=sensor_options.positive, metavar="M", required=True,
                       help="largest distance between map and scene that counts as correct, metres")
@@ -110,6 +110,8 @@ def _command(sample, options):
         words += ["--up-axis", options.up_axis]
     if options.scene_root is not None:
         words += ["--scene-root", options.scene_root]
+    for name, value in scene_options.limits(options).items():
+        words += [f"--scene-{name}", str(value)]
     words += _numbers("position", options.position)
     for name, default in _defaults().items():
         if not np.array_equal(getattr(options, name), default):

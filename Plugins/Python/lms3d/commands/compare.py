@@ -5,10 +5,10 @@
 from .. import vtkLMS3DMapComparison
 from ..comparison import POSE_ARRAYS, compare, copy_pose, has_pose
 from ..problems import Problem, UsageProblem
-from ..results import check_targets, save
+from ..results import check_targets, reports, save
 from ..scene import check_readable, read_data
 from ..simulation import Simulation
-from . import sensor_options
+from . import scene_options, sensor_options
 
 NAME = "compare"
 SUMMARY = "measure the errors of a local map"
@@ -45,7 +45,7 @@ def add_arguments(parser):
     defaults = vtkLMS3DMapComparison()
     parser.add_argument("map", metavar="MAP",
                         help="the map's file: " + " ".join(_MAP_ENDINGS))
-    sensor_options.add_scene(parser)
+    scene_options.add_scene(parser)
     how = parser.add_argument_group("comparison")
     how.add_argument("--tolerance", type=sensor_options.positive, metavar="M",
                      default=defaults.GetTolerance(),
@@ -59,10 +59,10 @@ def add_arguments(parser):
     results = parser.add_argument_group("results")
     results.add_argument("-o", "--output", metavar="FILE",
                          help="the map with its errors in metres, as point data Error and cell "
-                         "data LargestError: .vtp")
+                         "data LargestError: .vtp; - is the standard output")
     results.add_argument("--scene-points", metavar="FILE",
                          help="points of the visible scene with their distance from the map as "
-                         "Error, which shows what the map lacks: .vtp")
+                         "Error, which shows what the map lacks: .vtp; - is the standard output")
     sensor = parser.add_argument_group("sensor")
     sensor.add_argument("--scan", metavar="FILE", help="the scan that the map was made from: .vtp")
     sensor_options.add_pose(sensor, False, " (default: from the map or the scan)")
@@ -73,7 +73,12 @@ def add_arguments(parser):
 def run(options):
     """Check the options, read, compare, write."""
     _check(options)
-    scene = sensor_options.read(options)
+    with reports(_targets(options)):
+        _compare(options)
+
+
+def _compare(options):
+    scene = scene_options.read(options)
     scene.report_losses()
     local_map = _read_map(options.map)
     scan = _read_scan(options.scan) if options.scan else None
@@ -85,7 +90,7 @@ def run(options):
     _print(comparison, scan)
     results = {"map with errors": comparison.map, "scene points": comparison.scene_points}
     for result, path in _targets(options):
-        save(results[result], path)
+        save(results[result], path, result)
         print(f"wrote    {path}")
 
 

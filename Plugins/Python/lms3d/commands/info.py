@@ -7,7 +7,7 @@ from collections import Counter
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from . import sensor_options
+from . import scene_options
 
 NAME = "info"
 SUMMARY = "list what a scene contains and what was not read"
@@ -26,12 +26,12 @@ examples:
 
 def add_arguments(parser):
     """Add the options of this command."""
-    sensor_options.add_scene(parser)
+    scene_options.add_scene(parser)
 
 
 def run(options):
     """Read the scene and print."""
-    scene = sensor_options.read(options)
+    scene = scene_options.read(options)
     print(f"scene    {scene}")
     bounds = scene.surface.GetBounds()
     for axis, low, high in zip("xyz", bounds[::2], bounds[1::2]):

@@ -8,10 +8,10 @@ from pathlib import Path
 from ..figure import Figure, check_display
 from ..messages import say
 from ..problems import Problem, UsageProblem
-from ..results import check_targets, save
+from ..results import check_targets, reports, save
 from ..scene import check_readable, read_data
 from ..trajectory import Series, TrajectoryScan, check_names
-from . import picture_options, sensor_options
+from . import picture_options, scene_options, sensor_options
 
 NAME = "scan"
 SUMMARY = "scan a scene; write points, range image, local map, picture"
@@ -20,7 +20,11 @@ Scan a scene once and write any of: the points, the range image, the local map, 
 
 The file ending chooses the format. A .vtp file keeps everything in full precision. A .ply or
 .stl file has coordinates in single precision only. A .csv file has the columns
-x,y,z,Range,Alpha,Beta,BeamId,CellId.
+x,y,z,Range,Alpha,Beta,BeamId,CellId; a .ply file of points has these properties.
+
+A file gets its name when it is complete. In place of a file, - is the standard output: points
+are then written as .csv, the range image as .vti, the map as .ply, and the picture as .png. The
+lines that the command prints go to the error stream then.
 
 With --trajectory there is one scan for each pose, and with --map also one local map. Each output
 is a .pvd file, which lists the files of all steps and their times; ParaView plays it. The poses
@@ -32,6 +36,7 @@ examples:
   lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp
   lms3d scan model.stl --up-axis y --position 0 0 1.5 --beta-range -45 45 \\
       --beta-resolution 181 -o points.csv --map map.stl --picture figure.png
+  lms3d scan room.wrl --position 0.3 -0.2 1 -o - | gzip > points.csv.gz
   lms3d scan room.wrl --trajectory path.vtp -o scans.pvd --map maps.pvd
   lms3d scan room.wrl --position 0.3 -0.2 1 -o labelled.vtp --surface-attributes
 """
@@ -42,28 +47,35 @@ _COMPLETE = (".vtp", ".pvd")
 
 def add_arguments(parser):
     """Add the options of this command."""
-    sensor_options.add_scene(parser)
+    scene_options.add_scene(parser)
     sensor_options.add_sensor(parser, position_needed=True, may_move=True)
     results = parser.add_argument_group("results, at least one")
     results.add_argument("-o", "--output", metavar="FILE",
-                         help="points: .vtp .ply .csv; with --trajectory .pvd")
+                         help="points: .vtp .ply .csv, or - for .csv on the standard output; with "
+                         "--trajectory .pvd")
     results.add_argument("--surface-attributes", action="store_true",
                          help="the points (.vtp, .pvd) also have what they hit: Normals, Incidence "
                          "(degrees, 0: perpendicular) and the scene's cell arrays, for VRML ShapeId "
                          "and Color; the field data ShapeNames has the names of the shapes")
     results.add_argument("--range-image", metavar="FILE",
-                         help="grid of ranges, NaN without a return: .vti")
+                         help="grid of ranges, NaN without a return: .vti, or -")
     results.add_argument("--map", metavar="FILE",
-                         help="triangles: .vtp .ply .stl; with --trajectory .pvd")
+                         help="triangles: .vtp .ply .stl, or - for .ply; with --trajectory .pvd")
     sensor_options.add_map(results)
     results.add_argument("--picture", metavar="FILE",
-                         help="scene in blue beside its local map in green: .png (needs a display)")
+                         help="scene in blue beside its local map in green: .png, or - (needs a "
+                         "display)")
     picture_options.add_picture(results)
 
 
 def run(options):
     """Check the options, scan, write."""
     _check(options)
+    with reports(_targets(options)):
+        _scan(options)
+
+
+def _scan(options):
     simulation = sensor_options.simulation(options)
     simulation.sensor.SetSurfaceAttributes(options.surface_attributes)
     print(f"scene    {simulation.scene}")
@@ -147,5 +159,5 @@ def _write(options, simulation):
         "picture": lambda: Figure(simulation, options.size, edges=options.edges).image(),
     }
     for result, path in _targets(options):
-        save(results[result](), path)
+        save(results[result](), path, result)
         print(f"wrote    {path}")

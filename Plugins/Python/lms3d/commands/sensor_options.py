@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Options that several commands share: the scene, the sensor in it and the local map."""
+"""Options that several commands share: the sensor in a scene, and the local map."""
 
 import argparse
 import math
@@ -10,8 +10,8 @@ import numpy as np
 from .. import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
 from ..problems import UsageProblem
 from ..properties import MAXIMUM_COUNT, MAXIMUM_THREADS, METHODS
-from ..scene import READERS, UP_AXES, read_scene
 from ..simulation import Simulation
+from . import scene_options
 
 _MAXIMUM_COORDINATE = 1e18  # metres, as in vtkLMS3DScanFilter
 
@@ -53,23 +53,6 @@ def count(text, maximum=MAXIMUM_COUNT):
 def thread_count(text):
     """A number of threads; 0 stands for all cores."""
     return 0 if int(text) == 0 else count(text, MAXIMUM_THREADS)
-
-
-def add_scene(parser, is_needed=True):
-    """Add the scene, its up axis and its root folder."""
-    parser.add_argument("scene", metavar="SCENE", nargs=None if is_needed else "?",
-                        help="the scene's file: " + " ".join(READERS))
-    parser.add_argument("--up-axis", choices=UP_AXES, default="file",
-                        help="file: keep the axes, z is up (default); y: the file is y-up, as most "
-                        "VRML files are, and is turned to z-up")
-    parser.add_argument("--scene-root", metavar="FOLDER",
-                        help="folder that contains all other files of a VRML scene, also in "
-                        "subfolders (default: the scene's folder)")
-
-
-def read(options):
-    """Read the scene of the options."""
-    return read_scene(options.scene, options.up_axis, options.scene_root)
 
 
 def add_sensor(parser, position_needed, may_move=False, with_resolution=True):
@@ -195,7 +178,7 @@ def _is_range(low, high, resolution):
 
 def simulation(options):
     """Read the scene and set up the sensor and the map of the options. Does not scan."""
-    scene = read(options)
+    scene = scene_options.read(options)
     scene.report_losses()
     result = Simulation(scene)
     sensor = result.sensor

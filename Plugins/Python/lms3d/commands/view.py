@@ -6,9 +6,9 @@ from ..figure import Figure, check_display
 from ..pose import TURN_STEP
 from ..problems import UsageProblem
 from ..remote import RemoteScanner
-from ..results import check_targets, save
+from ..results import check_targets, reports, save
 from ..scene import check_readable
-from . import picture_options, sensor_options
+from . import picture_options, scene_options, sensor_options
 
 NAME = "view"
 SUMMARY = "move the sensor in a window; the local map follows"
@@ -34,7 +34,7 @@ examples:
 
 def add_arguments(parser):
     """Add the options of this command."""
-    sensor_options.add_scene(parser, is_needed=False)
+    scene_options.add_scene(parser, is_needed=False)
     parser.add_argument("--server", metavar="URL",
                         help="show this server instead of a scene: the URL that it prints "
                         "(corbaloc:..., IOR:...), corbaname:..., or file:PATH with the PATH of its "
@@ -48,7 +48,8 @@ def add_arguments(parser):
                       default=TURN_STEP,
                       help=f"degrees that a key turns the sensor (default: {TURN_STEP:g})")
     view.add_argument("--screenshot", metavar="FILE",
-                      help="write a picture to this .png and exit, without a window")
+                      help="write a picture to this .png and exit, without a window; - is the "
+                      "standard output")
     picture_options.add_picture(view)
 
 
@@ -56,10 +57,11 @@ def run(options):
     """Check the options, then open the window or draw the picture."""
     if (options.scene is None) == (options.server is None):
         raise UsageProblem("give either a SCENE or --server URL")
-    if options.server is None:
-        _view_scene(options)
-    else:
-        _view_server(options)
+    with reports([("picture", options.screenshot)]):
+        if options.server is None:
+            _view_scene(options)
+        else:
+            _view_server(options)
 
 
 def _view_scene(options):
@@ -101,5 +103,5 @@ def _view_server(options):
 
 
 def _draw(figure, path):
-    save(figure.image(), path)
+    save(figure.image(), path, "picture")
     print(f"wrote    {path}")

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ctrl-C in each step of the command line: exit code 130, one line, and no file is left."""
+
+import os
+import select
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+import lms3d
+from command_line import COARSE, POSE, ROOM, CommandLineTest, write
+from lms3d.execution import update
+
+HUGE = ("--alpha-resolution", 10000, "--beta-resolution", 10000)
+LARGE = ("--alpha-resolution", 2000, "--beta-resolution", 2000)
+
+
+class Process:
+    """A running `lms3d ARGUMENTS`, with a terminal for its error stream."""
+
+    def __init__(self, *arguments):
+        self._terminal, slave = os.openpty()
+        self._process = subprocess.Popen([sys.executable, "-m", "lms3d", *map(str, arguments)],
+                                         stdout=subprocess.DEVNULL, stderr=slave)
+        os.close(slave)
+        self.text = ""
+
+    def wait_for(self, words):
+        """Wait until the terminal shows the words."""
+        while words not in self.text and self._read():
+            pass
+        return words in self.text
+
+    def _read(self):
+        """Read what the terminal shows next; False at its end, or after 60 seconds."""
+        if not select.select([self._terminal], [], [], 60)[0]:
+            return False
+        try:
+            self.text += os.read(self._terminal, 65536).decode()
+            return True
+        except OSError:  # the process has ended
+            return False
+
+    def interrupt(self):
+        """Send what Ctrl-C sends."""
+        self._process.send_signal(signal.SIGINT)
+
+    def finish(self):
+        """The exit code, the text without the progress bars, and the seconds that it took."""
+        start = time.monotonic()
+        while self._read():
+            pass
+        code = self._process.wait(60)
+        os.close(self._terminal)
+        return code, self.text.split("\033[K")[-1], time.monotonic() - start
+
+
+class TestInterrupt(CommandLineTest):
+    def assert_interrupted(self, step, *arguments):
+        """Interrupt a command in the step that its progress bar names."""
+        before = sorted(self.folder.iterdir())
+        process = Process(*arguments)
+        self.assertTrue(process.wait_for(step), process.text)
+        time.sleep(0.2)
+        process.interrupt()
+        code, text, seconds = process.finish()
+        self.assertEqual(text, "lms3d: error: interrupted\r\n")
+        self.assertEqual(code, 130)
+        self.assertLess(seconds, 60)
+        self.assertEqual(sorted(self.folder.iterdir()), before)
+
+    def test_a_reader(self):
+        uses = "".join(f"DEF A{i} Group {{ children [ {f'USE A{i - 1} ' * 10} ] }}\n"
+                       for i in range(1, 9))
+        path = self.folder / "laughs.wrl"
+        path.write_text("#VRML V2.0 utf8\nSwitch { choice [ DEF A0 Shape { geometry Box { } }\n"
+                        f"{uses} ] }}\nUSE A8\n")
+        self.assert_interrupted("reading", "info", path, "--scene-nodes", 10**9)
+
+    def test_a_scan(self):
+        self.assert_interrupted("scanning", "scan", ROOM, *POSE, *HUGE,
+                                "-o", self.folder / "scan.vtp")
+
+    def test_a_map(self):
+        self.assert_interrupted("mapping", "scan", ROOM, *POSE, *LARGE,
+                                "--map", self.folder / "map.vtp")
+
+    def test_a_comparison(self):
+        local_map = self.folder / "map.vtp"
+        self.done("scan", ROOM, *POSE, *COARSE, "--map", local_map)
+        self.assert_interrupted("comparing", "compare", local_map, ROOM, "--samples", 10_000_000,
+                                "-o", self.folder / "errors.vtp")
+
+    def test_a_search(self):
+        self.assert_interrupted("measuring", "advise", ROOM, *POSE, "--tolerance", 0.001)
+
+    def test_writing(self):
+        for ending in ("csv", "ply", "vtp"):
+            with self.subTest(ending):
+                self.assert_interrupted("writing", "scan", ROOM, *POSE, *LARGE,
+                                        "-o", self.folder / f"scan.{ending}")
+
+    def test_a_series(self):
+        path = self.folder / "path.vtp"
+        self._write_trajectory(path)
+        self.assert_interrupted("scanning 30", "scan", ROOM, "--trajectory", path,
+                                "-o", self.folder / "scans.pvd")
+
+    @staticmethod
+    def _write_trajectory(path):
+        places = np.zeros((1000, 3))
+        places[:, 2] = np.linspace(0.5, 1.5, 1000)
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(places, deep=True))
+        trajectory = vtkPolyData()
+        trajectory.SetPoints(points)
+        write(vtkXMLPolyDataWriter(), trajectory, path)
+
+    def test_the_window(self):
+        process = subprocess.Popen([sys.executable, "-m", "lms3d", "view", str(ROOM)],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                   env={**os.environ, "PYTHONUNBUFFERED": "1"})
+        self.assertIn("room.wrl", process.stdout.readline())
+        time.sleep(5)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=30)
+        self.assertEqual((process.returncode, errors), (130, "lms3d: error: interrupted\n"))
+
+
+class TestLibrary(unittest.TestCase):
+    """The handler of the package leaves a program's own signals as they are."""
+
+    @staticmethod
+    def _scan():
+        reader = lms3d.vtkVRMLImporterSource()
+        reader.SetFileName(str(ROOM))
+        sensor = lms3d.vtkLMS3DScanFilter()
+        sensor.SetInputConnection(reader.GetOutputPort())
+        sensor.SetPosition(0.3, -0.2, 1)
+        return sensor
+
+    def _interrupt_while_reading(self, sensor):
+        reader = sensor.GetInputAlgorithm(0, 0)
+        reader.AddObserver("StartEvent", lambda *_: signal.raise_signal(signal.SIGINT))
+        update(sensor, "scanning", "cannot scan")
+
+    def test_an_interrupted_update_raises_and_the_next_one_works(self):
+        sensor = self._scan()
+        with self.assertRaises(KeyboardInterrupt):
+            self._interrupt_while_reading(sensor)
+        self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+        sensor.GetInputAlgorithm(0, 0).RemoveObservers("StartEvent")
+        sensor.GetInputAlgorithm(0, 0).Modified()
+        update(sensor, "scanning", "cannot scan")
+        self.assertEqual(sensor.GetOutput().GetNumberOfPoints(), 361 * 360)
+
+    def test_a_handler_of_the_program_stays(self):
+        calls = []
+        before = signal.signal(signal.SIGINT, lambda *_: calls.append(True))
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        self._interrupt_while_reading(self._scan())
+        self.assertEqual(calls, [True])
+
+    def test_another_thread_has_no_handler(self):
+        sensor = self._scan()
+        thread = threading.Thread(target=update, args=(sensor, "scanning", "cannot scan"))
+        thread.start()
+        thread.join()
+        self.assertEqual(sensor.GetOutput().GetNumberOfPoints(), 361 * 360)
+
+
+if __name__ == "__main__":
+    unittest.main()
