@@ -5,6 +5,7 @@
 #include "Comparison/lms3dComparison.h"
 #include "Comparison/lms3dSurfaceSamples.h"
 #include "Pipeline/lms3dAlgorithmProgress.h"
+#include "Pipeline/lms3dErrorReport.h"
 #include "Pipeline/lms3dFailure.h"
 #include "Pipeline/lms3dPipelineRequests.h"
 #include "Pipeline/lms3dThreads.h"
@@ -73,6 +74,7 @@ struct vtkLMS3DMapComparison::Internals
   static void SetResults(vtkLMS3DMapComparison* filter, const lms3dComparisonResults& results);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
+  lms3dErrorReport Errors;
 };
 
 vtkLMS3DMapComparison::vtkLMS3DMapComparison()
@@ -184,9 +186,8 @@ int vtkLMS3DMapComparison::RequestData(
     "There is not enough memory for the samples; reduce NumberOfSamples.");
   if (!failure.empty())
   {
-    vtkErrorMacro(<< failure);
     this->SetErrorCode(vtkErrorCode::UserError);
-    return 0;
+    return this->Internal->Errors.Report(this, failure, outputVector);
   }
   return 1;
 }

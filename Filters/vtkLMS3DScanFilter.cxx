@@ -5,6 +5,7 @@
 #include "Casting/lms3dRayCaster.h"
 #include "Device/lms3dRangeImage.h"
 #include "Pipeline/lms3dAlgorithmProgress.h"
+#include "Pipeline/lms3dErrorReport.h"
 #include "Pipeline/lms3dFailure.h"
 #include "Pipeline/lms3dPipelineRequests.h"
 #include "Scan/lms3dProcesses.h"
@@ -63,6 +64,7 @@ struct vtkLMS3DScanFilter::Internals
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   lms3dScanJob Job;
+  lms3dErrorReport Errors;
 };
 
 vtkLMS3DScanFilter::vtkLMS3DScanFilter()
@@ -202,9 +204,8 @@ int vtkLMS3DScanFilter::RequestData(
   }
   if (!error.empty())
   {
-    vtkErrorMacro(<< error);
     this->SetErrorCode(vtkErrorCode::UserError);
-    return 0;
+    return this->Internal->Errors.Report(this, error, outputVector);
   }
   return 1;
 }

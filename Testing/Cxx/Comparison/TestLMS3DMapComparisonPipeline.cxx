@@ -334,3 +334,14 @@ TEST(LMS3DMapComparisonPipeline, ComparesAloneWithAControllerOfOneProcess)
   comparison.Filter->SetController(controller);
   EXPECT_NEAR(comparison.Update()->GetMapToSceneMean(), 0.03, 1e-12);
 }
+
+TEST(LMS3DMapComparisonPipeline, ReportsAnErrorOnceForEachChange)
+{
+  vtkNew<vtkLMS3DMapComparison> comparison;
+  comparison->SetInputData(0, MakeBall(2.0));
+  comparison->SetInputData(1, MakeBall(2.0));
+  EXPECT_EQ(UpdateAllAndCountErrors(comparison), 1);
+  EXPECT_EQ(UpdateAllAndCountErrors(comparison), 0);
+  comparison->SetTolerance(0.02);
+  EXPECT_EQ(UpdateAllAndCountErrors(comparison), 1);
+}

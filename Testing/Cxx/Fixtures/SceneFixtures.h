@@ -75,4 +75,8 @@ extern const ScanChange ToNoReturns;
 /// The words of the errors that the algorithm gives in an Update(), empty if there is none.
 std::string UpdateAndGetError(vtkAlgorithm* algorithm);
 
+/// The number of errors that the algorithm and its executive give if each output is updated, twice and
+/// for two times, as ParaView's views do.
+int UpdateAllAndCountErrors(vtkAlgorithm* algorithm);
+
 #endif

@@ -133,6 +133,16 @@ void ExpectError(vtkPolyData* scan, const std::string& word)
 }
 } // namespace
 
+TEST(LMS3DSurfaceReconstructionFilter, ReportsAnErrorOnceForEachChange)
+{
+  vtkNew<vtkLMS3DSurfaceReconstructionFilter> filter;
+  filter->SetInputData(MakeBall(2.0));
+  EXPECT_EQ(UpdateAllAndCountErrors(filter), 1);
+  EXPECT_EQ(UpdateAllAndCountErrors(filter), 0);
+  filter->SetDepthStep(0.2);
+  EXPECT_EQ(UpdateAllAndCountErrors(filter), 1);
+}
+
 TEST(LMS3DSurfaceReconstructionFilter, ClosesABall)
 {
   Pipeline pipeline(MakeBall(2.0));
