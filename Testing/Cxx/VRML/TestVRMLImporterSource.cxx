@@ -152,7 +152,8 @@ TEST_F(VRMLImporterSource, RejectsFilesThatAreNotScenes)
     EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(this->File.string().c_str()), 1);
     this->ExpectError(vtkErrorCode::UnrecognizedFileTypeError, word);
     const std::filesystem::path other = this->File.string() + ".txt";
-    std::filesystem::copy_file(this->File, other, std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::copy_file(
+      this->File, other, std::filesystem::copy_options::overwrite_existing);
     EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(other.string().c_str()), 0);
     std::filesystem::remove(other);
   }
