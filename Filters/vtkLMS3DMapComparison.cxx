@@ -157,7 +157,8 @@ bool vtkLMS3DMapComparison::Internals::Compare(vtkLMS3DMapComparison* filter,
 int vtkLMS3DMapComparison::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
+  // Without SetErrorCode(), which modifies the filter, so that every update would run it again.
+  this->ErrorCode = vtkErrorCode::NoError;
   Internals::SetResults(this, lms3dComparisonResults());
   const lms3dProcesses processes(this->Internal->Controller);
   // The outputs are one piece; consumers that request another piece get an empty one.
@@ -186,7 +187,7 @@ int vtkLMS3DMapComparison::RequestData(
     "There is not enough memory for the samples; reduce NumberOfSamples.");
   if (!failure.empty())
   {
-    this->SetErrorCode(vtkErrorCode::UserError);
+    this->ErrorCode = vtkErrorCode::UserError;
     return this->Internal->Errors.Report(this, failure, outputVector);
   }
   return 1;

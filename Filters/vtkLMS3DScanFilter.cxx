@@ -149,7 +149,7 @@ int vtkLMS3DScanFilter::RequestInformation(
       // For a composite trajectory the executive would run the filter once for each block.
       vtkErrorMacro("The trajectory is not a vtkPolyData. Connect a polyline or points. If it is a "
                     "composite data set, extract the block.");
-      this->SetErrorCode(vtkErrorCode::UserError);
+      this->ErrorCode = vtkErrorCode::UserError;
       lms3dClearOutputs(outputVector);
       return 0;
     }
@@ -181,7 +181,8 @@ int vtkLMS3DScanFilter::RequestUpdateExtent(
 int vtkLMS3DScanFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
+  // Without SetErrorCode(), which modifies the filter, so that every update would run it again.
+  this->ErrorCode = vtkErrorCode::NoError;
   // An image keeps its arrays from one execution to the next.
   vtkImageData::GetData(outputVector, 1)->Initialize();
   vtkInformation* output = lms3dGetRequestedOutput(request, outputVector);
@@ -204,7 +205,7 @@ int vtkLMS3DScanFilter::RequestData(
   }
   if (!error.empty())
   {
-    this->SetErrorCode(vtkErrorCode::UserError);
+    this->ErrorCode = vtkErrorCode::UserError;
     return this->Internal->Errors.Report(this, error, outputVector);
   }
   return 1;

@@ -107,7 +107,8 @@ vtkLMS3DSurfaceReconstructionFilter::~vtkLMS3DSurfaceReconstructionFilter() = de
 int vtkLMS3DSurfaceReconstructionFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
+  // Without SetErrorCode(), which modifies the filter, so that every update would run it again.
+  this->ErrorCode = vtkErrorCode::NoError;
   bool isStopped = false;
   const lms3dProgress report = lms3dReportTo(this, 0.0, 1.0);
   const auto progress = [&report, &isStopped](double done)
@@ -134,7 +135,7 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
     "There is not enough memory for the map. Choose lower resolutions for the scan.");
   if (!failure.empty())
   {
-    this->SetErrorCode(vtkErrorCode::UserError);
+    this->ErrorCode = vtkErrorCode::UserError;
     return this->Internal->Errors.Report(this, failure, outputVector);
   }
   if (isStopped)

@@ -173,7 +173,7 @@ void vtkVRMLImporterSource::Internals::Fail(
 {
   output->Get(vtkDataObject::DATA_OBJECT())->Initialize();
   vtkErrorWithObjectMacro(this->Self, << text);
-  this->Self->SetErrorCode(errorCode);
+  this->Self->ErrorCode = errorCode;
 }
 
 void vtkVRMLImporterSource::Internals::Execute(vtkInformation* output)
@@ -204,7 +204,8 @@ void vtkVRMLImporterSource::Internals::Execute(vtkInformation* output)
 int vtkVRMLImporterSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
+  // Without SetErrorCode(), which modifies the reader, so that every update would run it again.
+  this->ErrorCode = vtkErrorCode::NoError;
   this->Internal->Messages = lms3dMessageList();
   vtkInformation* output = outputVector->GetInformationObject(0);
   this->Internal->Execute(output);

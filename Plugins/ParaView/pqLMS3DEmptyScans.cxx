@@ -6,8 +6,6 @@
 #include <pqPipelineSource.h>
 #include <pqServerManagerModel.h>
 
-#include <QtDebug>
-
 #include <vtkPVDataInformation.h>
 #include <vtkSMSourceProxy.h>
 
@@ -64,10 +62,10 @@ void pqLMS3DEmptyScans::check(pqPipelineSource* updated)
   else if (!this->Empty.contains(updated))
   {
     this->Empty.insert(updated);
-    qWarning().noquote() << updated->getSMName() +
-        ": no beam returned. From its position the sensor sees no surface between Minimum Range "
-        "and "
-        "Maximum Range. Move the sensor, or change the ranges.";
+    vtkWarningWithObjectMacro(scan, << updated->getSMName().toStdString()
+                                    << ": no beam returned. From its position the sensor sees no "
+                                       "surface between Minimum Range and "
+                                       "Maximum Range. Move the sensor, or change the ranges.");
   }
 }
 

@@ -22,11 +22,7 @@ BEAMS = 361 * 360
 PIPELINE = "pipelineBrowserDock/pipelineBrowser"
 HAS_REMOTE = "LMS3DRemote" in os.environ["LMS3D_PLUGINS"]
 
-FILTERS = {
-    "LMS3DMapComparison": "LMS3D Map Comparison",
-    "LMS3DScan": "LMS3D Scan",
-    "LMS3DSurfaceReconstruction": "LMS3D Surface Reconstruction",
-}
+FILTERS = ["LMS3D Map Comparison", "LMS3D Scan", "LMS3D Surface Reconstruction"]
 
 
 class WindowTest(unittest.TestCase):
@@ -36,6 +32,7 @@ class WindowTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.home = Path(folder.name)
+        window.hide_welcome(self.home)
 
     def play(self, *actions):
         """All messages of a ParaView that played the actions."""
@@ -53,13 +50,12 @@ class TestToolbars(WindowTest):
     """The icons, with the settings of the starts before."""
 
     def test_every_start_shows_all_icons(self):
-        icons = [step for name, text in FILTERS.items()
-                 for step in window.expect(f"LMS3D/{name}", "text", text)]
+        icons = [window.expect_icon("LMS3D", i, text) for i, text in enumerate(FILTERS)]
         if HAS_REMOTE:
-            icons += window.expect("LMS3D Server/LMS3DRemote", "text", "LMS3D Remote")
+            icons.append(window.expect_icon("LMS3D Server", 0, "LMS3D Remote"))
         for start in range(3):
             with self.subTest(start):
-                self.play(icons)
+                self.play(*icons)
         self.assertTrue(any(self.home.rglob("ParaView*.ini")), "the settings were not kept")
 
 
@@ -89,7 +85,7 @@ class TestRun(WindowTest):
     def test_the_file_is_open_and_plain_paraview_unchanged(self):
         code, messages = window.play(
             self.home, [*window.APPLY, *window.expect_cells(804),
-                        *window.expect("LMS3D/LMS3DScan", "text", "LMS3D Scan")],
+                        *window.expect_icon("LMS3D", 1, "LMS3D Scan")],
             [self.root / "run", "paraview", ROOM], LMS3D_PRESET="default",
             PATH=f"{self.programs}:{os.environ['PATH']}")
         self.assertEqual(code, 0, messages)
@@ -105,7 +101,7 @@ class TestMessages(WindowTest):
         self.check_one_error(messages, "has no polygons")
 
     def test_one_error_for_a_comparison_without_a_scan(self):
-        dialog = "ChangeInputDialog"
+        dialog = "SelectInputDialog"
         messages = self.play(
             window.open_file(ROOM), window.add_filter("LMS3DMapComparison"),
             [(f"{dialog}/buttonFrame/Scene", "set_boolean", "true")],
@@ -142,16 +138,16 @@ class TestTrajectory(WindowTest):
 
 
 class TestQuickSearch(WindowTest):
-    """Ctrl+Space, a word, Enter."""
+    """Ctrl+Space and words."""
 
     def test_words_of_the_field(self):
-        for word in ("lidar", "laser", "range"):
-            with self.subTest(word):
-                self.play(window.open_file(ROOM), self.search(word))
-
-    @staticmethod
-    def search(word):
-        return []
+        found = {f"{word} {part}": text for word in ("lidar", "laser", "range")
+                 for part, text in (("map", "LMS3D Map Comparison"), ("scan", "LMS3D Scan"))}
+        self.play(
+            window.open_file(ROOM), window.choose("menuFilters", "Search...\tCtrl+Space"),
+            *[window.expect_found(words, text) for words, text in found.items()],
+            window.press(window.SEARCH, window.ESCAPE),
+            window.expect("menubar/menuFilters/LMS3D", "title", "LMS3D"))
 
 
 class TestPythonState(WindowTest):

@@ -12,7 +12,7 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 
 CHECK = "check"
-TIMEOUT = 110  # seconds; ends a ParaView that waits in a dialog
+TIMEOUT = 250  # seconds; ends a ParaView that waits in a dialog
 
 _PANEL = "propertiesDock/propertiesPanel"
 PROPERTIES = (f"{_PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
@@ -21,6 +21,8 @@ INFORMATION = ("informationDock/informationWidgetFrame/informationScrollArea/qt_
                "informationWidget")
 APPLY = [(f"{_PANEL}/Accept", "activate", "")]
 OK_BUTTON = "buttonBox/1QPushButton0"
+SEARCH = "QuickLaunchDialog"
+ESCAPE = 0x01000000
 
 
 def choose(menu, *entries):
@@ -61,6 +63,22 @@ def expect_cells(count):
     return expect(f"{INFORMATION}/cellCount", "text", f"{count:,}")
 
 
+def expect_icon(toolbar, place, text):
+    """An icon of a toolbar, which has the text of its menu entry."""
+    return expect(f"{toolbar}/1QToolButton{place}", "text", text)
+
+
+def press(name, key, text=""):
+    """A key of Qt."""
+    return [(name, "keyEvent", f"6:{key}:0:{text}:0:1")]
+
+
+def expect_found(words, text):
+    """Words in the quick search, the entry that they find, and Escape, which clears the words."""
+    steps = [step for letter in words for step in press(SEARCH, ord(letter.upper()), letter)]
+    return steps + expect(f"{SEARCH}/selection", "text", text) + press(SEARCH, ESCAPE)
+
+
 def write_script(path, actions):
     """The actions as ParaView's test player reads them."""
     root = ET.Element("pqevents")
@@ -72,6 +90,15 @@ def write_script(path, actions):
         else:
             ET.SubElement(root, "pqevent", object=name, command=command, arguments=argument)
     ET.ElementTree(root).write(path, encoding="utf-8", xml_declaration=True)
+
+
+def hide_welcome(home):
+    """Switches off the dialog that welcomes a new user, for ParaView with settings in `home`."""
+    folder = Path(home) / ".config/ParaView"
+    folder.mkdir(parents=True)
+    version = os.environ["LMS3D_PARAVIEW_VERSION"]
+    (folder / f"ParaView{version}.ini").write_text(
+        "[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
 
 
 def play(home, actions, command=None, **environment):
