@@ -83,6 +83,7 @@ class TestRun(WindowTest):
         program.chmod(0o755)
 
     def test_the_file_is_open_and_plain_paraview_unchanged(self):
+        before = self.plain_settings()
         code, messages = window.play(
             self.home, [*window.APPLY, *window.expect_cells(804),
                         *window.expect_icon("LMS3D", 1, "LMS3D Scan")],
@@ -90,7 +91,11 @@ class TestRun(WindowTest):
             PATH=f"{self.programs}:{os.environ['PATH']}")
         self.assertEqual(code, 0, messages)
         self.assertTrue(any((self.home / ".config/LMS3D/ParaView").glob("ParaView*.ini")))
-        self.assertFalse((self.home / ".config/ParaView").exists())
+        self.assertEqual(self.plain_settings(), before)
+
+    def plain_settings(self):
+        """The files of plain ParaView's settings."""
+        return {path.name: path.read_bytes() for path in (self.home / ".config/ParaView").iterdir()}
 
 
 class TestMessages(WindowTest):
