@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """ParaView's window with a home of its own: toolbars, settings, messages, quick search, Python states.
 
-Needs a display. LMS3D_PARAVIEW and LMS3D_PVPYTHON are the programs, LMS3D_PLUGINS the plugins' files,
-LMS3D_DATA_DIR the folder of room.wrl, LMS3D_RUN the script "run".
+Needs a display. LMS3D_PARAVIEW and LMS3D_PVPYTHON are the programs, LMS3D_PARAVIEW_VERSION is ParaView's
+version, LMS3D_PLUGINS are the plugins' files, LMS3D_DATA_DIR is the folder of room.wrl, LMS3D_RUN the
+script "run".
 """
 
 import os
@@ -164,7 +165,7 @@ class TestPythonState(WindowTest):
             window.open_file(ROOM), window.add_filter("LMS3DScan"), window.APPLY,
             window.choose("menu_File", "actionFileSaveServerState"),
             [("FileSaveServerStateDialog", "filesSelected", str(state)),
-             ("StateOptionsDialog/" + window.OK_BUTTON, "activate", "")])
+             ("/StateOptionsDialog/widget/OKButton", "activate", "")])
         self.assertEqual(state.read_text().count("LoadPlugin("), 1)
         script = self.home / "check.py"
         script.write_text(

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plays a user's actions in ParaView's window, as tuples (object, command, argument).
 
-Objects are named from the main window. An action with the command CHECK compares a property, written
+Objects are named from the main window; a dialog without a parent begins with "/". An action with the command CHECK compares a property, written
 "name=value", and ParaView exits with another code than 0 if the value differs.
 """
 
@@ -83,7 +83,7 @@ def write_script(path, actions):
     """The actions as ParaView's test player reads them."""
     root = ET.Element("pqevents")
     for name, command, argument in actions:
-        name = f"pqClientMainWindow/{name}"
+        name = name[1:] if name.startswith("/") else f"pqClientMainWindow/{name}"
         if command == CHECK:
             shown, _, value = argument.partition("=")
             ET.SubElement(root, "pqcheck", object=name, property=shown, arguments=value)
