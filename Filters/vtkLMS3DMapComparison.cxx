@@ -5,6 +5,7 @@
 #include "Comparison/lms3dComparison.h"
 #include "Comparison/lms3dSurfaceSamples.h"
 #include "Pipeline/lms3dAlgorithmProgress.h"
+#include "Pipeline/lms3dErrorReport.h"
 #include "Pipeline/lms3dFailure.h"
 #include "Pipeline/lms3dPipelineRequests.h"
 #include "Pipeline/lms3dThreads.h"
@@ -73,6 +74,7 @@ struct vtkLMS3DMapComparison::Internals
   static void SetResults(vtkLMS3DMapComparison* filter, const lms3dComparisonResults& results);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
+  lms3dErrorReport Errors;
 };
 
 vtkLMS3DMapComparison::vtkLMS3DMapComparison()
@@ -155,7 +157,8 @@ bool vtkLMS3DMapComparison::Internals::Compare(vtkLMS3DMapComparison* filter,
 int vtkLMS3DMapComparison::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
+  // Without SetErrorCode(), which modifies the filter, so that every update would run it again.
+  this->ErrorCode = vtkErrorCode::NoError;
   Internals::SetResults(this, lms3dComparisonResults());
   const lms3dProcesses processes(this->Internal->Controller);
   // The outputs are one piece; consumers that request another piece get an empty one.
@@ -184,9 +187,8 @@ int vtkLMS3DMapComparison::RequestData(
     "There is not enough memory for the samples; reduce NumberOfSamples.");
   if (!failure.empty())
   {
-    vtkErrorMacro(<< failure);
-    this->SetErrorCode(vtkErrorCode::UserError);
-    return 0;
+    this->ErrorCode = vtkErrorCode::UserError;
+    return this->Internal->Errors.Report(this, failure, outputVector);
   }
   return 1;
 }

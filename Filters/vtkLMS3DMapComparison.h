@@ -40,8 +40,9 @@
  *
  * Invalid input gives an error that says what to do, the error code vtkErrorCode::UserError, and
  * empty outputs: a map or a scene without triangles, a missing pose, a sensor that sees nothing of
- * the scene. Cells with a point that is not finite are skipped, with a warning. After an abort the
- * outputs are empty, and the next update compares again.
+ * the scene. The filter reports an error once, until a property or an input changes. Cells with a point
+ * that is not finite are skipped, with a warning. After an abort the outputs are empty, and the next update
+ * compares again.
  *
  * With a Controller of several processes the process that has the map compares. It needs the whole
  * scene: if more than one process has a part of the scene, every process reports an error. The other

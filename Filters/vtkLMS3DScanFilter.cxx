@@ -5,6 +5,7 @@
 #include "Casting/lms3dRayCaster.h"
 #include "Device/lms3dRangeImage.h"
 #include "Pipeline/lms3dAlgorithmProgress.h"
+#include "Pipeline/lms3dErrorReport.h"
 #include "Pipeline/lms3dFailure.h"
 #include "Pipeline/lms3dPipelineRequests.h"
 #include "Scan/lms3dProcesses.h"
@@ -63,6 +64,7 @@ struct vtkLMS3DScanFilter::Internals
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   lms3dScanJob Job;
+  lms3dErrorReport Errors;
 };
 
 vtkLMS3DScanFilter::vtkLMS3DScanFilter()
@@ -162,7 +164,7 @@ int vtkLMS3DScanFilter::RequestInformation(
       // For a composite trajectory the executive would run the filter once for each block.
       vtkErrorMacro("The trajectory is not a vtkPolyData. Connect a polyline or points. If it is a "
                     "composite data set, extract the block.");
-      this->SetErrorCode(vtkErrorCode::UserError);
+      this->ErrorCode = vtkErrorCode::UserError;
       lms3dClearOutputs(outputVector);
       return 0;
     }
@@ -194,7 +196,8 @@ int vtkLMS3DScanFilter::RequestUpdateExtent(
 int vtkLMS3DScanFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
+  // Without SetErrorCode(), which modifies the filter, so that every update would run it again.
+  this->ErrorCode = vtkErrorCode::NoError;
   // An image keeps its arrays from one execution to the next.
   vtkImageData::GetData(outputVector, 1)->Initialize();
   vtkInformation* output = lms3dGetRequestedOutput(request, outputVector);
@@ -217,10 +220,8 @@ int vtkLMS3DScanFilter::RequestData(
   }
   if (!error.empty())
   {
-    vtkErrorMacro(<< error);
-    this->SetErrorCode(vtkErrorCode::UserError);
-    lms3dClearOutputs(outputVector);
-    return 0;
+    this->ErrorCode = vtkErrorCode::UserError;
+    return this->Internal->Errors.Report(this, error, outputVector);
   }
   return 1;
 }

@@ -109,7 +109,8 @@
  * is empty or exceeds its limits; more than 2^31 - 1 beams; a trajectory without points, with
  * several lines, or with bad positions, quaternions or times. Cells with a point that is not finite
  * or exceeds 1e18 m are skipped. Polygons that cross themselves are filled with triangles that can
- * overlap or extend beyond them. One warning counts both.
+ * overlap or extend beyond them. One warning counts both. The filter reports an error once, however
+ * often it is updated, until a property or an input changes.
  *
  * @par Robustness of EXACT
  * (See IntersectionMethods for the other methods.)

@@ -9,6 +9,7 @@
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 #include "LocalMap/Grid/lms3dRangeJoins.h"
 #include "Pipeline/lms3dAlgorithmProgress.h"
+#include "Pipeline/lms3dErrorReport.h"
 #include "Pipeline/lms3dFailure.h"
 #include "Pipeline/lms3dPipelineRequests.h"
 #include "Pipeline/lms3dThreads.h"
@@ -50,6 +51,7 @@ struct vtkLMS3DSurfaceReconstructionFilter::Internals
     const lms3dProgress& progress, vtkPolyData* map);
 
   lms3dThreads Threads;
+  lms3dErrorReport Errors;
 
 private:
   /// Makes tables of sines and cosines for new angles only.
@@ -105,7 +107,8 @@ vtkLMS3DSurfaceReconstructionFilter::~vtkLMS3DSurfaceReconstructionFilter() = de
 int vtkLMS3DSurfaceReconstructionFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
+  // Without SetErrorCode(), which modifies the filter, so that every update would run it again.
+  this->ErrorCode = vtkErrorCode::NoError;
   bool isStopped = false;
   const lms3dProgress report = lms3dReportTo(this, 0.0, 1.0);
   const auto progress = [&report, &isStopped](double done)
@@ -132,9 +135,8 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
     "There is not enough memory for the map. Choose lower resolutions for the scan.");
   if (!failure.empty())
   {
-    vtkErrorMacro(<< failure);
-    this->SetErrorCode(vtkErrorCode::UserError);
-    return 0;
+    this->ErrorCode = vtkErrorCode::UserError;
+    return this->Internal->Errors.Report(this, failure, outputVector);
   }
   if (isStopped)
   {

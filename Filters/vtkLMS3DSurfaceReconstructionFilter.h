@@ -58,8 +58,8 @@
  * that is not finite; a range that is not a finite number above 0; a BeamId outside of the grid or of two
  * returns. For a bounded map, invalid are also elevations beyond 90 degrees, turns over more than a full
  * circle, angles that neither strictly increase nor strictly decrease, and scans of more than 268435455
- * directions. A scan without returns gives an empty map and no error. The output is the same to the bit
- * for any NumberOfThreads.
+ * directions. The filter reports an error once, until a property or an input changes. A scan without
+ * returns gives an empty map and no error. The output is the same to the bit for any NumberOfThreads.
  *
  * @sa
  * vtkLMS3DScanFilter

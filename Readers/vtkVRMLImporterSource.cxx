@@ -8,15 +8,18 @@
 #include "lms3dSceneOutput.h"
 #include "lms3dVTKImporterEngine.h"
 
+#include <vtkDemandDrivenPipeline.h>
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkVersionMacros.h>
 
+#include <algorithm>
+#include <cctype>
 #include <exception>
+#include <filesystem>
 #include <new>
 
 vtkStandardNewMacro(vtkVRMLImporterSource);
@@ -24,6 +27,17 @@ vtkStandardNewMacro(vtkVRMLImporterSource);
 static_assert(vtkVRMLImporterSource::MESSAGE_WARNING == int(lms3dMessage::MESSAGE_WARNING) &&
     vtkVRMLImporterSource::MESSAGE_ERROR == int(lms3dMessage::MESSAGE_ERROR),
   "Severities pass through unchanged.");
+
+namespace
+{
+bool IsNamedAsVRML(const char* fileName)
+{
+  std::string ending = std::filesystem::path(fileName).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return ending == ".wrl" || ending == ".vrml" || ending == ".wrz";
+}
+} // namespace
 
 struct vtkVRMLImporterSource::Internals
 {
@@ -36,9 +50,8 @@ struct vtkVRMLImporterSource::Internals
   lms3dScene Read() const;
   /// Throws lms3dReadFailure if the file has no surface.
   void ReadFile(vtkInformation* output);
-  /// Executes the reader. Returns false after an error.
-  bool Execute(vtkInformation* output);
-  bool Fail(vtkInformation* output, unsigned long errorCode, const std::string& text) const;
+  void Execute(vtkInformation* output);
+  void Fail(vtkInformation* output, unsigned long errorCode, const std::string& text) const;
   void ReportMessages() const;
 
   vtkVRMLImporterSource* Self;
@@ -64,9 +77,9 @@ int vtkVRMLImporterSource::CanReadFile(const char* fileName)
     lms3dCheckFile(fileName, true);
     return 1;
   }
-  catch (const lms3dReadFailure&)
+  catch (const lms3dReadFailure& failure)
   {
-    return 0;
+    return failure.ErrorCode == vtkErrorCode::UnrecognizedFileTypeError && IsNamedAsVRML(fileName);
   }
   catch (const std::exception&)
   {
@@ -156,35 +169,33 @@ void vtkVRMLImporterSource::Internals::ReportMessages() const
   }
 }
 
-bool vtkVRMLImporterSource::Internals::Fail(
+void vtkVRMLImporterSource::Internals::Fail(
   vtkInformation* output, unsigned long errorCode, const std::string& text) const
 {
   output->Get(vtkDataObject::DATA_OBJECT())->Initialize();
   vtkErrorWithObjectMacro(this->Self, << text);
-  this->Self->SetErrorCode(errorCode);
-  return false;
+  this->Self->ErrorCode = errorCode;
 }
 
-bool vtkVRMLImporterSource::Internals::Execute(vtkInformation* output)
+void vtkVRMLImporterSource::Internals::Execute(vtkInformation* output)
 {
   try
   {
     lms3dCheckFile(this->Self->FileName, this->Self->Engine != VTK_IMPORTER);
     this->ReadFile(output);
-    return true;
   }
   catch (const lms3dReadFailure& failure)
   {
-    return this->Fail(output, failure.ErrorCode, failure.Text);
+    this->Fail(output, failure.ErrorCode, failure.Text);
   }
   catch (const std::bad_alloc&)
   {
-    return this->Fail(output, vtkErrorCode::UserError,
+    this->Fail(output, vtkErrorCode::UserError,
       std::string(this->Self->FileName) + " needs more memory than there is; lower MaximumMemory.");
   }
   catch (const std::exception& exception)
   {
-    return this->Fail(output, vtkErrorCode::UserError,
+    this->Fail(output, vtkErrorCode::UserError,
       std::string(this->Self->FileName) + " cannot be read: " + exception.what());
   }
 }
@@ -192,17 +203,15 @@ bool vtkVRMLImporterSource::Internals::Execute(vtkInformation* output)
 int vtkVRMLImporterSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
+  // Without SetErrorCode(), which modifies the reader, so that every update would run it again.
+  this->ErrorCode = vtkErrorCode::NoError;
   this->Internal->Messages = lms3dMessageList();
   vtkInformation* output = outputVector->GetInformationObject(0);
-  if (this->Internal->Execute(output))
-  {
-    return 1;
-  }
-  // With several processes, only the first one reads. If its pipeline stopped here, the others would
-  // wait forever in the next filter that communicates.
-  const auto pieces = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES();
-  return output->Has(pieces) && output->Get(pieces) > 1 ? 1 : 0;
+  this->Internal->Execute(output);
+  // 1 after an error, too. Otherwise VTK would add an error of its own and read the file again at each
+  // update. And with several processes only the first one reads: if its pipeline stopped here, the others
+  // would wait forever in the next filter that communicates.
+  return 1;
 }
 
 void vtkVRMLImporterSource::PrintSelf(ostream& os, vtkIndent indent)

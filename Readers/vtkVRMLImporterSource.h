@@ -46,8 +46,8 @@
  * - FileFormatError: the file has no surface that can be read.
  * - UserError: the reader runs out of memory or fails in another way. No exception leaves the reader.
  *
- * vtkErrorCode defines these codes. After an abort the output is empty, without an error or a
- * message.
+ * vtkErrorCode defines these codes. After an error the reader reads the file again only if the reader was
+ * modified. After an abort the output is empty, without an error or a message.
  *
  * @par Limits
  * A short text with nested USEs can stand for a huge scene. The default limits are about ten times
@@ -85,8 +85,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Returns 1 if the file can be opened and begins as a VRML 2.0 file, packed by gzip or not.
-   * Otherwise returns 0.
+   * Returns 1 if the file can be opened and either begins as a VRML 2.0 file, packed by gzip or not, or
+   * its name ends with .wrl, .vrml or .wrz in any case. Otherwise returns 0. So an application that
+   * chooses its reader by this function, such as ParaView, shows this reader's error for a file that has
+   * only the name of a VRML file.
    */
   static int CanReadFile(const char* fileName);
 

@@ -6,7 +6,9 @@
 import gzip
 import itertools
 import json
+import tempfile
 import unittest
+from pathlib import Path
 
 import numpy as np
 
@@ -30,7 +32,8 @@ class Case(unittest.TestCase):
 
     def check(self):
         path = CASES / self.expected.get("file", self.name + ".wrl")
-        self.assertEqual(lms3d.vtkVRMLImporterSource.CanReadFile(str(path)),
+        self.assertTrue(lms3d.vtkVRMLImporterSource.CanReadFile(str(path)))
+        self.assertEqual(self.can_read_under_another_name(path),
                          self.expected.get("report") != "refused")
         root = {"SceneRoot": str(CASES / self.expected["root"])} if "root" in self.expected else {}
         self.scene = Scene(path, **root)
@@ -40,6 +43,13 @@ class Case(unittest.TestCase):
 
     def check_close(self, value, expected, tolerance, what):
         self.assertLessEqual(abs(value - expected), tolerance * abs(expected), what)
+
+    @staticmethod
+    def can_read_under_another_name(path):
+        with tempfile.TemporaryDirectory() as folder:
+            link = Path(folder) / "scene.txt"
+            link.symlink_to(path.resolve())
+            return lms3d.vtkVRMLImporterSource.CanReadFile(str(link))
 
     def check_surface(self):
         scene, expected = self.scene, self.expected

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tests what ./run wants to install, with a copy of it on a system without packages, and whether a
-second user can start it in a build that another user has made.
+"""Tests what ./run wants to install, with a copy of it on a system without packages, how it starts
+ParaView, and whether a second user can start it in a build that another user has made.
 
 LMS3D_RUN is the script. Programs in a folder of the test replace dpkg-query, which then lists no
 package, and apt-get, sudo and cmake, which record that they were called.
@@ -110,6 +110,50 @@ class TestRun(unittest.TestCase):
     def test_further_packages_are_named(self):
         outcome = self.call("demo", LMS3D_NO_INSTALL="1", LMS3D_PACKAGES="libcoin-dev")
         self.assertIn("libcoin-dev", outcome.stderr)
+
+    def start_paraview(self, *arguments):
+        """The settings folder and the arguments that ./run gives to ParaView, in a finished build."""
+        plugins = self.root / "build/lib/paraview-5.11/plugins"
+        for name in ("LMS3D", "LMS3DRemote"):
+            (plugins / name).mkdir(parents=True, exist_ok=True)
+            (plugins / name / f"{name}.so").touch()
+        (self.root / "build/lib/python3/dist-packages/lms3d").mkdir(parents=True, exist_ok=True)
+        self.stand_in("dpkg-query", 'for last; do echo; echo "$last installed"; done')
+        said = self.root / "said"
+        self.stand_in("paraview", f'printf "%s\\n" "$XDG_CONFIG_HOME" "$@" >{said}')
+        outcome = self.call("paraview", *arguments, DISPLAY=":0", HOME=str(self.root / "home"),
+                            XDG_CONFIG_HOME="")
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        settings, *given = said.read_text().splitlines()
+        return Path(settings), given
+
+    def test_paraview_gets_the_users_arguments_first(self):
+        plugins = self.root.resolve() / "build/lib/paraview-5.11/plugins"
+        self.assertEqual(self.start_paraview("my room.wrl", "--stereo")[1], [
+            "my room.wrl", "--stereo",
+            f"--plugin-search-paths={plugins}/LMS3D", "--plugins=LMS3D",
+            f"--plugin-search-paths={plugins}/LMS3DRemote", "--plugins=LMS3DRemote"])
+
+    def test_paraview_has_settings_of_its_own(self):
+        configuration = self.root / "home/.config"
+        plain = configuration / "ParaView/ParaView5.11.0.ini"
+        plain.parent.mkdir(parents=True)
+        plain.write_text("as the user likes it")
+        (configuration / "theme").write_text("dark")
+        own = configuration / "LMS3D"
+        self.assertEqual(self.start_paraview("room.wrl")[0], own)
+        copy = own / "ParaView" / plain.name
+        self.assertEqual(copy.read_text(), "as the user likes it")
+        self.assertEqual((own / "theme").resolve(), (configuration / "theme").resolve())
+        self.assertFalse((own / "LMS3D").exists())
+
+        copy.write_text("changed in the window")
+        self.assertEqual(self.start_paraview("room.wrl")[0], own)
+        self.assertEqual(copy.read_text(), "changed in the window")
+        self.assertEqual(plain.read_text(), "as the user likes it")
+
+    def test_paraview_starts_in_a_new_home(self):
+        self.assertEqual(self.start_paraview("room.wrl")[0], self.root / "home/.config/LMS3D")
 
     def test_unknown_commands_are_refused(self):
         self.assertEqual(self.call("frobnicate").returncode, 2)

@@ -204,3 +204,14 @@ TEST(LMS3DMapComparisonPipeline, IsOnePiece)
   comparison.Filter->UpdatePiece(0, 2, 0);
   EXPECT_NEAR(comparison.Filter->GetMapToSceneMean(), 0.03, 1e-12);
 }
+
+TEST(LMS3DMapComparisonPipeline, ReportsAnErrorOnceForEachChange)
+{
+  vtkNew<vtkLMS3DMapComparison> comparison;
+  comparison->SetInputData(0, MakeBall(2.0));
+  comparison->SetInputData(1, MakeBall(2.0));
+  EXPECT_EQ(UpdateAllAndCountErrors(comparison), 1);
+  EXPECT_EQ(UpdateAllAndCountErrors(comparison), 0);
+  comparison->SetTolerance(0.02);
+  EXPECT_EQ(UpdateAllAndCountErrors(comparison), 1);
+}

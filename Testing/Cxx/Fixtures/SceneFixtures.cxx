@@ -7,6 +7,7 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
@@ -215,4 +216,27 @@ std::string UpdateAndGetWarning(vtkAlgorithm* algorithm)
   EXPECT_EQ(UpdateAndGetError(algorithm), "");
   algorithm->RemoveObserver(tag);
   return observer->GetWarningMessage();
+}
+
+int UpdateAllAndCountErrors(vtkAlgorithm* algorithm)
+{
+  int count = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&count);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* errors, void*) { ++*static_cast<int*>(errors); });
+  const unsigned long tag = algorithm->AddObserver(vtkCommand::ErrorEvent, counter);
+  const unsigned long executiveTag =
+    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, counter);
+  for (double time : { 0.0, 0.0, 1.0 })
+  {
+    for (int port = 0; port < algorithm->GetNumberOfOutputPorts(); ++port)
+    {
+      algorithm->UpdateTimeStep(time, -1, 1, 0, nullptr);
+      algorithm->Update(port);
+    }
+  }
+  algorithm->RemoveObserver(tag);
+  algorithm->GetExecutive()->RemoveObserver(executiveTag);
+  return count;
 }

@@ -44,6 +44,16 @@ void ExpectFacing(vtkPolyData* map, const Point& sensor)
 }
 } // namespace
 
+TEST(LMS3DSurfaceReconstructionFilter, ReportsAnErrorOnceForEachChange)
+{
+  vtkNew<vtkLMS3DSurfaceReconstructionFilter> filter;
+  filter->SetInputData(MakeBall(2.0));
+  EXPECT_EQ(UpdateAllAndCountErrors(filter), 1);
+  EXPECT_EQ(UpdateAllAndCountErrors(filter), 0);
+  filter->SetDepthStep(0.2);
+  EXPECT_EQ(UpdateAllAndCountErrors(filter), 1);
+}
+
 TEST(LMS3DSurfaceReconstructionFilter, ClosesABall)
 {
   PlainGridPipeline pipeline(MakeBall(2.0));

@@ -3,6 +3,7 @@
 #include "Fixtures/SceneFixtures.h"
 
 #include "vtkLMS3DScanFilter.h"
+#include "vtkLMS3DSurfaceReconstructionFilter.h"
 
 #include <vtkCellArray.h>
 #include <vtkCommand.h>
@@ -142,6 +143,33 @@ TEST(LMS3DScanFilterErrors, RecoverWhenThePropertyIsRepaired)
   EXPECT_EQ(UpdateAndGetError(scan), "");
   EXPECT_EQ(scan->GetErrorCode(), vtkErrorCode::NoError);
   EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 9 * 360);
+}
+
+TEST(LMS3DScanFilterErrors, AreReportedOnceForEachChange)
+{
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkLMS3DScanFilter> scan;
+  scan->SetInputDataObject(empty);
+  EXPECT_EQ(UpdateAllAndCountErrors(scan), 1);
+  EXPECT_EQ(UpdateAllAndCountErrors(scan), 0);
+  EXPECT_EQ(scan->GetErrorCode(), vtkErrorCode::UserError);
+  scan->SetPosition(1.0, 0.0, 0.0);
+  EXPECT_EQ(UpdateAllAndCountErrors(scan), 1);
+  empty->Modified();
+  EXPECT_EQ(UpdateAllAndCountErrors(scan), 1);
+}
+
+TEST(LMS3DScanFilterErrors, AreNotRepeatedByAMapOfTheScan)
+{
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkLMS3DScanFilter> scan;
+  scan->SetInputDataObject(empty);
+  vtkNew<vtkLMS3DSurfaceReconstructionFilter> map;
+  map->SetInputConnection(scan->GetOutputPort());
+  EXPECT_NE(UpdateAndGetError(scan), "");
+  EXPECT_EQ(UpdateAllAndCountErrors(map), 0);
+  EXPECT_EQ(map->GetErrorCode(), vtkErrorCode::NoError);
+  EXPECT_EQ(map->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 TEST(LMS3DScanFilterErrors, ASceneWithoutPolygons)

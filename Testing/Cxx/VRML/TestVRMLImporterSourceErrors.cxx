@@ -32,12 +32,27 @@ TEST_F(VRMLImporterSource, RejectsFilesThatAreNotScenes)
   {
     this->Write(words);
     this->Reader->Modified();
-    EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(this->File.string().c_str()), 0);
+    EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(this->File.string().c_str()), 1);
     this->ExpectError(vtkErrorCode::UnrecognizedFileTypeError, word);
+    const std::filesystem::path other = this->File.string() + ".txt";
+    std::filesystem::copy_file(
+      this->File, other, std::filesystem::copy_options::overwrite_existing);
+    EXPECT_EQ(vtkVRMLImporterSource::CanReadFile(other.string().c_str()), 0);
+    std::filesystem::remove(other);
   }
   this->Write("#VRML V2.0 utf8\nWorldInfo { title \"nothing\" }\n");
   this->Reader->Modified();
   this->ExpectError(vtkErrorCode::FileFormatError, "no surface");
+}
+
+TEST_F(VRMLImporterSource, ReportsAnErrorOnceForEachChange)
+{
+  this->Write("#VRML V1.0 ascii\nCube {}\n");
+  this->Reader->SetFileName(this->File.string().c_str());
+  EXPECT_EQ(UpdateAllAndCountErrors(this->Reader), 1);
+  EXPECT_EQ(UpdateAllAndCountErrors(this->Reader), 0);
+  this->Reader->Modified();
+  EXPECT_EQ(UpdateAllAndCountErrors(this->Reader), 1);
 }
 
 TEST_F(VRMLImporterSource, ReportsLossesOncePerExecution)

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/lms3dErrorReport.h"
+
+#include "Pipeline/lms3dPipelineRequests.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDemandDrivenPipeline.h>
+
+namespace
+{
+// The time of the last change of the filter or of anything upstream.
+vtkMTimeType GetPipelineTime(vtkAlgorithm* filter)
+{
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(filter->GetExecutive());
+  return pipeline ? pipeline->GetPipelineMTime() : filter->GetMTime();
+}
+} // namespace
+
+int lms3dErrorReport::Report(
+  vtkAlgorithm* filter, const std::string& error, vtkInformationVector* outputVector)
+{
+  lms3dClearOutputs(outputVector);
+  const vtkMTimeType time = GetPipelineTime(filter);
+  if (error != this->Error || time != this->PipelineTime)
+  {
+    this->Error = error;
+    this->PipelineTime = time;
+    vtkErrorWithObjectMacro(filter, << error);
+  }
+  return 1;
+}

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqLMS3DPythonStates
+ * @brief makes Python states of ParaView's window load the plugin
+ *
+ * ParaView's Python states do not load plugins. Once the pipeline has a reader or a filter of LMS3D, this
+ * class runs Python/lms3d_states.py, which adds the missing line to each state that is saved later. Does
+ * nothing if ParaView has no Python.
+ */
+
+#ifndef pqLMS3DPythonStates_h
+#define pqLMS3DPythonStates_h
+
+#include <QObject>
+
+class pqPipelineSource;
+
+class pqLMS3DPythonStates : public QObject
+{
+  Q_OBJECT
+  typedef QObject Superclass;
+
+public:
+  explicit pqLMS3DPythonStates(QObject* parent = nullptr);
+
+  void startup();
+  void shutdown();
+
+private Q_SLOTS:
+  void prepare(pqPipelineSource* added);
+
+private:
+  Q_DISABLE_COPY(pqLMS3DPythonStates)
+};
+
+#endif

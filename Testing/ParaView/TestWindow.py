@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView's window with a home of its own: toolbars, settings, messages, quick search, Python states.
+
+Needs a display. LMS3D_PARAVIEW and LMS3D_PVPYTHON are the programs, LMS3D_PARAVIEW_VERSION is ParaView's
+version, LMS3D_PLUGINS are the plugins' files, LMS3D_DATA_DIR is the folder of room.wrl, LMS3D_RUN the
+script "run".
+"""
+
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import window
+
+DATA = Path(os.environ["LMS3D_DATA_DIR"])
+ROOM, JOURNEY = DATA / "room.wrl", DATA / "journey.vtp"
+BEAMS = 361 * 360
+PIPELINE = "pipelineBrowserDock/pipelineBrowser"
+HAS_REMOTE = "LMS3DRemote" in os.environ["LMS3D_PLUGINS"]
+
+FILTERS = ["LMS3D Map Comparison", "LMS3D Scan", "LMS3D Surface Reconstruction"]
+
+
+class WindowTest(unittest.TestCase):
+    """A user with a home in which ParaView has never run."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.home = Path(folder.name)
+        window.hide_welcome(self.home)
+
+    def play(self, *actions):
+        """All messages of a ParaView that played the actions."""
+        code, messages = window.play(self.home, [step for steps in actions for step in steps])
+        self.assertEqual(code, 0, messages)
+        return messages
+
+    def check_one_error(self, messages, text):
+        """One error, which contains a text."""
+        self.assertIn(text, messages)
+        self.assertEqual(messages.count("ERR|"), 1, messages)
+
+
+class TestToolbars(WindowTest):
+    """The icons, with the settings of the starts before."""
+
+    def test_every_start_shows_all_icons(self):
+        icons = [window.expect_icon("LMS3D", i, text) for i, text in enumerate(FILTERS)]
+        if HAS_REMOTE:
+            icons.append(window.expect_icon("LMS3D Server", 0, "LMS3D Remote"))
+        for start in range(3):
+            with self.subTest(start):
+                self.play(*icons)
+        self.assertTrue(any(self.home.rglob("ParaView*.ini")), "the settings were not kept")
+
+
+class TestRun(WindowTest):
+    """./run paraview FILE, in a copy whose build is this one."""
+
+    def setUp(self):
+        super().setUp()
+        self.root = self.home / "tree"
+        (self.root / "build").mkdir(parents=True)
+        shutil.copy(os.environ["LMS3D_RUN"], self.root / "run")
+        plugin = Path(os.environ["LMS3D_PLUGINS"].split(os.pathsep)[0])
+        libraries = next(folder for folder in plugin.parents if folder.name == "lib")
+        (self.root / "build/lib").symlink_to(libraries)
+        self.programs = self.root / "programs"
+        self.programs.mkdir()
+        self.stand_in("cmake", "exit 0")
+        self.stand_in("dpkg-query", 'for last; do echo; echo "$last installed"; done')
+        (self.programs / "paraview").symlink_to(os.environ["LMS3D_PARAVIEW"])
+
+    def stand_in(self, name, script):
+        """Put a program first in PATH."""
+        program = self.programs / name
+        program.write_text(f"#!/bin/sh\n{script}\n")
+        program.chmod(0o755)
+
+    def test_the_file_is_open_and_plain_paraview_unchanged(self):
+        before = self.plain_settings()
+        code, messages = window.play(
+            self.home, [*window.APPLY, *window.expect_cells(804),
+                        *window.expect_icon("LMS3D", 1, "LMS3D Scan")],
+            [self.root / "run", "paraview", ROOM], LMS3D_PRESET="default",
+            PATH=f"{self.programs}:{os.environ['PATH']}")
+        self.assertEqual(code, 0, messages)
+        self.assertTrue(any((self.home / ".config/LMS3D/ParaView").glob("ParaView*.ini")))
+        self.assertEqual(self.plain_settings(), before)
+
+    def plain_settings(self):
+        """The files of plain ParaView's settings."""
+        return {path.name: path.read_bytes() for path in (self.home / ".config/ParaView").iterdir()}
+
+
+class TestMessages(WindowTest):
+    """What a user reads in Output Messages."""
+
+    def test_one_error_for_a_scene_without_polygons(self):
+        messages = self.play(window.open_file(JOURNEY), window.add_filter("LMS3DScan"), window.APPLY)
+        self.check_one_error(messages, "has no polygons")
+
+    def test_one_error_for_a_comparison_without_a_scan(self):
+        dialog = "SelectInputDialog"
+        messages = self.play(
+            window.open_file(ROOM), window.add_filter("LMS3DMapComparison"),
+            [(f"{dialog}/buttonFrame/Scene", "set_boolean", "true")],
+            window.select(f"{dialog}/pipelineView", "/0:0/0:0", 59),
+            [(f"{dialog}/{window.OK_BUTTON}", "activate", "")], window.APPLY)
+        self.check_one_error(messages, "SensorToWorld")
+
+    def test_a_scan_without_returns(self):
+        messages = self.play(
+            window.open_file(ROOM), window.add_filter("LMS3DScan"),
+            window.type_property("LMS3DPose/translateX", 1000), window.APPLY, window.expect_cells(0))
+        self.assertEqual(messages.count("LMS3DScan1: no beam returned"), 1, messages)
+        self.assertNotIn("ERR|", messages)
+
+    def test_a_text_that_is_no_vrml(self):
+        text = self.home / "letter.wrl"
+        text.write_text("Dear reader\n")
+        self.check_one_error(self.play(window.open_file(text)), "not a VRML 2.0 (VRML97) file")
+
+
+class TestTrajectory(WindowTest):
+    """The trajectory of a scan, chosen in the scan's panel."""
+
+    def test_it_is_taken_and_taken_away(self):
+        trajectory = f"{window.PROPERTIES}/Trajectory/1QComboBox0"
+        box = f"{window.PROPERTIES}/LMS3DPose/show3DWidget"
+        self.play(
+            window.open_file(ROOM), window.open_file(JOURNEY), window.select(PIPELINE, "/0:0/0:0"),
+            window.add_filter("LMS3DScan"), window.type_property("LMS3DPose/translateX", 1000),
+            [(trajectory, "set_string", "journey.vtp")], window.APPLY,
+            window.expect_cells(BEAMS), window.expect(box, "enabled", "false"),
+            [(trajectory, "set_string", "(none)")], window.APPLY,
+            window.expect_cells(0), window.expect(box, "enabled", "true"))
+
+
+class TestQuickSearch(WindowTest):
+    """Ctrl+Space and words."""
+
+    def test_words_of_the_field(self):
+        found = {f"{word} {part}": text for word in ("lidar", "laser", "range")
+                 for part, text in (("map", "LMS3D Map Comparison"), ("scan", "LMS3D Scan"))}
+        self.play(
+            window.open_file(ROOM), window.choose("menuFilters", "Search...\tCtrl+Space"),
+            *[window.expect_found(words, text) for words, text in found.items()],
+            window.press(window.SEARCH, window.ESCAPE),
+            window.expect("menubar/menuFilters/LMS3D", "title", "LMS3D"))
+
+
+class TestPythonState(WindowTest):
+    """File > Save State as a Python script."""
+
+    def test_pvpython_runs_it(self):
+        state = self.home / "state.py"
+        self.play(
+            window.open_file(ROOM), window.add_filter("LMS3DScan"), window.APPLY,
+            window.choose("menu_File", "actionFileSaveServerState"),
+            [("FileSaveServerStateDialog", "filesSelected", str(state)),
+             ("/StateOptionsDialog/widget/OKButton", "activate", "")])
+        self.assertEqual(state.read_text().count("LoadPlugin("), 1)
+        script = self.home / "check.py"
+        script.write_text(
+            f"exec(compile(open({str(state)!r}).read(), 'state', 'exec'))\n"
+            "scan = FindSource('LMS3DScan1')\n"
+            "scan.UpdatePipeline()\n"
+            "print('class:', scan.SMProxy.GetClientSideObject().GetClassName())\n")
+        done = subprocess.run(
+            [os.environ["LMS3D_PVPYTHON"], str(script)], env=window.make_environment(self.home),
+            capture_output=True, text=True, check=False, timeout=window.TIMEOUT)
+        self.assertIn("class: vtkLMS3DScanFilter", done.stdout, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
