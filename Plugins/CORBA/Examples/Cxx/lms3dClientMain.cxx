@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <ios>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -63,9 +64,12 @@ int main(int argc, char* argv[])
   int code = ExitFailure;
   try
   {
+    // Throws if the standard output cannot be written, e.g. because the disk is full.
+    std::cout.exceptions(std::ios::badbit | std::ios::failbit);
     lms3dSetORBLog(PrintLine, { argv + 1, argv + argc });
     const CORBA::ORB_var orb = CORBA::ORB_init(argc, argv, "omniORB4", ORBOptions);
     code = Run(orb, { argv + 1, argv + argc });
+    std::cout.flush();
     orb->destroy();
   }
   catch (const CORBA::Exception& problem)
@@ -76,6 +80,11 @@ int main(int argc, char* argv[])
   {
     std::cerr << "lms3d-client: " << problem.what() << '\n';
     code = ExitUsage;
+  }
+  catch (const std::ios::failure&)
+  {
+    std::cerr << "lms3d-client: the standard output cannot be written\n";
+    code = ExitFailure;
   }
   catch (const std::exception& problem)
   {
