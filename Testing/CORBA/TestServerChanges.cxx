@@ -10,6 +10,7 @@
 #include <chrono>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace
 {
@@ -69,8 +70,7 @@ TEST(ServerChanges, NewSettingsAbortALongScan)
   {
     scanner->setConfiguration(GetLargeGrid(2000));
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    const LMS3D::ScanHeader header =
-      WaitFor(scanner, scanner->setConfiguration(GetCoarseGrid()));
+    const LMS3D::ScanHeader header = WaitFor(scanner, scanner->setConfiguration(GetCoarseGrid()));
     EXPECT_EQ(header.number, number);
     EXPECT_EQ(header.beams, 13u * 36u);
     EXPECT_EQ(header.returns, 13u * 36u);
@@ -85,7 +85,8 @@ TEST(ServerChanges, SettingsThatChangeAllTheTimeStillGiveScans)
 {
   ServerProcess server(NoMoreScans);
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
-  const CORBA::ULongLong generation = scanner->setConfiguration(GetLargeGrid(1200));
+  const CORBA::ULong count = IsSanitized ? 600 : 1200;
+  const CORBA::ULongLong generation = scanner->setConfiguration(GetLargeGrid(count));
   std::atomic<bool> isOver(false);
   std::thread other(
     [&]
@@ -103,7 +104,7 @@ TEST(ServerChanges, SettingsThatChangeAllTheTimeStillGiveScans)
     EXPECT_GT(next->generation, header.generation);
     header = next.in();
   }
-  EXPECT_EQ(header.beams, 1200u * 1200u);
+  EXPECT_EQ(header.beams, count * count);
   isOver = true;
   other.join();
 }
@@ -119,17 +120,15 @@ TEST(ServerChanges, TheMemoryOfLargeScansIsReturned)
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   WaitFor(scanner);
   const long before = server.GetResidentMemory();
-  const LMS3D::ScanHeader large =
-    WaitFor(scanner, scanner->setConfiguration(GetLargeGrid(1200)));
-  ASSERT_GT(server.GetResidentMemory(), before + 200 * Megabyte);
   for (const bool makeMap : { true, false })
   {
+    WaitFor(scanner, scanner->setConfiguration(GetLargeGrid(1200)));
+    ASSERT_GT(server.GetResidentMemory(), before + 200 * Megabyte);
     LMS3D::Configuration configuration = GetCoarseGrid();
     configuration.makeMap = makeMap;
     const LMS3D::ScanHeader small = WaitFor(scanner, scanner->setConfiguration(configuration));
     // The server keeps four scans.
     const LMS3D::ScanHeader_var later = scanner->waitForScan(small.number + 5, 0, 10000);
     EXPECT_LT(server.GetResidentMemory(), before + 50 * Megabyte) << makeMap;
-    WaitFor(scanner, scanner->setConfiguration(large.settings));
   }
 }

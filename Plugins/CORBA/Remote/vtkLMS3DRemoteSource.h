@@ -124,10 +124,10 @@ public:
   bool GetNeedsUpdate();
 
   /**
-   * Waits, up to Timeout, for a scan that is newer than the last update showed. After SendPose(), waits
-   * for the first scan from that pose, or until the server refuses the pose. Marks the source as
-   * modified, so that the next update shows the newest scan. Returns false if no such scan came in time.
-   * Returns true at once before the first update, because that waits itself.
+   * Waits, up to Timeout, for a scan that is newer than the last update showed. After SendPose(),
+   * waits for the first scan from that pose; if the server refuses the pose, for any newer scan.
+   * Marks the source as modified, so that the next update shows the newest scan. Returns false if no
+   * such scan came in time. Returns true at once before the first update, because that waits itself.
    */
   bool Refresh();
 

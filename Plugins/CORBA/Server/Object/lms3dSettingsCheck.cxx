@@ -82,8 +82,8 @@ void lms3dCheckPose(const LMS3D::Pose& pose)
   const LMS3D::Vector3& orientation = pose.orientation;
   for (double angle : { orientation.x, orientation.y, orientation.z })
   {
-    Require(IsWithin(angle, -MaximumOrientation, MaximumOrientation),
-      "an angle of the orientation", angle, "within 1e6 degrees of 0");
+    Require(IsWithin(angle, -MaximumOrientation, MaximumOrientation), "an angle of the orientation",
+      angle, "within 1e6 degrees of 0");
   }
 }
 

@@ -15,8 +15,8 @@ namespace
 // If every scan fails, a loop without pauses must not spin.
 constexpr std::chrono::milliseconds PauseAfterProblem(100);
 
-// A scan is not aborted before this time, because it may be complete soon. Nor is it aborted after so
-// many others in a row, so that clients that change settings all the time still get scans.
+// A scan is not aborted before this time, because it may be complete soon. The number of aborted scans
+// in a row is limited, so that clients that change settings all the time still get scans.
 constexpr std::chrono::milliseconds LongScan(100);
 constexpr int MaximumAbortedInARow = 2;
 
@@ -102,9 +102,8 @@ bool lms3dScanLoop::MakeScan()
   const Clock::time_point longAfter = Clock::now() + LongScan;
   const bool mayAbort = this->AbortedInARow < MaximumAbortedInARow;
   std::shared_ptr<lms3dSnapshot> snapshot = this->Pipeline.Run(settings,
-    [this, mayAbort, longAfter, generation = settings.Generation] {
-      return mayAbort && Clock::now() > longAfter && this->Board.GetGeneration() != generation;
-    });
+    [this, mayAbort, longAfter, generation = settings.Generation]
+    { return mayAbort && Clock::now() > longAfter && this->Board.GetGeneration() != generation; });
   if (!snapshot)
   {
     ++this->AbortedInARow;

@@ -63,7 +63,7 @@ private:
   lms3dServedScenePointer Scene;
   std::atomic<bool> Stopped{ false };
   ///@{
-  /// Of the current run.
+  /// The current run: ends it, and whether it was aborted.
   lms3dStopTest IsOutdated;
   std::atomic<bool> Aborted{ false };
   ///@}

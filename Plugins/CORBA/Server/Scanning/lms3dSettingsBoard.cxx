@@ -21,8 +21,7 @@ std::uint64_t lms3dSettingsBoard::GetGeneration() const
   return this->Settings.Generation;
 }
 
-void lms3dSettingsBoard::WaitForChange(
-  std::uint64_t generation, Clock::time_point deadline) const
+void lms3dSettingsBoard::WaitForChange(std::uint64_t generation, Clock::time_point deadline) const
 {
   std::unique_lock<std::mutex> lock(this->Mutex);
   this->Changed.wait_until(lock, deadline,
