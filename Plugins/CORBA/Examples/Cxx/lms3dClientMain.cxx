@@ -3,12 +3,12 @@
 // lms3d-client: shows and saves the scans of a server, and moves its sensor.
 #include "Client/lms3dScannerReference.h"
 #include "Common/lms3dORBLog.h"
+#include "lms3dClientActions.h"
 #include "lms3dClientCommands.h"
 #include "lms3dExceptionText.h"
 
 #include <algorithm>
 #include <exception>
-#include <ios>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -64,12 +64,10 @@ int main(int argc, char* argv[])
   int code = ExitFailure;
   try
   {
-    // Throws if the standard output cannot be written, e.g. because the disk is full.
-    std::cout.exceptions(std::ios::badbit | std::ios::failbit);
     lms3dSetORBLog(PrintLine, { argv + 1, argv + argc });
     const CORBA::ORB_var orb = CORBA::ORB_init(argc, argv, "omniORB4", ORBOptions);
     code = Run(orb, { argv + 1, argv + argc });
-    std::cout.flush();
+    lms3dRequireOutput();
     orb->destroy();
   }
   catch (const CORBA::Exception& problem)
@@ -81,14 +79,10 @@ int main(int argc, char* argv[])
     std::cerr << "lms3d-client: " << problem.what() << '\n';
     code = ExitUsage;
   }
-  catch (const std::ios::failure&)
-  {
-    std::cerr << "lms3d-client: the standard output cannot be written\n";
-    code = ExitFailure;
-  }
   catch (const std::exception& problem)
   {
     std::cerr << "lms3d-client: " << problem.what() << '\n';
+    code = ExitFailure;
   }
   return code;
 }

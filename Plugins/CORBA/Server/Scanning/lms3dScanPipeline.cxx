@@ -85,6 +85,12 @@ std::shared_ptr<lms3dSnapshot> lms3dScanPipeline::Run(
   this->IsOutdated = isOutdated;
   this->Aborted = false;
   this->Configure(settings);
+  // VTK does not reset the flag after a filter was aborted.
+  this->Scanner->SetAbortExecute(0);
+  if (this->Mapper)
+  {
+    this->Mapper->SetAbortExecute(0);
+  }
   auto snapshot = std::make_shared<lms3dSnapshot>();
   snapshot->Header.generation = settings.Generation;
   snapshot->Header.scene = settings.Scene->Description.name;
