@@ -73,15 +73,21 @@ class TLSTest(unittest.TestCase):
     def test_what_a_refusal_looks_like(self):
         """As in Documentation/corba-security.md: only the trace names the reason."""
         trace = ("-ORBtraceLevel", "10")
-        for finished, reason in (
-                (self.ask("intruder", *trace), "alert unknown ca"),
-                (self.ask("robot", *trace, authority="stranger"), "certificate verify failed"),
-                (run_client(self.server.corbaloc, "status", "-ORBsslCAFile", self.folder / "lab.pem",
-                            *trace), "alert certificate required")):
+        authority = ("-ORBsslCAFile", self.folder / "lab.pem")
+        for ask, reason in (
+                (lambda: self.ask("intruder", *trace), "alert unknown ca"),
+                (lambda: self.ask("robot", *trace, authority="stranger"), "certificate verify failed"),
+                (lambda: run_client(self.server.corbaloc, "status", *authority, *trace),
+                 "alert certificate required")):
             with self.subTest(reason):
-                self.assertEqual(finished.returncode, 1)
+                # An alert of the server is lost if the client sends at the same time.
+                for _ in range(20):
+                    finished = ask()
+                    self.assertEqual(finished.returncode, 1)
+                    self.assertIn("no server answers there", finished.stderr)
+                    if reason in finished.stderr:
+                        break
                 self.assertIn(reason, finished.stderr)
-                self.assertIn("no server answers there", finished.stderr)
 
     def test_no_certificate(self):
         """Neither TLS without a key nor plain TCP."""
