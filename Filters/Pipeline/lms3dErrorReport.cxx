@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/lms3dErrorReport.h"
 
-#include "Pipeline/lms3dPipelineRequests.h"
-
 #include <vtkAlgorithm.h>
+#include <vtkDataObject.h>
 #include <vtkDemandDrivenPipeline.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 
 namespace
 {
@@ -20,7 +21,10 @@ vtkMTimeType GetPipelineTime(vtkAlgorithm* filter)
 int lms3dErrorReport::Report(
   vtkAlgorithm* filter, const std::string& error, vtkInformationVector* outputVector)
 {
-  lms3dClearOutputs(outputVector);
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    outputVector->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT())->Initialize();
+  }
   const vtkMTimeType time = GetPipelineTime(filter);
   if (error != this->Error || time != this->PipelineTime)
   {

@@ -187,6 +187,7 @@ TEST(RemoteSource, WaitsForTheFirstScanAfterAPoseToo)
   ServerProcess server;
   WatchingSource source(server.GetCorbaloc());
   EXPECT_FALSE(source->GetNeedsUpdate());
+  source->SetPosition(0.3, -0.2, 1.0);
   source->SendPose();
   EXPECT_TRUE(source->GetNeedsUpdate());
   source->Update();

@@ -142,13 +142,15 @@ class TestWindow(unittest.TestCase):
             self.assert_soon(viewer, lambda: np.allclose(scanner.pose()[1], (0, 0, 0)))
 
     def test_keys_add_up_while_a_scan_is_far_off(self):
-        with Server(*self.arguments, "--rate", "0.3"):
+        with Server(*self.arguments) as server:
             scanner, viewer = self.open()
+            server.process.send_signal(signal.SIGSTOP)
             self.press(viewer, "Right")
             self.assertIn("on the way to 0.80  -0.20  1.00 m", viewer.text)
-            time.sleep(1.5)
+            time.sleep(0.5)
             viewer.interactor.ProcessEvents()
             self.press(viewer, "Right")
+            server.process.send_signal(signal.SIGCONT)
             self.assert_place(scanner, viewer, (1.3, -0.2, 1.0))
             self.assertNotIn("on the way", viewer.text)
 

@@ -12,7 +12,8 @@ import unittest
 from pathlib import Path
 
 import giop
-from server_process import DATA, SERVER, Server, find_free_port, run_client
+from server_process import (
+    DATA, SERVER, Server, find_free_port, run_client, wait_until)
 
 
 def run_server(*arguments):
@@ -105,6 +106,19 @@ class StartTest(unittest.TestCase):
             finished = run_server(*arguments)
             self.assertEqual(finished.returncode, 1)
             self.assertIn(word, finished.stderr)
+
+    def test_scenes_with_other_names(self):
+        """The log names each file that is left out, in one line of ASCII."""
+        room = (DATA / "room.wrl").read_bytes()
+        for name in (b"room.wrl", "caf\xe9.wrl".encode(), b"two\nlines.wrl", b'a\\"\x1b.wrl',
+                     140 * b"x" + b".wrl"):
+            (self.folder / name.decode(errors="surrogateescape")).write_bytes(room)
+        with Server("--scenes", self.folder) as server:
+            for name in (r'"caf\xc3\xa9.wrl"', r'"two\x0alines.wrl"', r'"a\\\"\x1b.wrl"',
+                         f'"{140 * "x"}.wrl"'):
+                line = f" the scene {name} is left out: its name is longer than 128 characters or "
+                self.assertTrue(wait_until(lambda: line in server.read_log(), 5), name)
+            self.assertEqual(run_client(server.corbaloc, "scenes").stdout, "room.wrl\n")
 
     def test_files(self):
         """The configuration file is used, and the file of --ior exists as long as the server."""

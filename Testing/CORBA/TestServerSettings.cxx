@@ -188,8 +188,19 @@ TEST(ServerSettings, RefusesInvalidPoses)
     EXPECT_THROW(scanner->setPose(At(0.0, bad, 0.0)), LMS3D::InvalidArgument) << bad;
   }
   LMS3D::Pose turned = At(0.0, 0.0, 1.0);
-  turned.orientation.z = NaN;
-  EXPECT_THROW(scanner->setPose(turned), LMS3D::InvalidArgument);
+  for (const double bad : { NaN, -Infinity, 1e308, 1.1e6 })
+  {
+    turned.orientation.z = bad;
+    try
+    {
+      scanner->setPose(turned);
+      ADD_FAILURE() << bad << " degrees were taken";
+    }
+    catch (const LMS3D::InvalidArgument& problem)
+    {
+      EXPECT_NE(std::strstr(problem.reason, "within 1e6 degrees"), nullptr) << problem.reason;
+    }
+  }
   ExpectUnchanged(scanner, before);
 }
 

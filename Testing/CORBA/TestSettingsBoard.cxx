@@ -84,6 +84,25 @@ TEST(SettingsBoard, ManyWritersAndAReader)
   EXPECT_EQ(board.Get().Generation, 2001u);
 }
 
+TEST(SettingsBoard, AChangeOrTheEndWakesTheScanner)
+{
+  using Clock = lms3dSettingsBoard::Clock;
+  lms3dSettingsBoard board(GetSettings());
+  const Clock::time_point start = Clock::now();
+  const Clock::time_point never = start + std::chrono::hours(1);
+  board.WaitForChange(0, never);
+  board.WaitForChange(1, start + std::chrono::milliseconds(20));
+  EXPECT_GE(Clock::now(), start + std::chrono::milliseconds(20));
+  std::thread changer([&board] { board.SetPose(At(1.0)); });
+  board.WaitForChange(1, never);
+  EXPECT_EQ(board.GetGeneration(), 2u);
+  changer.join();
+  std::thread stopper([&board] { board.Stop(); });
+  board.WaitForChange(2, never);
+  stopper.join();
+  EXPECT_EQ(board.GetGeneration(), 2u);
+}
+
 // The results of calls between a server's start and its first scan.
 TEST(ScannerServant, BeforeTheFirstScan)
 {
@@ -97,6 +116,7 @@ TEST(ScannerServant, BeforeTheFirstScan)
 
   EXPECT_THROW(servant->getHeader(), LMS3D::NoScanYet);
   EXPECT_THROW(servant->getScan(), LMS3D::NoScanYet);
+  EXPECT_THROW(servant->getMap(), LMS3D::NoScanYet);
   EXPECT_THROW(servant->waitForScan(0, 0, 10), LMS3D::NoScanYet);
   EXPECT_THROW(servant->getRanges(1, 0, 1), LMS3D::ScanGone);
   const LMS3D::Status_var status = servant->getStatus();

@@ -46,11 +46,12 @@ class TLSTest(unittest.TestCase):
             "--endpoint", "giop:ssl:127.0.0.1:", "--tls-key", cls.folder / "server.both.pem",
             "--tls-authorities", cls.folder / "lab.pem"))
 
-    def ask(self, holder, authority="lab"):
+    def ask(self, holder, *options, authority="lab"):
         """The client's answer with this certificate."""
         return run_client(
             self.server.corbaloc, "status", "-ORBsslCAFile", self.folder / f"{authority}.pem",
-            "-ORBsslKeyFile", self.folder / f"{holder}.both.pem", "-ORBsslKeyPassword", "none")
+            "-ORBsslKeyFile", self.folder / f"{holder}.both.pem", "-ORBsslKeyPassword", "none",
+            *options)
 
     def test_a_good_certificate(self):
         """The corbaloc says that TLS is needed."""
@@ -68,6 +69,25 @@ class TLSTest(unittest.TestCase):
     def test_a_foreign_server(self):
         """A client that trusts another authority does not connect to this server."""
         self.assertEqual(self.ask("robot", authority="stranger").returncode, 1)
+
+    def test_what_a_refusal_looks_like(self):
+        """As in Documentation/corba-security.md: only the trace names the reason."""
+        trace = ("-ORBtraceLevel", "10")
+        authority = ("-ORBsslCAFile", self.folder / "lab.pem")
+        for ask, reason in (
+                (lambda: self.ask("intruder", *trace), "alert unknown ca"),
+                (lambda: self.ask("robot", *trace, authority="stranger"), "certificate verify failed"),
+                (lambda: run_client(self.server.corbaloc, "status", *authority, *trace),
+                 "alert certificate required")):
+            with self.subTest(reason):
+                # An alert of the server is lost if the client sends at the same time.
+                for _ in range(20):
+                    finished = ask()
+                    self.assertEqual(finished.returncode, 1)
+                    self.assertIn("no server answers there", finished.stderr)
+                    if reason in finished.stderr:
+                        break
+                self.assertIn(reason, finished.stderr)
 
     def test_no_certificate(self):
         """Neither TLS without a key nor plain TCP."""

@@ -6,6 +6,7 @@ import struct
 import unittest
 import zlib
 
+import giop
 from server_process import BEAMS, Server
 
 
@@ -78,6 +79,26 @@ class WireTest(unittest.TestCase):
         checksum = zlib.crc32(struct.pack(f"<{len(corners)}I", *corners), checksum)
         self.assertEqual(checksum, header["mapChecksum"])
         self.check_facing(coordinates, corners, header["pose"][:3])
+
+    def test_whole_map(self):
+        """One call: the header, then points, then triangles."""
+        with self.server.connect() as client:
+            reply = client.call("getMap")
+            header = read_header(reply)
+            coordinates = reply.numbers("d", reply.number("I"))
+            corners = reply.numbers("I", reply.number("I"))
+        self.assertEqual(len(coordinates), 3 * header["mapPoints"])
+        self.assertEqual(len(corners), 3 * header["mapTriangles"])
+        checksum = zlib.crc32(struct.pack(f"<{len(coordinates)}d", *coordinates))
+        checksum = zlib.crc32(struct.pack(f"<{len(corners)}I", *corners), checksum)
+        self.assertEqual(checksum, header["mapChecksum"])
+
+    def test_an_operation_of_a_newer_interface(self):
+        """Its client gets the exception that LMS3DScanner.idl names, and can go on."""
+        with self.server.connect() as client:
+            with self.assertRaisesRegex(giop.SystemException, "BAD_OPERATION"):
+                client.call("getSomethingNewer")
+            self.assertEqual(client.call("getScene").string(), "room.wrl")
 
     def check_facing(self, coordinates, corners, sensor):
         """Seen from the sensor, corners turn counter-clockwise; slivers of no area aside."""

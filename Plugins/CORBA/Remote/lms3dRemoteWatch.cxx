@@ -120,6 +120,7 @@ void lms3dRemoteWatch::Publish(lms3dRemoteScanPointer scan)
       this->AnsweredPose == this->PoseNumber && scan->Header.generation >= this->PoseGeneration;
     this->News.IsPosePending = this->News.IsPosePending && !isFromPose;
     displaced = std::exchange(this->News.Scan, std::move(scan));
+    ++this->News.Scans;
     ++this->News.Count;
   }
   this->Changed.notify_all();
@@ -179,6 +180,13 @@ lms3dRemoteNews lms3dRemoteWatch::WaitForNews() const
     [this]
     { return this->News.Scan || !this->News.Problem.empty() || !this->News.Refusal.empty(); });
   return this->News;
+}
+
+bool lms3dRemoteWatch::WaitForScan(std::uint64_t scans) const
+{
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  return this->Changed.wait_for(lock, this->Timeout,
+    [this, scans] { return this->News.Scans > scans && !this->News.IsPosePending; });
 }
 
 void lms3dRemoteWatch::SendPose(const LMS3D::Pose& pose)

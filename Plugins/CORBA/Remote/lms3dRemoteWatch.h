@@ -22,6 +22,8 @@ struct lms3dRemoteNews
   std::uint64_t Count = 0;
   /// The newest scan. Null before the first.
   lms3dRemoteScanPointer Scan;
+  /// The number of scans so far, the newest one included.
+  std::uint64_t Scans = 0;
   /// Why no newer scans come. Empty while they come.
   std::string Problem;
   /// Why the server refused the last pose. Empty if it accepted the pose or has not answered yet.
@@ -53,6 +55,10 @@ public:
 
   /// Waits for the first scan or problem, up to the timeout. Returns at once afterwards.
   lms3dRemoteNews WaitForNews() const;
+
+  /// Waits until there are more than `scans` scans and no pose is pending, up to the timeout. Returns
+  /// false if that time passed.
+  bool WaitForScan(std::uint64_t scans) const;
 
   /// Sends the newest pose soon. If the server ends before a scan from there arrives, sends it
   /// again after the restart.

@@ -56,6 +56,14 @@ struct vtkLMS3DRemoteSource::Internals
     return *this->Watch;
   }
 
+  /// Waits for a scan that was not shown. Returns false if there is none within the timeout, and true
+  /// without a watch for these properties, since the next update starts one and waits itself.
+  bool WaitForScan(const std::string& url, double timeout) const
+  {
+    const bool isWatched = this->Watch && this->Url == url && this->Timeout == timeout;
+    return !isWatched || this->Watch->WaitForScan(this->ShownScans);
+  }
+
   /// Stops following a server, and resets what was shown.
   void Disconnect()
   {
@@ -65,6 +73,7 @@ struct vtkLMS3DRemoteSource::Internals
     }
     this->Watch = nullptr;
     this->Shown = 0;
+    this->ShownScans = 0;
     this->WarnedOf.clear();
     this->IsPosePending = false;
   }
@@ -89,6 +98,8 @@ struct vtkLMS3DRemoteSource::Internals
   std::shared_ptr<lms3dRemoteWatch> Watch;
   /// The count of the news that the last update showed.
   std::uint64_t Shown = 0;
+  /// The number of scans until that update.
+  std::uint64_t ShownScans = 0;
   /// The state at the last update or SendPose().
   bool IsPosePending = false;
 
@@ -140,6 +151,13 @@ bool vtkLMS3DRemoteSource::GetNeedsUpdate()
   return true;
 }
 
+bool vtkLMS3DRemoteSource::Refresh()
+{
+  const bool isNew = this->Internal->WaitForScan(this->URL, this->Timeout);
+  this->Modified();
+  return isNew;
+}
+
 std::string vtkLMS3DRemoteSource::GetProblem() const
 {
   if (!this->Internal->Watch)
@@ -167,6 +185,7 @@ int vtkLMS3DRemoteSource::RequestData(
   }
   const lms3dRemoteNews news = this->Internal->GetWatch(this->URL, this->Timeout).WaitForNews();
   this->Internal->Shown = news.Count;
+  this->Internal->ShownScans = news.Scans;
   this->Internal->IsPosePending = news.IsPosePending;
   this->Internal->Warn(this, news);
   if (news.Scan)

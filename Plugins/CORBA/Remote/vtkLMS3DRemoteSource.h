@@ -12,7 +12,9 @@
  *
  *     if (source->GetNeedsUpdate()) { window->Render(); }
  *
- * In ParaView, live sources do the same.
+ * In ParaView, live sources do the same. A script, which draws nothing, waits for a new scan:
+ *
+ *     while (source->Refresh()) { source->Update(); ... }
  *
  * Output 0, the scan, is a vtkPolyData like the first output of vtkLMS3DScanFilter: points in world
  * coordinates (float64) with the arrays `Range` (float64, metres), `Alpha`, `Beta` (float32,
@@ -90,9 +92,9 @@ public:
   ///@{
   /**
    * The pose that SendPose() sends: the sensor's position in the server's scene, metres, and its
-   * orientation, degrees, as in vtkLMS3DScanFilter. Finite numbers; coordinates up to 1e6. The
-   * default is 0 for all. These properties do not follow the server: SensorToWorld is the pose of a
-   * scan.
+   * orientation, degrees, as in vtkLMS3DScanFilter. Each number is from -1e6 to 1e6; the server
+   * refuses others. The default is 0 for all. These properties do not follow the server:
+   * SensorToWorld is the pose of a scan.
    */
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);
@@ -120,6 +122,14 @@ public:
    * update without a URL.
    */
   bool GetNeedsUpdate();
+
+  /**
+   * Waits, up to Timeout, for a scan that is newer than the last update showed. After SendPose(),
+   * waits for the first scan from that pose; if the server refuses the pose, for any newer scan.
+   * Marks the source as modified, so that the next update shows the newest scan. Returns false if no
+   * such scan came in time. Returns true at once before the first update, because that waits itself.
+   */
+  bool Refresh();
 
   /**
    * Why no newer scans come, or why the server refused the last pose, as a message for the user.

@@ -72,6 +72,14 @@ void PrintFirst(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation)
 }
 } // namespace
 
+void lms3dRequireOutput()
+{
+  if (!std::cout.flush())
+  {
+    throw std::runtime_error("the standard output cannot be written");
+  }
+}
+
 void lms3dPrintHeader(const LMS3D::ScanHeader& header)
 {
   const LMS3D::Vector3& position = header.sensorPose.position;
@@ -79,7 +87,8 @@ void lms3dPrintHeader(const LMS3D::ScanHeader& header)
             << header.scene << " from " << position.x << ' ' << position.y << ' ' << position.z
             << ": " << header.returns << " of " << header.beams << " beams returned, map of "
             << header.mapTriangles << " triangles, "
-            << static_cast<double>(header.endTime - header.startTime) * 1e-6 << " ms" << std::endl;
+            << static_cast<double>(header.endTime - header.startTime) * 1e-6 << " ms\n";
+  lms3dRequireOutput();
 }
 
 void lms3dPrintStatus(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)

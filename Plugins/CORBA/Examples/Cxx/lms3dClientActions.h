@@ -16,6 +16,9 @@
 // All throw CORBA::Exception, and std::runtime_error if the server cannot scan, has restarted or
 // sends invalid data.
 
+/// Throws std::runtime_error if the standard output cannot be written, e.g. because the disk is full.
+void lms3dRequireOutput();
+
 /// Prints a line about a scan.
 void lms3dPrintHeader(const LMS3D::ScanHeader& header);
 

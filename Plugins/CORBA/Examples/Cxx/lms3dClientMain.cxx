@@ -3,6 +3,7 @@
 // lms3d-client: shows and saves the scans of a server, and moves its sensor.
 #include "Client/lms3dScannerReference.h"
 #include "Common/lms3dORBLog.h"
+#include "lms3dClientActions.h"
 #include "lms3dClientCommands.h"
 #include "lms3dExceptionText.h"
 
@@ -66,6 +67,7 @@ int main(int argc, char* argv[])
     lms3dSetORBLog(PrintLine, { argv + 1, argv + argc });
     const CORBA::ORB_var orb = CORBA::ORB_init(argc, argv, "omniORB4", ORBOptions);
     code = Run(orb, { argv + 1, argv + argc });
+    lms3dRequireOutput();
     orb->destroy();
   }
   catch (const CORBA::Exception& problem)
@@ -80,6 +82,7 @@ int main(int argc, char* argv[])
   catch (const std::exception& problem)
   {
     std::cerr << "lms3d-client: " << problem.what() << '\n';
+    code = ExitFailure;
   }
   return code;
 }

@@ -45,6 +45,11 @@ int main(int argc, char* argv[])
     const LMS3D::Data_var triples = scanner->fetch();
     PrintNearest(triples);
     orb->destroy();
+    if (!std::cout.flush())
+    {
+      std::cerr << "lms3d-paper-client: the standard output cannot be written\n";
+      return 1;
+    }
     return 0;
   }
   catch (const CORBA::Exception& problem)

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Object/lms3dReplies.h"
 
-#include "Common/lms3dGridGeometry.h"
-
 #include <numeric>
 
 namespace
@@ -15,12 +13,13 @@ std::size_t GetMarshalledSize(const std::vector<std::string>& names)
     [](std::size_t size, const std::string& name) { return size + name.size() + 8; });
 }
 
-void RequireFits(CORBA::ULongLong count, std::size_t size)
+template <typename Sequence, typename Element>
+void Copy(const std::vector<Element>& all, Sequence& copy)
 {
-  if (count > lms3dGetMaximumElements(size))
-  {
-    throw CORBA::IMP_LIMIT(0, CORBA::COMPLETED_NO);
-  }
+  const auto length = static_cast<CORBA::ULong>(all.size());
+  Element* const buffer = Sequence::allocbuf(length);
+  std::copy(all.begin(), all.end(), buffer);
+  copy.replace(length, length, buffer, true);
 }
 } // namespace
 
@@ -42,7 +41,10 @@ CORBA::String_var lms3dMakeText(const std::string& text)
 LMS3D::SceneNames* lms3dMakeSceneNames(const lms3dSceneCatalogue& catalogue)
 {
   const std::vector<std::string> names = catalogue.GetNames();
-  RequireFits(GetMarshalledSize(names), 1);
+  if (GetMarshalledSize(names) > lms3dGetMaximumElements(1))
+  {
+    throw CORBA::IMP_LIMIT(0, CORBA::COMPLETED_NO);
+  }
   LMS3D::SceneNames_var list = new LMS3D::SceneNames;
   list->length(static_cast<CORBA::ULong>(names.size()));
   for (CORBA::ULong i = 0; i < list->length(); ++i)
@@ -52,23 +54,22 @@ LMS3D::SceneNames* lms3dMakeSceneNames(const lms3dSceneCatalogue& catalogue)
   return list._retn();
 }
 
-LMS3D::Data* lms3dMakePolarData(const lms3dSnapshot& snapshot)
+LMS3D::LocalMap* lms3dMakeLocalMap(const lms3dSnapshot& snapshot)
 {
-  RequireFits(3 * CORBA::ULongLong(snapshot.Header.beams), sizeof(CORBA::Float));
-  const lms3dScanGeometry geometry = lms3dGetGeometry(snapshot.Header.settings);
-  const CORBA::ULong length = 3 * snapshot.Header.beams;
-  CORBA::Float* const buffer = LMS3D::Data::allocbuf(length);
-  CORBA::Float* next = buffer;
-  const float* range = snapshot.Ranges.data();
-  for (const double beta : geometry.GetBetaAngles())
+  const CORBA::ULongLong bytes = snapshot.MapPoints.size() * sizeof(CORBA::Double) +
+    snapshot.MapTriangles.size() * sizeof(CORBA::ULong);
+  const CORBA::ULongLong maximum = lms3dGetMaximumElements(1);
+  if (bytes > maximum)
   {
-    for (const double alpha : geometry.GetAlphaAngles())
-    {
-      next[0] = *range++;
-      next[1] = static_cast<CORBA::Float>(alpha);
-      next[2] = static_cast<CORBA::Float>(beta);
-      next += 3;
-    }
+    throw LMS3D::LimitExceeded(
+      lms3dMakeText("the map has " + std::to_string(bytes) +
+        " bytes, which do not fit into a message; fetch parts with getMapPoints() and "
+        "getMapTriangles()"),
+      maximum);
   }
-  return new LMS3D::Data(length, length, buffer, true);
+  LMS3D::LocalMap_var map = new LMS3D::LocalMap;
+  map->header = snapshot.Header;
+  Copy(snapshot.MapPoints, map->points);
+  Copy(snapshot.MapTriangles, map->triangles);
+  return map._retn();
 }

@@ -24,9 +24,9 @@ CORBA::String_var lms3dMakeText(const std::string& text);
 /// into a message.
 LMS3D::SceneNames* lms3dMakeSceneNames(const lms3dSceneCatalogue& catalogue);
 
-/// The result of the paper's fetch(): range (metres), alpha and beta (degrees) of each beam. The
-/// caller owns it. Throws CORBA::IMP_LIMIT if it does not fit into a message.
-LMS3D::Data* lms3dMakePolarData(const lms3dSnapshot& snapshot);
+/// The local map of a scan. The caller owns the result. Throws LMS3D::LimitExceeded if it does not
+/// fit into a message.
+LMS3D::LocalMap* lms3dMakeLocalMap(const lms3dSnapshot& snapshot);
 
 /**
  * A sequence of `count` items from item `first` on, each of `width` elements of `all`. The caller

@@ -33,7 +33,7 @@ lms3dScannerServant::lms3dScannerServant(const lms3dPermissions& permissions,
 
 LMS3D::Data* lms3dScannerServant::fetch()
 {
-  return lms3dMakePolarData(*this->Waiting.WaitForFirst());
+  return this->PolarData.Get(*this->Waiting.WaitForFirst());
 }
 
 LMS3D::Pose lms3dScannerServant::getPose()
@@ -194,6 +194,11 @@ void lms3dScannerServant::unsubscribe(CORBA::ULong subscription)
   {
     throw LMS3D::InvalidArgument("there is no such subscription");
   }
+}
+
+LMS3D::LocalMap* lms3dScannerServant::getMap()
+{
+  return lms3dMakeLocalMap(*this->GetNewest());
 }
 
 void lms3dScannerServant::RequireWritable() const

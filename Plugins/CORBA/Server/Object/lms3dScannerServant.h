@@ -10,6 +10,7 @@
 #include "Connections/lms3dListeners.h"
 #include "Connections/lms3dWaitingRoom.h"
 #include "LMS3DScanner.hh"
+#include "Object/lms3dPolarData.h"
 #include "Scanning/lms3dScanLoop.h"
 #include "Scanning/lms3dSceneCatalogue.h"
 #include "Scanning/lms3dSettingsBoard.h"
@@ -113,6 +114,10 @@ public:
   /// subscription.
   void unsubscribe(CORBA::ULong subscription) override;
 
+  /// The local map of the newest scan. Throws LMS3D::NoScanYet before the first one, and
+  /// LMS3D::LimitExceeded if the map does not fit into a message.
+  LMS3D::LocalMap* getMap() override;
+
 private:
   /// Throws LMS3D::NotPermitted if the server is read-only.
   void RequireWritable() const;
@@ -132,6 +137,7 @@ private:
   /// Current calls of selectScene().
   std::atomic<unsigned int> Selections{ 0 };
   lms3dWaitingRoom Waiting;
+  lms3dPolarData PolarData;
 };
 
 #endif

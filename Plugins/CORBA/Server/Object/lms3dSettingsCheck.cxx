@@ -12,6 +12,8 @@
 namespace
 {
 constexpr double MaximumCoordinate = 1e6;
+// Degrees. Within this limit, rounding changes an angle by less than 1e-10 degrees.
+constexpr double MaximumOrientation = 1e6;
 constexpr double FullCircle = 360.0;
 
 // The message is "NAME is VALUE; it must be DEMAND".
@@ -80,8 +82,8 @@ void lms3dCheckPose(const LMS3D::Pose& pose)
   const LMS3D::Vector3& orientation = pose.orientation;
   for (double angle : { orientation.x, orientation.y, orientation.z })
   {
-    Require(
-      std::isfinite(angle), "an angle of the orientation", angle, "a finite number of degrees");
+    Require(IsWithin(angle, -MaximumOrientation, MaximumOrientation), "an angle of the orientation",
+      angle, "within 1e6 degrees of 0");
   }
 }
 

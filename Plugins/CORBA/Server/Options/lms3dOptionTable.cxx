@@ -95,7 +95,9 @@ const Option Options[] = {
     [](lms3dServerOptions& o, const Words& w) { o.Position = ReadVector(w); } },
   { "--orientation", 3, "X Y Z", "its angles about the axes, degrees (default 0 0 0)",
     [](lms3dServerOptions& o, const Words& w) { o.Orientation = ReadVector(w); } },
-  { "--rate", 1, "HZ", "scans per second, 0.001 to 10000 (default 10); 0: no pauses, all cores",
+  { "--rate", 1, "HZ",
+    "scans per second, 0.001 to 10000 (default 10); 0: no pauses, all cores;\n"
+    "new settings begin a scan at once",
     [](lms3dServerOptions& o, const Words& w) { o.Rate = ReadRate(w[0]); } },
   { "--map-error", 1, "M", "error bound of the local map, metres (default 0.01)",
     [](lms3dServerOptions& o, const Words& w) { o.MapError = ReadNumber(w[0], 0.0, 1e6); } },

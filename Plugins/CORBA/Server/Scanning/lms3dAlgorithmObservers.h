@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Aborts VTK algorithms when the server ends, and collects their messages.
+ * @brief Aborts VTK algorithms, and collects their messages.
  */
 #ifndef lms3dAlgorithmObservers_h
 #define lms3dAlgorithmObservers_h
@@ -13,7 +13,7 @@
 
 class vtkAlgorithm;
 
-/// Returns true if the server is to end. May be called from any thread.
+/// Returns true if the work is to end. May be called from any thread.
 using lms3dStopTest = std::function<bool()>;
 
 /// Calls `isStopped` at each progress event of `algorithm`, and aborts the algorithm if it returns

@@ -8,10 +8,17 @@
 #include <exception>
 #include <utility>
 
+#include <malloc.h>
+
 namespace
 {
 // If every scan fails, a loop without pauses must not spin.
 constexpr std::chrono::milliseconds PauseAfterProblem(100);
+
+// A scan is not aborted before this time, because it may be complete soon. The number of aborted scans
+// in a row is limited, so that clients that change settings all the time still get scans.
+constexpr std::chrono::milliseconds LongScan(100);
+constexpr int MaximumAbortedInARow = 2;
 
 std::uint64_t NanosecondsSince1970()
 {
@@ -30,7 +37,7 @@ std::chrono::steady_clock::duration GetPeriod(double rate)
 } // namespace
 
 lms3dScanLoop::lms3dScanLoop(
-  const lms3dSettingsBoard& board, lms3dSnapshotStore& store, double rate, int threads)
+  lms3dSettingsBoard& board, lms3dSnapshotStore& store, double rate, int threads)
   : Board(board)
   , Store(store)
   , Period(GetPeriod(rate))
@@ -56,7 +63,7 @@ void lms3dScanLoop::Stop()
     this->Stopped = true;
   }
   this->Pipeline.Stop();
-  this->Woken.notify_all();
+  this->Board.Stop();
   if (this->Thread.joinable())
   {
     this->Thread.join();
@@ -68,10 +75,15 @@ void lms3dScanLoop::Run()
   Clock::time_point due = Clock::now();
   while (this->SleepUntil(due))
   {
+    // Earlier if new settings begin the scan.
+    due = std::min(due, Clock::now());
     try
     {
-      this->MakeScan();
-      this->SetProblem("");
+      if (this->MakeScan())
+      {
+        this->SetProblem("");
+        this->ReleaseMemory();
+      }
     }
     catch (const std::exception& problem)
     {
@@ -82,19 +94,43 @@ void lms3dScanLoop::Run()
   }
 }
 
-void lms3dScanLoop::MakeScan()
+bool lms3dScanLoop::MakeScan()
 {
   const std::uint64_t start = NanosecondsSince1970();
-  std::shared_ptr<lms3dSnapshot> snapshot = this->Pipeline.Run(this->Board.Get());
+  const lms3dScanSettings settings = this->Board.Get();
+  this->Generation = settings.Generation;
+  const Clock::time_point longAfter = Clock::now() + LongScan;
+  const bool mayAbort = this->AbortedInARow < MaximumAbortedInARow;
+  std::shared_ptr<lms3dSnapshot> snapshot = this->Pipeline.Run(settings,
+    [this, mayAbort, longAfter, generation = settings.Generation]
+    { return mayAbort && Clock::now() > longAfter && this->Board.GetGeneration() != generation; });
   if (!snapshot)
   {
-    return;
+    ++this->AbortedInARow;
+    return false;
   }
+  this->AbortedInARow = 0;
   snapshot->Header.number = ++this->Number;
   snapshot->Header.incarnation = this->Incarnation;
   snapshot->Header.startTime = start;
   snapshot->Header.endTime = NanosecondsSince1970();
   this->Store.Publish(std::move(snapshot));
+  return true;
+}
+
+// The allocator keeps the freed memory of large scans in pieces between small ones. Returning it takes
+// some milliseconds, so this is done only after much has become free.
+void lms3dScanLoop::ReleaseMemory()
+{
+  constexpr std::size_t Minimum = std::size_t(64) << 20;
+  constexpr std::size_t MuchSmaller = 4;
+  const std::size_t bytes = this->Store.GetBytes();
+  this->MaximumBytes = std::max(this->MaximumBytes, bytes);
+  if (this->MaximumBytes > Minimum && bytes < this->MaximumBytes / MuchSmaller)
+  {
+    malloc_trim(0);
+    this->MaximumBytes = bytes;
+  }
 }
 
 // After a delay of a period or more, counts from now on instead of catching up with a burst of scans.
@@ -112,8 +148,8 @@ lms3dScanLoop::Clock::time_point lms3dScanLoop::GetNext(Clock::time_point due)
 
 bool lms3dScanLoop::SleepUntil(Clock::time_point time)
 {
-  std::unique_lock<std::mutex> lock(this->Mutex);
-  this->Woken.wait_until(lock, time, [this] { return this->Stopped; });
+  this->Board.WaitForChange(this->Generation, time);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
   return !this->Stopped;
 }
 

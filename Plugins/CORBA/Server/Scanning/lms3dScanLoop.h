@@ -12,27 +12,29 @@
 #include "Scanning/lms3dSnapshotStore.h"
 
 #include <atomic>
-#include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <string>
 #include <thread>
 
-/// Reads the settings of each scan from a board and publishes the scan in a store. The getters may
-/// be called from any thread.
+/**
+ * Reads the settings of each scan from a board and publishes the scan in a store. New settings begin
+ * a scan at once, and abort one that takes long; the next scan is due one period after that start.
+ * The getters may be called from any thread.
+ */
 class lms3dScanLoop
 {
 public:
   /// `rate` in scans per second; 0: without pauses. `threads` as NumberOfThreads of the filters.
   /// Board and store must outlive the loop.
-  lms3dScanLoop(
-    const lms3dSettingsBoard& board, lms3dSnapshotStore& store, double rate, int threads);
+  lms3dScanLoop(lms3dSettingsBoard& board, lms3dSnapshotStore& store, double rate, int threads);
   ~lms3dScanLoop();
   lms3dScanLoop(const lms3dScanLoop&) = delete;
   void operator=(const lms3dScanLoop&) = delete;
 
   void Start();
-  /// Aborts the current scan and waits for the thread.
+  /// Aborts the current scan, ends waiting for new settings, and waits for the thread.
   void Stop();
 
   /// The start of the server, nanoseconds since 1970; see ScanHeader.
@@ -46,22 +48,29 @@ private:
   using Clock = std::chrono::steady_clock;
 
   void Run();
-  void MakeScan();
+  /// Returns false if the scan was aborted.
+  bool MakeScan();
+  /// Returns the memory of large scans to the system after they are gone.
+  void ReleaseMemory();
   void SetProblem(const std::string& problem);
   /// The time of the next scan, after a scan that was due at `due`.
   Clock::time_point GetNext(Clock::time_point due);
-  /// Returns false if the loop is to end.
+  /// Sleeps until `time` or new settings. Returns false if the loop is to end.
   bool SleepUntil(Clock::time_point time);
 
-  const lms3dSettingsBoard& Board;
+  lms3dSettingsBoard& Board;
   lms3dSnapshotStore& Store;
   const Clock::duration Period;
   const std::uint64_t Incarnation;
   lms3dScanPipeline Pipeline;
   std::uint64_t Number = 0;
+  /// The generation of the last scan, also if it was aborted. 0 before the first.
+  std::uint64_t Generation = 0;
+  int AbortedInARow = 0;
+  /// The largest memory of all kept scans since ReleaseMemory() returned memory.
+  std::size_t MaximumBytes = 0;
   std::atomic<std::uint64_t> LateScans{ 0 };
   mutable std::mutex Mutex;
-  std::condition_variable Woken;
   bool Stopped = false;
   std::string Problem;
   std::thread Thread;

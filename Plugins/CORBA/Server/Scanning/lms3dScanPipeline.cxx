@@ -3,7 +3,6 @@
 #include "Scanning/lms3dScanPipeline.h"
 
 #include "Common/lms3dChecksum.h"
-#include "Scanning/lms3dAlgorithmObservers.h"
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 
@@ -72,21 +71,26 @@ std::vector<std::uint32_t> GetTriangles(vtkPolyData* map)
 } // namespace
 
 lms3dScanPipeline::lms3dScanPipeline(int threads)
+  : Threads(threads)
 {
   this->Scanner->SetNumberOfThreads(threads);
-  this->Mapper->SetNumberOfThreads(threads);
-  this->Mapper->SetInputConnection(this->Scanner->GetOutputPort());
-
-  const lms3dStopTest isStopped = [this] { return this->Stopped.load(); };
-  lms3dAbortIf(this->Scanner, isStopped);
-  lms3dAbortIf(this->Mapper, isStopped);
+  lms3dAbortIf(this->Scanner, [this] { return this->TestAbort(); });
 }
 
 lms3dScanPipeline::~lms3dScanPipeline() = default;
 
-std::shared_ptr<lms3dSnapshot> lms3dScanPipeline::Run(const lms3dScanSettings& settings)
+std::shared_ptr<lms3dSnapshot> lms3dScanPipeline::Run(
+  const lms3dScanSettings& settings, const lms3dStopTest& isOutdated)
 {
+  this->IsOutdated = isOutdated;
+  this->Aborted = false;
   this->Configure(settings);
+  // VTK does not reset the flag after a filter was aborted.
+  this->Scanner->SetAbortExecute(0);
+  if (this->Mapper)
+  {
+    this->Mapper->SetAbortExecute(0);
+  }
   auto snapshot = std::make_shared<lms3dSnapshot>();
   snapshot->Header.generation = settings.Generation;
   snapshot->Header.scene = settings.Scene->Description.name;
@@ -95,6 +99,42 @@ std::shared_ptr<lms3dSnapshot> lms3dScanPipeline::Run(const lms3dScanSettings& s
   const bool isWhole =
     this->Scan(*snapshot) && (!settings.Configuration.makeMap || this->MakeMap(*snapshot));
   return isWhole ? snapshot : nullptr;
+}
+
+bool lms3dScanPipeline::TestAbort()
+{
+  if (this->Stopped || this->IsOutdated())
+  {
+    this->Aborted = true;
+  }
+  return this->Aborted;
+}
+
+// The mapper keeps its memory for the next map. If that is much smaller or will not come, a new mapper
+// gives the memory back.
+void lms3dScanPipeline::PrepareMapper(const LMS3D::Configuration& configuration)
+{
+  constexpr CORBA::ULongLong MuchSmaller = 4;
+  const CORBA::ULongLong beams =
+    CORBA::ULongLong(configuration.alpha.count) * configuration.beta.count;
+  if (!configuration.makeMap || beams < this->MapperBeams / MuchSmaller)
+  {
+    this->Mapper = nullptr;
+    this->MapperBeams = 0;
+  }
+  if (!configuration.makeMap)
+  {
+    return;
+  }
+  if (!this->Mapper)
+  {
+    this->Mapper = vtkSmartPointer<vtkLMS3DSurfaceReconstructionFilter>::New();
+    this->Mapper->SetNumberOfThreads(this->Threads);
+    this->Mapper->SetInputConnection(this->Scanner->GetOutputPort());
+    lms3dAbortIf(this->Mapper, [this] { return this->TestAbort(); });
+  }
+  this->MapperBeams = std::max(this->MapperBeams, beams);
+  this->Mapper->SetMaximumError(configuration.mapError);
 }
 
 void lms3dScanPipeline::Configure(const lms3dScanSettings& settings)
@@ -118,7 +158,7 @@ void lms3dScanPipeline::Configure(const lms3dScanSettings& settings)
   this->Scanner->SetIntersectionMethod(configuration.method == LMS3D::METHOD_FAST
       ? vtkLMS3DScanFilter::FAST
       : vtkLMS3DScanFilter::EXACT);
-  this->Mapper->SetMaximumError(configuration.mapError);
+  this->PrepareMapper(configuration);
 }
 
 bool lms3dScanPipeline::Update(vtkAlgorithm* algorithm, double& seconds) const
@@ -127,13 +167,17 @@ bool lms3dScanPipeline::Update(vtkAlgorithm* algorithm, double& seconds) const
   const auto start = std::chrono::steady_clock::now();
   algorithm->Update();
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  // The outputs of an aborted filter have no arrays.
+  if (this->Aborted)
+  {
+    return false;
+  }
   const std::string error = messages.TakeError();
   if (!error.empty())
   {
     throw std::runtime_error(error);
   }
-  // The outputs of an aborted filter have no arrays.
-  return !this->Stopped;
+  return true;
 }
 
 // Modified(), because the loop scans again even if nothing has changed.

@@ -7,10 +7,12 @@
 #ifndef lms3dScanPipeline_h
 #define lms3dScanPipeline_h
 
+#include "Scanning/lms3dAlgorithmObservers.h"
 #include "Scanning/lms3dSettingsBoard.h"
 #include "Scanning/lms3dSnapshotStore.h"
 
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 #include <atomic>
 #include <memory>
@@ -30,26 +32,41 @@ public:
   lms3dScanPipeline(const lms3dScanPipeline&) = delete;
   void operator=(const lms3dScanPipeline&) = delete;
 
-  /// Returns a scan without number, incarnation and times, which the caller fills in. Returns null if
-  /// Stop() aborted the scan. Throws std::runtime_error if a filter fails.
-  std::shared_ptr<lms3dSnapshot> Run(const lms3dScanSettings& settings);
+  /// Returns a scan without number, incarnation and times, which the caller fills in. Calls
+  /// `isOutdated` meanwhile. Returns null if that returned true, or Stop() was called, before the scan
+  /// was complete. Throws std::runtime_error if a filter fails.
+  std::shared_ptr<lms3dSnapshot> Run(
+    const lms3dScanSettings& settings, const lms3dStopTest& isOutdated);
 
   /// Aborts the current scan and all later ones. Any thread.
   void Stop() { this->Stopped = true; }
 
 private:
   void Configure(const lms3dScanSettings& settings);
+  /// Creates or destroys the filter of maps.
+  void PrepareMapper(const LMS3D::Configuration& configuration);
+  /// Returns true if the current run is to end.
+  bool TestAbort();
   ///@{
-  /// Return false if Stop() aborted the work.
+  /// Return false if the work was aborted.
   bool Update(vtkAlgorithm* algorithm, double& seconds) const;
   bool Scan(lms3dSnapshot& snapshot);
   bool MakeMap(lms3dSnapshot& snapshot);
   ///@}
 
   vtkNew<vtkLMS3DScanFilter> Scanner;
-  vtkNew<vtkLMS3DSurfaceReconstructionFilter> Mapper;
+  /// Null as long as no maps are made.
+  vtkSmartPointer<vtkLMS3DSurfaceReconstructionFilter> Mapper;
+  /// The number of beams for which the mapper has memory.
+  CORBA::ULongLong MapperBeams = 0;
+  const int Threads;
   lms3dServedScenePointer Scene;
   std::atomic<bool> Stopped{ false };
+  ///@{
+  /// The current run: ends it, and whether it was aborted.
+  lms3dStopTest IsOutdated;
+  std::atomic<bool> Aborted{ false };
+  ///@}
 };
 
 #endif

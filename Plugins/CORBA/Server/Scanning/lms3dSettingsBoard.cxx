@@ -15,18 +15,38 @@ lms3dScanSettings lms3dSettingsBoard::Get() const
   return this->Settings;
 }
 
+std::uint64_t lms3dSettingsBoard::GetGeneration() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Settings.Generation;
+}
+
+void lms3dSettingsBoard::WaitForChange(std::uint64_t generation, Clock::time_point deadline) const
+{
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  this->Changed.wait_until(lock, deadline,
+    [this, generation] { return this->Stopped || this->Settings.Generation > generation; });
+}
+
+void lms3dSettingsBoard::Stop()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Stopped = true;
+  this->Changed.notify_all();
+}
+
 std::uint64_t lms3dSettingsBoard::SetPose(const LMS3D::Pose& pose)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Settings.Pose = pose;
-  return ++this->Settings.Generation;
+  return this->Advance();
 }
 
 std::uint64_t lms3dSettingsBoard::SetConfiguration(const LMS3D::Configuration& configuration)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Settings.Configuration = configuration;
-  return ++this->Settings.Generation;
+  return this->Advance();
 }
 
 std::uint64_t lms3dSettingsBoard::SetScene(lms3dServedScenePointer scene)
@@ -34,5 +54,12 @@ std::uint64_t lms3dSettingsBoard::SetScene(lms3dServedScenePointer scene)
   // Swapped, so that the previous scene is freed after unlocking.
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Settings.Scene.swap(scene);
+  return this->Advance();
+}
+
+// The caller has locked the mutex.
+std::uint64_t lms3dSettingsBoard::Advance()
+{
+  this->Changed.notify_all();
   return ++this->Settings.Generation;
 }

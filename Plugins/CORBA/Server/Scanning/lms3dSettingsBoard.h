@@ -9,6 +9,8 @@
 
 #include "Scanning/lms3dServedScene.h"
 
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <mutex>
 
@@ -28,9 +30,19 @@ struct lms3dScanSettings
 class lms3dSettingsBoard
 {
 public:
+  using Clock = std::chrono::steady_clock;
+
   explicit lms3dSettingsBoard(lms3dScanSettings settings);
 
   lms3dScanSettings Get() const;
+  std::uint64_t GetGeneration() const;
+
+  /// Waits until the generation is above `generation`. Returns at the deadline at the latest, and at
+  /// once after Stop().
+  void WaitForChange(std::uint64_t generation, Clock::time_point deadline) const;
+
+  /// Ends all current and later calls of WaitForChange().
+  void Stop();
 
   ///@{
   /// Replaces one setting and returns the new generation. The settings must be valid.
@@ -40,7 +52,11 @@ public:
   ///@}
 
 private:
+  std::uint64_t Advance();
+
   mutable std::mutex Mutex;
+  mutable std::condition_variable Changed;
+  bool Stopped = false;
   lms3dScanSettings Settings;
 };
 

@@ -53,6 +53,12 @@ std::uint64_t lms3dSnapshotStore::GetOldestNumber() const
   return this->Snapshots.empty() ? 0 : this->Snapshots.front()->Header.number;
 }
 
+std::size_t lms3dSnapshotStore::GetBytes() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Bytes;
+}
+
 lms3dSnapshotPointer lms3dSnapshotStore::Find(std::uint64_t number) const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);

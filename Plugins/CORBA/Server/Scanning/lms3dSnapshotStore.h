@@ -65,6 +65,9 @@ public:
   std::uint64_t GetOldestNumber() const;
   ///@}
 
+  /// The memory of all scans that are kept.
+  std::size_t GetBytes() const;
+
   /// The scan with this number. Null if it does not exist or was dropped.
   lms3dSnapshotPointer Find(std::uint64_t number) const;
 
