@@ -9,8 +9,7 @@ namespace
 // In a row.
 constexpr int MaximumFailures = 3;
 
-// The end of the server waits as long. The ORB's time to connect, one setting for all objects, must
-// not be longer; see lms3dGetORBSettings().
+// Connecting and forwards count too; see lms3dLimitRetries().
 constexpr CORBA::ULong CallMilliseconds = 500;
 } // namespace
 
@@ -53,7 +52,26 @@ bool lms3dListener::HasFailed() const
   return this->Failed;
 }
 
+bool lms3dListener::HasEnded() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Ended;
+}
+
 void lms3dListener::Run()
+{
+  const bool hasFailed = this->CallUntilFailure();
+  if (hasFailed)
+  {
+    lms3dLog(lms3dLogKind::Listeners,
+      "the listener at " + this->Address + " cannot be reached and is dropped");
+  }
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Failed = hasFailed;
+  this->Ended = true;
+}
+
+bool lms3dListener::CallUntilFailure()
 {
   int failures = 0;
   LMS3D::ScanHeader header;
@@ -61,12 +79,7 @@ void lms3dListener::Run()
   {
     failures = this->Call(header) ? 0 : failures + 1;
   }
-  if (failures == MaximumFailures)
-  {
-    lms3dLog("the listener at " + this->Address + " cannot be reached and is dropped");
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Failed = true;
-  }
+  return failures == MaximumFailures;
 }
 
 bool lms3dListener::WaitForHeader(LMS3D::ScanHeader& header)
@@ -91,7 +104,7 @@ bool lms3dListener::Call(const LMS3D::ScanHeader& header) const
   }
   catch (const omniORB::fatalException& problem)
   {
-    lms3dLog(std::string("the ORB failed: ") + problem.errmsg());
+    lms3dLog(lms3dLogKind::Listeners, std::string("the ORB failed: ") + problem.errmsg());
     return false;
   }
 }

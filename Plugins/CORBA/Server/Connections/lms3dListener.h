@@ -22,7 +22,7 @@ class lms3dListener
 public:
   /// `address` is for the log. Starts the thread.
   lms3dListener(LMS3D::ScanListener_ptr reference, const std::string& address);
-  /// Waits for the current call, half a second at most.
+  /// Waits for the current call; see HasEnded().
   ~lms3dListener();
   lms3dListener(const lms3dListener&) = delete;
   void operator=(const lms3dListener&) = delete;
@@ -38,8 +38,14 @@ public:
   /// True if three calls in a row failed. No more calls are made then.
   bool HasFailed() const;
 
+  /// True if no call is made any more, so that the destructor returns at once. After Stop() a current
+  /// call takes half a second at most, and the lookup of a host's name as long as the system needs.
+  bool HasEnded() const;
+
 private:
   void Run();
+  /// Calls until Stop(), or until the object has failed. Returns true in the second case.
+  bool CallUntilFailure();
   /// Waits for a header that was not passed on yet. Returns false after Stop().
   bool WaitForHeader(LMS3D::ScanHeader& header);
   /// Returns false if the object cannot be reached.
@@ -53,6 +59,7 @@ private:
   bool IsPending = false;
   bool Stopped = false;
   bool Failed = false;
+  bool Ended = false;
   std::thread Thread;
 };
 
