@@ -19,7 +19,7 @@ from pathlib import Path
 import giop
 from server_process import DATA, SERVER, Server, wait_until
 
-# Of the server's end.
+# Seconds until the server ends.
 MAXIMUM_SECONDS = 8
 # Per second, of one kind.
 MAXIMUM_LINES = 20

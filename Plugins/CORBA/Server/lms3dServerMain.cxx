@@ -113,7 +113,8 @@ void Serve(const lms3dServerOptions& options)
   AllowManyConnections();
   try
   {
-    RunningServer server(options, [&signal] { return signal.IsPending(); }, limit);
+    RunningServer server(
+      options, [&signal] { return signal.IsPending(); }, limit);
     server.Start();
     lms3dLog(signal.Wait() + ": ending");
   }

@@ -48,10 +48,11 @@ private:
   bool CallUntilFailure();
   /// Waits for a header that was not passed on yet. Returns false after Stop().
   bool WaitForHeader(LMS3D::ScanHeader& header);
-  /// Returns false if the object cannot be reached.
-  bool Call(const LMS3D::ScanHeader& header) const;
+  /// Returns false if the object cannot be reached. `isRetry` if the call before failed.
+  bool Call(const LMS3D::ScanHeader& header, bool isRetry);
 
-  const LMS3D::ScanListener_var Reference;
+  /// For the thread alone.
+  LMS3D::ScanListener_var Reference;
   const std::string Address;
   mutable std::mutex Mutex;
   std::condition_variable Changed;

@@ -16,8 +16,7 @@ namespace
 // The ORB would connect to other transports, too: to Unix sockets of this machine.
 void RequireNetwork(const std::vector<std::string>& addresses)
 {
-  const auto other =
-    std::find_if_not(addresses.begin(), addresses.end(), lms3dIsNetworkAddress);
+  const auto other = std::find_if_not(addresses.begin(), addresses.end(), lms3dIsNetworkAddress);
   if (other != addresses.end() || addresses.empty())
   {
     const std::string reason = "the listener has an address that is neither TCP nor TLS";
@@ -164,11 +163,15 @@ void lms3dListeners::RemoveFailed()
 
 void lms3dListeners::RequireRoom(const std::string& address) const
 {
-  const auto isSame = [&address](const std::unique_ptr<lms3dListener>& listener)
-  { return listener->GetAddress() == address; };
-  const auto sameAddress = std::count_if(this->Listeners.begin(), this->Listeners.end(),
-                             [&isSame](const auto& listener) { return isSame(listener.second); }) +
-    std::count_if(this->Ending.begin(), this->Ending.end(), isSame);
+  std::size_t sameAddress = 0;
+  for (const auto& listener : this->Listeners)
+  {
+    sameAddress += listener.second->GetAddress() == address ? 1 : 0;
+  }
+  for (const auto& listener : this->Ending)
+  {
+    sameAddress += listener->GetAddress() == address ? 1 : 0;
+  }
   if (sameAddress >= MaximumPerAddress)
   {
     throw LMS3D::LimitExceeded("too many listeners of one client", MaximumPerAddress);
