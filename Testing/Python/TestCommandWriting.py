@@ -70,7 +70,7 @@ class TestFullDisks(CommandLineTest):
                 path.unlink()
 
     def make_device(self, name, path):
-        """Make the path a device. A link to it would let a fault replace the system's own device."""
+        """Make the path a device. By a link a fault could replace the system's own device."""
         if os.geteuid() != 0:
             path.symlink_to(f"/dev/{name}")
             return
@@ -173,6 +173,17 @@ class TestArrays(CommandLineTest):
         for name in ("Range", "Alpha", "Beta", "BeamId", "CellId"):
             np.testing.assert_array_equal(table[name], array(scan, name))
         np.testing.assert_array_equal(table["x"], points(scan)[:, 0].astype(np.float32))
+
+    def test_a_map_without_triangles(self):
+        for ending in ("ply", "stl", "vtp"):
+            with self.subTest(ending):
+                path = self.folder / f"empty.{ending}"
+                self.done("scan", ROOM, *POSE, "--alpha-range", 0, 0, "--alpha-resolution", 1,
+                          "--beta-resolution", 1, "--maximum-error", 0, "--map", path)
+        surface = read(vtkXMLPolyDataReader(), self.folder / "empty.vtp")
+        self.assertEqual(surface.GetNumberOfPolys(), 0)
+        self.assertIn(b"element vertex ", (self.folder / "empty.ply").read_bytes())
+        self.assertEqual((self.folder / "empty.stl").read_bytes()[80:], bytes(4))
 
     def test_ids_that_ply_s_integers_cannot_hold(self):
         from lms3d.results import save

@@ -73,7 +73,8 @@ class Memory(SceneTest):
         name = "N" * 100_000
         often = "USE S " * 2000
         empty = "NULL " * 100_000
-        for text in (f"PROTO P [ ] {{ {SQUARE} }} DEF {name} Group {{ children [ {'P { } ' * 2000} ] }}",
+        instances = "P { } " * 2000
+        for text in (f"PROTO P [ ] {{ {SQUARE} }} DEF {name} Group {{ children [ {instances} ] }}",
                      f"{SQUARE} DEF S Group {{ children [ {empty} ] }} {often}"):
             with self.subTest(text[:30]):
                 scene = self.read(text, MaximumMemory=50_000_000)

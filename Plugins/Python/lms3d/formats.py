@@ -83,7 +83,7 @@ def _encode_ply(data, _failure):
     triangles = _triangles(data)
     arrays = data.GetPointData()
     if len(triangles) == 0:
-        for name in CSV_ARRAYS:
+        for name in filter(arrays.HasArray, CSV_ARRAYS):
             vertices[name] = _narrow(vtk_to_numpy(arrays.GetArray(name)))
     elif arrays.GetNormals():
         vertices.update(zip(("nx", "ny", "nz"), vtk_to_numpy(arrays.GetNormals()).T))
@@ -152,7 +152,9 @@ def _encode_stl(surface, _failure):
 
 
 def _points(data):
-    return vtk_to_numpy(data.GetPoints().GetData())
+    """The coordinates; a map without triangles has none."""
+    points = data.GetPoints()
+    return vtk_to_numpy(points.GetData()) if points else np.empty((0, 3))
 
 
 def _triangles(surface):
