@@ -87,14 +87,17 @@ TEST_F(VRMLImporterSource, ReadsTheFileAgainEachTime)
   EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfCells(), 804);
 }
 
-TEST_F(VRMLImporterSource, ContinuesThePipelineOfSeveralProcesses)
+TEST_F(VRMLImporterSource, ContinuesThePipelineAfterAnError)
 {
   this->Reader->SetFileName((this->File.string() + ".not").c_str());
-  EXPECT_EQ(this->Reader->UpdatePiece(0, 2, 0), 1);
-  EXPECT_EQ(
-    this->Reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileNotFoundError));
-  this->Reader->Modified();
-  EXPECT_EQ(this->Reader->UpdatePiece(0, 1, 0), 0);
+  for (int processes : { 1, 2 })
+  {
+    this->Reader->Modified();
+    EXPECT_EQ(this->Reader->UpdatePiece(0, processes, 0), 1);
+    EXPECT_EQ(
+      this->Reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileNotFoundError));
+    EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 0);
+  }
 }
 
 TEST_F(VRMLImporterSource, NamesShapesByTheNearestDEF)
