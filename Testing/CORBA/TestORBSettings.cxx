@@ -34,6 +34,23 @@ TEST_F(ORBSettings, DefaultsAreSafe)
     settings.back(), std::make_pair(std::string("clientTransportRule"), std::string("* none")));
 }
 
+// A time for connecting would renew a call's deadline with each connection.
+TEST_F(ORBSettings, TheServerConnectsToTheNetworkOnlyAndInTheTimeOfTheCall)
+{
+  lms3dServerOptions options;
+  options.Callbacks = true;
+  options.ConnectTo = { "10.0.0.1/255.255.255.255" };
+  const lms3dORBSettings settings = lms3dGetORBSettings(options);
+  EXPECT_EQ(Find(settings, "clientConnectTimeOutPeriod"), "0");
+  for (const auto& setting : settings)
+  {
+    if (setting.first == "clientTransportRule")
+    {
+      EXPECT_EQ(setting.second.find("unix"), std::string::npos) << setting.second;
+    }
+  }
+}
+
 TEST_F(ORBSettings, TheAdministratorsORBSettingsAreKept)
 {
   lms3dServerOptions options;

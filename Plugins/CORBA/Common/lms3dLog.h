@@ -2,14 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The server's log.
+ * @brief The server's log and output. They never wait for a reader.
  */
 #ifndef lms3dLog_h
 #define lms3dLog_h
 
 #include <string>
 
-/// Writes the time in UTC and a line of text to the standard error. Any thread.
+/// Kinds of lines that clients can cause, each with its own limit; see lms3dLogLimit.
+enum class lms3dLogKind
+{
+  Listeners,
+  Scenes
+};
+
+/// Writes the time in UTC and a line of text to the standard error, in printable ASCII; see
+/// lms3dMakePrintable(). Returns at once: a thread writes, and if the reader does not read, lines are
+/// left out and counted. Any thread.
 void lms3dLog(const std::string& text);
+
+/// The same, with the limit of the line's kind.
+void lms3dLog(lms3dLogKind kind, const std::string& text);
+
+/// Writes a line to the standard output, in the same way. First gives earlier lines of the log a
+/// moment, so that a reader of both sees them first.
+void lms3dPrint(const std::string& line);
+
+/// Waits until everything is written, half a second at most for each of both streams. Call at the end
+/// of the process.
+void lms3dFinishLog();
+
+/// Replaces all but printable ASCII by "\n" or, for example, "\x1b", and cuts the text after 1,000
+/// characters. So a text from a client cannot forge lines or control a terminal.
+std::string lms3dMakePrintable(const std::string& text);
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remote/lms3dClientORB.h"
 
+#include "Common/lms3dCallRetries.h"
 #include "Common/lms3dORBLog.h"
 
 #include <iostream>
@@ -16,6 +17,7 @@ void PrintLine(const std::string& line)
 CORBA::ORB_ptr MakeORB()
 {
   lms3dSetORBLog(PrintLine, {});
+  lms3dLimitRetries();
   int noArguments = 0;
   return CORBA::ORB_init(noArguments, nullptr);
 }

@@ -7,7 +7,6 @@
 #include "Connections/lms3dRequestGate.h"
 #include "Object/lms3dSettingsCheck.h"
 
-#include <iostream>
 #include <stdexcept>
 
 namespace
@@ -122,9 +121,9 @@ void lms3dServer::Announce(CORBA::ORB_ptr orb, CORBA::Object_ptr scanner)
   const std::string corbaloc = lms3dGetCorbaloc(addresses, ObjectKey);
   if (!corbaloc.empty())
   {
-    std::cout << corbaloc << '\n';
+    lms3dPrint(corbaloc);
   }
-  std::cout << reference.in() << std::endl;
+  lms3dPrint(reference.in());
 }
 
 // Unbinding the name needs a working ORB. Waiting calls and listeners end before the ORB waits for

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Common/lms3dCallRetries.h"
 #include "Common/lms3dLog.h"
 #include "Common/lms3dORBLog.h"
 #include "Common/lms3dVersion.h"
 #include "Options/lms3dORBSettings.h"
 #include "Options/lms3dServerOptions.h"
+#include "Scanning/lms3dLogWindow.h"
+#include "lms3dExitLimit.h"
 #include "lms3dServer.h"
 #include "lms3dStopSignal.h"
 
@@ -12,23 +15,16 @@
 
 #include <sys/resource.h>
 
-#include <chrono>
-#include <cstdlib>
 #include <exception>
-#include <future>
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace
 {
 constexpr int ExitFailure = 1;
 constexpr int ExitUsage = 2;
-
-// As long as a client may take to read an answer; see lms3dGetORBSettings().
-constexpr std::chrono::seconds MaximumEnd(5);
 
 // If file descriptors run out, omniORB accepts no more connections and spins.
 void AllowManyConnections()
@@ -55,6 +51,7 @@ CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
   std::vector<std::string> logSettings = options.ORBArguments;
   logSettings.push_back(options.Endpoint);
   lms3dSetORBLog(lms3dLog, logSettings);
+  lms3dLimitRetries();
 
   const lms3dORBSettings settings = lms3dGetORBSettings(options);
   std::vector<const char*> table;
@@ -78,39 +75,24 @@ CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
   return CORBA::ORB_init(count, pointers.data(), "omniORB4", reinterpret_cast<Table>(table.data()));
 }
 
-// The ORB would wait for each answer to a client that sends requests without reading the answers.
-// The exit without destroy() limits that.
-void Destroy(CORBA::ORB_ptr orb, int exitCode)
-{
-  std::promise<void> destroyed;
-  std::thread worker(
-    [orb, &destroyed]
-    {
-      orb->destroy();
-      destroyed.set_value();
-    });
-  if (destroyed.get_future().wait_for(MaximumEnd) == std::future_status::timeout)
-  {
-    lms3dLog("ended; a client did not take its answers");
-    std::_Exit(exitCode);
-  }
-  worker.join();
-}
-
 // Destroys the ORB before the server, because clients may call the server's object until then, even
-// if the start fails half-way.
+// if the start fails half-way. The ORB waits for each answer to a client, and a client may send
+// requests without reading the answers.
 class RunningServer
 {
 public:
-  RunningServer(const lms3dServerOptions& options, const lms3dStopTest& isStopped)
-    : Server(options, isStopped)
+  RunningServer(
+    const lms3dServerOptions& options, const lms3dStopTest& isStopped, lms3dExitLimit& limit)
+    : Limit(limit)
+    , Server(options, isStopped)
     , ORB(MakeORB(options))
   {
   }
   ~RunningServer()
   {
+    this->Limit.Begin(std::uncaught_exceptions() == 0 ? 0 : ExitFailure);
     this->Server.Stop();
-    Destroy(this->ORB, std::uncaught_exceptions() == 0 ? 0 : ExitFailure);
+    this->ORB->destroy();
   }
   RunningServer(const RunningServer&) = delete;
   void operator=(const RunningServer&) = delete;
@@ -118,17 +100,21 @@ public:
   void Start() { this->Server.Start(this->ORB); }
 
 private:
+  lms3dExitLimit& Limit;
   lms3dServer Server;
   const CORBA::ORB_var ORB;
 };
 
 void Serve(const lms3dServerOptions& options)
 {
-  const lms3dStopSignal signal;
+  lms3dExitLimit limit;
+  const lms3dStopSignal signal([&limit] { limit.Begin(0); });
+  lms3dLogVTKMessages();
   AllowManyConnections();
   try
   {
-    RunningServer server(options, [&signal] { return signal.IsPending(); });
+    RunningServer server(
+      options, [&signal] { return signal.IsPending(); }, limit);
     server.Start();
     lms3dLog(signal.Wait() + ": ending");
   }
@@ -188,13 +174,15 @@ int Run(const lms3dServerOptions& options)
 
 int main(int argc, char* argv[])
 {
+  int code = ExitUsage;
   try
   {
-    return Run(lms3dReadServerOptions({ argv + 1, argv + argc }));
+    code = Run(lms3dReadServerOptions({ argv + 1, argv + argc }));
   }
   catch (const std::invalid_argument& problem)
   {
     std::cerr << "lms3d-server: " << problem.what() << '\n';
-    return ExitUsage;
   }
+  lms3dFinishLog();
+  return code;
 }

@@ -3,6 +3,7 @@
 #include "lms3dStopSignal.h"
 
 #include <cstring>
+#include <utility>
 
 namespace
 {
@@ -15,7 +16,8 @@ bool IsIgnored(int signal)
 }
 } // namespace
 
-lms3dStopSignal::lms3dStopSignal()
+lms3dStopSignal::lms3dStopSignal(std::function<void()> onArrival)
+  : OnArrival(std::move(onArrival))
 {
   sigemptyset(&this->Signals);
   sigaddset(&this->Signals, SIGINT);
@@ -25,20 +27,45 @@ lms3dStopSignal::lms3dStopSignal()
     sigaddset(&this->Signals, SIGHUP);
   }
   pthread_sigmask(SIG_BLOCK, &this->Signals, nullptr);
+  this->Thread = std::thread([this] { this->Run(); });
 }
 
-// Only Wait() removes a signal, so it is pending until then.
+lms3dStopSignal::~lms3dStopSignal()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Ended = true;
+  }
+  // Wakes the thread if no signal has arrived.
+  pthread_kill(this->Thread.native_handle(), SIGINT);
+  this->Thread.join();
+}
+
 bool lms3dStopSignal::IsPending() const
 {
-  sigset_t pending;
-  sigpending(&pending);
-  sigandset(&pending, &pending, &this->Signals);
-  return sigisemptyset(&pending) == 0;
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return !this->Name.empty();
 }
 
 std::string lms3dStopSignal::Wait() const
 {
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  this->Changed.wait(lock, [this] { return !this->Name.empty(); });
+  return this->Name;
+}
+
+void lms3dStopSignal::Run()
+{
   int signal = 0;
   sigwait(&this->Signals, &signal);
-  return std::string("SIG") + sigabbrev_np(signal);
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->Ended)
+    {
+      return;
+    }
+    this->Name = std::string("SIG") + sigabbrev_np(signal);
+  }
+  this->OnArrival();
+  this->Changed.notify_all();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // lms3d-client: shows and saves the scans of a server, and moves its sensor.
 #include "Client/lms3dScannerReference.h"
+#include "Common/lms3dCallRetries.h"
 #include "Common/lms3dORBLog.h"
 #include "lms3dClientCommands.h"
 #include "lms3dExceptionText.h"
@@ -20,8 +21,7 @@ constexpr int ExitUsage = 2;
 
 // Longer than the server's longest wait, so that only a server that hangs exceeds it.
 const char* ORBOptions[][2] = { { "clientCallTimeOutPeriod", "15000" },
-  { "clientConnectTimeOutPeriod", "3000" }, { "endPoint", "giop:tcp:127.0.0.1:" },
-  { nullptr, nullptr } };
+  { "endPoint", "giop:tcp:127.0.0.1:" }, { nullptr, nullptr } };
 
 void PrintLine(const std::string& line)
 {
@@ -64,6 +64,7 @@ int main(int argc, char* argv[])
   try
   {
     lms3dSetORBLog(PrintLine, { argv + 1, argv + argc });
+    lms3dLimitRetries();
     const CORBA::ORB_var orb = CORBA::ORB_init(argc, argv, "omniORB4", ORBOptions);
     code = Run(orb, { argv + 1, argv + argc });
     orb->destroy();

@@ -6,13 +6,25 @@
 
 namespace
 {
+// For each call.
+constexpr CORBA::ULong StartMilliseconds = 2000;
 constexpr CORBA::ULong EndMilliseconds = 500;
 
 CosNaming::NamingContextExt_ptr FindContext(CORBA::ORB_ptr orb, const std::string& service)
 {
   const CORBA::Object_var object = service.empty() ? orb->resolve_initial_references("NameService")
                                                    : orb->string_to_object(service.c_str());
-  return CosNaming::NamingContextExt::_narrow(object);
+  if (CORBA::is_nil(object))
+  {
+    return CosNaming::NamingContextExt::_nil();
+  }
+  omniORB::setClientCallTimeout(object, StartMilliseconds);
+  CosNaming::NamingContextExt_var context = CosNaming::NamingContextExt::_narrow(object);
+  if (!CORBA::is_nil(context))
+  {
+    omniORB::setClientCallTimeout(context, StartMilliseconds);
+  }
+  return context._retn();
 }
 } // namespace
 

@@ -9,16 +9,26 @@ namespace
 // In a row.
 constexpr int MaximumFailures = 3;
 
-// The end of the server waits as long. The ORB's time to connect, one setting for all objects, must
-// not be longer; see lms3dGetORBSettings().
+// Connecting and forwards count too; see lms3dLimitRetries().
 constexpr CORBA::ULong CallMilliseconds = 500;
+
+// A reference to the same object. The ORB locates an object only before the first call of a reference,
+// and notices an object that does not exist, or that forwards all calls, only then: scanReady() has no
+// answer.
+LMS3D::ScanListener_ptr MakeReference(LMS3D::ScanListener_ptr reference)
+{
+  cdrMemoryStream stream;
+  LMS3D::ScanListener::_marshalObjRef(reference, stream);
+  LMS3D::ScanListener_ptr anew = LMS3D::ScanListener::_unmarshalObjRef(stream);
+  omniORB::setClientCallTimeout(anew, CallMilliseconds);
+  return anew;
+}
 } // namespace
 
 lms3dListener::lms3dListener(LMS3D::ScanListener_ptr reference, const std::string& address)
-  : Reference(LMS3D::ScanListener::_duplicate(reference))
+  : Reference(MakeReference(reference))
   , Address(address)
 {
-  omniORB::setClientCallTimeout(reference, CallMilliseconds);
   this->Thread = std::thread([this] { this->Run(); });
 }
 
@@ -53,20 +63,34 @@ bool lms3dListener::HasFailed() const
   return this->Failed;
 }
 
+bool lms3dListener::HasEnded() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Ended;
+}
+
 void lms3dListener::Run()
+{
+  const bool hasFailed = this->CallUntilFailure();
+  if (hasFailed)
+  {
+    lms3dLog(
+      lms3dLogKind::Listeners, "a listener cannot be reached and is dropped: " + this->Address);
+  }
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Failed = hasFailed;
+  this->Ended = true;
+}
+
+bool lms3dListener::CallUntilFailure()
 {
   int failures = 0;
   LMS3D::ScanHeader header;
   while (failures < MaximumFailures && this->WaitForHeader(header))
   {
-    failures = this->Call(header) ? 0 : failures + 1;
+    failures = this->Call(header, failures != 0) ? 0 : failures + 1;
   }
-  if (failures == MaximumFailures)
-  {
-    lms3dLog("the listener at " + this->Address + " cannot be reached and is dropped");
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Failed = true;
-  }
+  return failures == MaximumFailures;
 }
 
 bool lms3dListener::WaitForHeader(LMS3D::ScanHeader& header)
@@ -78,10 +102,14 @@ bool lms3dListener::WaitForHeader(LMS3D::ScanHeader& header)
   return !this->Stopped;
 }
 
-bool lms3dListener::Call(const LMS3D::ScanHeader& header) const
+bool lms3dListener::Call(const LMS3D::ScanHeader& header, bool isRetry)
 {
   try
   {
+    if (isRetry)
+    {
+      this->Reference = MakeReference(this->Reference);
+    }
     this->Reference->scanReady(header);
     return true;
   }
@@ -91,7 +119,7 @@ bool lms3dListener::Call(const LMS3D::ScanHeader& header) const
   }
   catch (const omniORB::fatalException& problem)
   {
-    lms3dLog(std::string("the ORB failed: ") + problem.errmsg());
+    lms3dLog(lms3dLogKind::Listeners, std::string("the ORB failed: ") + problem.errmsg());
     return false;
   }
 }

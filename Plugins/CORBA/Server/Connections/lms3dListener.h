@@ -22,7 +22,7 @@ class lms3dListener
 public:
   /// `address` is for the log. Starts the thread.
   lms3dListener(LMS3D::ScanListener_ptr reference, const std::string& address);
-  /// Waits for the current call, half a second at most.
+  /// Waits for the current call; see HasEnded().
   ~lms3dListener();
   lms3dListener(const lms3dListener&) = delete;
   void operator=(const lms3dListener&) = delete;
@@ -38,14 +38,21 @@ public:
   /// True if three calls in a row failed. No more calls are made then.
   bool HasFailed() const;
 
+  /// True if no call is made any more, so that the destructor returns at once. After Stop() a current
+  /// call takes half a second at most, and the lookup of a host's name as long as the system needs.
+  bool HasEnded() const;
+
 private:
   void Run();
+  /// Calls until Stop(), or until the object has failed. Returns true in the second case.
+  bool CallUntilFailure();
   /// Waits for a header that was not passed on yet. Returns false after Stop().
   bool WaitForHeader(LMS3D::ScanHeader& header);
-  /// Returns false if the object cannot be reached.
-  bool Call(const LMS3D::ScanHeader& header) const;
+  /// Returns false if the object cannot be reached. `isRetry` if the call before failed.
+  bool Call(const LMS3D::ScanHeader& header, bool isRetry);
 
-  const LMS3D::ScanListener_var Reference;
+  /// For the thread alone.
+  LMS3D::ScanListener_var Reference;
   const std::string Address;
   mutable std::mutex Mutex;
   std::condition_variable Changed;
@@ -53,6 +60,7 @@ private:
   bool IsPending = false;
   bool Stopped = false;
   bool Failed = false;
+  bool Ended = false;
   std::thread Thread;
 };
 

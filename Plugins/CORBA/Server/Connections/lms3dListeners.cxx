@@ -3,20 +3,35 @@
 #include "Connections/lms3dListeners.h"
 
 #include "Announcement/lms3dObjectAddresses.h"
+#include "Common/lms3dLog.h"
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <random>
 #include <utility>
-#include <vector>
 
 namespace
 {
+// The ORB would connect to other transports, too: to Unix sockets of this machine.
+void RequireNetwork(const std::vector<std::string>& addresses)
+{
+  const auto other = std::find_if_not(addresses.begin(), addresses.end(), lms3dIsNetworkAddress);
+  if (other != addresses.end() || addresses.empty())
+  {
+    const std::string reason = "the listener has an address that is neither TCP nor TLS";
+    lms3dLog(lms3dLogKind::Listeners,
+      "a subscription is refused: " + reason + (addresses.empty() ? "" : ": " + *other));
+    throw LMS3D::InvalidArgument(reason.c_str());
+  }
+}
+
 // The first one: a client's references list its addresses in the same order.
 std::string GetAddress(LMS3D::ScanListener_ptr reference)
 {
   const std::vector<std::string> addresses = lms3dGetAddresses(reference);
-  return addresses.empty() ? "no address" : addresses.front();
+  RequireNetwork(addresses);
+  return addresses.front();
 }
 } // namespace
 
@@ -41,23 +56,28 @@ void lms3dListeners::Stop()
   {
     this->Thread.join();
   }
-  Table all;
+  List all;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Stopped = true;
-    all.swap(this->Listeners);
+    all.swap(this->Ending);
+    for (auto& listener : this->Listeners)
+    {
+      all.push_back(std::move(listener.second));
+    }
+    this->Listeners.clear();
   }
   // Stops all before their destructors wait for one after the other.
   for (const auto& listener : all)
   {
-    listener.second->Stop();
+    listener->Stop();
   }
 }
 
 CORBA::ULong lms3dListeners::Add(LMS3D::ScanListener_ptr reference)
 {
   const std::string address = GetAddress(reference);
-  const Table failed = this->TakeFailed();
+  const List ended = this->TakeEnded();
   const std::lock_guard<std::mutex> lock(this->Mutex);
   if (this->Stopped)
   {
@@ -71,11 +91,16 @@ CORBA::ULong lms3dListeners::Add(LMS3D::ScanListener_ptr reference)
 
 bool lms3dListeners::Remove(CORBA::ULong subscription)
 {
-  // Outlives the lock, because its destructor may wait for a call.
-  Table::node_type removed;
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  removed = this->Listeners.extract(subscription);
-  return !removed.empty() && !removed.mapped()->HasFailed();
+  this->RemoveFailed();
+  const auto removed = this->Listeners.extract(subscription);
+  if (removed.empty())
+  {
+    return false;
+  }
+  removed.mapped()->Stop();
+  this->Ending.push_back(std::move(removed.mapped()));
+  return true;
 }
 
 std::size_t lms3dListeners::GetNumber() const
@@ -101,7 +126,7 @@ void lms3dListeners::Run()
 
 void lms3dListeners::NotifyAll(const LMS3D::ScanHeader& header)
 {
-  const Table failed = this->TakeFailed();
+  const List ended = this->TakeEnded();
   const std::lock_guard<std::mutex> lock(this->Mutex);
   for (const auto& listener : this->Listeners)
   {
@@ -109,31 +134,49 @@ void lms3dListeners::NotifyAll(const LMS3D::ScanHeader& header)
   }
 }
 
-lms3dListeners::Table lms3dListeners::TakeFailed()
+lms3dListeners::List lms3dListeners::TakeEnded()
 {
-  Table failed;
   const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->RemoveFailed();
+  const auto first = std::partition(this->Ending.begin(), this->Ending.end(),
+    [](const auto& listener) { return !listener->HasEnded(); });
+  List ended(std::make_move_iterator(first), std::make_move_iterator(this->Ending.end()));
+  this->Ending.erase(first, this->Ending.end());
+  return ended;
+}
+
+void lms3dListeners::RemoveFailed()
+{
   for (auto listener = this->Listeners.begin(); listener != this->Listeners.end();)
   {
-    const auto next = std::next(listener);
     if (listener->second->HasFailed())
     {
-      failed.insert(this->Listeners.extract(listener));
+      this->Ending.push_back(std::move(listener->second));
+      listener = this->Listeners.erase(listener);
     }
-    listener = next;
+    else
+    {
+      ++listener;
+    }
   }
-  return failed;
 }
 
 void lms3dListeners::RequireRoom(const std::string& address) const
 {
-  const auto sameAddress = std::count_if(this->Listeners.begin(), this->Listeners.end(),
-    [&address](const auto& listener) { return listener.second->GetAddress() == address; });
-  if (sameAddress == MaximumPerAddress)
+  std::size_t sameAddress = 0;
+  for (const auto& listener : this->Listeners)
+  {
+    sameAddress += listener.second->GetAddress() == address ? 1 : 0;
+  }
+  for (const auto& listener : this->Ending)
+  {
+    sameAddress += listener->GetAddress() == address ? 1 : 0;
+  }
+  if (sameAddress >= MaximumPerAddress)
   {
     throw LMS3D::LimitExceeded("too many listeners of one client", MaximumPerAddress);
   }
-  if (this->Listeners.size() == Maximum)
+  if (this->Listeners.size() + this->Ending.size() >= Maximum)
   {
     throw LMS3D::LimitExceeded("too many listeners", Maximum);
   }

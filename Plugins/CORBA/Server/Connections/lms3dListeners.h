@@ -16,9 +16,11 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
-/// Notifies the listeners of each scan. Neither the scanner nor other clients wait for a listener.
-/// All methods but Start() and Stop() may be called from any thread.
+/// Notifies the listeners of each scan. Neither the scanner nor other clients wait for a listener. A
+/// listener that is removed occupies its place until its current call ends, so that the number of
+/// threads is limited too. All methods but Start() and Stop() may be called from any thread.
 class lms3dListeners
 {
 public:
@@ -37,32 +39,36 @@ public:
   void Stop();
 
   /// Returns the number of the subscription, which is random so that other clients cannot guess it.
-  /// Throws LMS3D::LimitExceeded, or CORBA::TRANSIENT after Stop().
+  /// Throws LMS3D::InvalidArgument unless all its addresses are network addresses (see
+  /// lms3dIsNetworkAddress()), LMS3D::LimitExceeded, or CORBA::TRANSIENT after Stop().
   CORBA::ULong Add(LMS3D::ScanListener_ptr reference);
 
-  /// Returns false if there is no such subscription. The listener is not called after this returns.
+  /// Returns false if there is no such subscription. No call begins after this returns. Does not wait
+  /// for the current call.
   bool Remove(CORBA::ULong subscription);
 
   /// The number of listeners that have not failed.
   std::size_t GetNumber() const;
 
 private:
-  using Table = std::map<CORBA::ULong, std::unique_ptr<lms3dListener>>;
+  using List = std::vector<std::unique_ptr<lms3dListener>>;
 
   void Run();
   void NotifyAll(const LMS3D::ScanHeader& header);
-  /// Removes the listeners that have failed. Their threads end with the result, so destroy it
-  /// unlocked.
-  Table TakeFailed();
+  /// Removes the listeners that have failed, and returns those that have ended. Destroy them unlocked.
+  List TakeEnded();
   ///@{
   /// The mutex must be locked.
   void RequireRoom(const std::string& address) const;
   CORBA::ULong MakeNumber() const;
+  void RemoveFailed();
   ///@}
 
   const lms3dSnapshotStore& Store;
   mutable std::mutex Mutex;
-  Table Listeners;
+  std::map<CORBA::ULong, std::unique_ptr<lms3dListener>> Listeners;
+  /// Listeners that are removed, and whose current call may go on.
+  List Ending;
   bool Stopped = false;
   std::thread Thread;
 };

@@ -91,7 +91,7 @@ CORBA::ULongLong lms3dScannerServant::selectScene(const char* name)
   {
     const CORBA::ULongLong generation = this->Board.SetScene(lms3dReadScene(
       name, *file, this->Permissions.IsYUp, [this] { return this->Store.IsStopped(); }));
-    lms3dLog("a client selected the scene " + std::string(name));
+    lms3dLog(lms3dLogKind::Scenes, "a client selected the scene " + std::string(name));
     return generation;
   }
   catch (const lms3dReadingStopped&)

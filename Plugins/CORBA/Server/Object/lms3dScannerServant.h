@@ -110,8 +110,8 @@ public:
   /// LMS3D::NotPermitted if the server has no callbacks, LMS3D::InvalidArgument for nil, and what
   /// lms3dListeners::Add() throws.
   CORBA::ULong subscribe(LMS3D::ScanListener_ptr listener) override;
-  /// Waits for a current call of the listener. Throws LMS3D::InvalidArgument if there is no such
-  /// subscription.
+  /// Does not wait for a current call of the listener. Throws LMS3D::InvalidArgument if there is no
+  /// such subscription.
   void unsubscribe(CORBA::ULong subscription) override;
 
 private:

@@ -90,9 +90,10 @@ void AddTLS(lms3dORBSettings& settings, const lms3dServerOptions& options)
       { "sslKeyPassword", "none" } });
 }
 
+// Without Unix sockets, which belong to other programs of this machine.
 void AddConnectRules(lms3dORBSettings& settings, const lms3dServerOptions& options)
 {
-  const std::string transports = " unix,ssl,tcp";
+  const std::string transports = " ssl,tcp";
   settings.emplace_back("clientTransportRule", "127.0.0.1/255.255.255.255" + transports);
   for (const std::string& address : options.ConnectTo)
   {
@@ -107,11 +108,11 @@ lms3dORBSettings lms3dGetORBSettings(const lms3dServerOptions& options)
   lms3dORBSettings settings = {
     { "endPoint", options.Endpoint },
     // Milliseconds: for a client that does not read its answer, and for a listener or a naming
-    // service that does not answer.
+    // service that does not answer. Without a time for connecting, which would begin anew with each
+    // connection.
     { "serverCallTimeOutPeriod", "5000" },
     { "clientCallTimeOutPeriod", "5000" },
-    // When the server ends, it waits for a listener's call. TCP repeats a lost packet after a second.
-    { "clientConnectTimeOutPeriod", options.Callbacks ? "500" : "2000" },
+    { "clientConnectTimeOutPeriod", "0" },
     // A client that sends requests without reading answers occupies four threads at most.
     { "maxServerThreadPerConnection", "4" },
     // Above this number of connections all share a pool of threads, and clients that send half a

@@ -25,7 +25,7 @@ void LogIfAny(const std::string& name, const std::string& message)
 {
   if (!message.empty())
   {
-    lms3dLog("scene " + name + ": " + message);
+    lms3dLog(lms3dLogKind::Scenes, "scene " + name + ": " + message);
   }
 }
 

@@ -1,0 +1,158 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Listeners that forward calls without end, name other transports or forge lines of the log disturb
+neither the server nor other clients."""
+
+import contextlib
+import re
+import socket
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import giop
+from raw_listener import (
+    Forwarder, make_profile, make_unix_component, subscribe, unsubscribe)
+from server_process import Server, wait_until
+
+# Seconds until the server ends.
+MAXIMUM_SECONDS = 8
+MAXIMUM_LISTENERS = 16
+# A port without a listening socket.
+CLOSED_PORT = 1
+LINE = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z [ -~]{1,1010}")
+
+
+class ListenerTest(unittest.TestCase):
+    """A server with callbacks for each test."""
+
+    def setUp(self):
+        self.server = self.enterContext(Server("--callbacks"))
+        self.client = self.enterContext(self.server.connect())
+        self.threads = self.server.count_threads()
+
+    def check_end(self):
+        """SIGTERM ends the server in time."""
+        code, seconds = self.server.stop()
+        self.assertEqual(code, 0)
+        self.assertLess(seconds, MAXIMUM_SECONDS)
+
+    def wait_for_log(self, words, count=1):
+        """Until the log has the words so often."""
+        self.assertTrue(wait_until(lambda: self.server.read_log().count(words) >= count),
+                        self.server.read_log())
+
+
+class ForwardTest(ListenerTest):
+    """Each answer of the listener forwards the call to the listener itself."""
+
+    def test_it_is_dropped(self):
+        """A forward does not renew the time of a call, not even with a new connection."""
+        for closes in (False, True):
+            with self.subTest(closes=closes), Forwarder(closes) as listener:
+                subscribe(self.client, listener.profile)
+                self.wait_for_log(f"is dropped: giop:tcp:127.0.0.1:{listener.port}")
+                self.assertGreaterEqual(listener.count, 3)
+        self.check_end()
+
+    def test_the_server_ends(self):
+        """In the middle of the calls."""
+        with contextlib.ExitStack() as stack:
+            listeners = [stack.enter_context(Forwarder(closes)) for closes in (False, True) * 4]
+            for listener in listeners:
+                subscribe(self.client, listener.profile)
+            self.assertTrue(wait_until(lambda: all(listener.count for listener in listeners)))
+            self.check_end()
+
+    def test_unsubscribe_answers(self):
+        """It does not wait for the call."""
+        with Forwarder() as listener:
+            number = subscribe(self.client, listener.profile)
+            self.assertTrue(wait_until(lambda: listener.count))
+            start = time.monotonic()
+            unsubscribe(self.client, number)
+            self.assertLess(time.monotonic() - start, MAXIMUM_SECONDS)
+        self.check_end()
+
+    def test_the_limit_counts_current_calls(self):
+        """A client that subscribes and unsubscribes in a loop gets no further threads."""
+        refused = 0
+        with contextlib.ExitStack() as stack:
+            listeners = [stack.enter_context(Forwarder()) for _ in range(40)]
+            for listener in listeners:
+                try:
+                    number = subscribe(self.client, listener.profile)
+                except giop.UserException as problem:
+                    self.assertIn("LimitExceeded", str(problem))
+                    refused += 1
+                    continue
+                wait_until(lambda listener=listener: listener.count, 2)
+                unsubscribe(self.client, number)
+                self.assertLessEqual(self.server.count_threads(),
+                                     self.threads + MAXIMUM_LISTENERS + 10)
+        # The places are free again.
+        with Forwarder() as listener:
+            self.assertTrue(wait_until(lambda: self.subscribes(listener)))
+        self.check_end()
+
+    def subscribes(self, listener):
+        """Whether there is a place."""
+        with contextlib.suppress(giop.UserException):
+            unsubscribe(self.client, subscribe(self.client, listener.profile))
+            return True
+        return False
+
+
+class AddressTest(ListenerTest):
+    """Addresses that the server must not use, or must not write as they are."""
+
+    def setUp(self):
+        super().setUp()
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def test_a_unix_socket(self):
+        """The subscription is refused, and the server does not connect."""
+        path = str(self.folder / "socket")
+        with socket.socket(socket.AF_UNIX) as other:
+            other.bind(path)
+            other.listen()
+            other.settimeout(1)
+            profile = make_profile(b"127.0.0.1", CLOSED_PORT, [make_unix_component(path)])
+            with self.assertRaisesRegex(giop.UserException, "InvalidArgument"):
+                subscribe(self.client, profile)
+            with self.assertRaises(TimeoutError):
+                other.accept()
+        self.wait_for_log(f"neither TCP nor TLS: giop:unix:{path}")
+        self.check_end()
+
+    def test_a_host_that_forges_lines(self):
+        """The log has printable characters only, and its lines are not too long."""
+        hosts = (b"a\n2026-01-01T00:00:00.000Z forged", b"\x1b[2J\xff", b"x" * 60000)
+        for host in hosts:
+            subscribe(self.client, make_profile(host, CLOSED_PORT))
+        self.wait_for_log("is dropped", len(hosts))
+        self.check_end()
+        log = self.server.read_log()
+        for line in log.splitlines():
+            self.assertRegex(line, LINE)
+            self.assertIsNotNone(LINE.fullmatch(line), line)
+        self.assertIn(r"giop:tcp:[a\n2026-01-01T00:00:00.000Z forged]:1", log)
+        self.assertIn(r"giop:tcp:\x1b[2J\xff:1", log)
+
+    def test_refusals_are_limited(self):
+        """The log counts the lines that it leaves out."""
+        profile = make_profile(b"127.0.0.1", CLOSED_PORT, [make_unix_component("/no/such")])
+        for _ in range(200):
+            with self.assertRaises(giop.UserException):
+                subscribe(self.client, profile)
+        self.check_end()
+        log = self.server.read_log()
+        written = log.count("a subscription is refused")
+        left_out = sum(map(int, re.findall(r"listeners: (\d+) lines were left out", log)))
+        self.assertEqual(written + left_out, 200)
+        self.assertGreater(left_out, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
