@@ -72,9 +72,11 @@ public:
       if (this->LeftOut != 0 || this->Waiting.size() + line.size() >= MaximumBytes)
       {
         ++this->LeftOut;
-        return;
       }
-      this->Waiting.append(line).push_back('\n');
+      else
+      {
+        this->Waiting.append(line).push_back('\n');
+      }
     }
     this->Changed.notify_all();
   }

@@ -37,7 +37,7 @@ lms3dStopSignal::~lms3dStopSignal()
     this->Ended = true;
   }
   // Wakes the thread if no signal has arrived.
-  pthread_kill(this->Thread.native_handle(), SIGTERM);
+  pthread_kill(this->Thread.native_handle(), SIGINT);
   this->Thread.join();
 }
 
