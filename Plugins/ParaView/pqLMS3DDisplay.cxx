@@ -79,19 +79,25 @@ Color PickMapColor(vtkSMProxy* added)
   return found == MapColors.end() ? MapColors[used.size() % MapColors.size()] : *found;
 }
 
+// Lets one look into a closed room from outside.
+void OpenRoom(vtkSMProxy* shown)
+{
+  constexpr double ambient = 0.3; // ParaView's lights leave walls dark that are seen from above.
+  vtkSMPropertyHelper(shown, "Ambient", true).Set(ambient);
+  vtkSMPropertyHelper(shown, "Diffuse", true).Set(1 - ambient);
+  vtkSMPropertyHelper(shown, "BackfaceRepresentation", true)
+    .Set(vtkGeometryRepresentationWithFaces::CULL_BACKFACE);
+}
+
 void ColorMap(vtkSMProxy* shown)
 {
   const Color color = PickMapColor(shown);
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown);
   vtkSMPropertyHelper(shown, "ColorArrayName", true)
     .SetInputArrayToProcess(vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
-  // ParaView's lights leave walls dark that are seen from above.
-  constexpr double ambient = 0.3;
-  vtkSMPropertyHelper(shown, "Ambient", true).Set(ambient);
   vtkSMPropertyHelper(shown, "AmbientColor", true).Set(color.data(), 3);
   vtkSMPropertyHelper(shown, "DiffuseColor").Set(color.data(), 3);
-  vtkSMPropertyHelper(shown, "BackfaceRepresentation", true)
-    .Set(vtkGeometryRepresentationWithFaces::CULL_BACKFACE);
+  OpenRoom(shown);
   shown->UpdateVTKObjects();
 }
 
@@ -101,8 +107,7 @@ void ColorErrors(vtkSMProxy* shown)
   vtkSMPVRepresentationProxy::SetScalarColoring(shown, "LargestError", vtkDataObject::CELL);
   vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(
     shown, "LargestError", vtkDataObject::CELL);
-  vtkSMPropertyHelper(shown, "BackfaceRepresentation", true)
-    .Set(vtkGeometryRepresentationWithFaces::CULL_BACKFACE);
+  OpenRoom(shown);
   shown->UpdateVTKObjects();
 }
 

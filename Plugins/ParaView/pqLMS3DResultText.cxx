@@ -42,8 +42,9 @@ QString GetDistances(const vtkPVDataInformation* results, const char* name)
     return QString();
   }
   const auto millimetres = [&](int component)
-  { return QString::number(1000 * errors->GetComponentRange(component)[0], 'f', 1) + " mm"; };
-  return "mean " + millimetres(0) + ", 95 % " + millimetres(2) + ", maximum " + millimetres(3);
+  { return QString::number(1000 * errors->GetComponentRange(component)[0], 'f', 1); };
+  return "mean " + millimetres(0) + ", 95 % " + millimetres(2) + ", maximum " + millimetres(3) +
+    " mm";
 }
 
 // Empty if the comparison has no results.

@@ -14,6 +14,7 @@
 #include <vtkSMTrace.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -48,6 +49,7 @@ void pqLMS3DStartPose::shutdown()
 void pqLMS3DStartPose::place(pqPipelineSource* created)
 {
   constexpr double height = 1.0; // metres above the floor
+  constexpr double steps = 1e6; // in a metre, so that the panel shows short numbers
   vtkSMProxy* scan = created->getProxy();
   if (std::strcmp(scan->GetXMLName(), "LMS3DScan") != 0 || !IsAtOrigin(scan))
   {
@@ -61,6 +63,10 @@ void pqLMS3DStartPose::place(pqPipelineSource* created)
   double position[3];
   scene.GetCenter(position);
   position[2] = std::min(position[2], scene.GetBound(4) + height);
+  for (double& coordinate : position)
+  {
+    coordinate = std::round(coordinate * steps) / steps;
+  }
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", scan);
   vtkSMPropertyHelper(scan, "Position").Set(position, 3);
   scan->UpdateVTKObjects();
