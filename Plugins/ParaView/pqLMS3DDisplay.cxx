@@ -9,6 +9,7 @@
 #include <pqDataRepresentation.h>
 #include <pqRenderView.h>
 #include <pqServerManagerModel.h>
+#include <pqUndoStack.h>
 
 #include <QPointer>
 #include <QTimer>
@@ -147,6 +148,7 @@ bool IsCameraNew(vtkSMProxy* view)
 // The elevation, along x, upwards; the platform angle, along y, to the right.
 void StandUpright(pqView* view)
 {
+  SCOPED_UNDO_EXCLUDE(); // no step of its own
   vtkSMProxy* proxy = view->getProxy();
   vtkSMPropertyHelper(proxy, "InteractionMode").Set(vtkPVRenderView::INTERACTION_MODE_2D);
   TurnCamera(proxy, { 0, 0, -1 }, { 1, 0, 0 });

@@ -8,6 +8,7 @@
 #include <pqDataRepresentation.h>
 #include <pqScalarBarRepresentation.h>
 #include <pqServerManagerModel.h>
+#include <pqUndoStack.h>
 
 #include <QTimer>
 
@@ -51,6 +52,7 @@ void AddUnit(const pqRepresentation* legend)
     { return ShowsLMS3D(shown) && GetColors(shown) == GetColors(legend); });
   if (found != GetTitles().end() && isUsed)
   {
+    SCOPED_UNDO_EXCLUDE(); // no step of its own
     vtkSMPropertyHelper(legend->getProxy(), "Title", true).Set(found->second);
     legend->getProxy()->UpdateVTKObjects();
   }

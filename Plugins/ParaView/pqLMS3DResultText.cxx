@@ -58,8 +58,8 @@ QString DescribeResults(vtkSMProxy* comparison)
     return QString();
   }
   const double tolerance = vtkSMPropertyHelper(comparison, "Tolerance").GetAsDouble();
-  return "Within " + QString::number(1000 * tolerance) + " mm: " + correctness + " of the map, " +
-    GetPercent(results, "Completeness") + " of the visible scene" +
+  return "Within " + QString::number(1000 * tolerance) + " mm: map " + correctness +
+    ", visible scene " + GetPercent(results, "Completeness") +
     "\nMap to scene: " + GetDistances(results, "MapToScene") +
     "\nScene to map: " + GetDistances(results, "SceneToMap");
 }
