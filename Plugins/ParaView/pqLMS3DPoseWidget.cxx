@@ -71,8 +71,8 @@ void pqLMS3DPoseWidget::placeWidget()
 // Without the balls, which resize a box, and on top of the scene.
 void pqLMS3DPoseWidget::styleBox()
 {
-  auto* box = vtkBoxRepresentation::SafeDownCast(
-    this->widgetProxy()->GetRepresentationProxy()->GetClientSideObject());
+  vtkSMProxy* proxy = this->widgetProxy()->GetRepresentationProxy();
+  auto* box = vtkBoxRepresentation::SafeDownCast(proxy->GetClientSideObject());
   if (box)
   {
     box->HandlesOff();
@@ -124,8 +124,7 @@ void pqLMS3DPoseWidget::beginDrag()
 }
 
 //------------------------------------------------------------------------------
-// Ends the step after ParaView has taken over the last pose. With Auto Apply, the last scan is a part of
-// the step.
+// Later, when ParaView has the last pose. With Auto Apply, the last scan is a part of the step.
 void pqLMS3DPoseWidget::endDrag()
 {
   QTimer::singleShot(0, this, SLOT(endUndoStep()));
@@ -207,20 +206,18 @@ void pqLMS3DPoseWidget::setView(pqView* shown)
 void pqLMS3DPoseWidget::updateWidgetVisibility()
 {
   const bool wanted = this->WidgetVisibility;
-  const bool possible = !this->hasTrajectory();
-  this->WidgetVisibility = wanted && possible && this->isSceneShown();
+  this->WidgetVisibility = wanted && !this->hasTrajectory() && this->isSceneShown();
   this->Superclass::updateWidgetVisibility();
   this->WidgetVisibility = wanted;
   if (auto* shown = this->findChild<QCheckBox*>("show3DWidget"))
   {
-    shown->setEnabled(possible);
+    shown->setEnabled(!this->hasTrajectory());
   }
   this->showAxes();
 }
 
 //------------------------------------------------------------------------------
-// Keeps the user's choice. ParaView cannot distinguish a box hidden by a trajectory from a box hidden
-// by the user.
+// Keeps the user's choice, which ParaView takes from the box.
 void pqLMS3DPoseWidget::hideEvent(QHideEvent* event)
 {
   const bool wanted = this->WidgetVisibility;
