@@ -72,8 +72,7 @@ void pqLMS3DPoseWidget::placeWidget()
 void pqLMS3DPoseWidget::styleBox()
 {
   vtkSMProxy* proxy = this->widgetProxy()->GetRepresentationProxy();
-  auto* box = vtkBoxRepresentation::SafeDownCast(proxy->GetClientSideObject());
-  if (box)
+  if (auto* box = vtkBoxRepresentation::SafeDownCast(proxy->GetClientSideObject()))
   {
     box->HandlesOff();
     box->OutlineCursorWiresOff(); // lines from face to face
