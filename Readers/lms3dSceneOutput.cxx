@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dSceneOutput.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationIntegerKey.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -104,6 +107,7 @@ void AddShapes(const lms3dScene& scene, vtkPolyData* surface)
   shapeIds->SetNumberOfValues(Size(scene).Triangles);
   vtkNew<vtkStringArray> names;
   names->SetName("ShapeNames");
+  names->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1); // no choice for colouring
   int* shapeId = shapeIds->GetPointer(0);
   for (const lms3dShape& shape : scene.Shapes)
   {

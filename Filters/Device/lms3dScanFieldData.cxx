@@ -4,6 +4,8 @@
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationIntegerKey.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
@@ -19,6 +21,7 @@ void AddDoubles(vtkFieldData* fieldData, const char* name, const double* values,
   array->SetName(name);
   array->SetNumberOfValues(count);
   std::copy(values, values + count, array->GetPointer(0));
+  array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1); // no choice for colouring
   fieldData->AddArray(array);
 }
 } // namespace

@@ -2,96 +2,144 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqLMS3DPoseWidget.h"
 
+#include "lms3dOutputOf.h"
+#include "lms3dPoseControls.h"
+#include "lms3dSensorPose.h"
+
+#include <pqApplicationCore.h>
 #include <pqCoreUtilities.h>
+#include <pqPVApplicationCore.h>
+#include <pqPipelineSource.h>
+#include <pqPointPickingHelper.h>
+#include <pqRepresentation.h>
+#include <pqServerManagerModel.h>
+#include <pqUndoStack.h>
 #include <pqView.h>
 
 #include <QCheckBox>
+#include <QTimer>
 
-#include <vtkAxesActor.h>
-#include <vtkBoundingBox.h>
+#include <vtkBoxRepresentation.h>
 #include <vtkCommand.h>
-#include <vtkPVDataInformation.h>
-#include <vtkPVRenderView.h>
-#include <vtkRenderer.h>
+#include <vtkPVGeneralSettings.h>
 #include <vtkSMNewWidgetRepresentationProxy.h>
 #include <vtkSMPropertyHelper.h>
-#include <vtkSMSourceProxy.h>
 #include <vtkSMViewProxy.h>
 #include <vtkTransform.h>
 
-namespace
-{
-// Half the width of the box, metres: large enough to be dragged in a hall, small enough not to hide a
-// room.
-double GetHalfWidth(vtkSMProxy* scan)
-{
-  constexpr double share = 0.02; // of the scene's diagonal
-  constexpr double withoutScene = 0.25;
-  const vtkSMPropertyHelper input(scan, "Input", true);
-  auto* scene = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  if (!scene)
-  {
-    return withoutScene;
-  }
-  const vtkBoundingBox bounds(scene->GetDataInformation(input.GetOutputPort())->GetBounds());
-  return bounds.IsValid() && bounds.GetDiagonalLength() > 0 ? share * bounds.GetDiagonalLength()
-                                                            : withoutScene;
-}
-} // namespace
+#include <algorithm>
 
 //------------------------------------------------------------------------------
 pqLMS3DPoseWidget::pqLMS3DPoseWidget(
   vtkSMProxy* smproxy, vtkSMPropertyGroup* group, QWidget* parentWidget)
   : Superclass(smproxy, group, parentWidget, true)
+  , Drag(this->widgetProxy()->GetWidget())
 {
-  this->Frame->AxisLabelsOff();
-  this->Frame->PickableOff();
   this->pqLMS3DPoseWidget::placeWidget();
-  this->hideBoundsControls();
+  this->styleBox();
+  lms3dArrangePoseControls(this);
+  this->pickByKeys();
   this->followPose();
-  this->connect(this, SIGNAL(widgetVisibilityUpdated(bool)), SLOT(showFrame(bool)));
   this->followTrajectory();
+  this->connect(this, SIGNAL(startInteraction()), SLOT(beginDrag()));
+  this->connect(this, SIGNAL(endInteraction()), SLOT(endDrag()));
 }
 
 //------------------------------------------------------------------------------
 pqLMS3DPoseWidget::~pqLMS3DPoseWidget()
 {
-  this->removeFrame();
+  if (this->InUndoStep)
+  {
+    END_UNDO_SET();
+  }
 }
 
 //------------------------------------------------------------------------------
 void pqLMS3DPoseWidget::placeWidget()
 {
-  const double half = GetHalfWidth(this->proxy());
+  const double half = lms3dGetHandleHalfWidth(this->proxy());
   const double bounds[6] = { -half, half, -half, half, -half, half };
   vtkSMProxy* box = this->widgetProxy();
   vtkSMPropertyHelper(box, "UseReferenceBounds").Set(1);
   vtkSMPropertyHelper(box, "ReferenceBounds").Set(bounds, 6);
   vtkSMPropertyHelper(box, "PlaceWidget").Set(bounds, 6);
   box->UpdateVTKObjects();
-  this->Frame->SetTotalLength(3 * half, 3 * half, 3 * half); // longer than the box
+  this->Axes.SetLength(3 * half); // longer than the box
 }
 
 //------------------------------------------------------------------------------
-QCheckBox* pqLMS3DPoseWidget::getShowBox() const
+// Without the balls, which resize a box, and on top of the scene.
+void pqLMS3DPoseWidget::styleBox()
 {
-  return this->findChild<QCheckBox*>("show3DWidget");
-}
-
-//------------------------------------------------------------------------------
-// Hides the controls that fit the box to the bounds of the input.
-void pqLMS3DPoseWidget::hideBoundsControls()
-{
-  if (QCheckBox* shown = this->getShowBox())
+  vtkSMProxy* proxy = this->widgetProxy()->GetRepresentationProxy();
+  if (auto* box = vtkBoxRepresentation::SafeDownCast(proxy->GetClientSideObject()))
   {
-    shown->setText(tr("Show Sensor"));
+    box->HandlesOff();
+    box->OutlineCursorWiresOff(); // lines from face to face
+    lms3dSensorAxes::DrawOnTop(box);
   }
-  for (const char* name : { "resetBounds", "visibleBoundsOnly" })
+}
+
+//------------------------------------------------------------------------------
+void pqLMS3DPoseWidget::pickByKeys()
+{
+  const auto pick = [this](const QString& keys, const char* slot)
   {
-    if (auto* widget = this->findChild<QWidget*>(name))
+    auto* helper = new pqPointPickingHelper(QKeySequence(keys), false, this);
+    helper->connect(this, SIGNAL(viewChanged(pqView*)), SLOT(setView(pqView*)));
+    this->connect(helper, SIGNAL(pick(double, double, double)), slot);
+  };
+  pick("P", SLOT(moveOver(double, double, double)));
+  pick("Shift+P", SLOT(moveTo(double, double, double)));
+}
+
+//------------------------------------------------------------------------------
+void pqLMS3DPoseWidget::moveOver(double x, double y, double)
+{
+  this->moveTo(x, y, vtkSMPropertyHelper(this->widgetProxy(), "Position").GetAsDouble(2));
+}
+
+//------------------------------------------------------------------------------
+void pqLMS3DPoseWidget::moveTo(double x, double y, double z)
+{
+  if (this->hasTrajectory())
+  {
+    return;
+  }
+  const double position[3] = { x, y, z };
+  vtkSMPropertyHelper(this->widgetProxy(), "Position").Set(position, 3);
+  this->widgetProxy()->UpdateVTKObjects();
+  Q_EMIT this->changeAvailable();
+  Q_EMIT this->changeFinished();
+  this->render();
+}
+
+//------------------------------------------------------------------------------
+void pqLMS3DPoseWidget::beginDrag()
+{
+  this->endUndoStep();
+  BEGIN_UNDO_SET(tr("Move Sensor"));
+  this->InUndoStep = true;
+}
+
+//------------------------------------------------------------------------------
+// Later, when ParaView has the last pose. With Auto Apply, the last scan is a part of the step.
+void pqLMS3DPoseWidget::endDrag()
+{
+  QTimer::singleShot(0, this, SLOT(endUndoStep()));
+}
+
+//------------------------------------------------------------------------------
+void pqLMS3DPoseWidget::endUndoStep()
+{
+  if (this->InUndoStep)
+  {
+    this->InUndoStep = false;
+    if (vtkPVGeneralSettings::GetInstance()->GetAutoApply())
     {
-      widget->hide();
+      pqPVApplicationCore::instance()->triggerApply();
     }
+    END_UNDO_SET();
   }
 }
 
@@ -101,9 +149,9 @@ void pqLMS3DPoseWidget::followPose()
   for (const char* name : { "Position", "Rotation" })
   {
     pqCoreUtilities::connect(
-      this->widgetProxy()->GetProperty(name), vtkCommand::ModifiedEvent, this, SLOT(moveFrame()));
+      this->widgetProxy()->GetProperty(name), vtkCommand::ModifiedEvent, this, SLOT(showAxes()));
   }
-  this->moveFrame();
+  this->showAxes();
 }
 
 //------------------------------------------------------------------------------
@@ -111,6 +159,11 @@ void pqLMS3DPoseWidget::followTrajectory()
 {
   pqCoreUtilities::connect(this->proxy()->GetProperty("Trajectory"), vtkCommand::ModifiedEvent,
     this, SLOT(updateWidgetVisibility()));
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  if (auto* scan = model->findItem<pqPipelineSource*>(this->proxy()))
+  {
+    this->connect(scan, SIGNAL(dataUpdated(pqPipelineSource*)), SLOT(showAxes()));
+  }
   this->pqLMS3DPoseWidget::updateWidgetVisibility();
 }
 
@@ -121,23 +174,49 @@ bool pqLMS3DPoseWidget::hasTrajectory() const
 }
 
 //------------------------------------------------------------------------------
-// Hides the box while there is a trajectory. Keeps the user's choice for the time after it.
-void pqLMS3DPoseWidget::updateWidgetVisibility()
+// Not if the view shows a range image, because its axes are angles.
+bool pqLMS3DPoseWidget::isSceneShown() const
 {
-  const bool wanted = this->WidgetVisibility;
-  const bool possible = !this->hasTrajectory();
-  this->WidgetVisibility = wanted && possible;
-  this->Superclass::updateWidgetVisibility();
-  this->WidgetVisibility = wanted;
-  if (QCheckBox* shown = this->getShowBox())
+  const QList<pqRepresentation*> all =
+    this->view() ? this->view()->getRepresentations() : QList<pqRepresentation*>();
+  return this->view() &&
+    std::none_of(all.begin(), all.end(),
+      [](const pqRepresentation* shown)
+      { return shown->isVisible() && lms3dIsOutputOf(shown->getProxy(), "LMS3DScan", 1); });
+}
+
+//------------------------------------------------------------------------------
+void pqLMS3DPoseWidget::setView(pqView* shown)
+{
+  if (this->view())
   {
-    shown->setEnabled(possible);
+    QObject::disconnect(this->view(), nullptr, this, SLOT(updateWidgetVisibility()));
+  }
+  this->Superclass::setView(shown);
+  if (this->view())
+  {
+    this->connect(this->view(), SIGNAL(representationVisibilityChanged(pqRepresentation*, bool)),
+      SLOT(updateWidgetVisibility()));
   }
 }
 
 //------------------------------------------------------------------------------
-// Keeps the user's choice. ParaView cannot distinguish a box hidden by a trajectory from a box hidden
-// by the user.
+// Hides the box while there is a trajectory. Keeps the user's choice for the time after it.
+void pqLMS3DPoseWidget::updateWidgetVisibility()
+{
+  const bool wanted = this->WidgetVisibility;
+  this->WidgetVisibility = wanted && !this->hasTrajectory() && this->isSceneShown();
+  this->Superclass::updateWidgetVisibility();
+  this->WidgetVisibility = wanted;
+  if (auto* shown = this->findChild<QCheckBox*>("show3DWidget"))
+  {
+    shown->setEnabled(!this->hasTrajectory());
+  }
+  this->showAxes();
+}
+
+//------------------------------------------------------------------------------
+// Keeps the user's choice, which ParaView takes from the box.
 void pqLMS3DPoseWidget::hideEvent(QHideEvent* event)
 {
   const bool wanted = this->WidgetVisibility;
@@ -146,44 +225,25 @@ void pqLMS3DPoseWidget::hideEvent(QHideEvent* event)
 }
 
 //------------------------------------------------------------------------------
-void pqLMS3DPoseWidget::moveFrame()
+void pqLMS3DPoseWidget::showAxes()
 {
-  double position[3];
-  double rotation[3];
-  vtkSMPropertyHelper(this->widgetProxy(), "Position").Get(position, 3);
-  vtkSMPropertyHelper(this->widgetProxy(), "Rotation").Get(rotation, 3);
+  this->Axes.Hide();
   vtkNew<vtkTransform> pose;
-  pose->Translate(position);
-  pose->RotateZ(rotation[2]);
-  pose->RotateX(rotation[0]);
-  pose->RotateY(rotation[1]);
-  this->Frame->SetUserTransform(pose);
+  if (this->WidgetVisibility && this->isSelected() && this->isSceneShown() && this->getPose(pose))
+  {
+    this->Axes.SetPose(pose);
+    this->Axes.ShowIn(this->view()->getProxy());
+  }
+  this->render();
 }
 
 //------------------------------------------------------------------------------
-// Uses the renderer of ParaView's widgets, which draws on the client even if a server renders.
-void pqLMS3DPoseWidget::showFrame(bool visible)
+bool pqLMS3DPoseWidget::getPose(vtkTransform* pose) const
 {
-  this->removeFrame();
-  if (!visible || !this->view())
+  if (this->hasTrajectory())
   {
-    return;
+    return lms3dGetPoseOfScan(this->proxy(), pose);
   }
-  auto* shown = vtkPVRenderView::SafeDownCast(this->view()->getViewProxy()->GetClientSideObject());
-  if (shown)
-  {
-    this->Renderer = shown->GetNonCompositedRenderer();
-    this->Renderer->AddActor(this->Frame);
-    this->render();
-  }
-}
-
-//------------------------------------------------------------------------------
-void pqLMS3DPoseWidget::removeFrame()
-{
-  if (this->Renderer)
-  {
-    this->Renderer->RemoveActor(this->Frame);
-  }
-  this->Renderer = nullptr;
+  lms3dGetPoseOfBox(this->widgetProxy(), pose);
+  return true;
 }

@@ -121,6 +121,21 @@ class TestRoom(unittest.TestCase):
         patches = vtk_to_numpy(surface.GetCellData().GetArray("PatchId"))
         self.assertEqual(patches.max() + 1, results.GetArray("NumberOfPatches").GetValue(0))
 
+    def test_field_arrays_are_no_choice_for_colouring(self):
+        comparison = LMS3DMapComparison(Map=self.map, Scene=self.reader)
+        bounded = LMS3DSurfaceReconstruction(Input=self.scan)
+        for proxy, wanted in ((self.scan, "Range"), (bounded, "PatchId"), (comparison, "Error")):
+            with self.subTest(proxy.GetXMLName()):
+                display = simple.Show(proxy)
+                listed = display.SMProxy.GetProperty("ColorArrayName").FindDomain(
+                    "vtkSMArrayListDomain")
+                names = {listed.GetString(i) for i in range(listed.GetNumberOfStrings())}
+                self.assertIn(wanted, names)
+                fields = output(proxy).GetFieldData()
+                self.assertGreater(fields.GetNumberOfArrays(), 2)
+                hidden = {fields.GetArrayName(i) for i in range(fields.GetNumberOfArrays())}
+                self.assertEqual(names & hidden, set())
+
     def test_map_is_compared_with_the_scene(self):
         for scan in ({}, {"Scan": self.scan}):
             comparison = LMS3DMapComparison(Map=self.map, Scene=self.reader, **scan)

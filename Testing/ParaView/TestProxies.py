@@ -109,8 +109,8 @@ class TestProxies(unittest.TestCase):
         }
         self.assertEqual(grouped, {
             "Pose": ["Position", "Orientation"],
-            "Angles": ["AlphaRange", "AlphaResolution", "BetaRange", "BetaResolution"],
-            "Range": ["MinimumRange", "MaximumRange"],
+            "Angles (degrees)": ["AlphaRange", "AlphaResolution", "BetaRange", "BetaResolution"],
+            "Range (metres)": ["MinimumRange", "MaximumRange"],
             "Method": ["IntersectionMethod", "NumberOfThreads"],
         })
 

@@ -19,6 +19,7 @@ from paraview.vtk.util.numpy_support import vtk_to_numpy
 DATA = Path(os.environ["LMS3D_DATA_DIR"])
 SENSOR = [0.3, -0.2, 1.0]
 TILT = [5.0, -3.0, 40.0]
+CENTRE = [1.475, 0.07, 1.5]  # of the room, where DragSensor.xml puts the sensor
 
 simple.LoadPlugin(os.environ["LMS3D_PLUGIN"], remote=False, ns=globals())
 
@@ -123,6 +124,29 @@ class TestWindow(unittest.TestCase):
         afresh = LMS3DScan(Input=VRMLReader(FileName=str(DATA / "room.wrl")),
                            Position=list(scan.Position))
         np.testing.assert_array_equal(points(LMS3DSurfaceReconstruction(Input=afresh)), seen)
+
+    def pose(self, name):
+        """Position and orientation of the sensor in a state."""
+        self.load(name)
+        scan = source("LMS3DScan")
+        return np.array(list(scan.Position)), np.array(list(scan.Orientation))
+
+    def test_left_button_turned_the_sensor_about_the_vertical_axis(self):
+        position, angles = self.pose("DragTurned.pvsm")
+        np.testing.assert_allclose(position, CENTRE, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(angles[:2], 0, rtol=0, atol=1e-6)
+        self.assertGreater(angles[2], 5)
+
+    def test_ctrl_moved_the_sensor_at_its_height(self):
+        (_, turned), (position, angles) = self.pose("DragTurned.pvsm"), self.pose("DragMoved.pvsm")
+        np.testing.assert_allclose(angles, turned, rtol=0, atol=1e-6)
+        self.assertAlmostEqual(position[2], CENTRE[2], places=9)
+        self.assertGreater(np.linalg.norm(position - CENTRE), 0.2)
+
+    def test_shift_moved_the_sensor_out_of_its_plane(self):
+        position, angles = self.pose("DragFree.pvsm")
+        np.testing.assert_allclose(angles, 0, rtol=0, atol=1e-6)
+        self.assertGreater(abs(position[2] - CENTRE[2]), 0.1)
 
     def test_map_came_back_with_its_colours(self):
         self.load("TwoSensors.pvsm")

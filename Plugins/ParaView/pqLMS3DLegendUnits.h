@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqLMS3DLegendUnits
+ * @brief adds the unit to the legends of ranges, errors and angles
+ *
+ * Changes the title of a new legend that an output of LMS3D uses, such as Range to Range (m). A legend
+ * that a state, undo or redo restores keeps its title.
+ */
+
+#ifndef pqLMS3DLegendUnits_h
+#define pqLMS3DLegendUnits_h
+
+#include <QObject>
+
+class pqRepresentation;
+
+class pqLMS3DLegendUnits : public QObject
+{
+  Q_OBJECT
+  typedef QObject Superclass;
+
+public:
+  explicit pqLMS3DLegendUnits(QObject* parent = nullptr);
+
+  void startup();
+  void shutdown();
+
+private Q_SLOTS:
+  void label(pqRepresentation* added);
+
+private:
+  Q_DISABLE_COPY(pqLMS3DLegendUnits)
+};
+
+#endif
