@@ -118,6 +118,7 @@ private:
   void AddPoints(lms3dMesh& mesh) const
   {
     std::vector<lms3dVector> spine;
+    spine.reserve(this->Sections);
     for (std::size_t section = 0; section < this->Sections; ++section)
     {
       spine.push_back(this->GetSpinePoint(section));

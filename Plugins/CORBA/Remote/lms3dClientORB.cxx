@@ -25,6 +25,6 @@ CORBA::ORB_ptr MakeORB()
 
 CORBA::ORB_ptr lms3dGetClientORB()
 {
-  static const CORBA::ORB_ptr orb = MakeORB();
+  static auto* const orb = MakeORB();
   return orb;
 }
