@@ -119,11 +119,7 @@ void lms3dServer::Announce(CORBA::ORB_ptr orb, CORBA::Object_ptr scanner)
       orb, this->Options.NamingService, this->Options.Name, scanner);
   }
   const std::string corbaloc = lms3dGetCorbaloc(addresses, ObjectKey);
-  if (!corbaloc.empty())
-  {
-    lms3dPrint(corbaloc);
-  }
-  lms3dPrint(reference.in());
+  lms3dPrint((corbaloc.empty() ? "" : corbaloc + '\n') + reference.in());
 }
 
 // Unbinding the name needs a working ORB. Waiting calls and listeners end before the ORB waits for
