@@ -82,7 +82,6 @@ lms3dServer::~lms3dServer()
 
 void lms3dServer::Start(CORBA::ORB_ptr orb)
 {
-  this->Loop.Start();
   if (this->Options.Callbacks)
   {
     this->Listeners.Start();
@@ -101,6 +100,8 @@ void lms3dServer::Start(CORBA::ORB_ptr orb)
   manager->activate();
   lms3dRequestGate::Open();
   this->Announce(orb, scanner);
+  // Last, so that a listener that subscribes at once gets the first scan.
+  this->Loop.Start();
 }
 
 void lms3dServer::Announce(CORBA::ORB_ptr orb, CORBA::Object_ptr scanner)
