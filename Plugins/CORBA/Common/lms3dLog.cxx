@@ -85,10 +85,10 @@ void lms3dLog(lms3dLogKind kind, const std::string& text)
   GetLimit(kind).Write(text);
 }
 
-void lms3dPrint(const std::string& line)
+void lms3dPrint(const std::string& lines)
 {
   GetLog().Flush(Moment);
-  GetOutput().Write(line);
+  GetOutput().Write(lines);
 }
 
 void lms3dFinishLog()

@@ -24,9 +24,9 @@ void lms3dLog(const std::string& text);
 /// The same, with the limit of the line's kind.
 void lms3dLog(lms3dLogKind kind, const std::string& text);
 
-/// Writes a line to the standard output, in the same way. First gives earlier lines of the log a
-/// moment, so that a reader of both sees them first.
-void lms3dPrint(const std::string& line);
+/// Writes lines to the standard output as they are, without waiting either. First gives earlier lines
+/// of the log a moment, so that a reader of both sees them first.
+void lms3dPrint(const std::string& lines);
 
 /// Waits until everything is written, half a second at most for each of both streams. Call at the end
 /// of the process.

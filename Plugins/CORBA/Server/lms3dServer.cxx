@@ -95,7 +95,6 @@ lms3dServer::~lms3dServer()
 
 void lms3dServer::Start(CORBA::ORB_ptr orb)
 {
-  this->Loop.Start();
   if (this->Options.Callbacks)
   {
     this->Listeners.Start();
@@ -114,6 +113,8 @@ void lms3dServer::Start(CORBA::ORB_ptr orb)
   manager->activate();
   lms3dRequestGate::Open();
   this->Announce(orb, scanner);
+  // Last, so that a listener that subscribes at once gets the first scan.
+  this->Loop.Start();
 }
 
 void lms3dServer::Announce(CORBA::ORB_ptr orb, CORBA::Object_ptr scanner)
@@ -132,11 +133,7 @@ void lms3dServer::Announce(CORBA::ORB_ptr orb, CORBA::Object_ptr scanner)
       orb, this->Options.NamingService, this->Options.Name, scanner);
   }
   const std::string corbaloc = lms3dGetCorbaloc(addresses, ObjectKey);
-  if (!corbaloc.empty())
-  {
-    lms3dPrint(corbaloc);
-  }
-  lms3dPrint(reference.in());
+  lms3dPrint((corbaloc.empty() ? "" : corbaloc + '\n') + reference.in());
 }
 
 // Unbinding the name needs a working ORB. Waiting calls and listeners end before the ORB waits for
