@@ -33,11 +33,16 @@ class TestExamples(unittest.TestCase):
         self.folder = Path(folder.name)
         (self.folder / "Data").symlink_to(ROOT / "Data")
 
+    def run_program(self, *arguments):
+        """The outcome of a successful run."""
+        done = subprocess.run(arguments, cwd=self.folder, capture_output=True, text=True,
+                              timeout=280, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
     def run_python(self, *arguments):
         """The output of a run without any error or warning."""
-        done = subprocess.run([sys.executable, *arguments], cwd=self.folder, capture_output=True,
-                              text=True, timeout=280, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.run_program(sys.executable, *arguments)
         self.assertEqual(done.stderr, "")
         return done.stdout
 
@@ -63,7 +68,12 @@ class TestExamples(unittest.TestCase):
         # A scan first: the comparisons read what it writes.
         for words in sorted(commands, key=lambda command: not command.startswith("scan ")):
             with self.subTest(words):
-                self.run_python("-m", "lms3d", *words.split())
+                if "|" in words:
+                    # What the command prints is on the standard error here.
+                    self.run_program(
+                        "bash", "-o", "pipefail", "-c", f"'{sys.executable}' -m lms3d {words}")
+                else:
+                    self.run_python("-m", "lms3d", *words.split())
 
 
 if __name__ == "__main__":
