@@ -169,6 +169,7 @@ TEST(RemoteFaults, WithoutAURLAnyMore)
   ServerProcess server;
   WatchingSource source(server.GetCorbaloc());
   source->Update();
+  source->SetPosition(0.3, -0.2, 1.0);
   source->SendPose();
   source->SetURL("");
   source->Update();

@@ -106,10 +106,18 @@ class TestInterrupt(CommandLineTest):
         self.assert_interrupted("measuring", "advise", ROOM, *POSE, "--tolerance", 0.001)
 
     def test_writing(self):
-        for ending in ("csv", "ply", "vtp"):
+        for ending in ("csv", "vtp"):
             with self.subTest(ending):
                 self.assert_interrupted("writing", "scan", ROOM, *POSE, *LARGE,
                                         "-o", self.folder / f"scan.{ending}")
+
+    def test_writing_to_a_pipe_that_is_not_read(self):
+        path = self.folder / "scan.ply"
+        os.mkfifo(path)
+        reader = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
+        self.addCleanup(os.close, reader)
+        # The scan itself takes milliseconds.
+        self.assert_interrupted("scanning", "scan", ROOM, *POSE, "-o", path)
 
     def test_a_series(self):
         path = self.folder / "path.vtp"
