@@ -38,7 +38,7 @@
  * @par Surface attributes
  * If SurfaceAttributes is on, the scan has more point data, in this order:
  * - `Normals` (float32, 3 components, the active normals): the unit normal of the triangle that the
- *   beam hit, towards the sensor. The side is that of Position, without rounding errors. (Only with
+ *   beam hit, towards the sensor. Rounding never turns it to the other side. (Only with
  *   FAST a beam can hit a triangle whose plane contains the sensor. Its normal is on the side from
  *   which its corners are counter-clockwise.)
  * - `Incidence` (float32): the angle between the beam and the normal, 0 to 90 degrees. 0 means that
@@ -133,7 +133,7 @@
  * In addition to the input and the outputs: for EXACT and FAST 24 bytes for each point and 12 for
  * each triangle (20 if some cells are not triangles), and Embree's structure; while a changed scene
  * is compared with the last one, its points and triangles again; 4 bytes for each beam, and 20 more
- * with several processes; with SurfaceAttributes 28 bytes for each return while they are filled. The
+ * with several processes; with SurfaceAttributes 28 bytes for each return, more with global ids, while they are filled. The
  * memory of outputs that were released is kept for the next scan.
  *
  * @sa

@@ -193,7 +193,8 @@ public:
   ///@{
   /**
    * The maximum memory for nodes, values, meshes and the output, in bytes; released memory counts
-   * too. The reader keeps the shapes before the limit. Minimum: 0. Default: 2,000,000,000 (2 GB).
+   * too. The reader keeps the shapes before the limit; a file that exceeds it before its first shape is
+   * made gives no output. Minimum: 0. Default: 2,000,000,000 (2 GB).
    */
   vtkSetClampMacro(MaximumMemory, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaximumMemory, vtkTypeInt64);

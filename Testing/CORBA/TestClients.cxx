@@ -130,9 +130,14 @@ TEST_P(ScannerClient, ReportsThatItMayNotMoveTheSensor)
 
 TEST_P(ScannerClient, PrintsNoScanFromWhereAnotherClientMovedTheSensor)
 {
-  // Another client sends hundreds of poses during each scan.
+  // Another client sends hundreds of poses during each scan. Seldom a scan begins between the client's
+  // pose and the next one of the other client.
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const LMS3D::Configuration configuration = GetCoarseGrid();
+  scanner->setConfiguration(configuration);
+  const std::vector<float> expected =
+    DirectPipeline("room.wrl", At(0.4, -0.3, 0.9), configuration).Triples;
   std::atomic<bool> isOver(false);
   std::thread other(
     [&]
@@ -142,7 +147,15 @@ TEST_P(ScannerClient, PrintsNoScanFromWhereAnotherClientMovedTheSensor)
         scanner->setPose(At(0.0, 0.0, 1.0));
       }
     });
-  const Outcome outcome = RunClient(GetParam(), server.GetCorbaloc(), { "0.4", "-0.3", "0.9" });
+  Outcome outcome{ 0, "" };
+  for (int i = 0; i < 20 && outcome.Code == 0; ++i)
+  {
+    outcome = RunClient(GetParam(), server.GetCorbaloc(), { "0.4", "-0.3", "0.9" });
+    if (outcome.Code == 0)
+    {
+      EXPECT_EQ(ReadTable(outcome), expected);
+    }
+  }
   isOver = true;
   other.join();
   EXPECT_EQ(outcome.Code, 1);
