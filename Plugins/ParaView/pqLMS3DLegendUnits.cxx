@@ -25,7 +25,8 @@ const std::map<std::string, const char*>& GetTitles()
 {
   static const std::map<std::string, const char*> titles{ { "Range", "Range (m)" },
     { "Error", "Error (m)" }, { "LargestError", "Largest Error (m)" },
-    { "Alpha", "Alpha (degrees)" }, { "Beta", "Beta (degrees)" } };
+    { "Alpha", "Alpha (degrees)" }, { "Beta", "Beta (degrees)" },
+    { "Incidence", "Incidence (degrees)" } };
   return titles;
 }
 

@@ -102,7 +102,8 @@ void pqLMS3DPoseWidget::moveOver(double x, double y, double)
 //------------------------------------------------------------------------------
 void pqLMS3DPoseWidget::moveTo(double x, double y, double z)
 {
-  if (this->hasTrajectory())
+  // A hidden box does not move, and the axes of a range image are angles.
+  if (!this->WidgetVisibility)
   {
     return;
   }
@@ -135,9 +136,10 @@ void pqLMS3DPoseWidget::endUndoStep()
   if (this->InUndoStep)
   {
     this->InUndoStep = false;
-    if (vtkPVGeneralSettings::GetInstance()->GetAutoApply())
+    auto* application = pqPVApplicationCore::instance();
+    if (application && vtkPVGeneralSettings::GetInstance()->GetAutoApply())
     {
-      pqPVApplicationCore::instance()->triggerApply();
+      application->triggerApply();
     }
     END_UNDO_SET();
   }

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plays a user's actions in ParaView's window, as tuples (object, command, argument).
 
-Objects are named from the main window; a dialog without a parent begins with "/". An action with the command CHECK compares a property, written
-"name=value", and ParaView exits with another code than 0 if the value differs.
+Objects are named from the main window; a dialog without a parent begins with "/". An action with
+the command CHECK compares a property, written "name=value", and ParaView exits with another code
+than 0 if the value differs.
 """
 
 import os
