@@ -91,6 +91,13 @@ class TestProxies(unittest.TestCase):
                 menu = make().SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
                 self.assertEqual(menu.GetAttribute("category"), "LMS3D")
 
+    def test_the_short_help_has_the_words_of_the_field(self):
+        """ParaView's quick search finds them from version 5.13 on."""
+        for make in (LMS3DScan, LMS3DSurfaceReconstruction, compare):
+            for word in ("lidar", "laser", "range"):
+                with self.subTest(make.__name__, word=word):
+                    self.assertIn(word, make().SMProxy.GetDocumentation().GetShortHelp())
+
     def test_labels(self):
         self.assertEqual(VRMLReader().GetXMLLabel(), "VRML Reader")
         self.assertEqual(LMS3DScan().GetXMLLabel(), "LMS3D Scan")

@@ -143,6 +143,10 @@ class TestTrajectory(WindowTest):
             window.expect_cells(0), window.expect(box, "enabled", "true"))
 
 
+VERSION = tuple(int(part) for part in os.environ["LMS3D_PARAVIEW_VERSION"].split(".")[:2])
+
+
+@unittest.skipIf(VERSION >= (5, 13), "another dialog, which searches the filters' short help")
 class TestQuickSearch(WindowTest):
     """Ctrl+Space and words."""
 
