@@ -23,6 +23,7 @@ constexpr double StepOfSingleBeam = 1.0;
 std::vector<double> GetValues(vtkDataArray* array)
 {
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     values.push_back(array->GetTuple1(i));
