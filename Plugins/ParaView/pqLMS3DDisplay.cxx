@@ -105,9 +105,11 @@ void ColorMap(vtkSMProxy* shown)
 void ColorErrors(vtkSMProxy* shown)
 {
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown);
-  vtkSMPVRepresentationProxy::SetScalarColoring(shown, "LargestError", vtkDataObject::CELL);
-  vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(
-    shown, "LargestError", vtkDataObject::CELL);
+  if (auto* display = vtkSMPVRepresentationProxy::SafeDownCast(shown))
+  {
+    display->SetScalarColoring("LargestError", vtkDataObject::CELL);
+    display->RescaleTransferFunctionToDataRange("LargestError", vtkDataObject::CELL);
+  }
   OpenRoom(shown);
   shown->UpdateVTKObjects();
 }

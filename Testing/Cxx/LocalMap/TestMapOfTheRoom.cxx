@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -141,6 +142,7 @@ TEST(MapOfTheRoom, HasSoundShapes)
 {
   vtkSmartPointer<vtkPolyData> map = MakeMap(MakeScan(GetRoom()), 0.01);
   std::vector<double> angles;
+  angles.reserve(static_cast<std::size_t>(map->GetNumberOfCells()));
   for (vtkIdType cell = 0; cell < map->GetNumberOfCells(); ++cell)
   {
     angles.push_back(GetSmallestAngle(map, cell));
