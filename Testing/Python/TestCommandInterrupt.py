@@ -26,6 +26,8 @@ from command_line import COARSE, POSE, POSITION, ROOM, CommandLineTest, room, ru
 from lms3d.execution import update
 
 HUGE = ("--alpha-resolution", 10000, "--beta-resolution", 10000)
+LARGE = ("--alpha-resolution", 2000, "--beta-resolution", 2000)
+
 # The command line, which prints "running" when its window handles events.
 WINDOW = """
 import sys
@@ -43,7 +45,20 @@ run_window, viewer.Window.run = viewer.Window.run, run
 sys.exit(cli.main())
 """
 
-LARGE = ("--alpha-resolution", 2000, "--beta-resolution", 2000)
+# The command line; Ctrl-C comes while its window is drawn first.
+DRAWING = """
+import signal
+import sys
+from lms3d import cli, figure
+
+def render(self):
+    observer = self.window.AddObserver("StartEvent", lambda *_: signal.raise_signal(signal.SIGINT))
+    render_figure(self)
+    self.window.RemoveObserver(observer)
+
+render_figure, figure.Figure.render = figure.Figure.render, render
+sys.exit(cli.main())
+"""
 
 
 class Process:
@@ -164,10 +179,7 @@ class TestInterrupt(CommandLineTest):
         self.assertEqual((process.returncode, errors), (130, "lms3d: error: interrupted\n"))
 
     def test_a_window_that_has_not_opened_yet(self):
-        program = ("import signal\nfrom lms3d import figure\nrender = figure.Figure.render\n"
-                   "figure.Figure.render = lambda *x: (render(*x), "
-                   "signal.raise_signal(signal.SIGINT))\n")
-        process = subprocess.run([sys.executable, "-c", program + WINDOW, "view", str(ROOM)],
+        process = subprocess.run([sys.executable, "-c", DRAWING, "view", str(ROOM)],
                                  capture_output=True, text=True, timeout=60, check=False)
         self.assertEqual((process.returncode, process.stderr), (130, "lms3d: error: interrupted\n"))
 
@@ -176,7 +188,7 @@ class TestInterrupt(CommandLineTest):
             with self.subTest(module), tempfile.TemporaryDirectory() as folder:
                 Path(folder, f"{module}.py").write_text(
                     "import signal\nsignal.raise_signal(signal.SIGINT)\n")
-                result = run("info", ROOM, PYTHONPATH=f"{folder}:{os.environ['PYTHONPATH']}")
+                result = run("info", ROOM, PYTHONPATH=f"{folder}:{os.environ.get('PYTHONPATH', '')}")
                 self.assertEqual((result.returncode, result.stderr),
                                  (130, "lms3d: error: interrupted\n"))
 

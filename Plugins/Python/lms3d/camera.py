@@ -45,9 +45,9 @@ def frame(camera, points, direction, aspect):
 def reframe(camera, points, old_aspect, aspect):
     """Move the camera after its picture got another aspect.
 
-    The camera keeps its direction, and the user's zoom relative to the whole scene. If all points
-    were in the view of a camera that `frame` placed, they stay there. If all points
-    coincide, the camera stays.
+    The camera keeps its direction, and the user's zoom relative to the whole scene. If its view is
+    centred on the points and holds them all, they stay in it. If all points coincide, the camera
+    stays.
     """
     if not np.ptp(points, axis=0).any():
         return
