@@ -188,7 +188,8 @@ class TestInterrupt(CommandLineTest):
             with self.subTest(module), tempfile.TemporaryDirectory() as folder:
                 Path(folder, f"{module}.py").write_text(
                     "import signal\nsignal.raise_signal(signal.SIGINT)\n")
-                result = run("info", ROOM, PYTHONPATH=f"{folder}:{os.environ.get('PYTHONPATH', '')}")
+                folders = f"{folder}:{os.environ.get('PYTHONPATH', '')}"
+                result = run("info", ROOM, PYTHONPATH=folders)
                 self.assertEqual((result.returncode, result.stderr),
                                  (130, "lms3d: error: interrupted\n"))
 
@@ -228,8 +229,9 @@ class TestLibrary(unittest.TestCase):
 
         mesh = room()
         scan = lms3d.scan(mesh, POSITION)
-        for name, call in (("vtkLMS3DScanFilter", lambda: lms3d.scan(mesh, POSITION)),
-                           ("vtkLMS3DSurfaceReconstructionFilter", lambda: lms3d.reconstruct(scan))):
+        calls = {"vtkLMS3DScanFilter": lambda: lms3d.scan(mesh, POSITION),
+                 "vtkLMS3DSurfaceReconstructionFilter": lambda: lms3d.reconstruct(scan)}
+        for name, call in calls.items():
             algorithm_class = getattr(lms3d, name)
             with self.subTest(name):
                 with mock.patch(f"lms3d.scanning.{name}", lambda: make(algorithm_class)), \
