@@ -8,9 +8,12 @@ import select
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
+from pathlib import Path
+from unittest import mock
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -19,11 +22,43 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import lms3d
-from command_line import COARSE, POSE, ROOM, CommandLineTest, write
+from command_line import COARSE, POSE, POSITION, ROOM, CommandLineTest, room, run, write
 from lms3d.execution import update
 
 HUGE = ("--alpha-resolution", 10000, "--beta-resolution", 10000)
 LARGE = ("--alpha-resolution", 2000, "--beta-resolution", 2000)
+
+# The command line, which prints "running" when its window handles events.
+WINDOW = """
+import sys
+from lms3d import cli, viewer
+
+def run(window):
+    def show(*_):
+        window.interactor.RemoveObserver(observer)
+        print("running", flush=True)
+
+    observer = window.interactor.AddObserver("TimerEvent", show)
+    run_window(window)
+
+run_window, viewer.Window.run = viewer.Window.run, run
+sys.exit(cli.main())
+"""
+
+# The command line; Ctrl-C comes while its window is drawn first.
+DRAWING = """
+import signal
+import sys
+from lms3d import cli, figure
+
+def render(self):
+    observer = self.window.AddObserver("StartEvent", lambda *_: signal.raise_signal(signal.SIGINT))
+    render_figure(self)
+    self.window.RemoveObserver(observer)
+
+render_figure, figure.Figure.render = figure.Figure.render, render
+sys.exit(cli.main())
+"""
 
 
 class Process:
@@ -116,8 +151,7 @@ class TestInterrupt(CommandLineTest):
         os.mkfifo(path)
         reader = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
         self.addCleanup(os.close, reader)
-        # The scan itself takes milliseconds.
-        self.assert_interrupted("scanning", "scan", ROOM, *POSE, "-o", path)
+        self.assert_interrupted("writing", "scan", ROOM, *POSE, "-o", path)
 
     def test_a_series(self):
         path = self.folder / "path.vtp"
@@ -136,14 +170,28 @@ class TestInterrupt(CommandLineTest):
         write(vtkXMLPolyDataWriter(), trajectory, path)
 
     def test_the_window(self):
-        process = subprocess.Popen([sys.executable, "-m", "lms3d", "view", str(ROOM)],
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                   env={**os.environ, "PYTHONUNBUFFERED": "1"})
-        self.assertIn("room.wrl", process.stdout.readline())
-        time.sleep(5)
+        process = subprocess.Popen([sys.executable, "-c", WINDOW, "view", str(ROOM)],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.assertIn("running\n", iter(process.stdout.readline, ""))
+        time.sleep(0.5)  # the window waits for an event
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=30)
         self.assertEqual((process.returncode, errors), (130, "lms3d: error: interrupted\n"))
+
+    def test_a_window_that_has_not_opened_yet(self):
+        process = subprocess.run([sys.executable, "-c", DRAWING, "view", str(ROOM)],
+                                 capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual((process.returncode, process.stderr), (130, "lms3d: error: interrupted\n"))
+
+    def test_the_start(self):
+        for module in ("numpy", "argparse"):  # of the package, and of its command line
+            with self.subTest(module), tempfile.TemporaryDirectory() as folder:
+                Path(folder, f"{module}.py").write_text(
+                    "import signal\nsignal.raise_signal(signal.SIGINT)\n")
+                folders = f"{folder}:{os.environ.get('PYTHONPATH', '')}"
+                result = run("info", ROOM, PYTHONPATH=folders)
+                self.assertEqual((result.returncode, result.stderr),
+                                 (130, "lms3d: error: interrupted\n"))
 
 
 class TestLibrary(unittest.TestCase):
@@ -172,6 +220,25 @@ class TestLibrary(unittest.TestCase):
         sensor.GetInputAlgorithm(0, 0).Modified()
         update(sensor, "scanning", "cannot scan")
         self.assertEqual(sensor.GetOutput().GetNumberOfPoints(), 361 * 360)
+
+    def test_functions(self):
+        def make(algorithm_class):
+            algorithm = algorithm_class()
+            algorithm.AddObserver("StartEvent", lambda *_: signal.raise_signal(signal.SIGINT))
+            return algorithm
+
+        mesh = room()
+        scan = lms3d.scan(mesh, POSITION)
+        calls = {"vtkLMS3DScanFilter": lambda: lms3d.scan(mesh, POSITION),
+                 "vtkLMS3DSurfaceReconstructionFilter": lambda: lms3d.reconstruct(scan)}
+        for name, call in calls.items():
+            algorithm_class = getattr(lms3d, name)
+            with self.subTest(name):
+                with mock.patch(f"lms3d.scanning.{name}", lambda: make(algorithm_class)), \
+                        self.assertRaises(KeyboardInterrupt):
+                    call()
+                self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+                call()
 
     def test_a_handler_of_the_program_stays(self):
         calls = []

@@ -95,6 +95,11 @@ class TestProblems(CommandLineTest):
         words = self.refused(1, "scan", "nowhere.wrl", *POSE, "-o", self.target)
         self.assertIn("nowhere.wrl", words)
 
+    def test_names_that_the_system_refuses(self):
+        name = 300 * "x" + ".wrl"
+        expected = f"lms3d: error: cannot use '{name}': File name too long\n"
+        self.assertEqual(self.refused(1, "info", name), expected)
+
     def test_a_scene_that_is_a_folder(self):
         for name in ("scene", "scene.wrl"):
             with self.subTest(name):

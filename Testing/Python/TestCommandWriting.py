@@ -185,6 +185,27 @@ class TestArrays(CommandLineTest):
         self.assertIn(b"element vertex ", (self.folder / "empty.ply").read_bytes())
         self.assertEqual((self.folder / "empty.stl").read_bytes()[80:], bytes(4))
 
+    def test_the_permissions_of_a_file_stay(self):
+        from lms3d.results import save
+
+        path = self.folder / "kept.csv"
+        path.touch()
+        for mode in (0o600, 0o664):
+            path.chmod(mode)
+            save(self._scan(1), path)
+            self.assertEqual(stat.S_IMODE(path.stat().st_mode), mode)
+
+    def test_a_temporary_file_that_exists_is_not_touched(self):
+        from lms3d.problems import Problem
+        from lms3d.results import save
+
+        other = self.folder / f".new.{os.getpid()}.csv"
+        other.write_text("other")
+        with self.assertRaisesRegex(Problem, f"delete '{other}' first"):
+            save(self._scan(1), self.folder / "new.csv")
+        self.assertEqual(other.read_text(), "other")
+        self.assertFalse((self.folder / "new.csv").exists())
+
     def test_ids_that_ply_s_integers_cannot_hold(self):
         from lms3d.results import save
 

@@ -149,6 +149,11 @@ class TestOptions(unittest.TestCase):
         self.assertEqual((scan.alpha[0], scan.alpha[-1], scan.beta[0], scan.beta[-1]),
                          (-40, 50, -30, 100))
 
+    def test_surface_attributes(self):
+        self.assertIsNone(tetrahedron().poly.GetPointData().GetArray("Incidence"))
+        scan = tetrahedron(surface_attributes=True)
+        self.assertEqual(len(array(scan.poly, "Incidence")), len(scan.points))
+
     def test_methods_and_threads(self):
         expected = tetrahedron().ranges
         for method in METHODS:

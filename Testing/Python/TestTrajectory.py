@@ -5,12 +5,16 @@
 
 import io
 import re
+import signal
 import unittest
 from contextlib import redirect_stderr
+from pathlib import Path
+from unittest import mock
 from xml.etree import ElementTree
 
 import numpy as np
 from lms3d.problems import Problem
+from lms3d.results import replace
 from lms3d.scene import read_scene
 from lms3d.simulation import Simulation
 from lms3d.trajectory import Series, TrajectoryScan
@@ -146,6 +150,43 @@ class TestTrajectory(CommandLineTest):
                 series.add(trajectory(), time)
             path.mkdir()
         self.assertFalse((self.folder / "scans.pvd").exists())
+
+    def replace_series(self):
+        """Replace a series of two old files and their list."""
+        self.names = ("scans.pvd", "scans_0000.vtp", "scans_0001.vtp")
+        for name in self.names:
+            (self.folder / name).write_text("old")
+        with Series(self.folder / "scans.pvd", 2, ()) as series:
+            for time in (0.0, 1.0):
+                series.add(trajectory(), time)
+
+    def count_old_files(self):
+        """How many files of the series are old; there are no other files."""
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), sorted(self.names))
+        return sum((self.folder / name).read_text() == "old" for name in self.names)
+
+    def test_a_list_that_cannot_be_written_leaves_the_old_series(self):
+        with self.assertRaisesRegex(Problem, "scans.pvd': No space left"), \
+                mock.patch.object(Path, "write_text", self.fail_for_new_lists):
+            self.replace_series()
+        self.assertEqual(self.count_old_files(), 3)
+
+    @staticmethod
+    def fail_for_new_lists(path, text, encoding=None):
+        """Path.write_text on a disk that is full for a list."""
+        if text.startswith("<?xml"):
+            raise OSError(28, "No space left on device")
+        path.write_bytes(text.encode(encoding or "utf-8"))
+
+    def test_an_interrupted_series_is_complete(self):
+        def replace_and_interrupt(*paths):
+            replace(*paths)
+            signal.raise_signal(signal.SIGINT)
+
+        with self.assertRaises(KeyboardInterrupt), \
+                mock.patch("lms3d.trajectory.replace", replace_and_interrupt):
+            self.replace_series()
+        self.assertEqual(self.count_old_files(), 0)
 
 
 class Terminal(io.StringIO):

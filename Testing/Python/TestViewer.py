@@ -11,7 +11,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonTransforms import vtkTransform
 
-from lms3d.camera import level_axes
+from lms3d.camera import level_axes, reframe
 from lms3d.commands.demo import ROOM, simulate
 from lms3d.viewer import Viewer
 
@@ -127,6 +127,11 @@ class TestSize(WindowTest):
         self.assertGreater(np.linalg.norm(np.subtract(self.camera.GetPosition(), position)), 1)
         self.viewer.interactor.UpdateSize(*SIZE)
         np.testing.assert_allclose(self.camera.GetPosition(), position, atol=1e-9)
+
+    def test_a_single_point_has_no_zoom(self):
+        position = self.camera.GetPosition()
+        reframe(self.camera, np.array([[1.0, 2.0, 3.0]]), 1.0, 2.0)
+        self.assertEqual(self.camera.GetPosition(), position)
 
     def test_the_text_fits_the_window(self):
         parts = ("sensor 0.30  -0.20  1.00 m", "returns", "arrows", "x y z", "q: quit")

@@ -29,7 +29,6 @@ class Scene:
         reader = lms3d.vtkVRMLImporterSource()
         self._keep(reader, "ErrorEvent", self.errors)
         self._keep(reader, "WarningEvent", self.warnings)
-        self._keep(reader.GetExecutive(), "ErrorEvent", [])  # which repeats the error
         reader.SetFileName(str(path))
         for name, value in properties.items():
             getattr(reader, "Set" + name)(value)

@@ -19,6 +19,8 @@ Importing the package needs no display. The same job from a shell:
 ``python3 -m lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp``.
 """
 
+import sys
+
 from . import _loading
 
 try:
@@ -34,6 +36,10 @@ try:
     from .scanning import Scan, reconstruct, scan  # noqa: F401
 except ImportError as error:
     raise ImportError(_loading.explain(error), name=error.name, path=error.path) from error
+except KeyboardInterrupt:
+    if sys.argv[:1] != ["-m"]:  # Python's value while `python3 -m lms3d` loads the package
+        raise
+    _loading.exit_interrupted()
 
 
 def __getattr__(name):

@@ -4,6 +4,11 @@
 
 import sys
 
-from .cli import main
+from . import _loading
 
-sys.exit(main())
+try:
+    from .cli import main
+
+    sys.exit(main())
+except KeyboardInterrupt:
+    _loading.exit_interrupted()

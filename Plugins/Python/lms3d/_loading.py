@@ -26,11 +26,16 @@ def explain(error):
         from ._version import PYTHON, VTK_VERSION
     except ImportError:
         return (f"{_FOLDER} has the sources of lms3d without its compiled modules. In another "
-                f"folder, {_start_python()}, or {_set_path()}, or install the Debian package of "
-                "LMS3D")
+                f"folder, {_start_python()}{_set_path()}, or install the Debian package of LMS3D")
     return (f"cannot load lms3d from {_FOLDER} into {sys.executable}: {error}. It was built for "
-            f"{PYTHON} with VTK {VTK_VERSION}: {_start_python()}, or start {PYTHON} with "
+            f"{PYTHON} with VTK {VTK_VERSION}: {_start_python()}start {PYTHON} with "
             f"PYTHONPATH={_FOLDER.parent}")
+
+
+def exit_interrupted():
+    """End the process as the command line does after Ctrl-C."""
+    print("lms3d: error: interrupted", file=sys.stderr)
+    sys.exit(130)
 
 
 def _root():
@@ -40,7 +45,9 @@ def _root():
 
 
 def _start_python():
-    return f"start Python by '{_root() or '.'}/run python'"
+    """An advice for a build beside the sources; an installed package has no such script."""
+    root = _root()
+    return f"start Python by '{root}/run python', or " if root else ""
 
 
 def _set_path():

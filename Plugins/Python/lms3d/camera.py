@@ -45,9 +45,12 @@ def frame(camera, points, direction, aspect):
 def reframe(camera, points, old_aspect, aspect):
     """Move the camera after its picture got another aspect.
 
-    If all points were in the view, they stay there. The camera keeps its direction, and the user's
-    zoom relative to the whole scene.
+    The camera keeps its direction, and the user's zoom relative to the whole scene. If its view is
+    centred on the points and holds them all, they stay in it. If all points coincide, the camera
+    stays.
     """
+    if not np.ptp(points, axis=0).any():
+        return
     axes = _axes(camera)
     old_focus, old_distance = _fit(points, axes, camera.GetViewAngle(), old_aspect)
     new_focus, new_distance = _fit(points, axes, camera.GetViewAngle(), aspect)

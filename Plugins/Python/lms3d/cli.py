@@ -78,7 +78,7 @@ def main(arguments=None):
     except MemoryError:
         return _fail("not enough memory", Problem.exit_code)
     except OSError as error:
-        return _fail(_end_output(error), Problem.exit_code)
+        return _fail(_explain(error), Problem.exit_code)
     except KeyboardInterrupt:
         return _fail("interrupted", _INTERRUPTED)
     return 0
@@ -89,7 +89,12 @@ def _fail(message, exit_code):
     return exit_code
 
 
-def _end_output(error):
-    """Say why printing failed, and print no more: at its end Python would print a traceback."""
+def _explain(error):
+    """What failed: the use of a file, or else printing.
+
+    After printing has failed, print no more: at its end Python would print a traceback.
+    """
+    if error.filename is not None:
+        return f"cannot use '{error.filename}': {error.strerror}"
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     return f"cannot print to the standard output: {error.strerror}"

@@ -37,6 +37,7 @@ def _cut(content):
 def _convert_rows(count, convert):
     """A piece for each few rows of arrays, with progress; `convert` takes a slice of the rows."""
     with ProgressBar("writing") as bar:
+        bar.show(0)
         for first in range(0, count, _ROWS):
             yield convert(slice(first, min(first + _ROWS, count)))
             bar.show(min(first + _ROWS, count) / count)

@@ -3,8 +3,9 @@
 """Writes results. The file ending chooses the format; a failed write leaves no incomplete file."""
 
 import os
+import shutil
 import sys
-from contextlib import contextmanager, redirect_stdout
+from contextlib import closing, contextmanager, redirect_stdout
 from pathlib import Path
 
 from .formats import encode
@@ -100,17 +101,19 @@ def save(data, path, result=None, shown=None):
     """
     shown = "the standard output" if path == STREAM else f"'{shown or path}'"
     ending = STREAM_ENDINGS[result] if path == STREAM else Path(path).suffix.lower()
-    with _writing(shown):
-        pieces = encode(data, ending, f"cannot write {shown}")
-        with _opened(path) as file:
-            for piece in pieces:
-                file.write(piece)
+    with _writing(shown), closing(encode(data, ending, f"cannot write {shown}")) as pieces, \
+            _opened(path) as file:
+        for piece in pieces:
+            view = memoryview(piece)
+            while view:
+                view = view[file.write(view):]
 
 
-def save_text(text, path):
-    """Write a text. The file gets its name only when it is complete."""
-    with writing(path), _opened(path) as file:
-        file.write(text.encode())
+def replace(temporary, path):
+    """Give a complete file its name, and the permissions of the file that it replaces."""
+    if path.exists():
+        shutil.copymode(path, temporary)
+    os.replace(temporary, path)
 
 
 def writing(path):
@@ -130,15 +133,18 @@ def _writing(shown):
 
 @contextmanager
 def _opened(path):
-    """A binary file to write to: the standard output, a device or a pipe, or a new file."""
+    """A binary file to write to: the standard output, a device or a pipe, or a new file.
+
+    It has no buffer: after Ctrl-C, closing a file with a buffer could wait for a reader again.
+    """
     if path == STREAM:
-        with open(_STDOUT, "wb", closefd=False) as file:
+        with open(_STDOUT, "wb", buffering=0, closefd=False) as file:
             yield file
     elif _is_device(path):
-        with open(path, "wb") as file:
+        with open(path, "wb", buffering=0) as file:
             yield file
     else:
-        with _temporary(Path(path).resolve()) as temporary, open(temporary, "wb") as file:
+        with _temporary(Path(path).resolve()) as file:
             yield file
 
 
@@ -147,8 +153,13 @@ def _temporary(path):
     """A temporary file beside `path`: renamed to it after the block, deleted if the block fails."""
     temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
     try:
-        yield temporary
-        os.replace(temporary, path)
+        file = open(temporary, "xb", buffering=0)
+    except FileExistsError:
+        raise Problem(f"cannot write '{path}': delete '{temporary}' first") from None
+    try:
+        with file:
+            yield file
+        replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
 

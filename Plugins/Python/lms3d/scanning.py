@@ -11,6 +11,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from .interruption import abortable
 from .mesh import from_vtk, to_vtk
 from .messages import VTKMessages
 from .problems import Problem
@@ -46,7 +47,7 @@ class Scan:
 
 def scan(mesh, position, *, orientation=(0.0, 0.0, 0.0), alpha_range=(-90.0, 90.0),
          alpha_resolution=361, beta_range=(0.0, 360.0), beta_resolution=360, minimum_range=0.0,
-         maximum_range=80.0, method="exact", threads=0):
+         maximum_range=80.0, method="exact", threads=0, surface_attributes=False):
     """Scan a mesh from a position and return a Scan, whose fields are numpy arrays.
 
     Lengths are in metres, angles in degrees; z is up. Further scans of one mesh are faster with
@@ -63,6 +64,8 @@ def scan(mesh, position, *, orientation=(0.0, 0.0, 0.0), alpha_range=(-90.0, 90.
     minimum_range, maximum_range: a surface nearer or farther gives no return.
     method: exact, fast, angle-sum, moller-trumbore or static-cell-locator.
     threads: 1 to 1024; 0 stands for all cores. The result does not depend on it.
+    surface_attributes: whether the point data of `poly` also has what the beams hit: Normals,
+        Incidence, and the cell arrays of the mesh.
 
     Raises ValueError if an argument is invalid or the mesh has no polygons.
     """
@@ -79,6 +82,7 @@ def scan(mesh, position, *, orientation=(0.0, 0.0, 0.0), alpha_range=(-90.0, 90.
     sensor.SetMinimumRange(_to_number("minimum_range", minimum_range))
     sensor.SetMaximumRange(_to_number("maximum_range", maximum_range))
     sensor.SetIntersectionMethod(METHODS[method])
+    sensor.SetSurfaceAttributes(bool(surface_attributes))
     sensor.SetNumberOfThreads(_to_count("threads", threads, 0, MAXIMUM_THREADS))
     _update(sensor, "cannot scan")
     return _result(sensor)
@@ -117,8 +121,11 @@ def _result(sensor):
 
 
 def _update(algorithm, failure):
-    """Update; raises VTK's errors as ValueError, and repeats its warnings as Python's."""
-    with VTKMessages() as messages:
+    """Update; raises VTK's errors as ValueError, and repeats its warnings as Python's.
+
+    Ctrl-C aborts the algorithm and raises KeyboardInterrupt.
+    """
+    with VTKMessages() as messages, abortable(algorithm):
         algorithm.Update()
     if messages.errors:
         try:

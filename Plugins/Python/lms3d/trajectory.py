@@ -10,8 +10,9 @@ from xml.sax.saxutils import quoteattr
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from .execution import update
+from .interruption import interruptible
 from .problems import UsageProblem
-from .results import check_writable, save, save_text, writing
+from .results import check_writable, replace, save, writing
 
 
 class TrajectoryScan:
@@ -89,18 +90,24 @@ class Series:
         self._times.append(time)
 
     def __exit__(self, failure, *_):
-        try:
-            if failure is None:
-                self._publish()
-        finally:
-            shutil.rmtree(self._folder, ignore_errors=True)
+        with interruptible(lambda: None):  # Ctrl-C waits until all files have their names
+            try:
+                if failure is None:
+                    self._write_list()
+                    self._publish()
+            finally:
+                shutil.rmtree(self._folder, ignore_errors=True)
 
     def _publish(self):
-        for name in self._names:
+        for name in (*self._names, self._path.name):
             path = self._path.with_name(name)
             with writing(path):
-                os.replace(self._folder / name, path)
+                replace(self._folder / name, path)
+
+    def _write_list(self):
         entries = "".join(f'    <DataSet timestep="{time!r}" file={quoteattr(name)}/>\n'
                           for time, name in zip(self._times, self._names))
-        save_text('<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n'
-                  f"  <Collection>\n{entries}  </Collection>\n</VTKFile>\n", self._path)
+        with writing(self._path):
+            (self._folder / self._path.name).write_text(
+                '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n'
+                f"  <Collection>\n{entries}  </Collection>\n</VTKFile>\n", encoding="utf-8")

@@ -56,11 +56,13 @@ class Window:
 
     def run(self):
         """Show the window until it is closed, or until Ctrl-C in the terminal."""
-        self.refresh()
-        # Python handles Ctrl-C when VTK calls an observer.
-        self.interactor.AddObserver("TimerEvent", lambda *_: None)
-        self.interactor.CreateRepeatingTimer(_INTERRUPTION_INTERVAL)
-        with interruptible(self.interactor.TerminateApp):
+        with interruptible(self.interactor.TerminateApp) as interruptions:
+            self.refresh()
+            # Python handles Ctrl-C when VTK calls an observer. VTK forgets the end of the
+            # application if it comes before the start, so the observer repeats it.
+            self.interactor.AddObserver(
+                "TimerEvent", lambda *_: interruptions and self.interactor.TerminateApp())
+            self.interactor.CreateRepeatingTimer(_INTERRUPTION_INTERVAL)
             self.interactor.Start()
 
     def refresh(self):
