@@ -85,7 +85,7 @@ class ForwardTest(ListenerTest):
         self.check_end()
 
     def count_refused(self):
-        """Listeners that subscribe again, just after all places became those of ended listeners."""
+        """Listeners that subscribe again, just after as many were unsubscribed during a call."""
         refused = 0
         with contextlib.ExitStack() as stack:
             listeners = [stack.enter_context(Forwarder()) for _ in range(MAXIMUM_LISTENERS)]
