@@ -11,8 +11,8 @@
 #include <mutex>
 #include <thread>
 
-/// Exits at most five seconds after Begin(), unless this object is destroyed before. So a client, a listener or
-/// a naming service that does not answer cannot keep the server alive.
+/// Exits at most five seconds after Begin(), unless this object is destroyed before. So a client, a
+/// listener or a naming service that does not answer cannot keep the server alive.
 class lms3dExitLimit
 {
 public:
