@@ -10,7 +10,17 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from server_process import BEAMS, CLIENT, PAPER_CLIENT, Server, run_client
+from server_process import BEAMS, CLIENT, PAPER_CLIENT, Server, run_client, wait_until
+
+
+def count_listeners(server):
+    """The last number of the status."""
+    with server.connect() as client:
+        status = client.call("getStatus")
+    status.string()
+    for code, count in (("Q", 3), ("d", 1), ("Q", 1), ("d", 2), ("B", 2)):
+        status.numbers(code, count)
+    return status.numbers("I", 2)[1]
 
 
 class ClientTest(unittest.TestCase):
@@ -150,6 +160,9 @@ class PatienceTest(unittest.TestCase):
                 with self.subTest(rate=rate, number=number):
                     with Server("--callbacks", "--rate", rate) as server:
                         clients = [self.start(server, command) for command in ("listen", "watch")]
+                        # Without new settings, the next scan may be far away.
+                        self.assertTrue(wait_until(lambda: count_listeners(server) == 1))
+                        run_client(server.corbaloc, "pose", "0.5", "0.5", "1")
                         for client in clients:
                             self.assertIn("of room.wrl", client.stdout.readline())
                         server.stop(number)

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The server in a real naming service, omniNames."""
 
+import datetime
 import os
+import re
 import shutil
 import signal
 import socket
@@ -88,6 +90,20 @@ class NamingTest(unittest.TestCase):
             # Without a limit, a call may take five seconds.
             self.assertLess(seconds, 4)
             self.assertIn("the name stays in the naming service", server.read_log())
+
+    def test_scans_although_it_hangs(self):
+        """The first scan begins before the server stops waiting for the naming service."""
+        with socket.create_server(("127.0.0.1", 0)) as silent:
+            service = f"corbaloc:iiop:1.2@127.0.0.1:{silent.getsockname()[1]}/NameService"
+            with Server("--rate", "0.01", "--naming-service", service) as server:
+                line = re.search("^(.*)Z not registered", server.read_log(), re.MULTILINE)
+                end = datetime.datetime.fromisoformat(line[1] + "+00:00").timestamp()
+                with server.connect() as client:
+                    header = client.call(
+                        "waitForScan", lambda e: e.number("Q", 0).number("Q", 0).number("I", 10000))
+                number, _, _, start = header.numbers("Q", 4)
+                self.assertEqual(number, 1)
+                self.assertLess(start * 1e-9, end)
 
     def test_serves_without_it(self):
         """The log says so, and the server works otherwise."""

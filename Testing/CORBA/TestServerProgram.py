@@ -114,9 +114,10 @@ class StartTest(unittest.TestCase):
                      140 * b"x" + b".wrl"):
             (self.folder / name.decode(errors="surrogateescape")).write_bytes(room)
         with Server("--scenes", self.folder) as server:
-            for name in (r'"caf\xc3\xa9.wrl"', r'"two\x0alines.wrl"', r'"a\\\"\x1b.wrl"',
-                         f'"{140 * "x"}.wrl"'):
-                line = f" the scene {name} is left out: its name is longer than 128 characters or "
+            for name in (r"caf\xc3\xa9.wrl", r"two\nlines.wrl", r'a\"\x1b.wrl',
+                         140 * "x" + ".wrl"):
+                line = ("Z a scene is left out: its name is longer than 128 characters or not plain "
+                        f"ASCII: {name}\n")
                 self.assertTrue(wait_until(lambda: line in server.read_log(), 5), name)
             self.assertEqual(run_client(server.corbaloc, "scenes").stdout, "room.wrl\n")
 

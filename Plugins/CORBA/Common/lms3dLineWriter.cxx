@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Common/lms3dLineWriter.h"
 
+#include "Common/lms3dThreadWithoutSignals.h"
+
 #include <cerrno>
 #include <condition_variable>
-#include <csignal>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include <poll.h>
@@ -41,18 +41,6 @@ void WriteAll(int file, const std::string& text)
       return;
     }
   }
-}
-
-// The signals of the process are for other threads, and a closed pipe is no reason to end.
-template <typename Function>
-void StartWithoutSignals(Function function)
-{
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  std::thread(std::move(function)).detach();
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 } // namespace
 
@@ -137,7 +125,8 @@ private:
 lms3dLineWriter::lms3dLineWriter(int file, Describe describe)
   : Lines(std::make_shared<Queue>(file, std::move(describe)))
 {
-  StartWithoutSignals([lines = this->Lines] { lines->Run(); });
+  // The signals of the process are for other threads, and a closed pipe is no reason to end.
+  lms3dStartThreadWithoutSignals([lines = this->Lines] { lines->Run(); }).detach();
 }
 
 lms3dLineWriter::~lms3dLineWriter()

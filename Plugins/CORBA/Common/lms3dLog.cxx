@@ -15,7 +15,7 @@
 namespace
 {
 constexpr std::size_t MaximumLength = 1000;
-constexpr std::chrono::milliseconds Moment(200);
+constexpr std::chrono::milliseconds LogFlushTime(200);
 constexpr std::chrono::milliseconds FinishTime(500);
 
 std::string GetTime()
@@ -69,9 +69,10 @@ lms3dLineWriter& GetOutput()
 
 lms3dLogLimit& GetLimit(lms3dLogKind kind)
 {
-  static auto* const listeners = new lms3dLogLimit("listeners", lms3dLog);
-  static auto* const scenes = new lms3dLogLimit("scenes", lms3dLog);
-  return kind == lms3dLogKind::Listeners ? *listeners : *scenes;
+  // In the order of lms3dLogKind.
+  static auto* const limits = new lms3dLogLimit[]{ { "listeners", lms3dLog }, { "scans", lms3dLog },
+    { "scenes", lms3dLog }, { "VTK", lms3dLog } };
+  return limits[static_cast<std::size_t>(kind)];
 }
 } // namespace
 
@@ -87,14 +88,17 @@ void lms3dLog(lms3dLogKind kind, const std::string& text)
 
 void lms3dPrint(const std::string& lines)
 {
-  GetLog().Flush(Moment);
+  GetLog().Flush(LogFlushTime);
   GetOutput().Write(lines);
 }
 
 void lms3dFinishLog()
 {
-  GetLimit(lms3dLogKind::Listeners).Report();
-  GetLimit(lms3dLogKind::Scenes).Report();
+  for (const lms3dLogKind kind :
+    { lms3dLogKind::Listeners, lms3dLogKind::Scans, lms3dLogKind::Scenes, lms3dLogKind::VTK })
+  {
+    GetLimit(kind).Report();
+  }
   GetLog().Flush(FinishTime);
   GetOutput().Flush(FinishTime);
 }

@@ -13,7 +13,9 @@
 enum class lms3dLogKind
 {
   Listeners,
-  Scenes
+  Scans,
+  Scenes,
+  VTK
 };
 
 /// Writes the time in UTC and a line of text to the standard error, in printable ASCII; see

@@ -3,15 +3,22 @@
 #include "lms3dExitLimit.h"
 
 #include "Common/lms3dLog.h"
+#include "Common/lms3dThreadWithoutSignals.h"
 
 #include <chrono>
 #include <cstdlib>
 
 namespace
 {
-// As long as a client may take to read an answer; see lms3dGetORBSettings().
-constexpr std::chrono::seconds MaximumEnd(5);
+// lms3dFinishLog() adds a second at most.
+constexpr std::chrono::seconds MaximumEnd(4);
 } // namespace
+
+// lms3dStopSignal, which blocks the signals in later threads, is created after this object.
+lms3dExitLimit::lms3dExitLimit()
+  : Thread(lms3dStartThreadWithoutSignals([this] { this->Run(); }))
+{
+}
 
 lms3dExitLimit::~lms3dExitLimit()
 {
@@ -20,28 +27,31 @@ lms3dExitLimit::~lms3dExitLimit()
     this->Ended = true;
   }
   this->Changed.notify_all();
-  if (this->Thread.joinable())
-  {
-    this->Thread.join();
-  }
+  this->Thread.join();
 }
 
 void lms3dExitLimit::Begin(int exitCode)
 {
-  const std::lock_guard<std::mutex> lock(this->Mutex);
-  if (!this->Thread.joinable())
   {
-    this->Thread = std::thread([this, exitCode] { this->Run(exitCode); });
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->Begun)
+    {
+      return;
+    }
+    this->Begun = true;
+    this->ExitCode = exitCode;
   }
+  this->Changed.notify_all();
 }
 
-void lms3dExitLimit::Run(int exitCode)
+void lms3dExitLimit::Run()
 {
   std::unique_lock<std::mutex> lock(this->Mutex);
+  this->Changed.wait(lock, [this] { return this->Begun || this->Ended; });
   if (!this->Changed.wait_for(lock, MaximumEnd, [this] { return this->Ended; }))
   {
     lms3dLog("ended; clients, listeners or the naming service did not answer in time");
     lms3dFinishLog();
-    std::_Exit(exitCode);
+    std::_Exit(this->ExitCode);
   }
 }

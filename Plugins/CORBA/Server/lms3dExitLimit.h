@@ -11,12 +11,13 @@
 #include <mutex>
 #include <thread>
 
-/// Exits five seconds after Begin(), unless this object is destroyed before. So a client, a listener or
-/// a naming service that does not answer cannot keep the server alive.
+/// Exits at most five seconds after Begin(), unless this object is destroyed before. So a client, a
+/// listener or a naming service that does not answer cannot keep the server alive.
 class lms3dExitLimit
 {
 public:
-  lms3dExitLimit() = default;
+  /// Starts a thread, because threads may have run out when the end begins.
+  lms3dExitLimit();
   ~lms3dExitLimit();
   lms3dExitLimit(const lms3dExitLimit&) = delete;
   void operator=(const lms3dExitLimit&) = delete;
@@ -25,11 +26,13 @@ public:
   void Begin(int exitCode);
 
 private:
-  void Run(int exitCode);
+  void Run();
 
   std::mutex Mutex;
   std::condition_variable Changed;
+  bool Begun = false;
   bool Ended = false;
+  int ExitCode = 0;
   std::thread Thread;
 };
 

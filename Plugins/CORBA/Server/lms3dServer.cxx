@@ -112,9 +112,9 @@ void lms3dServer::Start(CORBA::ORB_ptr orb)
   const PortableServer::POAManager_var manager = adapter->the_POAManager();
   manager->activate();
   lms3dRequestGate::Open();
-  this->Announce(orb, scanner);
-  // Last, so that a listener that subscribes at once gets the first scan.
+  // Before a naming service that hangs can delay it.
   this->Loop.Start();
+  this->Announce(orb, scanner);
 }
 
 void lms3dServer::Announce(CORBA::ORB_ptr orb, CORBA::Object_ptr scanner)

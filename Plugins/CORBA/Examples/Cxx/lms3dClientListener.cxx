@@ -51,9 +51,9 @@ class Subscription
 public:
   Subscription(LMS3D::LaserScanner_ptr scanner, LMS3D::ScanListener_ptr listener)
     : Scanner(LMS3D::LaserScanner::_duplicate(scanner))
+    , Number(scanner->subscribe(listener))
     , Status(scanner->getStatus())
     , LastNumber(this->Status->newest)
-    , Number(scanner->subscribe(listener))
   {
   }
 
@@ -89,9 +89,9 @@ private:
   }
 
   const LMS3D::LaserScanner_var Scanner;
+  const CORBA::ULong Number;
   const LMS3D::Status_var Status;
   CORBA::ULongLong LastNumber;
-  const CORBA::ULong Number;
 };
 } // namespace
 

@@ -58,7 +58,7 @@ lms3dNameRegistration::~lms3dNameRegistration()
   {
     return;
   }
-  // The end of the server waits as long.
+  // The end of the server waits for three calls.
   omniORB::setClientCallTimeout(this->Context, EndMilliseconds);
   try
   {

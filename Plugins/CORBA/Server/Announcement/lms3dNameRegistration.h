@@ -21,7 +21,8 @@ public:
   /// contexts must exist. Replaces an entry of the same name. Never throws CORBA exceptions.
   lms3dNameRegistration(CORBA::ORB_ptr orb, const std::string& service, const std::string& name,
     CORBA::Object_ptr object);
-  /// Removes the entry, unless another server has replaced it. Takes up to half a second.
+  /// Removes the entry, unless another server has replaced it. Takes up to half a second for each
+  /// of three calls.
   ~lms3dNameRegistration();
   lms3dNameRegistration(const lms3dNameRegistration&) = delete;
   void operator=(const lms3dNameRegistration&) = delete;

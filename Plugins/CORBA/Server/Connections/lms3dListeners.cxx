@@ -19,7 +19,9 @@ void RequireNetwork(const std::vector<std::string>& addresses)
   const auto other = std::find_if_not(addresses.begin(), addresses.end(), lms3dIsNetworkAddress);
   if (other != addresses.end() || addresses.empty())
   {
-    const std::string reason = "the listener has an address that is neither TCP nor TLS";
+    const std::string reason = addresses.empty()
+      ? "the listener has no usable TCP or TLS address"
+      : "the listener has an address that is neither TCP nor TLS";
     lms3dLog(lms3dLogKind::Listeners,
       "a subscription is refused: " + reason + (addresses.empty() ? "" : ": " + *other));
     throw LMS3D::InvalidArgument(reason.c_str());

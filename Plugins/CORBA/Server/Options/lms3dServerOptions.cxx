@@ -182,7 +182,6 @@ Words TakeORBArguments(Words& arguments)
   arguments.swap(left);
   return taken;
 }
-
 } // namespace
 
 lms3dServerOptions lms3dReadServerOptions(const std::vector<std::string>& arguments)

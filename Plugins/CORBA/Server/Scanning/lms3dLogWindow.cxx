@@ -17,7 +17,7 @@ public:
   static LogWindow* New();
   vtkTypeMacro(LogWindow, vtkOutputWindow);
 
-  void DisplayText(const char* text) override { lms3dLog(text); }
+  void DisplayText(const char* text) override { lms3dLog(lms3dLogKind::VTK, text); }
 };
 
 vtkStandardNewMacro(LogWindow);

@@ -123,10 +123,9 @@ bool lms3dScanLoop::MakeScan()
 void lms3dScanLoop::ReleaseMemory()
 {
   constexpr std::size_t Minimum = std::size_t(64) << 20;
-  constexpr std::size_t MuchSmaller = 4;
   const std::size_t bytes = this->Store.GetBytes();
   this->MaximumBytes = std::max(this->MaximumBytes, bytes);
-  if (this->MaximumBytes > Minimum && bytes < this->MaximumBytes / MuchSmaller)
+  if (this->MaximumBytes > Minimum && bytes < this->MaximumBytes / lms3dScanPipeline::ReleaseFactor)
   {
     malloc_trim(0);
     this->MaximumBytes = bytes;
@@ -169,5 +168,5 @@ void lms3dScanLoop::SetProblem(const std::string& problem)
     }
     this->Problem = problem;
   }
-  lms3dLog(problem.empty() ? "scanning again" : "no scan: " + problem);
+  lms3dLog(lms3dLogKind::Scans, problem.empty() ? "scanning again" : "no scan: " + problem);
 }

@@ -74,7 +74,7 @@ lms3dScanPipeline::lms3dScanPipeline(int threads)
   : Threads(threads)
 {
   this->Scanner->SetNumberOfThreads(threads);
-  lms3dAbortIf(this->Scanner, [this] { return this->TestAbort(); });
+  lms3dAbortIf(this->Scanner, [this] { return this->ShouldAbort(); });
 }
 
 lms3dScanPipeline::~lms3dScanPipeline() = default;
@@ -101,7 +101,7 @@ std::shared_ptr<lms3dSnapshot> lms3dScanPipeline::Run(
   return isWhole ? snapshot : nullptr;
 }
 
-bool lms3dScanPipeline::TestAbort()
+bool lms3dScanPipeline::ShouldAbort()
 {
   if (this->Stopped || this->IsOutdated())
   {
@@ -114,10 +114,9 @@ bool lms3dScanPipeline::TestAbort()
 // gives the memory back.
 void lms3dScanPipeline::PrepareMapper(const LMS3D::Configuration& configuration)
 {
-  constexpr CORBA::ULongLong MuchSmaller = 4;
   const CORBA::ULongLong beams =
     CORBA::ULongLong(configuration.alpha.count) * configuration.beta.count;
-  if (!configuration.makeMap || beams < this->MapperBeams / MuchSmaller)
+  if (!configuration.makeMap || beams < this->MapperBeams / ReleaseFactor)
   {
     this->Mapper = nullptr;
     this->MapperBeams = 0;
@@ -131,7 +130,7 @@ void lms3dScanPipeline::PrepareMapper(const LMS3D::Configuration& configuration)
     this->Mapper = vtkSmartPointer<vtkLMS3DSurfaceReconstructionFilter>::New();
     this->Mapper->SetNumberOfThreads(this->Threads);
     this->Mapper->SetInputConnection(this->Scanner->GetOutputPort());
-    lms3dAbortIf(this->Mapper, [this] { return this->TestAbort(); });
+    lms3dAbortIf(this->Mapper, [this] { return this->ShouldAbort(); });
   }
   this->MapperBeams = std::max(this->MapperBeams, beams);
   this->Mapper->SetMaximumError(configuration.mapError);

@@ -26,6 +26,9 @@ class vtkLMS3DSurfaceReconstructionFilter;
 class lms3dScanPipeline
 {
 public:
+  /// If the work becomes smaller by more than this factor, memory is returned to the system.
+  static constexpr unsigned int ReleaseFactor = 4;
+
   /// `threads` as NumberOfThreads of the filters: 0 for all cores.
   explicit lms3dScanPipeline(int threads);
   ~lms3dScanPipeline();
@@ -46,7 +49,7 @@ private:
   /// Creates or destroys the filter of maps.
   void PrepareMapper(const LMS3D::Configuration& configuration);
   /// Returns true if the current run is to end.
-  bool TestAbort();
+  bool ShouldAbort();
   ///@{
   /// Return false if the work was aborted.
   bool Update(vtkAlgorithm* algorithm, double& seconds) const;

@@ -30,25 +30,6 @@ bool IsPlain(const std::string& name)
   return std::all_of(name.begin(), name.end(),
     [](unsigned char character) { return character >= 0x20 && character < 0x7f; });
 }
-// In quotation marks; other characters than printable ASCII as \xHH, so that the log stays one line.
-std::string Quote(const std::string& name)
-{
-  constexpr const char* Digits = "0123456789abcdef";
-  std::string text = "\"";
-  for (const char character : name)
-  {
-    const auto byte = static_cast<unsigned char>(character);
-    if (IsPlain({ character }))
-    {
-      text.append(character == '"' || character == '\\' ? 1 : 0, '\\').append(1, character);
-    }
-    else
-    {
-      text.append("\\x").append(1, Digits[byte / 16]).append(1, Digits[byte % 16]);
-    }
-  }
-  return text + '"';
-}
 } // namespace
 
 lms3dSceneCatalogue::lms3dSceneCatalogue(const std::filesystem::path& folder)
@@ -80,12 +61,12 @@ void lms3dSceneCatalogue::Add(const std::filesystem::path& file)
   const std::string name = file.filename().string();
   if (name.size() > MaximumNameLength || !IsPlain(name))
   {
-    lms3dLog("the scene " + Quote(name) +
-      " is left out: its name is longer than 128 characters or not plain ASCII");
+    lms3dLog(
+      "a scene is left out: its name is longer than 128 characters or not plain ASCII: " + name);
   }
   else if (this->Files.size() == MaximumScenes)
   {
-    lms3dLog("the scene " + name + " is left out: there are more than 4,096");
+    lms3dLog("a scene is left out: there are more than 4,096: " + name);
   }
   else
   {
