@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace
 {
@@ -202,7 +203,7 @@ lms3dServerOptions lms3dReadServerOptions(const std::vector<std::string>& argume
     ReadFile(file, fromFiles);
   }
   fromFiles.ORBArguments = options.ORBArguments;
-  options = fromFiles;
+  options = std::move(fromFiles);
   Parse(app, words);
   lms3dCheckServerOptions(options);
   return options;
