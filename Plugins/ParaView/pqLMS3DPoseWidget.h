@@ -39,7 +39,7 @@ public:
   ~pqLMS3DPoseWidget() override;
 
   void hideEvent(QHideEvent* event) override;
-  void setView(pqView* view) override;
+  void setView(pqView* shown) override;
 
 protected Q_SLOTS:
   void placeWidget() override;

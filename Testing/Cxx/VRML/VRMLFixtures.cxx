@@ -67,6 +67,7 @@ std::array<double, 6> GetBounds(const lms3dScene& scene)
 std::vector<std::string> GetMessages(const lms3dScene& scene)
 {
   std::vector<std::string> texts;
+  texts.reserve(scene.Messages.size());
   for (const lms3dMessage& message : scene.Messages)
   {
     texts.push_back((message.Severity == lms3dMessage::MESSAGE_ERROR ? "error " : "warning ") +
