@@ -9,8 +9,6 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkInformation.h>
-#include <vtkInformationIntegerKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -32,16 +30,9 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const std::vector<do
   return array;
 }
 
-// The results are no choice for colouring.
-void AddHidden(vtkDoubleArray* array, vtkFieldData* output)
-{
-  array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
-  output->AddArray(array);
-}
-
 void Add(const char* name, double value, vtkFieldData* output)
 {
-  AddHidden(MakeArray(name, { value }), output);
+  lms3dAddHiddenArray(MakeArray(name, { value }), output);
 }
 
 void Add(const char* name, const lms3dErrorStatistics& errors, vtkFieldData* output)
@@ -52,7 +43,7 @@ void Add(const char* name, const lms3dErrorStatistics& errors, vtkFieldData* out
   array->SetComponentName(2, "95 %");
   array->SetComponentName(3, "Maximum");
   array->SetTuple4(0, errors.Mean, errors.RootMeanSquare, errors.Percentile95, errors.Maximum);
-  AddHidden(array, output);
+  lms3dAddHiddenArray(array, output);
 }
 
 // Takes the vertices as well as the samples, since a small cell may have no sample.

@@ -2,27 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Device/lms3dScanFieldData.h"
 
+#include "Pipeline/lms3dArray.h"
+
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkInformation.h>
-#include <vtkInformationIntegerKey.h>
-#include <vtkNew.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace
 {
 void AddDoubles(vtkFieldData* fieldData, const char* name, const double* values, vtkIdType count)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(count);
+  const auto array = lms3dMakeArray<vtkDoubleArray>(name, static_cast<std::size_t>(count));
   std::copy(values, values + count, array->GetPointer(0));
-  array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1); // no choice for colouring
-  fieldData->AddArray(array);
+  lms3dAddHiddenArray(array, fieldData);
 }
 } // namespace
 

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief VTK arrays of a given size, and the offsets of cells that all have the same size.
+ * @brief VTK arrays of a given size, hidden field data, and the offsets of cells that all have the same size.
  */
 #ifndef lms3dArray_h
 #define lms3dArray_h
 
+#include <vtkAbstractArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationIntegerKey.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
@@ -21,6 +25,13 @@ vtkSmartPointer<ArrayT> lms3dMakeArray(const char* name, std::size_t count, int 
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(count));
   return array;
+}
+
+/// Adds an array that ParaView does not offer for colouring.
+inline void lms3dAddHiddenArray(vtkAbstractArray* array, vtkFieldData* data)
+{
+  array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
+  data->AddArray(array);
 }
 
 /// Fills the `cells + 1` offsets of a vtkCellArray whose cells all have `size` points.

@@ -12,8 +12,6 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
-#include <vtkInformation.h>
-#include <vtkInformationIntegerKey.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -101,8 +99,7 @@ void AddField(vtkPolyData* map, const char* name, T value)
 {
   const auto array = lms3dMakeArray<ArrayT>(name, 1);
   array->SetValue(0, value);
-  array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1); // no choice for colouring
-  map->GetFieldData()->AddArray(array);
+  lms3dAddHiddenArray(array, map->GetFieldData());
 }
 } // namespace
 

@@ -6,11 +6,9 @@
 #include "Device/lms3dReturns.h"
 #include "Pipeline/lms3dArray.h"
 
-#include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -45,17 +43,11 @@ void SetPoints(vtkDoubleArray* coordinates, vtkPolyData* data)
   data->SetPoints(points);
 }
 
-void AddHidden(vtkAbstractArray* array, vtkFieldData* fieldData)
-{
-  array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1); // no choice for colouring
-  fieldData->AddArray(array);
-}
-
 void AddNumber(const char* name, CORBA::ULongLong number, vtkFieldData* fieldData)
 {
   const auto array = lms3dMakeArray<vtkTypeUInt64Array>(name, 1);
   array->SetValue(0, number);
-  AddHidden(array, fieldData);
+  lms3dAddHiddenArray(array, fieldData);
 }
 
 void AddHeader(const LMS3D::ScanHeader& header, vtkFieldData* fieldData)
@@ -68,7 +60,7 @@ void AddHeader(const LMS3D::ScanHeader& header, vtkFieldData* fieldData)
   vtkNew<vtkStringArray> scene;
   scene->SetName("Scene");
   scene->InsertNextValue(header.scene.in());
-  AddHidden(scene, fieldData);
+  lms3dAddHiddenArray(scene, fieldData);
 }
 
 // Raw pointers, because calls of ParaView's VTK for each value are slow.
