@@ -11,7 +11,6 @@
 #include <pqServerManagerModel.h>
 #include <pqUndoStack.h>
 
-#include <QPointer>
 #include <QTimer>
 
 #include <vtkDataObject.h>
@@ -225,13 +224,12 @@ void pqLMS3DDisplay::aim(pqRepresentation* shown)
   {
     GreyMissingReturns(shown->getProxy());
     // Later, because ParaView sets the camera, too.
-    QPointer<pqView> kept(view);
     QTimer::singleShot(0, view,
-      [kept]
+      [view]
       {
-        if (kept && kept->getNumberOfVisibleDataRepresentations() == 1)
+        if (view->getNumberOfVisibleDataRepresentations() == 1)
         {
-          StandUpright(kept);
+          StandUpright(view);
         }
       });
   }

@@ -26,8 +26,8 @@ void lms3dLog(const std::string& text);
 /// The same, with the limit of the line's kind.
 void lms3dLog(lms3dLogKind kind, const std::string& text);
 
-/// Writes lines to the standard output as they are, without waiting either. First gives earlier lines
-/// of the log a moment, so that a reader of both sees them first.
+/// Writes lines to the standard output as they are, without waiting for the reader. First waits a
+/// moment for earlier lines in the log, so that a reader of both sees them first.
 void lms3dPrint(const std::string& lines);
 
 /// Waits until everything is written, half a second at most for each of both streams. Call at the end
