@@ -10,8 +10,9 @@
 
 namespace
 {
-// Milliseconds.
+// Milliseconds. A call waits no longer. A busy machine may need several calls.
 constexpr CORBA::ULong MaximumWait = 10000;
+constexpr int MaximumCalls = 6;
 
 const char* Options[][2] = { { "clientCallTimeOutPeriod", "60000" },
   { "endPoint", "giop:tcp:127.0.0.1:" }, { nullptr, nullptr } };
@@ -38,18 +39,25 @@ LMS3D::LaserScanner_var Connect(const std::string& reference)
   return lms3dFindScanner(GetClientORB(), reference);
 }
 
-LMS3D::ScanHeader WaitFor(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation)
+LMS3D::ScanHeader WaitFor(
+  LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation, CORBA::ULongLong after)
 {
-  try
+  CORBA::ULongLong newest = 0;
+  for (int call = 0; call < MaximumCalls; ++call)
   {
-    const LMS3D::ScanHeader_var header = scanner->waitForScan(0, generation, MaximumWait);
-    return header.in();
+    try
+    {
+      const LMS3D::ScanHeader_var header = scanner->waitForScan(after, generation, MaximumWait);
+      return header.in();
+    }
+    catch (const LMS3D::NoScanYet& problem)
+    {
+      newest = problem.newest;
+    }
   }
-  catch (const LMS3D::NoScanYet& problem)
-  {
-    ADD_FAILURE() << "no scan of generation " << generation << "; the newest is " << problem.newest;
-    return {};
-  }
+  ADD_FAILURE() << "no scan of generation " << generation << " after number " << after
+                << "; the newest is " << newest;
+  return {};
 }
 
 LMS3D::Pose At(double x, double y, double z)

@@ -13,6 +13,7 @@
 
 #include <omniORB4/minorCode.h>
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <exception>
@@ -44,6 +45,15 @@ void AllowManyConnections()
       " open files, and each connection is one. If they run out, new clients wait until idle " +
       "connections are closed. To allow more: ulimit -n " + std::to_string(MinimumFiles));
   }
+}
+
+// malloc_trim() leaves out the highest free block of each arena. Its default limit grows with the
+// blocks that are freed, up to 64 MB. Blocks that exceed the second limit have pages of their own.
+void LimitFreeMemory()
+{
+  constexpr int Megabyte = 1 << 20;
+  mallopt(M_TRIM_THRESHOLD, 8 * Megabyte);
+  mallopt(M_MMAP_THRESHOLD, 4 * Megabyte);
 }
 
 CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
@@ -111,6 +121,7 @@ void Serve(const lms3dServerOptions& options)
   const lms3dStopSignal signal([&limit] { limit.Begin(0); });
   lms3dLogVTKMessages();
   AllowManyConnections();
+  LimitFreeMemory();
   try
   {
     RunningServer server(
