@@ -24,9 +24,9 @@ struct Query
 {
   /// The first member, so that Embree's pointer to the context is a pointer to the query.
   lms3dEmbreeContext Context;
-  const lms3dRayOrigin* Origin;
+  const lms3dExactView* View;
   const lms3dEmbreeRays* Rays;
-  lms3dBeamPacket* Packet;
+  lms3dPacketSearch Search;
 };
 static_assert(std::is_standard_layout_v<Query>, "a query starts with its context");
 
@@ -47,22 +47,24 @@ std::vector<std::uint32_t> FindOthers(
 
 // Embree calls back with the whole packet, with a part that suits its instruction set, or with one
 // ray. The id of a ray is the number of its beam.
-void ReportHits(
-  const Query& query, std::uint32_t changed, const RTCIntersectFunctionNArguments* args)
+lms3dRayRange GetRays(const RTCIntersectFunctionNArguments* args)
 {
   RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
   RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, args->N);
-  query.Rays->Clip(*query.Packet, changed, args->geomID,
-    { static_cast<int>(RTCRayN_id(rays, args->N, 0)), static_cast<int>(args->N),
-      &RTCRayN_tfar(rays, args->N, 0), &RTCHitN_geomID(hits, args->N, 0) });
+  return { static_cast<int>(RTCRayN_id(rays, args->N, 0)), static_cast<int>(args->N),
+    &RTCRayN_tfar(rays, args->N, 0), &RTCHitN_geomID(hits, args->N, 0) };
+}
+
+std::uint32_t GetBeams(const lms3dRayRange& rays)
+{
+  return ((1u << rays.Count) - 1u) << rays.First;
 }
 } // namespace
 
 struct lms3dEmbreeCandidates::Internals
 {
-  Internals(const lms3dTriangleMesh& mesh, const lms3dCandidateTest& test)
+  explicit Internals(const lms3dTriangleMesh& mesh)
     : Mesh(mesh)
-    , CandidateTest(test)
     , Outliers(lms3dFindOutlyingTriangles(mesh))
     , Others(FindOthers(mesh, this->Outliers))
     , Tree(mesh, this->Outliers)
@@ -103,12 +105,14 @@ struct lms3dEmbreeCandidates::Internals
   static void TestCandidate(const RTCIntersectFunctionNArguments* args)
   {
     const Internals* self = static_cast<const Internals*>(args->geometryUserPtr);
-    const Query* query = reinterpret_cast<const Query*>(args->context);
-    const std::uint32_t changed =
-      self->CandidateTest.Test(*query->Origin, self->GetTriangle(args->primID), *query->Packet);
+    Query* query = reinterpret_cast<Query*>(args->context);
+    lms3dPacketSearch& search = query->Search;
+    const lms3dRayRange rays = GetRays(args);
+    const std::uint32_t beams = search.Packet->Active & GetBeams(rays);
+    const std::uint32_t changed = query->View->Test(self->GetTriangle(args->primID), beams, search);
     if (changed != 0)
     {
-      ReportHits(*query, changed, args);
+      query->Rays->Clip(search.Hits, changed, args->geomID, rays);
     }
   }
 
@@ -118,18 +122,17 @@ struct lms3dEmbreeCandidates::Internals
   }
 
   // Returns the beams that hit an outlier.
-  std::uint32_t TestOutliers(const lms3dRayOrigin& origin, lms3dBeamPacket& packet) const
+  std::uint32_t TestOutliers(const lms3dExactView& view, lms3dPacketSearch& search) const
   {
     std::uint32_t changed = 0;
     for (std::uint32_t triangle : this->Outliers)
     {
-      changed |= this->CandidateTest.Test(origin, triangle, packet);
+      changed |= view.Test(triangle, search.Packet->Active, search);
     }
     return changed;
   }
 
   const lms3dTriangleMesh& Mesh;
-  const lms3dCandidateTest& CandidateTest;
 
   /// Each packet is tested against all outliers. The tree holds the others.
   const std::vector<std::uint32_t> Outliers;
@@ -138,35 +141,43 @@ struct lms3dEmbreeCandidates::Internals
 };
 
 lms3dEmbreeCandidates::lms3dEmbreeCandidates(
-  const lms3dTriangleMesh& mesh, const lms3dCandidateTest& test, const lms3dProgress& progress)
-  : Internal(new Internals(mesh, test))
+  const lms3dTriangleMesh& mesh, const lms3dProgress& progress)
+  : Internal(new Internals(mesh))
 {
   this->Internal->Build(progress);
 }
 
 lms3dEmbreeCandidates::~lms3dEmbreeCandidates() = default;
 
-void lms3dEmbreeCandidates::Cast(
-  const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const
+double lms3dEmbreeCandidates::GetUnit() const
 {
-  lms3dEmbreeRays rays(this->Internal->Tree, origin, packets[0]);
+  return this->Internal->Tree.GetNormalization().GetDiagonal();
+}
+
+bool lms3dEmbreeCandidates::IsNear(const double origin[3]) const
+{
+  return this->Internal->Tree.GetNormalization().GetCone(origin).Minimum < 0.0;
+}
+
+void lms3dEmbreeCandidates::Cast(
+  const lms3dExactView& view, lms3dBeamPacket* packets, int count) const
+{
+  lms3dEmbreeRays rays(this->Internal->Tree, view.GetOrigin(), packets[0]);
   Query query;
-  query.Origin = &origin;
+  query.View = &view;
   query.Rays = &rays;
   for (int i = 0; i < count; ++i)
   {
     lms3dBeamPacket& packet = packets[i];
-    std::fill_n(packet.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
-    std::fill_n(packet.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
-    const std::uint32_t known = this->Internal->TestOutliers(origin, packet);
+    view.Begin(packet, query.Search);
+    const std::uint32_t known = this->Internal->TestOutliers(view, query.Search);
     const std::uint32_t active = rays.Prepare(packet);
     if (active != 0)
     {
       if (known != 0)
       {
-        rays.Clip(packet, known);
+        rays.Clip(query.Search.Hits, known);
       }
-      query.Packet = &packet;
       rays.Intersect(active, query.Context);
     }
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Triangles for which Embree only finds candidates, and a test decides which beams hit.
+ * @brief Triangles for which Embree only finds candidates; lms3dExactView decides which beams hit.
  *
  * Embree's tree is made of boxes, one around each triangle, a little larger than single precision
  * can be wrong. So Embree never rules out a triangle that a beam hits.
@@ -10,41 +10,34 @@
 #ifndef lms3dEmbreeCandidates_h
 #define lms3dEmbreeCandidates_h
 
+#include "Casting/lms3dExactView.h"
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Kernels/lms3dBeamPacket.h"
 #include "Pipeline/lms3dProgress.h"
 
-#include <cstdint>
 #include <memory>
-
-/// Decides which active beams of a packet hit a candidate.
-class lms3dCandidateTest
-{
-public:
-  /// Stores the hits of a triangle that are the nearest so far in the packet. Returns the beams that
-  /// changed, bit i for beam i. Several threads call this at once.
-  virtual std::uint32_t Test(
-    const lms3dRayOrigin& origin, std::uint32_t triangle, lms3dBeamPacket& packet) const = 0;
-
-protected:
-  ~lms3dCandidateTest() = default;
-};
 
 class lms3dEmbreeCandidates
 {
 public:
-  /// Builds the tree of a mesh with at least one triangle, see lms3dEmbreeTree::Build. Mesh and test
-  /// must outlive this object.
-  lms3dEmbreeCandidates(
-    const lms3dTriangleMesh& mesh, const lms3dCandidateTest& test, const lms3dProgress& progress);
+  /// Builds the tree of a mesh with at least one triangle, see lms3dEmbreeTree::Build. The mesh must
+  /// outlive this object.
+  lms3dEmbreeCandidates(const lms3dTriangleMesh& mesh, const lms3dProgress& progress);
 
   ~lms3dEmbreeCandidates();
   lms3dEmbreeCandidates(const lms3dEmbreeCandidates&) = delete;
   lms3dEmbreeCandidates& operator=(const lms3dEmbreeCandidates&) = delete;
 
-  /// Fills Range and Triangle of some packets as the test decides. Several threads may call this at
-  /// once.
-  void Cast(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
+  /// Fills Triangle of some packets as lms3dExactView does. The view must be of the same mesh, with the
+  /// unit of this object. Several threads may call this at once.
+  void Cast(const lms3dExactView& view, lms3dBeamPacket* packets, int count) const;
+
+  /// Returns the diagonal of the scene without its outliers, metres.
+  double GetUnit() const;
+
+  /// Returns whether an origin, world coordinates, is so near to the scene that it may be seen in all
+  /// directions.
+  bool IsNear(const double origin[3]) const;
 
 private:
   struct Internals;

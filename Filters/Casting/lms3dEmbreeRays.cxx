@@ -12,6 +12,11 @@ static_assert(lms3dBeamPacket::Size == 16, "packets are cast by rtcIntersect16")
 // points away from a far scene starts even farther away than the sensor, where single precision, and
 // Embree's assertions, end.
 constexpr double MaximumOriginDistance = 10.0;
+
+// How far beyond the maximum range Embree still searches: the margin covers the single precision of
+// tfar, the rounding that of the difference between range and ray offset. Both are relative.
+constexpr double TFarMargin = 1.0 + 1e-6;
+constexpr double RangeRounding = 1e-15;
 } // namespace
 
 lms3dEmbreeRays::lms3dEmbreeRays(
@@ -20,6 +25,7 @@ lms3dEmbreeRays::lms3dEmbreeRays(
   , Origin(origin)
   , Cone(tree.GetNormalization().GetCone(origin.Position))
   , RayOffset(tree.GetNormalization().GetRayOffset(origin.Position))
+  , NarrowRayOffset(static_cast<float>(tree.GetNormalization().GetDistance(this->RayOffset)))
   , TFar(this->GetTFar(origin.MaximumRange))
 {
   for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
@@ -36,7 +42,7 @@ lms3dEmbreeRays::lms3dEmbreeRays(
 
 float lms3dEmbreeRays::GetTFar(double range) const
 {
-  const double distance = (range - this->RayOffset) * lms3dTFarMargin + range * lms3dRangeRounding;
+  const double distance = (range - this->RayOffset) * TFarMargin + range * RangeRounding;
   return std::max(0.0f, static_cast<float>(this->Tree.GetNormalization().GetDistance(distance)));
 }
 
@@ -74,17 +80,16 @@ std::uint32_t lms3dEmbreeRays::Prepare(const lms3dBeamPacket& packet)
   return active & this->Near;
 }
 
-void lms3dEmbreeRays::Clip(const lms3dBeamPacket& packet, std::uint32_t beams)
+void lms3dEmbreeRays::Clip(const lms3dNarrowHits& hits, std::uint32_t beams)
 {
-  this->Clip(packet, beams, RTC_INVALID_GEOMETRY_ID,
+  this->Clip(hits, beams, RTC_INVALID_GEOMETRY_ID,
     { 0, lms3dBeamPacket::Size, this->RayHit.ray.tfar, this->RayHit.hit.geomID });
 }
 
-void lms3dEmbreeRays::Clip(const lms3dBeamPacket& packet, std::uint32_t beams,
-  unsigned int geometry, const lms3dRayRange& rays) const
+void lms3dEmbreeRays::Clip(const lms3dNarrowHits& hits, std::uint32_t beams, unsigned int geometry,
+  const lms3dRayRange& rays) const
 {
-  this->Kernels.ClipRays(
-    packet, beams, this->RayOffset, this->Tree.GetNormalization().GetDiagonal(), geometry, rays);
+  this->Kernels.ClipRays(hits, beams, this->NarrowRayOffset, geometry, rays);
 }
 
 void lms3dEmbreeRays::Intersect(std::uint32_t beams, lms3dEmbreeContext& context)

@@ -35,10 +35,10 @@ public:
   std::uint32_t Prepare(const lms3dBeamPacket& packet);
 
   ///@{
-  /// Ends the rays of some beams a little beyond the packet's Range: all rays of this packet, or a
-  /// part of them in Embree's own memory, which also get a geometry.
-  void Clip(const lms3dBeamPacket& packet, std::uint32_t beams);
-  void Clip(const lms3dBeamPacket& packet, std::uint32_t beams, unsigned int geometry,
+  /// Ends the rays of some beams a little beyond their hits, in units of the scene's diagonal: all rays
+  /// of this packet, or a part of them in Embree's own memory, which also get a geometry.
+  void Clip(const lms3dNarrowHits& hits, std::uint32_t beams);
+  void Clip(const lms3dNarrowHits& hits, std::uint32_t beams, unsigned int geometry,
     const lms3dRayRange& rays) const;
   ///@}
 
@@ -61,6 +61,9 @@ private:
 
   /// How far along its beam each ray starts, metres.
   const double RayOffset;
+
+  /// The same in units of the scene's diagonal.
+  const float NarrowRayOffset;
   const float TFar;
 
   /// The beams whose rays start near enough to the scene.

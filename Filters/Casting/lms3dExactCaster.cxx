@@ -1,33 +1,100 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dEmbreeCandidates.h"
+#include "Casting/lms3dExactView.h"
 #include "Casting/lms3dRangeRefinement.h"
 #include "Casting/lms3dRayCaster.h"
-#include "Casting/lms3dTriangle.h"
-#include "Kernels/lms3dPacketKernels.h"
+#include "Casting/lms3dTileSearch.h"
+
+#include <cstddef>
 
 namespace
 {
-/**
- * Embree finds candidates. Single precision rejects most of them; double precision with an error
- * bound decides on most others, and exact arithmetic on the beams for which the bound leaves a sign
- * open. Once the nearest triangle is known, its range is computed again with more digits.
- */
-class ExactCaster final
-  : public lms3dRayCaster
-  , private lms3dCandidateTest
+// Measured: with more triangles for each packet, it is faster to compute what single precision needs for
+// candidates only.
+constexpr std::size_t MaximumTrianglesPerPacket = 2;
+
+std::size_t CountPackets(const lms3dBeamGrid& grid)
+{
+  return static_cast<std::size_t>(lms3dBeamGrid::CountPackets(grid.Turns)) *
+    lms3dBeamGrid::CountPackets(grid.Beams);
+}
+
+/// Decides whole tiles where that pays. Embree finds candidates for all other packets.
+class ExactGridCaster final : public lms3dGridCaster
+{
+public:
+  ExactGridCaster(const lms3dTriangleMesh& mesh, const lms3dEmbreeCandidates& candidates,
+    const lms3dRayOrigin& origin, const lms3dBeamGrid& grid)
+    : Candidates(candidates)
+    , View(mesh, origin, candidates.GetUnit())
+  {
+    const std::size_t triangles = mesh.GetNumberOfTriangles();
+    if (triangles <= MaximumTrianglesPerPacket * CountPackets(grid))
+    {
+      this->View.MakeNarrowTriangles();
+      // From outside, a scene fills a small part of the view, and Embree misses it at once.
+      if (lms3dTileSearch::IsSuitable(grid, triangles) && candidates.IsNear(origin.Position))
+      {
+        this->Tiles = lms3dTileSearch::New(this->View, grid);
+      }
+    }
+  }
+
+  int GetTurnsOfBand() const override
+  {
+    return this->Tiles ? lms3dTileSearch::TileSide : lms3dBeamGrid::Side;
+  }
+
+  void FindNearest(int firstTurn, lms3dBeamPacket* packets, int count) const override
+  {
+    if (this->Tiles)
+    {
+      this->Tiles->FindNearest(firstTurn, packets, count,
+        [this](lms3dBeamPacket& packet) { this->Candidates.Cast(this->View, &packet, 1); });
+    }
+    else
+    {
+      this->Candidates.Cast(this->View, packets, count);
+    }
+  }
+
+private:
+  const lms3dEmbreeCandidates& Candidates;
+  lms3dExactView View;
+  std::unique_ptr<lms3dTileSearch> Tiles;
+};
+
+/// Embree finds candidates, lms3dExactView decides. Once the nearest triangle is known, its range is
+/// computed again with more digits.
+class ExactCaster final : public lms3dRayCaster
 {
 public:
   ExactCaster(lms3dTriangleMesh mesh, const lms3dProgress& progress)
     : lms3dRayCaster(std::move(mesh))
-    , Kernels(lms3dGetPacketKernels())
-    , Candidates(this->GetMesh(), *this, progress)
+    , Candidates(this->GetMesh(), progress)
   {
   }
 
   void FindNearest(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const override
   {
-    this->Candidates.Cast(origin, packets, count);
+    this->Candidates.Cast(this->MakeView(origin), packets, count);
+  }
+
+  std::unique_ptr<lms3dGridCaster> NewGridCaster(
+    const lms3dRayOrigin& origin, const lms3dBeamGrid& grid) const override
+  {
+    return std::make_unique<ExactGridCaster>(this->GetMesh(), this->Candidates, origin, grid);
+  }
+
+  void ComputeRanges(
+    const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const override
+  {
+    const lms3dExactView view = this->MakeView(origin);
+    for (int i = 0; i < count; ++i)
+    {
+      view.ComputeRanges(packets[i]);
+    }
   }
 
   void RefineRanges(
@@ -37,72 +104,11 @@ public:
   }
 
 private:
-  std::uint32_t Test(
-    const lms3dRayOrigin& origin, std::uint32_t candidate, lms3dBeamPacket& packet) const override
+  lms3dExactView MakeView(const lms3dRayOrigin& origin) const
   {
-    const lms3dCorners corners = lms3dGetCorners(this->GetMesh(), candidate);
-    const lms3dSensorFrameTriangle inSensorFrame = lms3dToSensorFrame(corners, origin.Position);
-    const lms3dHitMasks hitMasks = this->Kernels.Classify(inSensorFrame, packet);
-    if (((hitMasks.Hit | hitMasks.Uncertain) & packet.Active) == 0)
-    {
-      return 0;
-    }
-    const std::int32_t triangle = static_cast<std::int32_t>(candidate);
-    std::uint32_t uncertain = hitMasks.Uncertain & packet.Active;
-    std::uint32_t changed = this->Kernels.UpdateNearest(inSensorFrame, triangle,
-      hitMasks.Hit & packet.Active, origin.MaximumRange, packet, uncertain);
-    if (uncertain != 0)
-    {
-      changed |=
-        this->UpdateUncertain(corners, triangle, uncertain, hitMasks.Uncertain, origin, packet);
-    }
-    return changed;
+    return { this->GetMesh(), origin, this->Candidates.GetUnit() };
   }
 
-  // Updates the beams in `uncertain`: beams that need the exact test (mask `undecided`), and beams whose
-  // range needs more digits than double precision gives.
-  std::uint32_t UpdateUncertain(const lms3dCorners& corners, std::int32_t triangle,
-    std::uint32_t uncertain, std::uint32_t undecided, const lms3dRayOrigin& origin,
-    lms3dBeamPacket& packet) const
-  {
-    double ranges[lms3dBeamPacket::Size];
-    const lms3dDoubleDoublePlane plane =
-      this->Kernels.MakeDoubleDoublePlane(corners.data(), origin.Position);
-    if (lms3dIsNearPlane(corners, origin.Position, plane))
-    {
-      lms3dIntersectNearPlane(corners, origin.Position, packet, ranges);
-    }
-    else
-    {
-      this->Kernels.IntersectDoubleDoublePlane(plane, packet, ranges);
-    }
-    std::uint32_t changed = 0;
-    for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
-    {
-      const std::uint32_t bit = 1u << beam;
-      const double range = ranges[beam];
-      const bool isNearer = range < packet.Range[beam] ||
-        (range == packet.Range[beam] && triangle < packet.Triangle[beam]);
-      if ((uncertain & bit) && range > 0.0 && range <= origin.MaximumRange && isNearer &&
-        (!(undecided & bit) || IsInside(corners, origin, beam, packet)))
-      {
-        packet.Range[beam] = range;
-        packet.Triangle[beam] = triangle;
-        changed |= bit;
-      }
-    }
-    return changed;
-  }
-
-  static bool IsInside(const lms3dCorners& corners, const lms3dRayOrigin& origin, int beam,
-    const lms3dBeamPacket& packet)
-  {
-    const double direction[3] = { packet.Direction[0][beam], packet.Direction[1][beam],
-      packet.Direction[2][beam] };
-    return lms3dIsInside(corners, origin.Position, direction);
-  }
-
-  const lms3dPacketKernels& Kernels;
   const lms3dEmbreeCandidates Candidates;
 };
 } // namespace

@@ -32,6 +32,28 @@ constexpr Method Methods[] = {
 };
 static_assert(std::size(Methods) == lms3dRayCaster::STATIC_CELL_LOCATOR + 1,
   "the rows of this table have the order of lms3dRayCaster::Method");
+
+/// Casts the packets of a scan like any others.
+class PacketGridCaster final : public lms3dGridCaster
+{
+public:
+  PacketGridCaster(const lms3dRayCaster& caster, const lms3dRayOrigin& origin)
+    : Caster(caster)
+    , Origin(origin)
+  {
+  }
+
+  int GetTurnsOfBand() const override { return lms3dBeamGrid::Side; }
+
+  void FindNearest(int, lms3dBeamPacket* packets, int count) const override
+  {
+    this->Caster.FindNearest(this->Origin, packets, count);
+  }
+
+private:
+  const lms3dRayCaster& Caster;
+  const lms3dRayOrigin Origin;
+};
 } // namespace
 
 std::unique_ptr<lms3dRayCaster> lms3dRayCaster::New(
@@ -50,6 +72,17 @@ std::unique_ptr<lms3dRayCaster> lms3dRayCaster::New(
 void lms3dRayCaster::RefineRanges(const lms3dRayOrigin&, lms3dBeamPacket*, int) const
 {
   // The ranges of FindNearest are final.
+}
+
+void lms3dRayCaster::ComputeRanges(const lms3dRayOrigin&, lms3dBeamPacket*, int) const
+{
+  // FindNearest has set them.
+}
+
+std::unique_ptr<lms3dGridCaster> lms3dRayCaster::NewGridCaster(
+  const lms3dRayOrigin& origin, const lms3dBeamGrid&) const
+{
+  return std::make_unique<PacketGridCaster>(*this, origin);
 }
 
 int lms3dRayCaster::GetNumberOfMethods()

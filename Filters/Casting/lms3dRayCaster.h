@@ -12,6 +12,8 @@
 #ifndef lms3dRayCaster_h
 #define lms3dRayCaster_h
 
+#include "Casting/lms3dBeamGrid.h"
+#include "Casting/lms3dGridCaster.h"
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Kernels/lms3dBeamPacket.h"
 #include "Pipeline/lms3dProgress.h"
@@ -63,15 +65,26 @@ public:
 
   ///@{
   /**
-   * The two steps of Cast. FindNearest finds the nearest triangle by ranges of about 13 digits. Of
-   * triangles at the same range it takes the one with the smallest index. RefineRanges computes the
-   * ranges of these triangles with all digits; methods whose first ranges are final do nothing.
+   * The two steps of Cast. FindNearest finds the nearest triangle of each beam by ranges of about 13
+   * digits. Of triangles at the same range it takes the one with the smallest index. RefineRanges
+   * computes the ranges of these triangles with all digits; methods whose first ranges are final do
+   * nothing.
    */
   virtual void FindNearest(
     const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const = 0;
   virtual void RefineRanges(
     const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
   ///@}
+
+  /// Sets Range, after FindNearest, to the range by which FindNearest compared; processes that have
+  /// parts of a scene compare these. Methods whose FindNearest sets Range do nothing.
+  virtual void ComputeRanges(
+    const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
+
+  /// Returns an object whose FindNearest serves one scan, and gives the same results as this one's. The
+  /// caster and the arrays of the grid must outlive it. Uses the threads of the calling TBB arena.
+  virtual std::unique_ptr<lms3dGridCaster> NewGridCaster(
+    const lms3dRayOrigin& origin, const lms3dBeamGrid& grid) const;
 
   const lms3dTriangleMesh& GetMesh() const { return this->Mesh; }
 

@@ -63,17 +63,19 @@ std::uint32_t ShiftOrigins(
   return near.GetBits();
 }
 
-void ClipRays(const lms3dBeamPacket& packet, std::uint32_t changed, double rayOffset, double unit,
+// The error bound of a hit is larger than all rounding here, and than what Embree loses by the single
+// precision of tfar. So no hit hides another triangle at the same range.
+void ClipRays(const lms3dNarrowHits& hits, std::uint32_t changed, float rayOffset,
   unsigned int geometry, const lms3dRayRange& rays)
 {
-  const double* range = packet.Range + rays.First;
+  const float* inverse = hits.InverseRange + rays.First;
+  const float* error = hits.Error + rays.First;
   const std::uint32_t bits = changed >> rays.First;
   for (int i = 0; i < rays.Count; ++i)
   {
     const bool isChanged = (bits >> i) & 1u;
-    const double tfar =
-      ((range[i] - rayOffset) * lms3dTFarMargin + range[i] * lms3dRangeRounding) / unit;
-    rays.TFar[i] = isChanged ? static_cast<float>(Maximum(0.0, tfar)) : rays.TFar[i];
+    const float tfar = 1.0f / (inverse[i] - error[i]) - rayOffset;
+    rays.TFar[i] = isChanged ? Maximum(0.0f, tfar) : rays.TFar[i];
     rays.Geometry[i] = isChanged ? geometry : rays.Geometry[i];
   }
 }

@@ -78,9 +78,10 @@ Limits<Real> FindLimits(const Edge<Real>* edges, const Real (&direction)[3][Size
     Minimum(Minimum(high[0], high[1]), high[2]), Maximum(Maximum(high[0], high[1]), high[2]) };
 }
 
-// Returns true if single precision proves that all active beams pass outside. This rejects most
+// Returns true if single precision proves that all beams in `beams` pass outside. This rejects most
 // candidates at half the cost. The error bound of the farthest corner serves all three edges.
-bool AllMiss(const lms3dSensorFrameTriangle& triangle, const lms3dBeamPacket& packet)
+bool AllMiss(
+  const lms3dSensorFrameTriangle& triangle, std::uint32_t beams, const lms3dBeamPacket& packet)
 {
   float corner[3][3];
   float farthest = 0.0f;
@@ -101,12 +102,13 @@ bool AllMiss(const lms3dSensorFrameTriangle& triangle, const lms3dBeamPacket& pa
     const Limits<float> limits = FindLimits(edges, packet.NarrowDirection, i);
     missed.Set(i, (limits.MaximumLow > 0.0f) & (limits.MinimumHigh < 0.0f));
   }
-  return (packet.Active & ~missed.GetBits()) == 0;
+  return (beams & ~missed.GetBits()) == 0;
 }
 
-lms3dHitMasks Classify(const lms3dSensorFrameTriangle& triangle, const lms3dBeamPacket& packet)
+lms3dHitMasks Classify(
+  const lms3dSensorFrameTriangle& triangle, std::uint32_t beams, const lms3dBeamPacket& packet)
 {
-  if (AllMiss(triangle, packet))
+  if (AllMiss(triangle, beams, packet))
   {
     return { 0, 0 };
   }
@@ -128,7 +130,7 @@ lms3dHitMasks Classify(const lms3dSensorFrameTriangle& triangle, const lms3dBeam
     hits.Set(i, isHit);
     uncertain.Set(i, !(isHit | isMiss));
   }
-  return { hits.GetBits(), uncertain.GetBits() };
+  return { hits.GetBits() & beams, uncertain.GetBits() & beams };
 }
 
 lms3dDoublePlane MakeDoublePlane(const lms3dSensorFrameTriangle& triangle)

@@ -17,7 +17,9 @@
 
 #include "Geometry/lms3dTwoSum.h"
 #include "Kernels/lms3dBeamPacket.h"
+#include "Kernels/lms3dNarrowTriangle.h"
 #include "Kernels/lms3dNormalTile.h"
+#include "Kernels/lms3dTile.h"
 
 #include <cstdint>
 
@@ -108,12 +110,6 @@ struct lms3dShiftedOrigin
   double MaximumDistance;
 };
 
-/// How far beyond a hit Embree still searches, so that the hit does not hide another triangle at the
-/// same range: the margin covers the single precision of tfar, the rounding that of the difference
-/// between range and ray offset. Both are relative.
-constexpr double lms3dTFarMargin = 1.0 + 1e-6;
-constexpr double lms3dRangeRounding = 1e-15;
-
 /// The rays of beams First to First + Count - 1 as Embree holds them. The arrays belong to Embree or
 /// the caller.
 struct lms3dRayRange
@@ -144,10 +140,10 @@ struct lms3dPacketKernels
   std::uint32_t (*ShiftOrigins)(
     const lms3dShiftedOrigin& origin, const double* directions, float* origins);
 
-  /// Finds the beams that pass inside a triangle, by the signs of its three edge functions with a
-  /// bound of their rounding errors.
+  /// Finds the beams among `beams` that pass inside a triangle, by the signs of its three edge
+  /// functions with a bound of their rounding errors.
   lms3dHitMasks (*Classify)(
-    const lms3dSensorFrameTriangle& triangle, const lms3dBeamPacket& packet);
+    const lms3dSensorFrameTriangle& triangle, std::uint32_t beams, const lms3dBeamPacket& packet);
 
   /**
    * Stores the hits of the beams in `hits` that are nearer than the packet's present ones and not
@@ -158,10 +154,34 @@ struct lms3dPacketKernels
   std::uint32_t (*UpdateNearest)(const lms3dSensorFrameTriangle& corners, std::int32_t triangle,
     std::uint32_t hits, double maximumRange, lms3dBeamPacket& packet, std::uint32_t& uncertain);
 
-  /// Ends the rays of changed beams a little beyond (Range - rayOffset) / unit, and sets their
-  /// geometry.
-  void (*ClipRays)(const lms3dBeamPacket& packet, std::uint32_t changed, double rayOffset,
-    double unit, unsigned int geometry, const lms3dRayRange& rays);
+  /// Computes what single precision needs of a triangle. `unit`, metres, is the range whose inverse is 1.
+  lms3dNarrowTriangle (*MakeNarrowTriangle)(const lms3dSensorFrameTriangle& triangle, double unit);
+
+  /// Stores the hits of some beams that are certainly nearer than the present ones, in `hits` and in the
+  /// packet's Triangle. PlaneError must not be negative. Does not use the packet's Range.
+  lms3dNarrowMasks (*UpdateNarrow)(const lms3dNarrowTriangle& triangle, std::int32_t number,
+    std::uint32_t beams, lms3dBeamPacket& packet, lms3dNarrowHits& hits);
+
+  /// Sets the hits of changed beams to the packet's Range. `unit` is that of MakeNarrowTriangle.
+  void (*NarrowRanges)(
+    const lms3dBeamPacket& packet, std::uint32_t changed, double unit, lms3dNarrowHits& hits);
+
+  /// Ends the rays of changed beams a little beyond their hits, and sets their geometry. `rayOffset` is
+  /// in the units of the hits.
+  void (*ClipRays)(const lms3dNarrowHits& hits, std::uint32_t changed, float rayOffset,
+    unsigned int geometry, const lms3dRayRange& rays);
+
+  /// Fills the corners and sides of sixteen tiles.
+  void (*FillTileCorners)(lms3dTiles& tiles);
+
+  /**
+   * Decides what a triangle does to tiles, and updates their cover. `masks` has the tiles to look at in
+   * Met, and in Covered none of them, or all if the triangle is known to cover them. `minimumInverse` is
+   * the inverse of the maximum range, rounded up.
+   */
+  lms3dTileMasks (*ClassifyTiles)(const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle,
+    const lms3dCornerDirections& corners, lms3dTileMasks masks, float minimumInverse,
+    lms3dTileCover& cover);
 
   /// Returns the beams that have hit a triangle.
   std::uint32_t (*FindHits)(const lms3dBeamPacket& packet);

@@ -13,12 +13,15 @@
 
 #include "Kernels/lms3dBeamKernels.inl"
 #include "Kernels/lms3dInsideKernels.inl"
+#include "Kernels/lms3dNarrowKernels.inl"
 #include "Kernels/lms3dNormalKernels.inl"
 #include "Kernels/lms3dRangeKernels.inl"
+#include "Kernels/lms3dTileKernels.inl"
 
 // In the order of lms3dPacketKernels.
 #define LMS3D_PACKET_KERNELS                                                                  \
-  GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, ClipRays, FindHits,  \
+  GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, MakeNarrowTriangle,  \
+    UpdateNarrow, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles, FindHits,           \
     MakeDoubleDoublePlane, MakeDoublePlane, IntersectDoubleDoublePlane, IntersectDoublePlane, \
     StoreRanges, ApplyMinimumRange, Locate, AddStrip
 

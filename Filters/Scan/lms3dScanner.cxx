@@ -17,18 +17,11 @@
 
 namespace
 {
-// A square tile of beams and turns is nearly square in angle at the horizon, so that its beams traverse
-// the same boxes of the tree.
-constexpr int TileSide = 4;
-static_assert(TileSide * TileSide == lms3dBeamPacket::Size, "a tile is a packet");
+constexpr int Side = lms3dBeamGrid::Side;
+static_assert(Side * Side == lms3dBeamPacket::Size, "a packet is square");
 
-int CountTiles(int beamsOrTurns)
-{
-  return (beamsOrTurns - 1) / TileSide + 1;
-}
-
-/// Beam TileSide * i + j of a packet belongs to turn i and elevation j of a tile. Beyond the end of the
-/// grid a packet repeats the last turn or beam, inactive, so that it stays coherent.
+/// Beam Side * i + j of a packet belongs to its turn i and elevation j. Beyond the end of the grid a
+/// packet repeats the last turn or beam, inactive, so that it stays coherent.
 class Scan
 {
 public:
@@ -41,47 +34,53 @@ public:
       request.Limits.Maximum }
     , Turns(request.Geometry.GetNumberOfTurns())
     , Beams(request.Geometry.GetNumberOfBeams())
+    , GridCaster(request.Caster.NewGridCaster(this->Origin,
+        { this->Turns, this->Beams, &this->Directions.GetFanAxis(0), request.Geometry.GetBetaStep(),
+          request.Geometry.GetAlphaCosines().data(), request.Geometry.GetAlphaSines().data(),
+          this->Directions.GetUp() }))
   {
   }
 
-  void CastRow(int firstTurn) const
+  int GetTurnsOfBand() const { return this->GridCaster->GetTurnsOfBand(); }
+
+  void CastBand(int firstTurn) const
   {
-    const lms3dFanAxes axes = this->MakeAxes(firstTurn);
-    const int turns = std::min(TileSide, this->Turns - firstTurn);
-    const std::size_t tiles = this->Elevations.size();
+    const int columns = static_cast<int>(this->Elevations.size());
+    const int turns = std::min(this->GetTurnsOfBand(), this->Turns - firstTurn);
+    const int rows = lms3dBeamGrid::CountPackets(turns);
+    const int count = rows * columns;
     // A vector would write zeros first.
-    const std::unique_ptr<lms3dBeamPacket[]> packets(new lms3dBeamPacket[tiles]);
-    for (std::size_t i = 0; i < tiles; ++i)
+    const std::unique_ptr<lms3dBeamPacket[]> packets(new lms3dBeamPacket[count]);
+    for (int row = 0; row < rows; ++row)
     {
-      this->Kernels.GenerateDirections(this->Elevations[i], axes, packets[i]);
-      packets[i].Active = GetActive(turns, this->CountBeams(i));
+      this->GenerateRow(firstTurn + row * Side, packets.get() + row * columns);
     }
-    const int count = static_cast<int>(tiles);
-    this->Request.Caster.FindNearest(this->Origin, packets.get(), count);
-    for (std::size_t i = 0; this->Request.NearestHits.Ranges && i < tiles; ++i)
+    this->GridCaster->FindNearest(firstTurn, packets.get(), count);
+    if (this->Request.NearestHits.Ranges)
     {
-      this->Store(firstTurn, turns, i, packets[i], this->Request.NearestHits);
+      this->Request.Caster.ComputeRanges(this->Origin, packets.get(), count);
+      this->Store(firstTurn, packets.get(), count, this->Request.NearestHits);
     }
     this->Request.Caster.RefineRanges(this->Origin, packets.get(), count);
-    for (std::size_t i = 0; i < tiles; ++i)
+    for (int i = 0; i < count; ++i)
     {
       this->Kernels.ApplyMinimumRange(this->Request.Limits.Minimum, packets[i]);
-      this->Store(firstTurn, turns, i, packets[i], this->Request.Returns);
     }
+    this->Store(firstTurn, packets.get(), count, this->Request.Returns);
   }
 
 private:
   static std::vector<lms3dElevations> MakeElevations(const lms3dScanGeometry& geometry)
   {
     const int beams = geometry.GetNumberOfBeams();
-    std::vector<lms3dElevations> elevations(CountTiles(beams));
-    for (std::size_t tile = 0; tile < elevations.size(); ++tile)
+    std::vector<lms3dElevations> elevations(lms3dBeamGrid::CountPackets(beams));
+    for (std::size_t column = 0; column < elevations.size(); ++column)
     {
       for (int i = 0; i < lms3dBeamPacket::Size; ++i)
       {
-        const int beam = std::min(static_cast<int>(tile) * TileSide + i % TileSide, beams - 1);
-        elevations[tile].Cosine[i] = geometry.GetAlphaCosine(beam);
-        elevations[tile].Sine[i] = geometry.GetAlphaSine(beam);
+        const int beam = std::min(static_cast<int>(column) * Side + i % Side, beams - 1);
+        elevations[column].Cosine[i] = geometry.GetAlphaCosine(beam);
+        elevations[column].Sine[i] = geometry.GetAlphaSine(beam);
       }
     }
     return elevations;
@@ -94,7 +93,7 @@ private:
     {
       for (int i = 0; i < lms3dBeamPacket::Size; ++i)
       {
-        const int turn = std::min(firstTurn + i / TileSide, this->Turns - 1);
+        const int turn = std::min(firstTurn + i / Side, this->Turns - 1);
         axes.Horizontal[axis][i] = this->Directions.GetFanAxis(turn)[axis];
       }
       axes.Up[axis] = this->Directions.GetUp()[axis];
@@ -102,9 +101,20 @@ private:
     return axes;
   }
 
-  int CountBeams(std::size_t tile) const
+  void GenerateRow(int firstTurn, lms3dBeamPacket* packets) const
   {
-    return std::min(TileSide, this->Beams - static_cast<int>(tile) * TileSide);
+    const lms3dFanAxes axes = this->MakeAxes(firstTurn);
+    const int turns = std::min(Side, this->Turns - firstTurn);
+    for (std::size_t column = 0; column < this->Elevations.size(); ++column)
+    {
+      this->Kernels.GenerateDirections(this->Elevations[column], axes, packets[column]);
+      packets[column].Active = GetActive(turns, this->CountBeams(column));
+    }
+  }
+
+  int CountBeams(std::size_t column) const
+  {
+    return std::min(Side, this->Beams - static_cast<int>(column) * Side);
   }
 
   static std::uint32_t GetActive(int turns, int beams)
@@ -112,25 +122,36 @@ private:
     std::uint32_t active = 0;
     for (int turn = 0; turn < turns; ++turn)
     {
-      active |= ((1u << beams) - 1u) << (TileSide * turn);
+      active |= ((1u << beams) - 1u) << (Side * turn);
     }
     return active;
   }
 
-  void Store(int firstTurn, int turns, std::size_t tile, const lms3dBeamPacket& packet,
+  void Store(
+    int firstTurn, const lms3dBeamPacket* packets, int count, const lms3dBeamHits& hits) const
+  {
+    const int columns = static_cast<int>(this->Elevations.size());
+    for (int i = 0; i < count; ++i)
+    {
+      this->Store(firstTurn + i / columns * Side, i % columns, packets[i], hits);
+    }
+  }
+
+  void Store(int firstTurn, std::size_t column, const lms3dBeamPacket& packet,
     const lms3dBeamHits& hits) const
   {
-    const int beams = this->CountBeams(tile);
-    std::size_t slot = static_cast<std::size_t>(firstTurn) * this->Beams + tile * TileSide;
+    const int turns = std::min(Side, this->Turns - firstTurn);
+    const int beams = this->CountBeams(column);
+    std::size_t slot = static_cast<std::size_t>(firstTurn) * this->Beams + column * Side;
     for (int turn = 0; turn < turns; ++turn, slot += this->Beams)
     {
-      const double* range = packet.Range + TileSide * turn;
-      const std::int32_t* triangle = packet.Triangle + TileSide * turn;
+      const double* range = packet.Range + Side * turn;
+      const std::int32_t* triangle = packet.Triangle + Side * turn;
       // With a constant count, the compiler does not call a general copy.
-      if (beams == TileSide)
+      if (beams == Side)
       {
-        std::copy_n(range, TileSide, hits.Ranges + slot);
-        std::copy_n(triangle, TileSide, hits.Triangles + slot);
+        std::copy_n(range, Side, hits.Ranges + slot);
+        std::copy_n(triangle, Side, hits.Triangles + slot);
       }
       else
       {
@@ -147,23 +168,25 @@ private:
   const lms3dRayOrigin Origin;
   const int Turns;
   const int Beams;
+  const std::unique_ptr<const lms3dGridCaster> GridCaster;
 };
 } // namespace
 
 bool lms3dScan(const lms3dScanRequest& request, const lms3dProgress& progress)
 {
   const Scan scan(request);
-  const int rows = CountTiles(request.Geometry.GetNumberOfTurns());
-  std::atomic<int> rowsDone{ 0 };
+  const int turns = scan.GetTurnsOfBand();
+  const int bands = (request.Geometry.GetNumberOfTurns() - 1) / turns + 1;
+  std::atomic<int> bandsDone{ 0 };
   lms3dProgressReporter reporter(progress);
 
-  tbb::parallel_for(tbb::blocked_range<int>(0, rows),
+  tbb::parallel_for(tbb::blocked_range<int>(0, bands),
     [&](const tbb::blocked_range<int>& range)
     {
-      for (int row = range.begin(); row < range.end() && !reporter.IsStopped(); ++row)
+      for (int band = range.begin(); band < range.end() && !reporter.IsStopped(); ++band)
       {
-        scan.CastRow(row * TileSide);
-        reporter.Report(static_cast<double>(++rowsDone) / rows);
+        scan.CastBand(band * turns);
+        reporter.Report(static_cast<double>(++bandsDone) / bands);
       }
     });
   return !reporter.IsStopped();

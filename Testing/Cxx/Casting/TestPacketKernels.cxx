@@ -33,6 +33,7 @@ struct KernelResults
   float Origins[lms3dBeamPacket::Size];
   float TFar[lms3dBeamPacket::Size];
   unsigned int Geometry[lms3dBeamPacket::Size];
+  lms3dNarrowHits Narrow;
   lms3dHitMasks Masks;
   std::uint32_t Changed;
   std::uint32_t Uncertain;
@@ -96,9 +97,11 @@ void ComputeBeams(
   const Vector& axis = input.Corners[1];
   results.InCone = kernels.FindInCone({ { axis[0], axis[1], axis[2] }, 0.5 }, packet);
   std::fill_n(results.TFar, lms3dBeamPacket::Size, 7.0f);
-  kernels.ClipRays(packet, results.Changed, 0.25, 3.0, 9, { 0, 8, results.TFar, results.Geometry });
+  kernels.NarrowRanges(packet, results.Changed, 3.0, results.Narrow);
   kernels.ClipRays(
-    packet, results.Changed, 0.25, 3.0, 9, { 8, 5, results.TFar + 8, results.Geometry + 8 });
+    results.Narrow, results.Changed, 0.25f, 9, { 0, 8, results.TFar, results.Geometry });
+  kernels.ClipRays(
+    results.Narrow, results.Changed, 0.25f, 9, { 8, 5, results.TFar + 8, results.Geometry + 8 });
   const lms3dReturnsOfTurn returns = { input.Elevations.Cosine, input.Elevations.Sine, packet.Range,
     lms3dBeamPacket::Size - 1, input.Corners[0].data(), input.Corners[1].data(),
     input.Origin.data() };
@@ -135,12 +138,68 @@ std::string Compute(const lms3dPacketKernels& kernels, const KernelInput& input)
   std::fill_n(packet.Triangle, lms3dBeamPacket::Size, 5);
   packet.Active = 0x7fffu;
   const lms3dSensorFrameTriangle triangle = lms3dToSensorFrame(corners, input.Origin.data());
-  results.Masks = kernels.Classify(triangle, packet);
+  results.Masks = kernels.Classify(triangle, 0xfffb, packet);
   results.Taken = packet;
   results.Changed =
     kernels.UpdateNearest(triangle, 3, 0xffffu, 1e6, results.Taken, results.Uncertain);
   ComputeBeams(kernels, input, results);
   ComputeRanges(kernels, corners, input, results);
+  return { reinterpret_cast<const char*>(&results), sizeof(results) };
+}
+
+/// What the kernels compute in single precision.
+struct NarrowResults
+{
+  lms3dNarrowTriangle Triangle;
+  lms3dBeamPacket Packet;
+  lms3dNarrowHits Hits;
+  lms3dNarrowMasks Masks;
+  lms3dTiles Tiles;
+  lms3dTileCover Cover;
+  lms3dTileMasks TileMasks;
+};
+
+void FillTiles(const KernelInput& input, lms3dTiles& tiles)
+{
+  for (int i = 0; i < lms3dTiles::Size; ++i)
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      tiles.Cosine[end][i] = static_cast<float>(input.Elevations.Sine[(i + end) % 16]);
+      tiles.Sine[end][i] = static_cast<float>(input.Elevations.Sine[(i + end + 2) % 16]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        tiles.Fan[end][axis][i] = static_cast<float>(input.Axes.Horizontal[axis][(i + end) % 16]);
+      }
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    tiles.Up[axis] = static_cast<float>(input.Axes.Up[axis]);
+  }
+}
+
+/// The bytes of the results.
+std::string ComputeNarrow(const lms3dPacketKernels& kernels, const KernelInput& input)
+{
+  const lms3dCorners corners = { input.Corners[0].data(), input.Corners[1].data(),
+    input.Corners[2].data() };
+  NarrowResults results;
+  std::memset(static_cast<void*>(&results), 0, sizeof(results));
+  kernels.GenerateDirections(input.Elevations, input.Axes, results.Packet);
+  std::fill_n(results.Hits.InverseRange, lms3dBeamPacket::Size, 0.25f);
+  const lms3dNarrowTriangle triangle =
+    kernels.MakeNarrowTriangle(lms3dToSensorFrame(corners, input.Origin.data()), 2.0);
+  FillTiles(input, results.Tiles);
+  kernels.FillTileCorners(results.Tiles);
+  lms3dTileMasks& masks = results.TileMasks;
+  masks = { 0xfffb, 0, 0 };
+  masks = kernels.ClassifyTiles(results.Tiles, triangle, {}, masks, 0.1f, results.Cover);
+  if (triangle.PlaneError >= 0.0f)
+  {
+    results.Triangle = triangle;
+    results.Masks = kernels.UpdateNarrow(triangle, 7, 0xfffb, results.Packet, results.Hits);
+  }
   return { reinterpret_cast<const char*>(&results), sizeof(results) };
 }
 } // namespace
@@ -155,6 +214,21 @@ TEST(PacketKernels, GiveTheSameBitsWithAllInstructions)
     for (int k = 1; k < lms3dGetNumberOfPacketKernels(); ++k)
     {
       ASSERT_TRUE(Compute(lms3dGetPacketKernels(k), input) == expected)
+        << lms3dGetPacketKernels(k).Name << ", input " << i;
+    }
+  }
+}
+
+TEST(PacketKernels, DecideTheSameInSinglePrecisionWithAllInstructions)
+{
+  Random random(13);
+  for (int i = 0; i < 20000; ++i)
+  {
+    const KernelInput input(random);
+    const std::string expected = ComputeNarrow(lms3dGetPacketKernels(0), input);
+    for (int k = 1; k < lms3dGetNumberOfPacketKernels(); ++k)
+    {
+      ASSERT_TRUE(ComputeNarrow(lms3dGetPacketKernels(k), input) == expected)
         << lms3dGetPacketKernels(k).Name << ", input " << i;
     }
   }

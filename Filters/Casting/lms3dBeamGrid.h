@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The beams of a scan as a ray caster sees them.
+ */
+#ifndef lms3dBeamGrid_h
+#define lms3dBeamGrid_h
+
+#include <array>
+
+/// The arrays belong to the caller. The direction of a beam is the fan's axis in its turn times the
+/// cosine of its elevation, plus the upward axis times the sine.
+struct lms3dBeamGrid
+{
+  /// A packet has this number of turns and beams, so that it is nearly square in angle at the horizon
+  /// and its beams traverse the same boxes of a tree. Beam Side * i + j of a packet belongs to its turn
+  /// i and its beam j.
+  static constexpr int Side = 4;
+
+  /// Returns how many packets cover a number of beams or turns.
+  static int CountPackets(int beamsOrTurns) { return (beamsOrTurns - 1) / Side + 1; }
+
+  int Turns;
+  int Beams;
+
+  /// One value for each turn: unit vectors in world coordinates. They turn by TurnStep degrees, not
+  /// negative, from one to the next.
+  const std::array<double, 3>* FanAxes;
+  double TurnStep;
+
+  /// One value for each beam. Elevations increase and lie within -90 to 90 degrees.
+  const double* Cosines;
+  const double* Sines;
+
+  /// A unit vector in world coordinates.
+  std::array<double, 3> Up;
+};
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Casting/lms3dExactView.h"
+
+#include "Casting/lms3dTriangle.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+float RoundUp(double x)
+{
+  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+}
+
+bool IsInside(const lms3dCorners& corners, const lms3dRayOrigin& origin, int beam,
+  const lms3dBeamPacket& packet)
+{
+  const double direction[3] = { packet.Direction[0][beam], packet.Direction[1][beam],
+    packet.Direction[2][beam] };
+  return lms3dIsInside(corners, origin.Position, direction);
+}
+
+bool Has(std::uint32_t beams, int beam)
+{
+  return (beams >> beam) & 1u;
+}
+
+// `beams` is not 0.
+int GetFirst(std::uint32_t beams)
+{
+  int first = 0;
+  while (!Has(beams, first))
+  {
+    ++first;
+  }
+  return first;
+}
+} // namespace
+
+lms3dExactView::lms3dExactView(
+  const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, double unit)
+  : Mesh(mesh)
+  , Origin(origin)
+  , Unit(unit)
+  , MinimumInverse(RoundUp(unit / origin.MaximumRange))
+{
+}
+
+void lms3dExactView::MakeNarrowTriangles()
+{
+  this->NarrowTriangles.resize(this->Mesh.GetNumberOfTriangles());
+  tbb::parallel_for(std::size_t(0), this->NarrowTriangles.size(),
+    [this](std::size_t i)
+    {
+      const lms3dCorners corners = lms3dGetCorners(this->Mesh, i);
+      this->NarrowTriangles[i] = this->Kernels.MakeNarrowTriangle(
+        lms3dToSensorFrame(corners, this->Origin.Position), this->Unit);
+    });
+}
+
+void lms3dExactView::Begin(lms3dBeamPacket& packet, lms3dPacketSearch& search) const
+{
+  // Beyond the maximum range, nothing is a hit. Near it, the bound leaves the decision to double.
+  const float inverse = this->MinimumInverse;
+  std::fill_n(search.Hits.InverseRange, lms3dBeamPacket::Size, inverse);
+  std::fill_n(search.Hits.Error, lms3dBeamPacket::Size, lms3dNarrowError * inverse);
+  std::fill_n(packet.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
+  std::fill_n(packet.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
+  search.HaveRange = ~0u;
+  search.Packet = &packet;
+}
+
+std::uint32_t lms3dExactView::Test(
+  std::uint32_t triangle, std::uint32_t beams, lms3dPacketSearch& search) const
+{
+  if (this->NarrowTriangles.empty() || this->NarrowTriangles[triangle].PlaneError < 0.0f)
+  {
+    return this->TestWide(triangle, beams, search);
+  }
+  const lms3dNarrowMasks masks = this->Kernels.UpdateNarrow(this->NarrowTriangles[triangle],
+    static_cast<std::int32_t>(triangle), beams, *search.Packet, search.Hits);
+  search.HaveRange &= ~masks.Changed;
+  return masks.Uncertain == 0 ? masks.Changed
+                              : masks.Changed | this->TestWide(triangle, masks.Uncertain, search);
+}
+
+// Double precision and exact arithmetic.
+std::uint32_t lms3dExactView::TestWide(
+  std::uint32_t triangle, std::uint32_t beams, lms3dPacketSearch& search) const
+{
+  lms3dBeamPacket& packet = *search.Packet;
+  const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
+  const lms3dSensorFrameTriangle inSensorFrame = lms3dToSensorFrame(corners, this->Origin.Position);
+  const lms3dHitMasks masks = this->Kernels.Classify(inSensorFrame, beams, packet);
+  const std::uint32_t met = masks.Hit | masks.Uncertain;
+  if (met == 0)
+  {
+    return 0;
+  }
+  this->FindRanges(met & ~search.HaveRange, packet);
+  search.HaveRange |= met;
+  const std::uint32_t changed =
+    this->Update(corners, inSensorFrame, static_cast<std::int32_t>(triangle), masks, packet);
+  this->Kernels.NarrowRanges(packet, changed, this->Unit, search.Hits);
+  return changed;
+}
+
+// Needs the packet's Range of the beams in the masks.
+std::uint32_t lms3dExactView::Update(const lms3dCorners& corners,
+  const lms3dSensorFrameTriangle& inSensorFrame, std::int32_t triangle, const lms3dHitMasks& masks,
+  lms3dBeamPacket& packet) const
+{
+  std::uint32_t uncertain = masks.Uncertain;
+  std::uint32_t changed = this->Kernels.UpdateNearest(
+    inSensorFrame, triangle, masks.Hit, this->Origin.MaximumRange, packet, uncertain);
+  if (uncertain != 0)
+  {
+    changed |= this->UpdateUncertain(corners, triangle, uncertain, masks.Uncertain, packet);
+  }
+  return changed;
+}
+
+// Updates the beams in `uncertain`: beams that need the exact test (mask `undecided`), and beams whose
+// range needs more digits than double precision gives.
+std::uint32_t lms3dExactView::UpdateUncertain(const lms3dCorners& corners, std::int32_t triangle,
+  std::uint32_t uncertain, std::uint32_t undecided, lms3dBeamPacket& packet) const
+{
+  double ranges[lms3dBeamPacket::Size];
+  const lms3dDoubleDoublePlane plane =
+    this->Kernels.MakeDoubleDoublePlane(corners.data(), this->Origin.Position);
+  if (lms3dIsNearPlane(corners, this->Origin.Position, plane))
+  {
+    lms3dIntersectNearPlane(corners, this->Origin.Position, packet, ranges);
+  }
+  else
+  {
+    this->Kernels.IntersectDoubleDoublePlane(plane, packet, ranges);
+  }
+  std::uint32_t changed = 0;
+  for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+  {
+    const double range = ranges[beam];
+    const bool isNearer = range < packet.Range[beam] ||
+      (range == packet.Range[beam] && triangle < packet.Triangle[beam]);
+    if (Has(uncertain, beam) && range > 0.0 && range <= this->Origin.MaximumRange && isNearer &&
+      (!Has(undecided, beam) || IsInside(corners, this->Origin, beam, packet)))
+    {
+      packet.Range[beam] = range;
+      packet.Triangle[beam] = triangle;
+      changed |= 1u << beam;
+    }
+  }
+  return changed;
+}
+
+void lms3dExactView::ComputeRanges(lms3dBeamPacket& packet) const
+{
+  this->FindRanges(packet.Active, packet);
+}
+
+void lms3dExactView::FindRanges(std::uint32_t beams, lms3dBeamPacket& packet) const
+{
+  while (beams != 0)
+  {
+    const std::int32_t triangle = packet.Triangle[GetFirst(beams)];
+    std::uint32_t same = 0;
+    for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+    {
+      same |= packet.Triangle[beam] == triangle ? beams & (1u << beam) : 0u;
+    }
+    this->FindRanges(triangle, same, packet);
+    beams &= ~same;
+  }
+}
+
+// A beam's range is what its triangle gives in a packet without other hits.
+void lms3dExactView::FindRanges(
+  std::int32_t triangle, std::uint32_t beams, lms3dBeamPacket& packet) const
+{
+  lms3dBeamPacket alone = packet;
+  std::fill_n(alone.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
+  std::fill_n(alone.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
+  if (triangle != lms3dBeamPacket::NoTriangle)
+  {
+    const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
+    const lms3dSensorFrameTriangle inSensorFrame =
+      lms3dToSensorFrame(corners, this->Origin.Position);
+    this->Update(
+      corners, inSensorFrame, triangle, this->Kernels.Classify(inSensorFrame, beams, alone), alone);
+  }
+  for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+  {
+    packet.Range[beam] = Has(beams, beam) ? alone.Range[beam] : packet.Range[beam];
+  }
+}

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A mesh seen from one origin, and the test of its triangles against packets of beams.
+ *
+ * Each beam gets the triangle that is the smallest by the pair of range and index, among those that it
+ * hits within the maximum range. Single precision decides wherever its error bounds allow. Double
+ * precision with an error bound decides on most other beams. Exact arithmetic decides on the rest. All
+ * three find the same triangles, so the results do not depend on the order of the tests.
+ */
+#ifndef lms3dExactView_h
+#define lms3dExactView_h
+
+#include "Geometry/lms3dTriangleMesh.h"
+#include "Kernels/lms3dPacketKernels.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// A packet while its nearest hits are searched. The packet's Triangle is always up to date.
+struct lms3dPacketSearch
+{
+  lms3dBeamPacket* Packet;
+
+  /// The range of each beam's triangle in single precision.
+  lms3dNarrowHits Hits;
+
+  /// The beams whose Range in the packet is that of their triangle, with about 13 digits.
+  std::uint32_t HaveRange;
+};
+
+/// The methods are const, so that several threads can test different packets at once.
+class lms3dExactView
+{
+public:
+  /// `unit` is a length of the size of the scene, metres. The mesh must outlive this object.
+  lms3dExactView(const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, double unit);
+
+  /// Computes what single precision needs, 64 bytes for each triangle, with the threads of the calling
+  /// TBB arena. Without this call, Test begins with double precision.
+  void MakeNarrowTriangles();
+
+  /// Begins the search of a packet whose directions are set.
+  void Begin(lms3dBeamPacket& packet, lms3dPacketSearch& search) const;
+
+  /// Tests one triangle for some active beams. Returns the beams that have their nearest hit there now.
+  std::uint32_t Test(std::uint32_t triangle, std::uint32_t beams, lms3dPacketSearch& search) const;
+
+  /// Sets Range of all beams that have a triangle to the range by which triangles are compared, metres,
+  /// with about 13 digits; NoRange for beams without one.
+  void ComputeRanges(lms3dBeamPacket& packet) const;
+
+  const lms3dTriangleMesh& GetMesh() const { return this->Mesh; }
+  const lms3dRayOrigin& GetOrigin() const { return this->Origin; }
+
+  /// The inverse of the maximum range in units, rounded up.
+  float GetMinimumInverse() const { return this->MinimumInverse; }
+
+  /// Only after MakeNarrowTriangles.
+  const lms3dNarrowTriangle& GetNarrowTriangle(std::size_t triangle) const
+  {
+    return this->NarrowTriangles[triangle];
+  }
+
+private:
+  std::uint32_t TestWide(
+    std::uint32_t triangle, std::uint32_t beams, lms3dPacketSearch& search) const;
+  std::uint32_t Update(const lms3dCorners& corners, const lms3dSensorFrameTriangle& inSensorFrame,
+    std::int32_t triangle, const lms3dHitMasks& masks, lms3dBeamPacket& packet) const;
+  std::uint32_t UpdateUncertain(const lms3dCorners& corners, std::int32_t triangle,
+    std::uint32_t uncertain, std::uint32_t undecided, lms3dBeamPacket& packet) const;
+  void FindRanges(std::uint32_t beams, lms3dBeamPacket& packet) const;
+  void FindRanges(std::int32_t triangle, std::uint32_t beams, lms3dBeamPacket& packet) const;
+
+  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
+  const lms3dTriangleMesh& Mesh;
+  const lms3dRayOrigin Origin;
+  const double Unit;
+  const float MinimumInverse;
+  std::vector<lms3dNarrowTriangle> NarrowTriangles;
+};
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Decides for whole tiles of a scan at once which triangle is the nearest.
+ *
+ * Source of the idea: J. Warnock, "A hidden surface algorithm for computer generated halftone
+ * pictures", 1969. The grid of beams is divided three times: into blocks of 64 x 64 beams, tiles of
+ * 16 x 16, and packets of 4 x 4. Each step decides for 16 parts at once which triangles they can meet.
+ * A triangle that covers a part hides all that lies behind it there. If nothing else is left, the part
+ * is decided, without a look at its beams.
+ */
+#ifndef lms3dTileSearch_h
+#define lms3dTileSearch_h
+
+#include "Casting/lms3dBeamGrid.h"
+#include "Casting/lms3dExactView.h"
+#include "Kernels/lms3dPacketKernels.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+/// A triangle that may be the nearest in a tile.
+struct lms3dTileCandidate
+{
+  std::int32_t Triangle;
+
+  /// Whether it certainly meets all directions of the tile.
+  bool Covers;
+};
+
+using lms3dTileCandidates = std::vector<lms3dTileCandidate>;
+
+class lms3dTileSearch
+{
+public:
+  /// The turns of a tile, for FindNearest.
+  static constexpr int TileSide = 4 * lms3dBeamGrid::Side;
+
+  /// Returns whether the search can divide a grid, and whether that can pay for a number of triangles.
+  /// The answer does not depend on the machine.
+  static bool IsSuitable(const lms3dBeamGrid& grid, std::size_t triangles);
+
+  /**
+   * Divides the grid into tiles, with the threads of the calling TBB arena. The view must have its
+   * narrow triangles. Returns null if too many triangles remain for this to pay. View and the arrays of
+   * the grid must outlive the object.
+   */
+  static std::unique_ptr<lms3dTileSearch> New(
+    const lms3dExactView& view, const lms3dBeamGrid& grid);
+
+  /// Casts a packet that the search does not decide.
+  using CastPacket = std::function<void(lms3dBeamPacket&)>;
+
+  /// Sets Triangle of all packets of TileSide turns, ordered by turn, then by beam. `firstTurn` is a
+  /// multiple of TileSide. Several threads may call this at once.
+  void FindNearest(
+    int firstTurn, lms3dBeamPacket* packets, int count, const CastPacket& castPacket) const;
+
+private:
+  struct Area;
+  struct PacketsOfTile;
+  class Parts;
+
+  /// The parts of a block: candidates one after the other, and where each tile's begin.
+  struct Block
+  {
+    lms3dTileCandidates Candidates;
+    std::array<std::uint32_t, lms3dTiles::Size + 1> First;
+    std::uint32_t Decided;
+  };
+
+  lms3dTileSearch(const lms3dExactView& view, const lms3dBeamGrid& grid);
+  bool Divide();
+  std::vector<lms3dTileCandidates> DivideGrid() const;
+  Block DivideBlock(int number, const lms3dTileCandidates& candidates) const;
+  Area GetBlockArea(int block) const;
+  void FillTile(const Area& area, int i, lms3dTiles& tiles) const;
+  std::uint32_t FillTiles(const Area& whole, lms3dTiles& tiles) const;
+  void Divide(const lms3dTileCandidate* candidates, std::size_t count, std::uint32_t present,
+    lms3dTiles& tiles, Parts& parts) const;
+  void FindInTile(const Block& block, int part, const PacketsOfTile& tile, Parts& parts,
+    const CastPacket& castPacket) const;
+  void TestCandidates(const lms3dTileCandidates& candidates, lms3dBeamPacket& packet) const;
+
+  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
+  const lms3dExactView& View;
+  const lms3dBeamGrid Grid;
+  const int BlocksPerTurn;
+  const int NumberOfBlocks;
+
+  /// The cosine of half the angle between the turns of a tile, for each level.
+  float HalfCosines[3];
+  std::vector<lms3dCornerDirections> Corners;
+  std::vector<Block> Blocks;
+};
+
+#endif

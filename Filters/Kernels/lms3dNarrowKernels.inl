@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Kernels that decide in single precision where its error bounds allow.
+ *
+ * lms3dNarrowTriangle.h derives the bounds.
+ */
+#ifndef lms3dNarrowKernels_inl
+#define lms3dNarrowKernels_inl
+
+#include "Kernels/lms3dInsideKernels.inl"
+#include "Kernels/lms3dPacketMask.inl"
+
+namespace
+{
+// The share of WellConditioned at which single precision gives up.
+constexpr double NarrowConditioned = 1e-3;
+
+// Lengths whose products neither underflow nor overflow.
+constexpr double SmallestLength = 1e-100;
+constexpr double LargestLength = 1e100;
+
+// The same for a plane in single precision.
+constexpr float SmallestPlane = 1e-20f;
+constexpr float LargestPlane = 1e20f;
+
+// Hits that are nearer keep this value, which no triangle in single precision reaches.
+constexpr double LargestInverse = 1e30;
+
+bool IsWithin(double low, double x, double high)
+{
+  return (x > low) & (x < high);
+}
+
+lms3dNarrowTriangle MakeNarrowTriangle(const lms3dSensorFrameTriangle& triangle, double unit)
+{
+  const double(&corner)[3][3] = triangle.Corner;
+  const double size[3] = { SumOfMagnitudes(corner[0]), SumOfMagnitudes(corner[1]),
+    SumOfMagnitudes(corner[2]) };
+  const lms3dDoublePlane plane = MakeDoublePlane(triangle);
+  const double side = plane.Offset > 0.0 ? 1.0 : -1.0;
+  lms3dNarrowTriangle narrow;
+  bool isGood = Magnitude(plane.Offset) > NarrowConditioned * plane.MinimumSlope * size[0];
+  for (int e = 0; e < 3; ++e)
+  {
+    const int next = (e + 1) % 3;
+    const int last = (e + 2) % 3;
+    const double scale = side / (size[next] * size[last]);
+    const Edge<double> edge = MakeEdge(corner[next], corner[last], 0.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      narrow.Edge[e][axis] = static_cast<float>(edge.Normal[axis] * scale);
+    }
+    isGood &= IsWithin(SmallestLength, size[e], LargestLength);
+  }
+  const double scale = unit / plane.Offset;
+  float sum = 0.0f;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    narrow.Plane[axis] = static_cast<float>(plane.Normal[axis] * scale);
+    sum += narrow.Plane[axis] < 0.0f ? -narrow.Plane[axis] : narrow.Plane[axis];
+  }
+  isGood &= IsWithin(SmallestPlane, sum, LargestPlane);
+  narrow.PlaneError = isGood ? lms3dNarrowError * sum : -1.0f;
+  return narrow;
+}
+
+lms3dNarrowMasks UpdateNarrow(const lms3dNarrowTriangle& triangle, std::int32_t number,
+  std::uint32_t beams, lms3dBeamPacket& packet, lms3dNarrowHits& hits)
+{
+  const float(&direction)[3][Size] = packet.NarrowDirection;
+  const float(&edge)[3][3] = triangle.Edge;
+  alignas(64) float inside[Size];
+  Mask mayHit;
+  for (int i = 0; i < Size; ++i)
+  {
+    const float a =
+      direction[0][i] * edge[0][0] + direction[1][i] * edge[0][1] + direction[2][i] * edge[0][2];
+    const float b =
+      direction[0][i] * edge[1][0] + direction[1][i] * edge[1][1] + direction[2][i] * edge[1][2];
+    const float c =
+      direction[0][i] * edge[2][0] + direction[1][i] * edge[2][1] + direction[2][i] * edge[2][2];
+    inside[i] = Minimum(Minimum(a, b), c);
+    mayHit.Set(i, inside[i] > -lms3dNarrowError);
+  }
+  beams &= mayHit.GetBits();
+  if (beams == 0)
+  {
+    return { 0, 0 };
+  }
+  const float error = triangle.PlaneError;
+  Mask nearer;
+  Mask farther;
+  alignas(64) float inverse[Size];
+  for (int i = 0; i < Size; ++i)
+  {
+    inverse[i] = direction[0][i] * triangle.Plane[0] + direction[1][i] * triangle.Plane[1] +
+      direction[2][i] * triangle.Plane[2];
+    const float margin = hits.Error[i] + error;
+    nearer.Set(i, (inside[i] > lms3dNarrowError) & (inverse[i] > hits.InverseRange[i] + margin));
+    farther.Set(i, inverse[i] < hits.InverseRange[i] - margin);
+  }
+  const std::uint32_t changed = beams & nearer.GetBits();
+  for (int i = 0; i < Size; ++i)
+  {
+    const bool isChanged = (changed >> i) & 1u;
+    hits.InverseRange[i] = isChanged ? inverse[i] : hits.InverseRange[i];
+    hits.Error[i] = isChanged ? error : hits.Error[i];
+    packet.Triangle[i] = isChanged ? number : packet.Triangle[i];
+  }
+  return { changed, beams & ~changed & ~farther.GetBits() };
+}
+
+void NarrowRanges(
+  const lms3dBeamPacket& packet, std::uint32_t changed, double unit, lms3dNarrowHits& hits)
+{
+  for (int i = 0; i < Size; ++i)
+  {
+    const bool isChanged = (changed >> i) & 1u;
+    const float inverse = static_cast<float>(Minimum(unit / packet.Range[i], LargestInverse));
+    hits.InverseRange[i] = isChanged ? inverse : hits.InverseRange[i];
+    hits.Error[i] = isChanged ? lms3dNarrowError * inverse : hits.Error[i];
+  }
+}
+} // namespace
+
+#endif

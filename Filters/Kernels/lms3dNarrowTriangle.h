@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A triangle in single precision, seen from the sensor, with error bounds.
+ *
+ * Let a, b, c be the corners in the sensor frame, |.| the 1-norm, and u = 6e-8 the rounding of single
+ * precision. A direction d of length 1 passes inside if d.(b x c), d.(c x a), d.(a x b) have the sign
+ * of a.(b x c). It then meets the plane with the normal n = (b - a) x (c - a) at the range
+ * n.a / n.d. So the products of d with four vectors decide: three edges (b x c) / |b| |c| and so on,
+ * turned so that directions inside have positive products, and the plane (n / n.a) times a unit of
+ * length, whose product is the inverse range.
+ *
+ * The components of an edge are at most 1 in size. Rounding the edge to single precision, rounding d,
+ * and the three products and two sums of a dot product err by at most 5 u = 3e-7 together. The error of
+ * a plane's product is the same share of the plane's 1-norm. The double precision in which the vectors
+ * are computed adds less than 1e-9 to either, as long as |n.a| > 1e-6 |b - a| |c - a| |a|.
+ */
+#ifndef lms3dNarrowTriangle_h
+#define lms3dNarrowTriangle_h
+
+#include "Kernels/lms3dBeamPacket.h"
+
+#include <cstdint>
+
+/// The bound of an edge's product, and of a plane's product relative to the plane's 1-norm. Six times
+/// what the derivation above needs: tiles add the rounding of their corners.
+constexpr float lms3dNarrowError = 2e-6f;
+
+/// One cache line. All values are without unit.
+struct alignas(64) lms3dNarrowTriangle
+{
+  /// Opposite to corner 0, 1 and 2.
+  float Edge[3][3];
+
+  /// Its product with a direction is unit / range.
+  float Plane[3];
+
+  /// The bound of the plane's product; negative if single precision cannot represent the triangle:
+  /// it is very narrow, its plane passes very near to the sensor, or its size overflows.
+  float PlaneError;
+};
+
+/// The nearest hits of a packet in single precision: unit / range, 0 at infinity, with error bounds.
+struct lms3dNarrowHits
+{
+  alignas(64) float InverseRange[lms3dBeamPacket::Size];
+  alignas(64) float Error[lms3dBeamPacket::Size];
+};
+
+/// What single precision finds for one triangle. Beams in neither mask keep their hits for certain.
+struct lms3dNarrowMasks
+{
+  /// Beams that certainly have their nearest hit here now.
+  std::uint32_t Changed;
+
+  /// Beams on which single precision cannot decide.
+  std::uint32_t Uncertain;
+};
+
+#endif

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Kernels that decide on sixteen tiles at once what a triangle does to them.
+ *
+ * lms3dTile.h and lms3dNarrowTriangle.h derive the bounds.
+ */
+#ifndef lms3dTileKernels_inl
+#define lms3dTileKernels_inl
+
+#include "Kernels/lms3dNarrowKernels.inl"
+#include "Kernels/lms3dPacketMask.inl"
+
+namespace
+{
+// The bound of a product of a tile's side and a corner of a triangle. The rounding of corners and of
+// their cross product adds to that of the product.
+constexpr float SideError = 2.0f * lms3dNarrowError;
+
+using TileVector = float[3][Size];
+
+void FillTileCorner(
+  const lms3dTiles& tiles, const float* cosine, const float* sine, int turn, TileVector& corner)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int i = 0; i < Size; ++i)
+    {
+      corner[axis][i] = cosine[i] * tiles.Fan[turn][axis][i] + sine[i] * tiles.Up[axis];
+    }
+  }
+}
+
+// `inside` is the sum of the two other corners.
+void FillTileSide(
+  const TileVector& p, const TileVector& q, const TileVector& inside, TileVector& side)
+{
+  for (int i = 0; i < Size; ++i)
+  {
+    const float x = p[1][i] * q[2][i] - p[2][i] * q[1][i];
+    const float y = p[2][i] * q[0][i] - p[0][i] * q[2][i];
+    const float z = p[0][i] * q[1][i] - p[1][i] * q[0][i];
+    const float product = x * inside[0][i] + y * inside[1][i] + z * inside[2][i];
+    const float sign = product < 0.0f ? -1.0f : 1.0f;
+    side[0][i] = sign * x;
+    side[1][i] = sign * y;
+    side[2][i] = sign * z;
+  }
+}
+
+void FillTileCorners(lms3dTiles& tiles)
+{
+  FillTileCorner(tiles, tiles.Cosine[0], tiles.Sine[0], 0, tiles.Corner[0]);
+  FillTileCorner(tiles, tiles.Cosine[0], tiles.Sine[0], 1, tiles.Corner[1]);
+  FillTileCorner(tiles, tiles.Cosine[1], tiles.Sine[1], 1, tiles.Corner[2]);
+  FillTileCorner(tiles, tiles.Cosine[1], tiles.Sine[1], 0, tiles.Corner[3]);
+  alignas(64) TileVector inside;
+  for (int side = 0; side < 4; ++side)
+  {
+    const TileVector& third = tiles.Corner[(side + 2) % 4];
+    const TileVector& fourth = tiles.Corner[(side + 3) % 4];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int i = 0; i < Size; ++i)
+      {
+        inside[axis][i] = third[axis][i] + fourth[axis][i];
+      }
+    }
+    FillTileSide(tiles.Corner[side], tiles.Corner[(side + 1) % 4], inside, tiles.Side[side]);
+  }
+}
+
+float Dot(const TileVector& x, int i, const float* y)
+{
+  return x[0][i] * y[0] + x[1][i] * y[1] + x[2][i] * y[2];
+}
+
+// Finds the tiles that no edge separates from the triangle, and those inside all three edges.
+void CompareWithEdges(
+  const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle, Mask& outside, Mask& covered)
+{
+  const float(&edge)[3][3] = triangle.Edge;
+  for (int i = 0; i < Size; ++i)
+  {
+    float least = 1.0f;
+    float most = 1.0f;
+    for (int e = 0; e < 3; ++e)
+    {
+      const float a = Dot(tiles.Corner[0], i, edge[e]);
+      const float b = Dot(tiles.Corner[1], i, edge[e]);
+      const float c = Dot(tiles.Corner[2], i, edge[e]);
+      const float d = Dot(tiles.Corner[3], i, edge[e]);
+      least = Minimum(least, Minimum(Minimum(a, b), Minimum(c, d)));
+      most = Minimum(most, Maximum(Maximum(a, b), Maximum(c, d)));
+    }
+    outside.Set(i, most < -lms3dNarrowError);
+    covered.Set(i, least > lms3dNarrowError);
+  }
+}
+
+// Returns the tiles with a side that separates them from the triangle.
+std::uint32_t FindSeparated(const lms3dTiles& tiles, const lms3dCornerDirections& corners)
+{
+  Mask separated;
+  for (int i = 0; i < Size; ++i)
+  {
+    float least = 1.0f;
+    for (const TileVector& side : tiles.Side)
+    {
+      const float a = Dot(side, i, corners.Corner[0]);
+      const float b = Dot(side, i, corners.Corner[1]);
+      const float c = Dot(side, i, corners.Corner[2]);
+      least = Minimum(least, Maximum(Maximum(a, b), c));
+    }
+    separated.Set(i, least < -SideError);
+  }
+  return separated.GetBits();
+}
+
+// Compares the triangle's plane with the present cover, at all four corners.
+lms3dTileMasks CompareWithCover(const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle,
+  float minimumInverse, lms3dTileMasks masks, lms3dTileCover& cover)
+{
+  const float error = triangle.PlaneError;
+  const float within = minimumInverse + error;
+  alignas(64) float inverse[4][Size];
+  Mask behind;
+  Mask nearest;
+  Mask isWithin;
+  for (int i = 0; i < Size; ++i)
+  {
+    const float margin = cover.Error[i] + error;
+    float smallest = LargestPlane;
+    float leastGain = LargestPlane;
+    float mostGain = -LargestPlane;
+    for (int c = 0; c < 4; ++c)
+    {
+      inverse[c][i] = Dot(tiles.Corner[c], i, triangle.Plane);
+      const float gain = inverse[c][i] - cover.InverseRange[c][i];
+      smallest = Minimum(smallest, inverse[c][i]);
+      leastGain = Minimum(leastGain, gain);
+      mostGain = Maximum(mostGain, gain);
+    }
+    behind.Set(i, mostGain < -margin);
+    nearest.Set(i, leastGain > margin);
+    isWithin.Set(i, smallest > within);
+  }
+  masks.Met &= ~behind.GetBits();
+  masks.Covered &= masks.Met & isWithin.GetBits();
+  masks.Nearest = masks.Covered & nearest.GetBits();
+  for (int i = 0; i < Size; ++i)
+  {
+    const bool isNearest = (masks.Nearest >> i) & 1u;
+    for (int c = 0; c < 4; ++c)
+    {
+      cover.InverseRange[c][i] = isNearest ? inverse[c][i] : cover.InverseRange[c][i];
+    }
+    cover.Error[i] = isNearest ? error : cover.Error[i];
+  }
+  return masks;
+}
+
+lms3dTileMasks ClassifyTiles(const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle,
+  const lms3dCornerDirections& corners, lms3dTileMasks masks, float minimumInverse,
+  lms3dTileCover& cover)
+{
+  const bool isNarrow = triangle.PlaneError >= 0.0f;
+  if (isNarrow && masks.Covered != masks.Met)
+  {
+    Mask outside;
+    Mask covered;
+    CompareWithEdges(tiles, triangle, outside, covered);
+    masks.Met &= ~outside.GetBits();
+    masks.Covered = masks.Met & covered.GetBits();
+  }
+  if ((masks.Met & ~masks.Covered) != 0)
+  {
+    masks.Met &= ~FindSeparated(tiles, corners) | masks.Covered;
+  }
+  if (isNarrow && masks.Met != 0)
+  {
+    masks = CompareWithCover(tiles, triangle, minimumInverse, masks, cover);
+  }
+  return masks;
+}
+} // namespace
+
+#endif
