@@ -24,4 +24,9 @@ inline bool lms3dIsOutputOf(vtkSMProxy* shown, const char* source, unsigned int 
   return producer && !std::strcmp(producer->GetXMLName(), source) && input.GetOutputPort() == port;
 }
 
+inline bool lms3dIsRangeImage(vtkSMProxy* shown)
+{
+  return lms3dIsOutputOf(shown, "LMS3DScan", 1);
+}
+
 #endif

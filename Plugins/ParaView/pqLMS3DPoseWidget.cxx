@@ -184,7 +184,7 @@ bool pqLMS3DPoseWidget::isSceneShown() const
   return this->view() &&
     std::none_of(all.begin(), all.end(),
       [](const pqRepresentation* shown)
-      { return shown->isVisible() && lms3dIsOutputOf(shown->getProxy(), "LMS3DScan", 1); });
+      { return shown->isVisible() && lms3dIsRangeImage(shown->getProxy()); });
 }
 
 //------------------------------------------------------------------------------
@@ -224,6 +224,15 @@ void pqLMS3DPoseWidget::hideEvent(QHideEvent* event)
   const bool wanted = this->WidgetVisibility;
   this->Superclass::hideEvent(event);
   this->VisibleState = wanted;
+  this->showAxes();
+}
+
+//------------------------------------------------------------------------------
+// With a trajectory also while the scan is not selected, so that one sees the sensor move.
+bool pqLMS3DPoseWidget::areAxesShown() const
+{
+  const bool wanted = this->isVisible() ? this->WidgetVisibility : this->VisibleState;
+  return this->hasTrajectory() ? wanted : this->WidgetVisibility && this->isSelected();
 }
 
 //------------------------------------------------------------------------------
@@ -231,7 +240,7 @@ void pqLMS3DPoseWidget::showAxes()
 {
   this->Axes.Hide();
   vtkNew<vtkTransform> pose;
-  if (this->WidgetVisibility && this->isSelected() && this->isSceneShown() && this->getPose(pose))
+  if (this->areAxesShown() && this->isSceneShown() && this->getPose(pose))
   {
     this->Axes.SetPose(pose);
     this->Axes.ShowIn(this->view()->getProxy());

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lms3dRangeImageView.h"
+
+#include "lms3dIsRestoring.h"
+#include "lms3dOutputOf.h"
+
+#include <pqCoreUtilities.h>
+#include <pqRenderView.h>
+#include <pqRepresentation.h>
+#include <pqUndoStack.h>
+
+#include <QTimer>
+
+#include <vtkCommand.h>
+#include <vtkMath.h>
+#include <vtkPVRenderView.h>
+#include <vtkSMProxy.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// The elevation, along x, upwards; the platform angle, along y, to the right.
+const lms3dCamera::Vector Below{ 0, 0, -1 };
+const lms3dCamera::Vector Upwards{ 1, 0, 0 };
+
+bool ShowsRangeImage(const pqRepresentation* shown)
+{
+  return shown->isVisible() && lms3dIsRangeImage(shown->getProxy());
+}
+
+bool AreEqual(const lms3dCamera& one, const lms3dCamera& other)
+{
+  return one.Position == other.Position && one.FocalPoint == other.FocalPoint &&
+    one.ViewUp == other.ViewUp;
+}
+
+// Whether the camera is the one of standUpright(), which the user may have moved in the image's plane.
+bool IsUpright(const lms3dCamera& camera)
+{
+  constexpr double tolerance = 1e-6;
+  lms3dCamera::Vector from;
+  vtkMath::Subtract(camera.Position.data(), camera.FocalPoint.data(), from.data());
+  vtkMath::Normalize(from.data());
+  return camera.InteractionMode == vtkPVRenderView::INTERACTION_MODE_2D &&
+    vtkMath::Distance2BetweenPoints(from.data(), Below.data()) < tolerance &&
+    vtkMath::Distance2BetweenPoints(camera.ViewUp.data(), Upwards.data()) < tolerance;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+lms3dRangeImageView::lms3dRangeImageView(pqRenderView* view)
+  : Superclass(view)
+  , View(view)
+{
+  for (const char* change : { SIGNAL(representationAdded(pqRepresentation*)),
+         SIGNAL(representationVisibilityChanged(pqRepresentation*, bool)),
+         SIGNAL(representationRemoved(pqRepresentation*)) })
+  {
+    this->connect(view, change, SLOT(update(pqRepresentation*)));
+  }
+  pqCoreUtilities::connect(
+    view->getProxy(), vtkCommand::ResetCameraEvent, this, SLOT(noteCamera()));
+}
+
+//------------------------------------------------------------------------------
+void lms3dRangeImageView::update(pqRepresentation* changed)
+{
+  const QList<pqRepresentation*> all = this->View->getRepresentations();
+  const bool isShown = std::any_of(all.begin(), all.end(), ShowsRangeImage);
+  if (!this->IsShown && isShown && ShowsRangeImage(changed) && !lms3dIsRestoring())
+  {
+    this->IsShown = true;
+    this->Former = this->Expected = lms3dGetCamera(this->View);
+    // Later, because ParaView sets the camera, too.
+    QTimer::singleShot(0, this, SLOT(standUpright()));
+  }
+  else if (this->IsShown && !isShown)
+  {
+    this->IsShown = false;
+    if (IsUpright(lms3dGetCamera(this->View)))
+    {
+      SCOPED_UNDO_EXCLUDE(); // no step of its own
+      lms3dSetCamera(this->View, this->Former);
+      this->View->render();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void lms3dRangeImageView::noteCamera()
+{
+  this->Expected = lms3dGetCamera(this->View);
+}
+
+//------------------------------------------------------------------------------
+void lms3dRangeImageView::standUpright()
+{
+  if (!this->IsShown || this->View->getNumberOfVisibleDataRepresentations() != 1 ||
+    !AreEqual(lms3dGetCamera(this->View), this->Expected))
+  {
+    return;
+  }
+  SCOPED_UNDO_EXCLUDE(); // no step of its own
+  vtkSMPropertyHelper(this->View->getProxy(), "InteractionMode")
+    .Set(vtkPVRenderView::INTERACTION_MODE_2D);
+  lms3dTurnCamera(this->View, Below, Upwards);
+  this->View->resetDisplay();
+  this->View->render();
+}
