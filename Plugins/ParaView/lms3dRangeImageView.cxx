@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dRangeImageView.h"
 
-#include "lms3dIsRestoring.h"
 #include "lms3dOutputOf.h"
 
+#include <pqApplicationCore.h>
 #include <pqCoreUtilities.h>
 #include <pqRenderView.h>
 #include <pqRepresentation.h>
@@ -15,21 +15,15 @@
 #include <vtkCommand.h>
 #include <vtkMath.h>
 #include <vtkPVRenderView.h>
+#include <vtkSMProperty.h>
+#include <vtkSMPropertyHelper.h>
 #include <vtkSMProxy.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace
 {
 // The elevation, along x, upwards; the platform angle, along y, to the right.
 const lms3dCamera::Vector Below{ 0, 0, -1 };
 const lms3dCamera::Vector Upwards{ 1, 0, 0 };
-
-bool ShowsRangeImage(const pqRepresentation* shown)
-{
-  return shown->isVisible() && lms3dIsRangeImage(shown->getProxy());
-}
 
 bool AreEqual(const lms3dCamera& one, const lms3dCamera& other)
 {
@@ -55,22 +49,30 @@ lms3dRangeImageView::lms3dRangeImageView(pqRenderView* view)
   : Superclass(view)
   , View(view)
 {
-  for (const char* change : { SIGNAL(representationAdded(pqRepresentation*)),
-         SIGNAL(representationVisibilityChanged(pqRepresentation*, bool)),
-         SIGNAL(representationRemoved(pqRepresentation*)) })
-  {
-    this->connect(view, change, SLOT(update(pqRepresentation*)));
-  }
+  this->connect(
+    view, SIGNAL(representationAdded(pqRepresentation*)), SLOT(watch(pqRepresentation*)));
+  this->connect(view, SIGNAL(representationRemoved(pqRepresentation*)), SLOT(update()));
   pqCoreUtilities::connect(
     view->getProxy(), vtkCommand::ResetCameraEvent, this, SLOT(noteCamera()));
 }
 
 //------------------------------------------------------------------------------
-void lms3dRangeImageView::update(pqRepresentation* changed)
+// Listens to the property, because the signal of the view comes after ParaView has changed the camera.
+void lms3dRangeImageView::watch(pqRepresentation* added)
 {
-  const QList<pqRepresentation*> all = this->View->getRepresentations();
-  const bool isShown = std::any_of(all.begin(), all.end(), ShowsRangeImage);
-  if (!this->IsShown && isShown && ShowsRangeImage(changed) && !lms3dIsRestoring())
+  if (lms3dIsRangeImage(added->getProxy()))
+  {
+    pqCoreUtilities::connect(added->getProxy()->GetProperty("Visibility"),
+      vtkCommand::ModifiedEvent, this, SLOT(update()));
+    this->update();
+  }
+}
+
+//------------------------------------------------------------------------------
+void lms3dRangeImageView::update()
+{
+  const bool isShown = lms3dShows(this->View, lms3dIsRangeImage);
+  if (!this->IsShown && isShown && !pqApplicationCore::instance()->isLoadingState())
   {
     this->IsShown = true;
     this->Former = this->Expected = lms3dGetCamera(this->View);

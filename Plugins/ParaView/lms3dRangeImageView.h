@@ -31,7 +31,8 @@ public:
   explicit lms3dRangeImageView(pqRenderView* view);
 
 private Q_SLOTS:
-  void update(pqRepresentation* changed);
+  void watch(pqRepresentation* added);
+  void update();
   /// Notes the camera that ParaView sets for a new output.
   void noteCamera();
   void standUpright();

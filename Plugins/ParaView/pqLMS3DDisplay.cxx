@@ -52,10 +52,9 @@ Color GetColor(vtkSMProxy* shown)
 
 bool ShowsSame(vtkSMProxy* one, vtkSMProxy* other)
 {
-  const vtkSMPropertyHelper first(one, "Input");
-  const vtkSMPropertyHelper second(other, "Input");
-  return first.GetAsProxy() == second.GetAsProxy() &&
-    first.GetOutputPort() == second.GetOutputPort();
+  return lms3dGetSourceOf(one) == lms3dGetSourceOf(other) &&
+    vtkSMPropertyHelper(one, "Input").GetOutputPort() ==
+    vtkSMPropertyHelper(other, "Input").GetOutputPort();
 }
 
 // The colour that the same map has in another view, or else the first that no other map has.
