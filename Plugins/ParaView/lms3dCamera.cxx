@@ -4,7 +4,6 @@
 
 #include <pqView.h>
 
-#include <vtkMath.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMRenderViewProxy.h>
 
@@ -56,7 +55,10 @@ void lms3dSetCamera(pqView* view, const lms3dCamera& camera)
 void lms3dTurnCamera(pqView* view, const lms3dCamera::Vector& from, const lms3dCamera::Vector& up)
 {
   lms3dCamera camera = lms3dGetCamera(view);
-  vtkMath::Add(camera.FocalPoint.data(), from.data(), camera.Position.data());
+  for (int i = 0; i < 3; ++i)
+  {
+    camera.Position[i] = camera.FocalPoint[i] + from[i];
+  }
   camera.ViewUp = up;
   lms3dSetCamera(view, camera);
 }

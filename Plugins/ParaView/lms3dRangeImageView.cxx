@@ -13,17 +13,18 @@
 #include <QTimer>
 
 #include <vtkCommand.h>
-#include <vtkMath.h>
 #include <vtkPVRenderView.h>
 #include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxy.h>
 
+#include <cmath>
+
 namespace
 {
 // The elevation, along x, upwards; the platform angle, along y, to the right.
-const lms3dCamera::Vector Below{ 0, 0, -1 };
-const lms3dCamera::Vector Upwards{ 1, 0, 0 };
+constexpr lms3dCamera::Vector Below{ 0, 0, -1 };
+constexpr lms3dCamera::Vector Upwards{ 1, 0, 0 };
 
 bool AreEqual(const lms3dCamera& one, const lms3dCamera& other)
 {
@@ -35,12 +36,12 @@ bool AreEqual(const lms3dCamera& one, const lms3dCamera& other)
 bool IsUpright(const lms3dCamera& camera)
 {
   constexpr double tolerance = 1e-6;
-  lms3dCamera::Vector from;
-  vtkMath::Subtract(camera.Position.data(), camera.FocalPoint.data(), from.data());
-  vtkMath::Normalize(from.data());
-  return camera.InteractionMode == vtkPVRenderView::INTERACTION_MODE_2D &&
-    vtkMath::Distance2BetweenPoints(from.data(), Below.data()) < tolerance &&
-    vtkMath::Distance2BetweenPoints(camera.ViewUp.data(), Upwards.data()) < tolerance;
+  const lms3dCamera::Vector& focus = camera.FocalPoint;
+  const double distance = focus[2] - camera.Position[2];
+  return camera.InteractionMode == vtkPVRenderView::INTERACTION_MODE_2D && distance > 0 &&
+    std::hypot(camera.Position[0] - focus[0], camera.Position[1] - focus[1]) <
+    tolerance * distance &&
+    camera.ViewUp[0] > 1 - tolerance;
 }
 } // namespace
 

@@ -174,6 +174,14 @@ class TestRangeImage(LookTest):
         before, after = (self.read_state(name).camera() for name in ("scan", "deleted"))
         self.assertEqual(after, before)
 
+    def test_camera_that_the_user_turned_stays(self):
+        self.play(
+            open_scan(), click_eye(SCAN), click_eye(RANGE_IMAGE),
+            [("cameraToolbar/actionNegativeZ", "activate", "")], self.save("turned"),
+            click_eye(RANGE_IMAGE), self.save("hidden"))
+        turned, after = (self.read_state(name).camera() for name in ("turned", "hidden"))
+        self.assertEqual(after, turned)
+
     def test_camera_of_a_script_holds(self):
         camera = {"CameraPosition": [3, 2, 1], "CameraFocalPoint": [0, 1, 2], "CameraViewUp": [0, 0, 1]}
         state = self.run_script("Show(OutputPort(scan, 1), view)\n" + "".join(
