@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Make images/paraview.png, ParaView's window with Data/example.pvsm and the sensor's box, and
-images/paraview_journey.png, the same with a moving sensor.
+"""Make pictures of ParaView's window with a sensor and its local map in images/.
+
+paraview.png shows Data/example.pvsm, paraview_steps.png the three steps of README.md, and
+paraview_journey.png a moving sensor.
 
     xvfb-run -a -s "-noreset -screen 0 1152x762x24" ./run python Documentation/make_paraview_screenshot.py
 
@@ -27,6 +29,20 @@ def load_example(simple):
     return simple.FindSource("LMS3DScan1")
 
 
+def show_steps(simple):
+    """The three steps, with the sensor at the position where the window puts it."""
+    room = simple.VRMLReader(registrationName="room.wrl", FileName="room.wrl")
+    view = simple.GetActiveViewOrCreate("RenderView")
+    simple.Show(room, view)
+    simple.ResetCamera(view)
+    simple.Hide(room, view)
+    scan = simple.LMS3DScan(registrationName="LMS3DScan1", Input=room, Position=[1.475, 0.07, 1.0])
+    local_map = simple.LMS3DSurfaceReconstruction(
+        registrationName="LMS3DSurfaceReconstruction1", Input=scan)
+    simple.Show(local_map, view)
+    return scan
+
+
 def show_journey(simple):
     """The sensor in the doorway, its trajectory, and the map from above without the ceiling."""
     room = simple.VRMLReader(registrationName="room.wrl", FileName="room.wrl")
@@ -45,7 +61,8 @@ def show_journey(simple):
     return scan
 
 
-PICTURES = {"paraview": load_example, "paraview_journey": show_journey}
+PICTURES = {
+    "paraview": load_example, "paraview_steps": show_steps, "paraview_journey": show_journey}
 
 
 def fill_window():

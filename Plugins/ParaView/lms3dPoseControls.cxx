@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lms3dPoseControls.h"
 
+#include "lms3dSensorAxes.h"
+
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+
+#include <vtkBoxRepresentation.h>
+#include <vtkSMProxy.h>
 
 namespace
 {
@@ -84,4 +89,15 @@ void lms3dArrangePoseControls(QWidget* panel)
   // The rows above 10 are ParaView's.
   PlaceRow(panel, "translate", "labelTranslate", QObject::tr("Position (m)"), 10);
   PlaceRow(panel, "rotate", "labelRotate", QObject::tr("Orientation (degrees)"), 12);
+}
+
+//------------------------------------------------------------------------------
+void lms3dStyleBox(vtkSMProxy* representation)
+{
+  if (auto* box = vtkBoxRepresentation::SafeDownCast(representation->GetClientSideObject()))
+  {
+    box->HandlesOff();
+    box->OutlineCursorWiresOff(); // lines from face to face
+    lms3dSensorAxes::DrawOnTop(box);
+  }
 }

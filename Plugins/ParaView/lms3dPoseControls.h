@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Adapts the controls of ParaView's box widget to a sensor.
+ * @brief Adapts ParaView's box widget and its controls to a sensor.
  */
 
 #ifndef lms3dPoseControls_h
 #define lms3dPoseControls_h
 
 class QWidget;
+class vtkSMProxy;
 
 /**
  * Hides the controls that fit a box to its input. Puts the labels, with units, above the number fields,
@@ -16,5 +17,8 @@ class QWidget;
  * of a longer number.
  */
 void lms3dArrangePoseControls(QWidget* panel);
+
+/// Draws the box without the balls that resize it, and on top of the scene.
+void lms3dStyleBox(vtkSMProxy* representation);
 
 #endif

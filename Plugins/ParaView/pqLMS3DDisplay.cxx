@@ -2,26 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqLMS3DDisplay.h"
 
+#include "lms3dCamera.h"
 #include "lms3dIsRestoring.h"
 #include "lms3dOutputOf.h"
+#include "lms3dRangeImageView.h"
 
 #include <pqApplicationCore.h>
 #include <pqDataRepresentation.h>
 #include <pqRenderView.h>
 #include <pqServerManagerModel.h>
-#include <pqUndoStack.h>
-
-#include <QTimer>
 
 #include <vtkDataObject.h>
 #include <vtkGeometryRepresentationWithFaces.h>
-#include <vtkMath.h>
-#include <vtkPVRenderView.h>
 #include <vtkSMPVRepresentationProxy.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxy.h>
 #include <vtkSMTrace.h>
-#include <vtkSMViewProxy.h>
 
 #include <algorithm>
 #include <array>
@@ -47,34 +43,40 @@ bool IsScene(vtkSMProxy* shown)
   return lms3dIsOutputOf(shown, "vrmlreader", 0) || lms3dIsOutputOf(shown, "LMS3DRemote", 0);
 }
 
-bool IsRangeImage(vtkSMProxy* shown)
+Color GetColor(vtkSMProxy* shown)
 {
-  return lms3dIsOutputOf(shown, "LMS3DScan", 1);
+  Color color{};
+  vtkSMPropertyHelper(shown, "DiffuseColor").Get(color.data(), 3);
+  return color;
 }
 
-std::vector<double> GetValues(vtkSMProxy* proxy, const char* property)
+bool ShowsSame(vtkSMProxy* one, vtkSMProxy* other)
 {
-  return vtkSMPropertyHelper(proxy, property, true).GetDoubleArray();
+  return lms3dGetSourceOf(one) == lms3dGetSourceOf(other) &&
+    vtkSMPropertyHelper(one, "Input").GetOutputPort() ==
+    vtkSMPropertyHelper(other, "Input").GetOutputPort();
 }
 
-// The first colour that no other map has.
+// The colour that the same map has in another view, or else the first that no other map has.
 Color PickMapColor(vtkSMProxy* added)
 {
-  std::vector<std::vector<double>> used;
+  std::vector<Color> used;
   const auto* model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqDataRepresentation* other : model->findItems<pqDataRepresentation*>())
   {
     vtkSMProxy* shown = other->getProxy();
-    if (shown != added && IsMap(shown))
+    if (shown == added || !IsMap(shown) || !shown->GetProperty("DiffuseColor"))
     {
-      used.push_back(GetValues(shown, "DiffuseColor"));
+      continue;
+    }
+    used.push_back(GetColor(shown));
+    if (ShowsSame(shown, added))
+    {
+      return used.back();
     }
   }
   const auto isFree = [&](const Color& color)
-  {
-    return std::find(used.begin(), used.end(), std::vector<double>(color.begin(), color.end())) ==
-      used.end();
-  };
+  { return std::find(used.begin(), used.end(), color) == used.end(); };
   const auto* found = std::find_if(MapColors.begin(), MapColors.end(), isFree);
   return found == MapColors.end() ? MapColors[used.size() % MapColors.size()] : *found;
 }
@@ -126,62 +128,27 @@ void GreyMissingReturns(vtkSMProxy* shown)
   }
 }
 
-// Puts the camera in the direction `from`, seen from the point that it looks at.
-void TurnCamera(vtkSMProxy* view, const Color& from, const Color& up)
-{
-  const std::vector<double> focus = GetValues(view, "CameraFocalPoint");
-  double position[3];
-  vtkMath::Add(focus.data(), from.data(), position);
-  vtkSMPropertyHelper(view, "CameraPosition").Set(position, 3);
-  vtkSMPropertyHelper(view, "CameraViewUp").Set(up.data(), 3);
-  view->UpdateVTKObjects();
-}
-
 // Whether the camera looks down, as it does in a new view.
-bool IsCameraNew(vtkSMProxy* view)
+bool IsCameraNew(pqView* view)
 {
-  const std::vector<double> position = GetValues(view, "CameraPosition");
-  const std::vector<double> focus = GetValues(view, "CameraFocalPoint");
-  return GetValues(view, "CameraViewUp") == std::vector<double>{ 0, 1, 0 } &&
-    position[0] == focus[0] && position[1] == focus[1] && position[2] > focus[2];
-}
-
-// The elevation, along x, upwards; the platform angle, along y, to the right.
-void StandUpright(pqView* view)
-{
-  SCOPED_UNDO_EXCLUDE(); // no step of its own
-  vtkSMProxy* proxy = view->getProxy();
-  vtkSMPropertyHelper(proxy, "InteractionMode").Set(vtkPVRenderView::INTERACTION_MODE_2D);
-  TurnCamera(proxy, { 0, 0, -1 }, { 1, 0, 0 });
-  view->resetDisplay();
-  view->render();
+  const lms3dCamera camera = lms3dGetCamera(view);
+  return camera.ViewUp == lms3dCamera::Vector{ 0, 1, 0 } &&
+    camera.Position[0] == camera.FocalPoint[0] && camera.Position[1] == camera.FocalPoint[1] &&
+    camera.Position[2] > camera.FocalPoint[2];
 }
 } // namespace
-
-//------------------------------------------------------------------------------
-pqLMS3DDisplay::pqLMS3DDisplay(QObject* parentObject)
-  : Superclass(parentObject)
-{
-}
 
 //------------------------------------------------------------------------------
 void pqLMS3DDisplay::startup()
 {
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
-  this->connect(
+  this->listen(
     model, SIGNAL(representationAdded(pqRepresentation*)), SLOT(color(pqRepresentation*)));
-  this->connect(model, SIGNAL(viewAdded(pqView*)), SLOT(watch(pqView*)));
+  this->listen(model, SIGNAL(viewAdded(pqView*)), SLOT(watch(pqView*)));
   for (pqView* view : model->findItems<pqView*>())
   {
     this->watch(view);
   }
-}
-
-//------------------------------------------------------------------------------
-void pqLMS3DDisplay::shutdown()
-{
-  QObject::disconnect(
-    pqApplicationCore::instance()->getServerManagerModel(), nullptr, this, nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -205,10 +172,11 @@ void pqLMS3DDisplay::color(pqRepresentation* added)
 //------------------------------------------------------------------------------
 void pqLMS3DDisplay::watch(pqView* added)
 {
-  if (qobject_cast<pqRenderView*>(added))
+  if (auto* view = qobject_cast<pqRenderView*>(added))
   {
-    this->connect(
-      added, SIGNAL(representationAdded(pqRepresentation*)), SLOT(aim(pqRepresentation*)));
+    new lms3dRangeImageView(view); // The view owns it.
+    this->listen(
+      view, SIGNAL(representationAdded(pqRepresentation*)), SLOT(aim(pqRepresentation*)));
   }
 }
 
@@ -220,22 +188,13 @@ void pqLMS3DDisplay::aim(pqRepresentation* shown)
   {
     return;
   }
-  if (IsRangeImage(shown->getProxy()))
+  if (lms3dIsRangeImage(shown->getProxy()))
   {
     GreyMissingReturns(shown->getProxy());
-    // Later, because ParaView sets the camera, too.
-    QTimer::singleShot(0, view,
-      [view]
-      {
-        if (view->getNumberOfVisibleDataRepresentations() == 1)
-        {
-          StandUpright(view);
-        }
-      });
   }
   else if (IsScene(shown->getProxy()) && view->getNumberOfRepresentations() == 1 &&
-    IsCameraNew(view->getProxy()))
+    IsCameraNew(view))
   {
-    TurnCamera(view->getProxy(), { -0.45, -0.98, 1.45 }, { 0, 0, 1 });
+    lms3dTurnCamera(view, { -0.45, -0.98, 1.45 }, { 0, 0, 1 });
   }
 }

@@ -26,25 +26,11 @@ bool HasReturns(vtkSMSourceProxy* scan)
 } // namespace
 
 //------------------------------------------------------------------------------
-pqLMS3DEmptyScans::pqLMS3DEmptyScans(QObject* parentObject)
-  : Superclass(parentObject)
-{
-}
-
-//------------------------------------------------------------------------------
 void pqLMS3DEmptyScans::startup()
 {
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
-  this->connect(model, SIGNAL(dataUpdated(pqPipelineSource*)), SLOT(check(pqPipelineSource*)));
-  this->connect(
-    model, SIGNAL(preSourceRemoved(pqPipelineSource*)), SLOT(forget(pqPipelineSource*)));
-}
-
-//------------------------------------------------------------------------------
-void pqLMS3DEmptyScans::shutdown()
-{
-  QObject::disconnect(
-    pqApplicationCore::instance()->getServerManagerModel(), nullptr, this, nullptr);
+  this->listen(model, SIGNAL(dataUpdated(pqPipelineSource*)), SLOT(check(pqPipelineSource*)));
+  this->listen(model, SIGNAL(preSourceRemoved(pqPipelineSource*)), SLOT(forget(pqPipelineSource*)));
 }
 
 //------------------------------------------------------------------------------

@@ -11,29 +11,24 @@
 #ifndef pqLMS3DEmptyScans_h
 #define pqLMS3DEmptyScans_h
 
-#include <QObject>
+#include "lms3dAutoStart.h"
+
 #include <QSet>
 
 class pqPipelineSource;
 
-class pqLMS3DEmptyScans : public QObject
+class pqLMS3DEmptyScans : public lms3dAutoStart
 {
   Q_OBJECT
-  typedef QObject Superclass;
 
 public:
-  explicit pqLMS3DEmptyScans(QObject* parent = nullptr);
-
-  void startup();
-  void shutdown();
+  void startup() override;
 
 private Q_SLOTS:
   void check(pqPipelineSource* updated);
   void forget(pqPipelineSource* removed);
 
 private:
-  Q_DISABLE_COPY(pqLMS3DEmptyScans)
-
   QSet<pqPipelineSource*> Empty;
 };
 

@@ -61,23 +61,10 @@ void AddUnit(const pqRepresentation* legend)
 } // namespace
 
 //------------------------------------------------------------------------------
-pqLMS3DLegendUnits::pqLMS3DLegendUnits(QObject* parentObject)
-  : Superclass(parentObject)
-{
-}
-
-//------------------------------------------------------------------------------
 void pqLMS3DLegendUnits::startup()
 {
-  this->connect(pqApplicationCore::instance()->getServerManagerModel(),
+  this->listen(pqApplicationCore::instance()->getServerManagerModel(),
     SIGNAL(representationAdded(pqRepresentation*)), SLOT(label(pqRepresentation*)));
-}
-
-//------------------------------------------------------------------------------
-void pqLMS3DLegendUnits::shutdown()
-{
-  QObject::disconnect(
-    pqApplicationCore::instance()->getServerManagerModel(), nullptr, this, nullptr);
 }
 
 //------------------------------------------------------------------------------

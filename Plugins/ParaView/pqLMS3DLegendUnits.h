@@ -11,26 +11,19 @@
 #ifndef pqLMS3DLegendUnits_h
 #define pqLMS3DLegendUnits_h
 
-#include <QObject>
+#include "lms3dAutoStart.h"
 
 class pqRepresentation;
 
-class pqLMS3DLegendUnits : public QObject
+class pqLMS3DLegendUnits : public lms3dAutoStart
 {
   Q_OBJECT
-  typedef QObject Superclass;
 
 public:
-  explicit pqLMS3DLegendUnits(QObject* parent = nullptr);
-
-  void startup();
-  void shutdown();
+  void startup() override;
 
 private Q_SLOTS:
   void label(pqRepresentation* added);
-
-private:
-  Q_DISABLE_COPY(pqLMS3DLegendUnits)
 };
 
 #endif

@@ -11,7 +11,6 @@
 #include <pqPVApplicationCore.h>
 #include <pqPipelineSource.h>
 #include <pqPointPickingHelper.h>
-#include <pqRepresentation.h>
 #include <pqServerManagerModel.h>
 #include <pqUndoStack.h>
 #include <pqView.h>
@@ -19,15 +18,12 @@
 #include <QCheckBox>
 #include <QTimer>
 
-#include <vtkBoxRepresentation.h>
 #include <vtkCommand.h>
 #include <vtkPVGeneralSettings.h>
 #include <vtkSMNewWidgetRepresentationProxy.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMViewProxy.h>
 #include <vtkTransform.h>
-
-#include <algorithm>
 
 //------------------------------------------------------------------------------
 pqLMS3DPoseWidget::pqLMS3DPoseWidget(
@@ -36,7 +32,7 @@ pqLMS3DPoseWidget::pqLMS3DPoseWidget(
   , Drag(this->widgetProxy()->GetWidget())
 {
   this->pqLMS3DPoseWidget::placeWidget();
-  this->styleBox();
+  lms3dStyleBox(this->widgetProxy()->GetRepresentationProxy());
   lms3dArrangePoseControls(this);
   this->pickByKeys();
   this->followPose();
@@ -65,19 +61,6 @@ void pqLMS3DPoseWidget::placeWidget()
   vtkSMPropertyHelper(box, "PlaceWidget").Set(bounds, 6);
   box->UpdateVTKObjects();
   this->Axes.SetLength(3 * half); // longer than the box
-}
-
-//------------------------------------------------------------------------------
-// Without the balls, which resize a box, and on top of the scene.
-void pqLMS3DPoseWidget::styleBox()
-{
-  vtkSMProxy* proxy = this->widgetProxy()->GetRepresentationProxy();
-  if (auto* box = vtkBoxRepresentation::SafeDownCast(proxy->GetClientSideObject()))
-  {
-    box->HandlesOff();
-    box->OutlineCursorWiresOff(); // lines from face to face
-    lms3dSensorAxes::DrawOnTop(box);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -179,12 +162,7 @@ bool pqLMS3DPoseWidget::hasTrajectory() const
 // Not if the view shows a range image, because its axes are angles.
 bool pqLMS3DPoseWidget::isSceneShown() const
 {
-  const QList<pqRepresentation*> all =
-    this->view() ? this->view()->getRepresentations() : QList<pqRepresentation*>();
-  return this->view() &&
-    std::none_of(all.begin(), all.end(),
-      [](const pqRepresentation* shown)
-      { return shown->isVisible() && lms3dIsOutputOf(shown->getProxy(), "LMS3DScan", 1); });
+  return this->view() && !lms3dShows(this->view(), lms3dIsRangeImage);
 }
 
 //------------------------------------------------------------------------------
@@ -224,6 +202,20 @@ void pqLMS3DPoseWidget::hideEvent(QHideEvent* event)
   const bool wanted = this->WidgetVisibility;
   this->Superclass::hideEvent(event);
   this->VisibleState = wanted;
+  this->showAxes();
+}
+
+//------------------------------------------------------------------------------
+// Also while the scan is not selected if the view shows its trajectory, so that one sees the sensor move.
+bool pqLMS3DPoseWidget::areAxesShown() const
+{
+  const vtkSMProxy* trajectory = vtkSMPropertyHelper(this->proxy(), "Trajectory").GetAsProxy();
+  const bool isWanted = this->isVisible() ? this->WidgetVisibility : this->VisibleState;
+  return this->isSceneShown() &&
+    ((this->WidgetVisibility && this->isSelected()) ||
+      (trajectory && isWanted &&
+        lms3dShows(this->view(),
+          [trajectory](vtkSMProxy* shown) { return lms3dGetSourceOf(shown) == trajectory; })));
 }
 
 //------------------------------------------------------------------------------
@@ -231,7 +223,7 @@ void pqLMS3DPoseWidget::showAxes()
 {
   this->Axes.Hide();
   vtkNew<vtkTransform> pose;
-  if (this->WidgetVisibility && this->isSelected() && this->isSceneShown() && this->getPose(pose))
+  if (this->areAxesShown() && this->getPose(pose))
   {
     this->Axes.SetPose(pose);
     this->Axes.ShowIn(this->view()->getProxy());

@@ -15,7 +15,8 @@
  * Apply the scan follows the mouse, otherwise it follows on Apply. A drag is one step of undo.
  *
  * While the scan has a trajectory, the sensor is not at Position. The box is hidden then, and the axes
- * show the pose of the present time. A view of a range image shows neither.
+ * show the pose of the present time. If the active view shows the trajectory, the axes stay while other
+ * filters are selected. A view of a range image shows neither box nor axes.
  * In XML: `<PropertyGroup panel_widget="LMS3DPose">`.
  */
 
@@ -58,8 +59,8 @@ private:
 
   bool hasTrajectory() const;
   bool isSceneShown() const;
+  bool areAxesShown() const;
   bool getPose(vtkTransform* pose) const;
-  void styleBox();
   void pickByKeys();
   void followPose();
   void followTrajectory();

@@ -7,6 +7,7 @@
 #include <pqServerManagerModel.h>
 
 #include <QFile>
+#include <QTimer>
 
 #include <vtkSMProxy.h>
 
@@ -33,37 +34,34 @@ QObject* FindPythonManager()
 } // namespace
 
 //------------------------------------------------------------------------------
-pqLMS3DPythonStates::pqLMS3DPythonStates(QObject* parentObject)
-  : Superclass(parentObject)
-{
-}
-
-//------------------------------------------------------------------------------
 void pqLMS3DPythonStates::startup()
 {
-  this->connect(pqApplicationCore::instance()->getServerManagerModel(),
+  this->listen(pqApplicationCore::instance()->getServerManagerModel(),
     SIGNAL(sourceAdded(pqPipelineSource*)), SLOT(prepare(pqPipelineSource*)));
 }
 
 //------------------------------------------------------------------------------
-void pqLMS3DPythonStates::shutdown()
+// Later, because Python must not start while ParaView adds the source.
+void pqLMS3DPythonStates::prepare(pqPipelineSource* added)
 {
-  QObject::disconnect(
-    pqApplicationCore::instance()->getServerManagerModel(), nullptr, this, nullptr);
+  if (IsOfLMS3D(added->getProxy()))
+  {
+    QTimer::singleShot(0, this, SLOT(run()));
+  }
 }
 
 //------------------------------------------------------------------------------
-void pqLMS3DPythonStates::prepare(pqPipelineSource* added)
+void pqLMS3DPythonStates::run()
 {
-  if (!IsOfLMS3D(added->getProxy()))
-  {
-    return;
-  }
-  this->shutdown(); // once is enough
   QFile script(":/LMS3D/lms3d_states.py");
   QObject* python = FindPythonManager();
-  if (python && script.open(QIODevice::ReadOnly))
+  if (!this->HasRun && python && script.open(QIODevice::ReadOnly))
   {
-    QMetaObject::invokeMethod(python, "executeCode", Q_ARG(QByteArray, script.readAll()));
+    this->HasRun =
+      QMetaObject::invokeMethod(python, "executeCode", Q_ARG(QByteArray, script.readAll()));
+  }
+  if (this->HasRun)
+  {
+    this->shutdown(); // once is enough
   }
 }

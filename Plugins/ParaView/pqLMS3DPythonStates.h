@@ -6,32 +6,29 @@
  *
  * ParaView's Python states do not load plugins. Once the pipeline has a reader or a filter of LMS3D, this
  * class runs Python/lms3d_states.py, which adds the missing line to each state that is saved later. Does
- * nothing if ParaView has no Python.
+ * nothing if ParaView has no Python. If the script cannot start, the next reader or filter starts it.
  */
 
 #ifndef pqLMS3DPythonStates_h
 #define pqLMS3DPythonStates_h
 
-#include <QObject>
+#include "lms3dAutoStart.h"
 
 class pqPipelineSource;
 
-class pqLMS3DPythonStates : public QObject
+class pqLMS3DPythonStates : public lms3dAutoStart
 {
   Q_OBJECT
-  typedef QObject Superclass;
 
 public:
-  explicit pqLMS3DPythonStates(QObject* parent = nullptr);
-
-  void startup();
-  void shutdown();
+  void startup() override;
 
 private Q_SLOTS:
   void prepare(pqPipelineSource* added);
+  void run();
 
 private:
-  Q_DISABLE_COPY(pqLMS3DPythonStates)
+  bool HasRun = false;
 };
 
 #endif

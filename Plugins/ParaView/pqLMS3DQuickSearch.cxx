@@ -17,26 +17,11 @@ const char* const Words = " (lidar, laser, range)";
 } // namespace
 
 //------------------------------------------------------------------------------
-pqLMS3DQuickSearch::pqLMS3DQuickSearch(QObject* parentObject)
-  : Superclass(parentObject)
-{
-}
-
-//------------------------------------------------------------------------------
 void pqLMS3DQuickSearch::startup()
 {
   if (pqPVApplicationCore* core = pqPVApplicationCore::instance())
   {
-    this->connect(core, SIGNAL(aboutToShowQuickLaunch()), SLOT(addWords()));
-  }
-}
-
-//------------------------------------------------------------------------------
-void pqLMS3DQuickSearch::shutdown()
-{
-  if (pqPVApplicationCore* core = pqPVApplicationCore::instance())
-  {
-    QObject::disconnect(core, nullptr, this, nullptr);
+    this->listen(core, SIGNAL(aboutToShowQuickLaunch()), SLOT(addWords()));
   }
 }
 

@@ -11,24 +11,17 @@
 #ifndef pqLMS3DQuickSearch_h
 #define pqLMS3DQuickSearch_h
 
-#include <QObject>
+#include "lms3dAutoStart.h"
 
-class pqLMS3DQuickSearch : public QObject
+class pqLMS3DQuickSearch : public lms3dAutoStart
 {
   Q_OBJECT
-  typedef QObject Superclass;
 
 public:
-  explicit pqLMS3DQuickSearch(QObject* parent = nullptr);
-
-  void startup();
-  void shutdown();
+  void startup() override;
 
 private Q_SLOTS:
   void addWords();
-
-private:
-  Q_DISABLE_COPY(pqLMS3DQuickSearch)
 };
 
 #endif

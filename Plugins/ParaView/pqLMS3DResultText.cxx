@@ -33,7 +33,7 @@ QString GetPercent(const vtkPVDataInformation* results, const char* name)
   return share ? QString::number(100 * share->GetComponentRange(0)[0], 'f', 1) + " %" : QString();
 }
 
-// Mean, 95 % and maximum of distances.
+// Mean, 95 % and maximum of distances, in two lines that a narrow view shows whole.
 QString GetDistances(const vtkPVDataInformation* results, const char* name)
 {
   const vtkPVArrayInformation* errors = results->GetArrayInformation(name, vtkDataObject::FIELD);
@@ -42,9 +42,8 @@ QString GetDistances(const vtkPVDataInformation* results, const char* name)
     return QString();
   }
   const auto millimetres = [&](int component)
-  { return QString::number(1000 * errors->GetComponentRange(component)[0], 'f', 1); };
-  return "mean " + millimetres(0) + ", 95 % " + millimetres(2) + ", maximum " + millimetres(3) +
-    " mm";
+  { return QString::number(1000 * errors->GetComponentRange(component)[0], 'f', 1) + " mm"; };
+  return "mean " + millimetres(0) + ",\n  95 % " + millimetres(2) + ", maximum " + millimetres(3);
 }
 
 // Empty if the comparison has no results.
@@ -59,7 +58,7 @@ QString DescribeResults(vtkSMProxy* comparison)
   }
   const double tolerance = vtkSMPropertyHelper(comparison, "Tolerance").GetAsDouble();
   return "Within " + QString::number(1000 * tolerance) + " mm: map " + correctness +
-    ", visible scene " + GetPercent(results, "Completeness") +
+    ",\n  visible scene " + GetPercent(results, "Completeness") +
     "\nMap to scene: " + GetDistances(results, "MapToScene") +
     "\nScene to map: " + GetDistances(results, "SceneToMap");
 }
@@ -97,22 +96,12 @@ vtkSmartPointer<vtkTextActor> MakeText()
 } // namespace
 
 //------------------------------------------------------------------------------
-pqLMS3DResultText::pqLMS3DResultText(QObject* parentObject)
-  : Superclass(parentObject)
-{
-}
-
-//------------------------------------------------------------------------------
-pqLMS3DResultText::~pqLMS3DResultText() = default;
-
-//------------------------------------------------------------------------------
 void pqLMS3DResultText::startup()
 {
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
-  this->connect(model, SIGNAL(viewAdded(pqView*)), SLOT(watch(pqView*)));
-  this->connect(model, SIGNAL(preViewRemoved(pqView*)), SLOT(forget(pqView*)));
-  this->connect(
-    model, SIGNAL(dataUpdated(pqPipelineSource*)), SLOT(updateViews(pqPipelineSource*)));
+  this->listen(model, SIGNAL(viewAdded(pqView*)), SLOT(watch(pqView*)));
+  this->listen(model, SIGNAL(preViewRemoved(pqView*)), SLOT(forget(pqView*)));
+  this->listen(model, SIGNAL(dataUpdated(pqPipelineSource*)), SLOT(updateViews(pqPipelineSource*)));
   for (pqView* view : model->findItems<pqView*>())
   {
     this->watch(view);
@@ -136,7 +125,7 @@ void pqLMS3DResultText::watch(pqView* added)
            SIGNAL(representationAdded(pqRepresentation*)),
            SIGNAL(representationRemoved(pqRepresentation*)) })
     {
-      this->connect(added, change, SLOT(updateView()));
+      this->listen(added, change, SLOT(updateView()));
     }
   }
 }

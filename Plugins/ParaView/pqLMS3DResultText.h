@@ -12,8 +12,9 @@
 #ifndef pqLMS3DResultText_h
 #define pqLMS3DResultText_h
 
+#include "lms3dAutoStart.h"
+
 #include <QMap>
-#include <QObject>
 
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
@@ -21,17 +22,13 @@
 class pqPipelineSource;
 class pqView;
 
-class pqLMS3DResultText : public QObject
+class pqLMS3DResultText : public lms3dAutoStart
 {
   Q_OBJECT
-  typedef QObject Superclass;
 
 public:
-  explicit pqLMS3DResultText(QObject* parent = nullptr);
-  ~pqLMS3DResultText() override;
-
-  void startup();
-  void shutdown();
+  void startup() override;
+  void shutdown() override;
 
 private Q_SLOTS:
   void watch(pqView* added);
@@ -40,7 +37,6 @@ private Q_SLOTS:
   void updateViews(pqPipelineSource* updated);
 
 private:
-  Q_DISABLE_COPY(pqLMS3DResultText)
   void write(pqView* view);
 
   QMap<pqView*, vtkSmartPointer<vtkTextActor>> Texts;

@@ -27,22 +27,10 @@ bool IsAtOrigin(vtkSMProxy* scan)
 } // namespace
 
 //------------------------------------------------------------------------------
-pqLMS3DStartPose::pqLMS3DStartPose(QObject* parentObject)
-  : Superclass(parentObject)
-{
-}
-
-//------------------------------------------------------------------------------
 void pqLMS3DStartPose::startup()
 {
-  this->connect(pqApplicationCore::instance()->getObjectBuilder(),
+  this->listen(pqApplicationCore::instance()->getObjectBuilder(),
     SIGNAL(filterCreated(pqPipelineSource*)), SLOT(place(pqPipelineSource*)));
-}
-
-//------------------------------------------------------------------------------
-void pqLMS3DStartPose::shutdown()
-{
-  QObject::disconnect(pqApplicationCore::instance()->getObjectBuilder(), nullptr, this, nullptr);
 }
 
 //------------------------------------------------------------------------------

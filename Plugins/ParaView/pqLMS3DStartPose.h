@@ -12,26 +12,19 @@
 #ifndef pqLMS3DStartPose_h
 #define pqLMS3DStartPose_h
 
-#include <QObject>
+#include "lms3dAutoStart.h"
 
 class pqPipelineSource;
 
-class pqLMS3DStartPose : public QObject
+class pqLMS3DStartPose : public lms3dAutoStart
 {
   Q_OBJECT
-  typedef QObject Superclass;
 
 public:
-  explicit pqLMS3DStartPose(QObject* parent = nullptr);
-
-  void startup();
-  void shutdown();
+  void startup() override;
 
 private Q_SLOTS:
   void place(pqPipelineSource* created);
-
-private:
-  Q_DISABLE_COPY(pqLMS3DStartPose)
 };
 
 #endif

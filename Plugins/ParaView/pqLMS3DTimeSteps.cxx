@@ -33,23 +33,10 @@ void UpdateAnimation(vtkSMProxy* scan)
 } // namespace
 
 //------------------------------------------------------------------------------
-pqLMS3DTimeSteps::pqLMS3DTimeSteps(QObject* parentObject)
-  : Superclass(parentObject)
-{
-}
-
-//------------------------------------------------------------------------------
 void pqLMS3DTimeSteps::startup()
 {
-  this->connect(pqApplicationCore::instance()->getServerManagerModel(),
+  this->listen(pqApplicationCore::instance()->getServerManagerModel(),
     SIGNAL(dataUpdated(pqPipelineSource*)), SLOT(updateTimeSteps(pqPipelineSource*)));
-}
-
-//------------------------------------------------------------------------------
-void pqLMS3DTimeSteps::shutdown()
-{
-  QObject::disconnect(
-    pqApplicationCore::instance()->getServerManagerModel(), nullptr, this, nullptr);
 }
 
 //------------------------------------------------------------------------------

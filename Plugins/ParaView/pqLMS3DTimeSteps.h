@@ -11,26 +11,19 @@
 #ifndef pqLMS3DTimeSteps_h
 #define pqLMS3DTimeSteps_h
 
-#include <QObject>
+#include "lms3dAutoStart.h"
 
 class pqPipelineSource;
 
-class pqLMS3DTimeSteps : public QObject
+class pqLMS3DTimeSteps : public lms3dAutoStart
 {
   Q_OBJECT
-  typedef QObject Superclass;
 
 public:
-  explicit pqLMS3DTimeSteps(QObject* parent = nullptr);
-
-  void startup();
-  void shutdown();
+  void startup() override;
 
 private Q_SLOTS:
   void updateTimeSteps(pqPipelineSource* updated);
-
-private:
-  Q_DISABLE_COPY(pqLMS3DTimeSteps)
 };
 
 #endif

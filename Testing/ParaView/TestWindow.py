@@ -11,40 +11,18 @@ script "run".
 import os
 import shutil
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
 import window
+from window import PIPELINE, WindowTest
 
 DATA = Path(os.environ["LMS3D_DATA_DIR"])
 ROOM, JOURNEY = DATA / "room.wrl", DATA / "journey.vtp"
 BEAMS = 361 * 360
-PIPELINE = "pipelineBrowserDock/pipelineBrowser"
 HAS_REMOTE = "LMS3DRemote" in os.environ["LMS3D_PLUGINS"]
 
 FILTERS = ["LMS3D Map Comparison", "LMS3D Scan", "LMS3D Surface Reconstruction"]
-
-
-class WindowTest(unittest.TestCase):
-    """A user with a home in which ParaView has never run."""
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.home = Path(folder.name)
-        window.hide_welcome(self.home)
-
-    def play(self, *actions):
-        """All messages of a ParaView that played the actions."""
-        code, messages = window.play(self.home, [step for steps in actions for step in steps])
-        self.assertEqual(code, 0, messages)
-        return messages
-
-    def check_one_error(self, messages, text):
-        """One error, which contains a text."""
-        self.assertIn(text, messages)
-        self.assertEqual(messages.count("ERR|"), 1, messages)
 
 
 class TestToolbars(WindowTest):
@@ -167,9 +145,7 @@ class TestPythonState(WindowTest):
         state = self.home / "state.py"
         self.play(
             window.open_file(ROOM), window.add_filter("LMS3DScan"), window.APPLY,
-            window.choose("menu_File", "actionFileSaveServerState"),
-            [("FileSaveServerStateDialog", "filesSelected", str(state)),
-             ("/StateOptionsDialog/widget/OKButton", "activate", "")])
+            window.save_state(state), [("/StateOptionsDialog/widget/OKButton", "activate", "")])
         self.assertEqual(state.read_text().count("LoadPlugin("), 1)
         script = self.home / "check.py"
         script.write_text(

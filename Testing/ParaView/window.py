@@ -9,6 +9,8 @@ than 0 if the value differs.
 
 import os
 import subprocess
+import tempfile
+import unittest
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -20,7 +22,9 @@ PROPERTIES = (f"{_PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetConte
               "ProxyPanel")
 INFORMATION = ("informationDock/informationWidgetFrame/informationScrollArea/qt_scrollarea_viewport/"
                "informationWidget")
+PIPELINE = "pipelineBrowserDock/pipelineBrowser"
 APPLY = [(f"{_PANEL}/Accept", "activate", "")]
+DELETE = [(f"{_PANEL}/Delete", "activate", "")]
 OK_BUTTON = "buttonBox/1QPushButton0"
 SEARCH = "QuickLaunchDialog"
 ESCAPE = 0x01000000
@@ -47,6 +51,12 @@ def select(tree, place, x=40):
 def add_filter(name):
     """Filters > LMS3D."""
     return choose("menuFilters", "LMS3D", name)
+
+
+def save_state(path):
+    """File > Save State."""
+    return choose("menu_File", "actionFileSaveServerState") + [
+        ("FileSaveServerStateDialog", "filesSelected", str(path))]
 
 
 def type_property(name, value):
@@ -130,3 +140,24 @@ def make_environment(home, others=()):
     inherited = {name: value for name, value in os.environ.items() if not name.startswith("XDG_")}
     return {**inherited, "HOME": str(home), "XDG_RUNTIME_DIR": str(home), "LC_ALL": "C.UTF-8",
             "LIBGL_ALWAYS_SOFTWARE": "1", "DASHBOARD_TEST_FROM_CTEST": "1", **dict(others)}
+
+
+class WindowTest(unittest.TestCase):
+    """A user with a home in which ParaView has never run."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.home = Path(folder.name)
+        hide_welcome(self.home)
+
+    def play(self, *actions):
+        """All messages of a ParaView that played the actions."""
+        code, messages = play(self.home, [step for steps in actions for step in steps])
+        self.assertEqual(code, 0, messages)
+        return messages
+
+    def check_one_error(self, messages, text):
+        """One error, which contains a text."""
+        self.assertIn(text, messages)
+        self.assertEqual(messages.count("ERR|"), 1, messages)
