@@ -140,6 +140,21 @@ class AddressTest(ListenerTest):
         self.wait_for_log(f"neither TCP nor TLS: giop:unix:{path}")
         self.check_end()
 
+    def test_a_forward_to_a_unix_socket(self):
+        """The server does not connect after a forward either."""
+        path = str(self.folder / "socket")
+        target = make_profile(b"127.0.0.1", CLOSED_PORT, [make_unix_component(path)])
+        with socket.socket(socket.AF_UNIX) as other, Forwarder(target=target) as listener:
+            other.bind(path)
+            other.listen()
+            other.settimeout(1)
+            subscribe(self.client, listener.profile)
+            self.wait_for_log(f"is dropped: giop:tcp:127.0.0.1:{listener.port}")
+            self.assertGreater(listener.count, 0)
+            with self.assertRaises(TimeoutError):
+                other.accept()
+        self.check_end()
+
     def test_a_host_that_forges_lines(self):
         """The log has printable characters only, and its lines are not too long."""
         hosts = (b"a\n2026-01-01T00:00:00.000Z forged", b"\x1b[2J\xff", b"x" * 60000)
