@@ -38,7 +38,7 @@ class ListenerTest(unittest.TestCase):
         self.assertEqual(code, 0)
         self.assertLess(seconds, MAXIMUM_SECONDS)
 
-    def wait_for_log(self, words, count=1, seconds=20):
+    def wait_for_log(self, words, count=1, seconds=60):
         """Until the log has the words so often."""
         self.assertTrue(wait_until(lambda: self.server.read_log().count(words) >= count, seconds),
                         self.server.read_log())

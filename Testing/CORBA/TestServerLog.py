@@ -61,7 +61,7 @@ class FullPipe:
                 os.write(end, b".")
         os.close(end)
 
-    def read(self, words, seconds=20):
+    def read(self, words, seconds=60):
         """Everything until the words."""
         text = b""
         end = time.monotonic() + seconds

@@ -78,7 +78,7 @@ class Server:
 
     def connect(self):
         """A connection without an ORB."""
-        return giop.Client(self.corbaloc)
+        return giop.Client(self.corbaloc, timeout=60)
 
     def count_files(self):
         """Open files, connections among them."""
@@ -99,7 +99,7 @@ class Server:
         return int(pages) * resource.getpagesize()
 
 
-def wait_until(condition, seconds=20, pause=0.05):
+def wait_until(condition, seconds=60, pause=0.05):
     """Whether the condition becomes true in time. `pause` is the time between two checks, seconds."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
