@@ -41,7 +41,7 @@ void Counter::scanReady(const LMS3D::ScanHeader& header)
 bool Counter::WaitFor(int count)
 {
   std::unique_lock<std::mutex> lock(this->Mutex);
-  return this->Changed.wait_for(lock, std::chrono::seconds(10),
+  return this->Changed.wait_for(lock, std::chrono::seconds(60),
     [this, count] { return static_cast<int>(this->Numbers.size()) >= count; });
 }
 
@@ -130,7 +130,7 @@ LMS3D::ScanListener_var MakeReference(const std::string& address)
 
 bool HasListeners(LMS3D::LaserScanner_ptr scanner, CORBA::ULong count)
 {
-  for (int i = 0; i < 100; ++i)
+  for (int i = 0; i < 600; ++i)
   {
     const LMS3D::Status_var status = scanner->getStatus();
     if (status->listening == count)

@@ -14,6 +14,7 @@ import time
 import unittest
 
 import giop
+from raw_messages import LONG_ARGUMENTS, write_wait
 from server_process import BEAMS, CLIENT, Server, allow_many_files, wait_until
 
 CONNECTIONS = 1000
@@ -26,28 +27,6 @@ HALF_MESSAGES = (
     b"GIOP", _header, _header + struct.pack("<I", 0x7FFFFFFF), _header + struct.pack("<I", 33 << 20),
     _fetch[:20], _fetch[:-1], giop.message(giop.REQUEST, b"")[:7] + b"\x02" + struct.pack("<I", 64))
 
-FRAGMENT = 7
-_is_a = giop.request(b"LMS3D", "_is_a", start_arguments=lambda e: e.string(b"x" * 2000000))
-
-
-def _part(kind, is_last, body):
-    """A message of GIOP 1.2, or one of its fragments."""
-    flags = 1 if is_last else 3
-    return b"GIOP" + struct.pack("<4BI", 1, 2, flags, kind, len(body)) + body
-
-
-def _fragments():
-    """A request whose argument has two megabytes, nearly all of them in the second part."""
-    header = giop.Encoder().number("I", 1).number("I", 3).number("I", 0)
-    header.octets(b"LMS3D").string(b"_is_a").number("I", 0)
-    header.bytes += bytes(-(12 + len(header.bytes)) % 8)
-    argument = struct.pack("<I", 2000001) + b"x" * 2000000 + b"\0"
-    return (_part(giop.REQUEST, False, bytes(header.bytes) + argument[:8])
-            + _part(FRAGMENT, True, struct.pack("<I", 1) + argument[8:]))
-
-
-LONG_ARGUMENTS = (_is_a, _fragments())
-
 
 def garbage(number):
     """The same bytes for each number."""
@@ -56,11 +35,6 @@ def garbage(number):
              b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03" + generator.randbytes(500),
              b"GIOP" + generator.randbytes(200), _fetch[:12] + generator.randbytes(len(_fetch) - 12))
     return kinds[number % len(kinds)]
-
-
-def wait(after, timeout):
-    """The arguments of waitForScan()."""
-    return lambda encoder: encoder.number("Q", after).number("Q", 0).number("I", timeout)
 
 
 def refuse(client, operation, arguments):
@@ -149,17 +123,17 @@ class HostileTest(unittest.TestCase):
             for _ in range(clients):
                 client = stack.enter_context(self.server.connect())
                 client.connection.sendall(
-                    giop.request(client.key, "waitForScan", start_arguments=wait(never, 10000)))
+                    giop.request(client.key, "waitForScan", start_arguments=write_wait(never, 10000)))
                 sockets.append(client.connection)
             # Refused calls are answered at once.
             self.assertTrue(wait_until(
                 lambda: len(select.select(sockets, [], [], 0)[0]) == clients - maximum))
             with self.server.connect() as client:
-                self.assertIn("LimitExceeded", refuse(client, "waitForScan", wait(never, 1)))
+                self.assertIn("LimitExceeded", refuse(client, "waitForScan", write_wait(never, 1)))
         start = time.monotonic()
         with self.server.connect() as client:
             self.assertTrue(wait_until(
-                lambda: "NoScanYet" in refuse(client, "waitForScan", wait(never, 1))))
+                lambda: "NoScanYet" in refuse(client, "waitForScan", write_wait(never, 1))))
         self.assertLess(time.monotonic() - start, 7)
         self.check_recovery()
 
@@ -229,71 +203,6 @@ class StallTest(unittest.TestCase):
                     while client.connection.recv(1000):
                         pass
                 self.assertLess(time.monotonic() - start, 15)
-
-
-class ArgumentTest(unittest.TestCase):
-    """Valid messages with invalid contents."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.server = cls.enterClassContext(Server())
-
-    def fail_with(self, exception, name, operation, arguments):
-        """The call fails as expected, and the next one works."""
-        with self.server.connect() as client:
-            with self.assertRaisesRegex(exception, name):
-                client.call(operation, arguments)
-        with self.server.connect() as client:
-            self.assertEqual(len(client.fetch()), 3 * BEAMS)
-
-    def test_names_of_scenes(self):
-        """Paths, and strings whose real or announced length exceeds the IDL's bound."""
-        for name in (b"../room.wrl", b"/etc/passwd", b"..", b"room.wrl\n", b"%2e%2e/room.wrl"):
-            self.fail_with(giop.UserException, "NoSuchScene", "selectScene",
-                           lambda e, name=name: e.string(name))
-        self.fail_with(giop.SystemException, "MARSHAL|BAD_PARAM", "selectScene",
-                       lambda e: e.string(b"x" * 129))
-        self.fail_with(giop.SystemException, "MARSHAL", "selectScene",
-                       lambda e: e.number("I", 0xFFFFFFFF))
-
-    def test_a_name_with_a_zero(self):
-        """The ORB may decode it in any way, but it is not a path."""
-        self.fail_with((giop.UserException, giop.SystemException), "NoSuchScene|MARSHAL|BAD_PARAM",
-                       "selectScene", lambda e: e.string(b"room\0/../../etc/passwd"))
-
-    def test_arguments_of_two_megabytes(self):
-        """They are refused before they are read, also in fragments, and the connection stays."""
-        with self.server.connect() as client:
-            for message in LONG_ARGUMENTS:
-                client.connection.sendall(message)
-                header = giop.receive(client.connection, 12)
-                size = struct.unpack("<I", header[8:])[0]
-                self.assertIn(b"IMP_LIMIT", giop.receive(client.connection, size))
-            self.assertEqual(len(client.fetch()), 3 * BEAMS)
-
-    def test_a_fourth_wait_on_one_connection(self):
-        """The call is refused, so that the server still notices the end of the connection."""
-        with self.server.connect() as client:
-            for number in range(4):
-                client.connection.sendall(giop.request(
-                    client.key, "waitForScan", start_arguments=wait(2 ** 64 - 1, 10000),
-                    number=number))
-            with self.assertRaisesRegex(giop.UserException, "LimitExceeded"):
-                client.read_reply()
-
-    def test_missing_arguments(self):
-        """A truncated pose, and an operation that does not exist."""
-        self.fail_with(giop.SystemException, "MARSHAL", "setPose", lambda e: e.number("d", 1.0))
-        self.fail_with(giop.SystemException, "BAD_OPERATION", "format", None)
-
-    def test_a_method_that_is_none(self):
-        """A value beyond the end of an enumeration."""
-        def configuration(encoder):
-            for start, stop, count in ((-90, 90, 5), (0, 360, 5)):
-                encoder.number("d", start).number("d", stop).number("I", count)
-            encoder.number("d", 0).number("d", 80).number("I", 99)
-            encoder.number("B", 1).number("d", 0.01)
-        self.fail_with(giop.SystemException, "MARSHAL", "setConfiguration", configuration)
 
 
 if __name__ == "__main__":

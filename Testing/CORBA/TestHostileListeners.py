@@ -38,7 +38,7 @@ class ListenerTest(unittest.TestCase):
         self.assertEqual(code, 0)
         self.assertLess(seconds, MAXIMUM_SECONDS)
 
-    def wait_for_log(self, words, count=1, seconds=20):
+    def wait_for_log(self, words, count=1, seconds=60):
         """Until the log has the words so often."""
         self.assertTrue(wait_until(lambda: self.server.read_log().count(words) >= count, seconds),
                         self.server.read_log())
@@ -138,6 +138,21 @@ class AddressTest(ListenerTest):
             with self.assertRaises(TimeoutError):
                 other.accept()
         self.wait_for_log(f"neither TCP nor TLS: giop:unix:{path}")
+        self.check_end()
+
+    def test_a_forward_to_a_unix_socket(self):
+        """The server does not connect after a forward either."""
+        path = str(self.folder / "socket")
+        target = make_profile(b"127.0.0.1", CLOSED_PORT, [make_unix_component(path)])
+        with socket.socket(socket.AF_UNIX) as other, Forwarder(target=target) as listener:
+            other.bind(path)
+            other.listen()
+            other.settimeout(1)
+            subscribe(self.client, listener.profile)
+            self.wait_for_log(f"is dropped: giop:tcp:127.0.0.1:{listener.port}")
+            self.assertGreater(listener.count, 0)
+            with self.assertRaises(TimeoutError):
+                other.accept()
         self.check_end()
 
     def test_a_host_that_forges_lines(self):

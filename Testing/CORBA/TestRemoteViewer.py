@@ -187,7 +187,7 @@ class TestWindow(unittest.TestCase):
             server.stop()
         with Server(*place, "--rate", "0.01", "--position", *"111"):
             follower.send_signal(signal.SIGCONT)
-            self.assertEqual(follower.communicate(timeout=30)[0], "1.0\n")
+            self.assertEqual(follower.communicate(timeout=60)[0], "1.0\n")
 
     def test_it_quits_while_the_server_hangs(self):
         with Server(*self.arguments) as server:
@@ -195,7 +195,7 @@ class TestWindow(unittest.TestCase):
                                       stdout=subprocess.PIPE, text=True)
             self.assertEqual(window.stdout.readline(), "shown\n")
             server.process.send_signal(signal.SIGSTOP)
-            self.assertEqual(window.communicate(timeout=30)[0], "quit\n")
+            self.assertEqual(window.communicate(timeout=60)[0], "quit\n")
             self.assertEqual(window.returncode, 0)
 
 

@@ -37,7 +37,7 @@ TEST(ServerCallbackAddresses, ThoseThatAreAllowedAre)
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   const SilentPort other(false, Other);
   scanner->subscribe(other.GetReference());
-  EXPECT_TRUE(other.IsConnectedTo(10000));
+  EXPECT_TRUE(other.IsConnectedTo(60000));
 }
 
 TEST(ServerCallbackAddresses, WithoutCallbacksNoAddressIsConnectedTo)

@@ -116,7 +116,7 @@ TEST(ServerLoad, EndsSoonUnderBusyAndWaitingClients)
     [&]
     { CallUntilTheEnd([&] { scanner->waitForScan(~CORBA::ULongLong(0), 0, 10000); }, waited); });
   bool areAllBusy = false;
-  for (int i = 0; i < 200 && !areAllBusy; ++i)
+  for (int i = 0; i < 600 && !areAllBusy; ++i)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     areAllBusy = fetched >= 50 && CountWaiting(scanner) == 20;

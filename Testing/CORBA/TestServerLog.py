@@ -6,6 +6,7 @@ work nor its end. What clients cause has a limit."""
 import collections
 import contextlib
 import fcntl
+import itertools
 import os
 import re
 import select
@@ -17,6 +18,7 @@ import unittest
 from pathlib import Path
 
 import giop
+from raw_messages import write_configuration
 from server_process import DATA, SERVER, Server, wait_until
 
 # Seconds until the server ends.
@@ -24,6 +26,17 @@ MAXIMUM_SECONDS = 8
 # Per second, of one kind.
 MAXIMUM_LINES = 20
 PIPE_BYTES = 4096
+
+TRIANGLE = """#VRML V2.0 utf8
+Shape {{
+  geometry IndexedFaceSet {{
+    coord Coordinate {{ point [ {0} 0 0, {0} 1 0, {0} 0 1 ] }}
+    coordIndex [ 0 1 2 ]
+  }}
+}}
+"""
+# The scanner skips triangles beyond 1e18 m.
+TOO_FAR = "1e19"
 
 
 class FullPipe:
@@ -48,7 +61,7 @@ class FullPipe:
                 os.write(end, b".")
         os.close(end)
 
-    def read(self, words, seconds=20):
+    def read(self, words, seconds=60):
         """Everything until the words."""
         text = b""
         end = time.monotonic() + seconds
@@ -121,8 +134,26 @@ class BlockedTest(unittest.TestCase):
         self.check_end(process)
 
 
+def get_problem(client):
+    """Why the server makes no scans."""
+    status = client.call("getStatus")
+    status.string()
+    for code in "QQQdQddBBII":
+        status.number(code)
+    return status.string()
+
+
 class LimitTest(unittest.TestCase):
     """What clients cause."""
+
+    def check_limit(self, log, kind, words, total):
+        """The log has some of the lines per second, and the number of the others."""
+        lines = re.findall(rf"^(.*)\.\d{{3}}Z (?:{words})", log, re.MULTILINE)
+        left_out = sum(map(int, re.findall(rf"{kind}: (\d+) lines were left out", log)))
+        self.assertEqual(len(lines) + left_out, total)
+        self.assertGreater(left_out, 0)
+        # The seconds of the limit begin at any time.
+        self.assertLessEqual(max(collections.Counter(lines).values()), 2 * MAXIMUM_LINES)
 
     def test_selections_of_scenes(self):
         """The log has some per second, and the number of the others."""
@@ -132,13 +163,30 @@ class LimitTest(unittest.TestCase):
                 for _ in range(total):
                     select_scene(client)
             self.assertEqual(server.stop()[0], 0)
-            log = server.read_log()
-        lines = re.findall(r"^(.*)\.\d{3}Z a client selected the scene", log, re.MULTILINE)
-        left_out = sum(map(int, re.findall(r"scenes: (\d+) lines were left out", log)))
-        self.assertEqual(len(lines) + left_out, total)
-        self.assertGreater(left_out, 0)
-        # The seconds of the limit begin at any time.
-        self.assertLessEqual(max(collections.Counter(lines).values()), 2 * MAXIMUM_LINES)
+            self.check_limit(server.read_log(), "scenes", "a client selected the scene", total)
+
+    def test_problems_that_come_and_go(self):
+        """A client selects a scene that can be scanned and one that cannot, in turn."""
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (folder / "near.wrl").write_text(TRIANGLE.format(1))
+        (folder / "far.wrl").write_text(TRIANGLE.format(TOO_FAR))
+        with Server("--scenes", folder, "--scene", "near.wrl", "--rate", "1") as server:
+            with server.connect() as client:
+                client.call("setConfiguration", write_configuration)
+                total = self.alternate(server, client)
+            self.assertEqual(server.stop()[0], 0)
+            self.check_limit(server.read_log(), "scans", "no scan: |scanning again", total)
+
+    def alternate(self, server, client):
+        """The number of changes until the log leaves out lines."""
+        end = time.monotonic() + 60
+        for total, scene in enumerate(itertools.cycle((b"far.wrl", b"near.wrl")), 1):
+            select_scene(client, scene)
+            self.assertTrue(wait_until(
+                lambda has=scene == b"far.wrl": bool(get_problem(client)) == has, pause=0))
+            if "scans: more lines in this second" in server.read_log():
+                return total
+            self.assertLess(time.monotonic(), end, "no line is left out")
 
 
 if __name__ == "__main__":

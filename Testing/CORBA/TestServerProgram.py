@@ -18,7 +18,7 @@ from server_process import (
 
 def run_server(*arguments):
     """The result of a server that does not start."""
-    return subprocess.run([SERVER, *arguments], capture_output=True, text=True, timeout=30,
+    return subprocess.run([SERVER, *arguments], capture_output=True, text=True, timeout=60,
                           check=False)
 
 
@@ -118,7 +118,7 @@ class StartTest(unittest.TestCase):
                          140 * "x" + ".wrl"):
                 line = ("Z a scene is left out: its name is longer than 128 characters or not plain "
                         f"ASCII: {name}\n")
-                self.assertTrue(wait_until(lambda: line in server.read_log(), 5), name)
+                self.assertTrue(wait_until(lambda: line in server.read_log()), name)
             self.assertEqual(run_client(server.corbaloc, "scenes").stdout, "room.wrl\n")
 
     def test_files(self):
@@ -154,7 +154,7 @@ class StartTest(unittest.TestCase):
         """The log warns of too few connections."""
         finished = subprocess.run(
             ["sh", "-c", 'ulimit -n 256; exec "$0" "$@"', SERVER, "--scenes", DATA, "--scene", "x"],
-            capture_output=True, text=True, timeout=30, check=False)
+            capture_output=True, text=True, timeout=60, check=False)
         self.assertEqual(finished.returncode, 1)
         self.assertIn("allows 256 open files", finished.stderr)
 

@@ -81,7 +81,7 @@ TEST_F(ServerScenes, FiveClientsSelectAtMostAndDoNotDelayTheEnd)
         }
       });
   }
-  for (int i = 0; i < 100 && refused < Clients - Maximum; ++i)
+  for (int i = 0; i < 600 && refused < Clients - Maximum; ++i)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }

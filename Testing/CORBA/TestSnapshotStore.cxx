@@ -114,7 +114,7 @@ TEST(SnapshotStore, WaitsForNumberAndGeneration)
       store.Publish(MakeSnapshot(8, 3));
       store.Publish(MakeSnapshot(9, 4));
     });
-  const lms3dSnapshotPointer snapshot = store.Wait(0, 4, In(10000));
+  const lms3dSnapshotPointer snapshot = store.Wait(0, 4, In(60000));
   writer.join();
   ASSERT_NE(snapshot, nullptr);
   EXPECT_EQ(snapshot->Header.number, 9u);

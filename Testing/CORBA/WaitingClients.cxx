@@ -17,7 +17,7 @@ WaitingClients::WaitingClients(const std::string& reference)
   {
     this->Clients.emplace_back([this] { this->Wait(); });
   }
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (this->Refused == 0 && std::chrono::steady_clock::now() < end)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -9,6 +9,8 @@
 #include <vtkPolyData.h>
 #include <vtkTypeUInt64Array.h>
 
+#include <gtest/gtest.h>
+
 #include <chrono>
 #include <thread>
 
@@ -49,6 +51,13 @@ bool WatchingSource::UpdateUntil(const std::function<bool()>& condition, int sec
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return condition();
+}
+
+void WatchingSource::ExpectNothing()
+{
+  this->Source->Update();
+  EXPECT_EQ(this->GetScan()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(this->GetMap()->GetNumberOfPoints(), 0);
 }
 
 std::string WatchingSource::TakeWarnings()

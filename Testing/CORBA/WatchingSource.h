@@ -36,7 +36,10 @@ public:
 
   /// Updates whenever there is something new, until the condition holds. Returns false if it does not
   /// hold within `seconds`.
-  bool UpdateUntil(const std::function<bool()>& condition, int seconds = 10);
+  bool UpdateUntil(const std::function<bool()>& condition, int seconds = 60);
+
+  /// Updates, and fails the test unless scan and map are empty.
+  void ExpectNothing();
 
   /// All warnings since the last call.
   std::string TakeWarnings();

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""References to listeners, and objects that forward each call to themselves, without an ORB."""
+"""References to listeners, and objects that forward each call, without an ORB."""
 
 import contextlib
 import socket
@@ -49,15 +49,16 @@ def unsubscribe(client, number):
 
 
 class Forwarder:
-    """Forwards each call, and each question for the object's location, to itself while the context
-    lasts. With `closes` it closes the connection after each answer."""
+    """Forwards each call, and each question for the object's location, while the context lasts: to the
+    object at `target`, by default to itself. With `closes` it closes the connection after each answer."""
 
-    def __init__(self, closes=False):
+    def __init__(self, closes=False, target=None):
         self.closes = closes
         self.count = 0
         self.socket = socket.create_server(("127.0.0.1", 0), backlog=64)
         self.port = self.socket.getsockname()[1]
         self.profile = make_profile(b"127.0.0.1", self.port)
+        self.target = target or self.profile
         threading.Thread(target=self._accept, daemon=True).start()
 
     def __enter__(self):
@@ -90,7 +91,7 @@ class Forwarder:
         answer = giop.Encoder()
         if kind == LOCATE_REQUEST:
             answer.number("I", decoder.number("I")).number("I", OBJECT_FORWARD)
-            write_reference(answer, self.profile)
+            write_reference(answer, self.target)
             return giop.message(LOCATE_REPLY, bytes(answer.bytes))
         for _ in range(decoder.number("I")):
             decoder.number("I")
@@ -99,5 +100,5 @@ class Forwarder:
         if not decoder.number("B"):
             return b""
         answer.number("I", 0).number("I", number).number("I", LOCATION_FORWARD)
-        write_reference(answer, self.profile)
+        write_reference(answer, self.target)
         return giop.message(giop.REPLY, bytes(answer.bytes))

@@ -78,7 +78,7 @@ class Server:
 
     def connect(self):
         """A connection without an ORB."""
-        return giop.Client(self.corbaloc)
+        return giop.Client(self.corbaloc, timeout=60)
 
     def count_files(self):
         """Open files, connections among them."""
@@ -88,20 +88,25 @@ class Server:
         """Running threads."""
         return len(os.listdir(f"/proc/{self.process.pid}/task"))
 
+    def measure_address_space(self):
+        """Bytes, with the reserved stacks of threads."""
+        pages = Path(f"/proc/{self.process.pid}/statm").read_text().split()[0]
+        return int(pages) * resource.getpagesize()
+
     def measure_memory(self):
         """Resident bytes."""
         pages = Path(f"/proc/{self.process.pid}/statm").read_text().split()[1]
         return int(pages) * resource.getpagesize()
 
 
-def wait_until(condition, seconds=20):
-    """Whether the condition becomes true in time."""
+def wait_until(condition, seconds=60, pause=0.05):
+    """Whether the condition becomes true in time. `pause` is the time between two checks, seconds."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         with contextlib.suppress(OSError):
             if condition():
                 return True
-        time.sleep(0.05)
+        time.sleep(pause)
     return condition()
 
 

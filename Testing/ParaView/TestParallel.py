@@ -17,15 +17,14 @@ from pathlib import Path
 import lms3d
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkIOXML import (
     vtkXMLPolyDataReader,
     vtkXMLPolyDataWriter,
     vtkXMLUnstructuredGridWriter,
 )
+
+from parallel_scenes import journey, lattice, volume, write
 
 ROOM = Path(os.environ["LMS3D_DATA_DIR"]) / "room.wrl"
 SCRIPT = Path(__file__).with_name("ParallelScan.py")
@@ -46,54 +45,6 @@ SCANS = {
     "paper": (ROOM, {"Position": [0.0, 0.0, 1.0], "IntersectionMethod": 2, **COARSE}),
     "textbook": ("lattice.vtp", {"Position": [0.0, 0.0, 0.0], "IntersectionMethod": 3, **COARSE}),
 }
-
-
-def write(data, path, writer_class=vtkXMLPolyDataWriter):
-    """Write data so that every VTK reads it."""
-    writer = writer_class()
-    writer.SetInputData(data)
-    writer.SetFileName(str(path))
-    writer.SetDataModeToBinary()
-    writer.Write()
-
-
-def lattice():
-    """Half a ball of triangles and a floor of squares. All of them face the origin."""
-    ball = vtkSphereSource()
-    ball.SetRadius(3)
-    ball.SetThetaResolution(36)
-    ball.SetPhiResolution(37)
-    floor = vtkPlaneSource()
-    floor.SetOrigin(-2, -2, -1)
-    floor.SetPoint1(2, -2, -1)
-    floor.SetPoint2(-2, 2, -1)
-    floor.SetResolution(16, 16)
-    both = vtkAppendPolyData()
-    both.AddInputConnection(floor.GetOutputPort())
-    both.AddInputConnection(ball.GetOutputPort())
-    both.Update()
-    return both.GetOutput()
-
-
-def volume():
-    """A block of cubes."""
-    image = vtkImageData()
-    image.SetDimensions(5, 5, 5)
-    cubes = vtkAppendFilter()
-    cubes.AddInputData(image)
-    cubes.Update()
-    return cubes.GetOutput()
-
-
-def journey(*places):
-    """A trajectory of points."""
-    points = vtkPoints()
-    points.SetDataTypeToDouble()
-    for place in places:
-        points.InsertNextPoint(place)
-    poses = vtkPolyData()
-    poses.SetPoints(points)
-    return poses
 
 
 def read(path):
