@@ -8,6 +8,7 @@
 #define lms3dBeamGrid_h
 
 #include <array>
+#include <cstddef>
 
 /// The arrays belong to the caller. The direction of a beam is the fan's axis in its turn times the
 /// cosine of its elevation, plus the upward axis times the sine.
@@ -20,6 +21,11 @@ struct lms3dBeamGrid
 
   /// Returns how many packets cover a number of beams or turns.
   static int CountPackets(int beamsOrTurns) { return (beamsOrTurns - 1) / Side + 1; }
+
+  std::size_t CountPackets() const
+  {
+    return static_cast<std::size_t>(CountPackets(this->Turns)) * CountPackets(this->Beams);
+  }
 
   int Turns;
   int Beams;

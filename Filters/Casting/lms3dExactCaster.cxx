@@ -14,12 +14,6 @@ namespace
 // candidates only.
 constexpr std::size_t MaximumTrianglesPerPacket = 2;
 
-std::size_t CountPackets(const lms3dBeamGrid& grid)
-{
-  return static_cast<std::size_t>(lms3dBeamGrid::CountPackets(grid.Turns)) *
-    lms3dBeamGrid::CountPackets(grid.Beams);
-}
-
 /// Decides whole tiles where that pays. Embree finds candidates for all other packets.
 class ExactGridCaster final : public lms3dGridCaster
 {
@@ -30,7 +24,7 @@ public:
     , View(mesh, origin, candidates.GetUnit())
   {
     const std::size_t triangles = mesh.GetNumberOfTriangles();
-    if (triangles <= MaximumTrianglesPerPacket * CountPackets(grid))
+    if (triangles <= MaximumTrianglesPerPacket * grid.CountPackets())
     {
       this->View.MakeNarrowTriangles();
       // From outside, a scene fills a small part of the view, and Embree misses it at once.

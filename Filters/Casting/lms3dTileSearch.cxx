@@ -10,31 +10,11 @@
 
 namespace
 {
-// A packet's three ancestors have 4, 16 and 64 turns and beams: level 2, 1 and 0.
-constexpr int BlockSide = 4 * lms3dTileSearch::TileSide;
-
-// The turns of a block span at most this angle, degrees. Beyond 180, a tile would be no cone.
-constexpr double MaximumBlockAngle = 90.0;
-
 // Measured: above one of these numbers, Embree is faster.
 constexpr std::size_t MaximumTriangles = 5000;
 constexpr double MaximumCandidatesPerPacket = 0.75;
 constexpr std::size_t MaximumCandidatesOfTile = 64;
 constexpr std::size_t MaximumCandidatesOfPacket = 16;
-
-// Covers the rounding of a cosine to single precision.
-constexpr double CosineMargin = 1.0 - 1e-6;
-
-int CountBlocks(int turnsOrBeams)
-{
-  return (turnsOrBeams - 1) / BlockSide + 1;
-}
-
-std::size_t CountPackets(const lms3dBeamGrid& grid)
-{
-  return static_cast<std::size_t>(lms3dBeamGrid::CountPackets(grid.Turns)) *
-    lms3dBeamGrid::CountPackets(grid.Beams);
-}
 
 lms3dCornerDirections GetCornerDirections(
   const lms3dTriangleMesh& mesh, std::size_t triangle, const double origin[3])
@@ -65,26 +45,10 @@ void SetTriangle(std::int32_t triangle, lms3dBeamPacket& packet)
 }
 } // namespace
 
-/// A square part of the grid, cut off at the grid's end.
-struct lms3dTileSearch::Area
-{
-  int Level;
-  int Turn;
-  int Beam;
-
-  int GetSide() const { return BlockSide >> (2 * this->Level); }
-
-  Area GetPart(int i) const
-  {
-    const int side = this->GetSide() / 4;
-    return { this->Level + 1, this->Turn + i / 4 * side, this->Beam + i % 4 * side };
-  }
-};
-
 /// The packets of a tile in the packets of a band.
 struct lms3dTileSearch::PacketsOfTile
 {
-  lms3dTileSearch::Area Area;
+  lms3dTileGrid::Area Area;
   lms3dBeamPacket* First;
   int Stride;
   int Rows;
@@ -104,71 +68,10 @@ struct lms3dTileSearch::PacketsOfTile
   }
 };
 
-/// The candidates of sixteen tiles.
-class lms3dTileSearch::Parts
-{
-public:
-  void Clear()
-  {
-    for (lms3dTileCandidates& candidates : this->Candidates)
-    {
-      candidates.clear();
-    }
-    this->Covers.fill(NoCover);
-  }
-
-  void Add(std::int32_t triangle, const lms3dTileMasks& masks)
-  {
-    for (int i = 0; masks.Met >> i != 0; ++i)
-    {
-      if ((masks.Nearest >> i) & 1u)
-      {
-        this->SetCover(i, triangle);
-      }
-      else if ((masks.Met >> i) & 1u)
-      {
-        this->Candidates[i].push_back({ triangle, ((masks.Covered >> i) & 1u) != 0 });
-      }
-    }
-  }
-
-  // Whether all beams of a tile have the triangle of GetTriangle.
-  bool IsDecided(int i) const
-  {
-    const std::size_t count = this->Candidates[i].size();
-    return count == 0 || (count == 1 && this->Covers[i] != NoCover);
-  }
-
-  std::int32_t GetTriangle(int i) const
-  {
-    return this->Candidates[i].empty() ? lms3dBeamPacket::NoTriangle
-                                       : this->Candidates[i][0].Triangle;
-  }
-
-  std::array<lms3dTileCandidates, lms3dTiles::Size> Candidates;
-
-private:
-  static constexpr int NoCover = -1;
-
-  // The last cover lies behind the new one.
-  void SetCover(int i, std::int32_t triangle)
-  {
-    if (this->Covers[i] == NoCover)
-    {
-      this->Covers[i] = static_cast<int>(this->Candidates[i].size());
-      this->Candidates[i].push_back({ triangle, true });
-    }
-    this->Candidates[i][this->Covers[i]].Triangle = triangle;
-  }
-
-  /// Where the nearest cover of each tile stands in its candidates.
-  std::array<int, lms3dTiles::Size> Covers;
-};
-
 bool lms3dTileSearch::IsSuitable(const lms3dBeamGrid& grid, std::size_t triangles)
 {
-  return triangles <= MaximumTriangles && triangles <= CountPackets(grid) &&
-    grid.TurnStep * BlockSide <= MaximumBlockAngle;
+  return triangles <= MaximumTriangles && triangles <= grid.CountPackets() &&
+    lms3dTileGrid::CanDivide(grid);
 }
 
 std::unique_ptr<lms3dTileSearch> lms3dTileSearch::New(
@@ -181,16 +84,8 @@ std::unique_ptr<lms3dTileSearch> lms3dTileSearch::New(
 lms3dTileSearch::lms3dTileSearch(const lms3dExactView& view, const lms3dBeamGrid& grid)
   : View(view)
   , Grid(grid)
-  , BlocksPerTurn(CountBlocks(grid.Beams))
-  , NumberOfBlocks(CountBlocks(grid.Turns) * this->BlocksPerTurn)
   , Corners(view.GetMesh().GetNumberOfTriangles())
 {
-  for (int level = 0; level < 3; ++level)
-  {
-    const double angle = 0.5 * ((BlockSide >> (2 * level)) - 1) * grid.TurnStep;
-    this->HalfCosines[level] =
-      static_cast<float>(std::cos(angle * (std::acos(-1.0) / 180.0)) * CosineMargin);
-  }
 }
 
 bool lms3dTileSearch::Divide()
@@ -208,12 +103,12 @@ bool lms3dTileSearch::Divide()
     total += ofBlock.size();
   }
   if (static_cast<double>(total) >
-    MaximumCandidatesPerPacket * static_cast<double>(CountPackets(this->Grid)))
+    MaximumCandidatesPerPacket * static_cast<double>(this->Grid.GetBeams().CountPackets()))
   {
     return false;
   }
   this->Blocks.resize(candidates.size());
-  tbb::parallel_for(0, this->NumberOfBlocks,
+  tbb::parallel_for(0, this->Grid.GetNumberOfBlocks(),
     [&](int block) { this->Blocks[block] = this->DivideBlock(block, candidates[block]); });
   return true;
 }
@@ -225,19 +120,20 @@ std::vector<lms3dTileCandidates> lms3dTileSearch::DivideGrid() const
   {
     all[i] = { static_cast<std::int32_t>(i), false };
   }
-  std::vector<lms3dTileCandidates> candidates(this->NumberOfBlocks);
-  const int groups = (this->NumberOfBlocks - 1) / lms3dTiles::Size + 1;
+  std::vector<lms3dTileCandidates> candidates(this->Grid.GetNumberOfBlocks());
+  const int groups = (this->Grid.GetNumberOfBlocks() - 1) / lms3dTiles::Size + 1;
   tbb::parallel_for(0, groups,
     [&](int group)
     {
       const int first = group * lms3dTiles::Size;
-      const int count = std::min(lms3dTiles::Size, this->NumberOfBlocks - first);
+      const int count = std::min(lms3dTiles::Size, this->Grid.GetNumberOfBlocks() - first);
       lms3dTiles tiles;
       for (int i = 0; i < lms3dTiles::Size; ++i)
       {
-        this->FillTile(this->GetBlockArea(std::min(first + i, this->NumberOfBlocks - 1)), i, tiles);
+        this->Grid.FillTile(
+          this->Grid.GetBlock(std::min(first + i, this->Grid.GetNumberOfBlocks() - 1)), i, tiles);
       }
-      Parts parts;
+      lms3dTileParts parts;
       this->Divide(all.data(), all.size(), (1u << count) - 1u, tiles, parts);
       for (int i = 0; i < count; ++i)
       {
@@ -251,8 +147,8 @@ lms3dTileSearch::Block lms3dTileSearch::DivideBlock(
   int number, const lms3dTileCandidates& candidates) const
 {
   lms3dTiles tiles;
-  const std::uint32_t present = this->FillTiles(this->GetBlockArea(number), tiles);
-  Parts parts;
+  const std::uint32_t present = this->Grid.FillParts(this->Grid.GetBlock(number), tiles);
+  lms3dTileParts parts;
   this->Divide(candidates.data(), candidates.size(), present, tiles, parts);
   Block block = { {}, {}, 0 };
   for (int i = 0; i < lms3dTiles::Size; ++i)
@@ -265,52 +161,12 @@ lms3dTileSearch::Block lms3dTileSearch::DivideBlock(
   return block;
 }
 
-lms3dTileSearch::Area lms3dTileSearch::GetBlockArea(int block) const
-{
-  return { 0, block / this->BlocksPerTurn * BlockSide, block % this->BlocksPerTurn * BlockSide };
-}
-
-void lms3dTileSearch::FillTile(const Area& area, int i, lms3dTiles& tiles) const
-{
-  const int lastTurn = this->Grid.Turns - 1;
-  const int lastBeam = this->Grid.Beams - 1;
-  const int turns[2] = { std::min(area.Turn, lastTurn),
-    std::min(area.Turn + area.GetSide() - 1, lastTurn) };
-  const int beams[2] = { std::min(area.Beam, lastBeam),
-    std::min(area.Beam + area.GetSide() - 1, lastBeam) };
-  for (int end = 0; end < 2; ++end)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      tiles.Fan[end][axis][i] = static_cast<float>(this->Grid.FanAxes[turns[end]][axis]);
-    }
-    tiles.Cosine[end][i] = static_cast<float>(this->Grid.Cosines[beams[end]]);
-    const float sine = static_cast<float>(this->Grid.Sines[beams[end]]);
-    const bool isTowardsHorizon = end == 0 ? sine > 0.0f : sine < 0.0f;
-    tiles.Sine[end][i] = isTowardsHorizon ? sine * this->HalfCosines[area.Level] : sine;
-  }
-}
-
-// Returns the parts that the grid has.
-std::uint32_t lms3dTileSearch::FillTiles(const Area& whole, lms3dTiles& tiles) const
-{
-  std::uint32_t present = 0;
-  for (int i = 0; i < lms3dTiles::Size; ++i)
-  {
-    const Area part = whole.GetPart(i);
-    this->FillTile(part, i, tiles);
-    const bool isPresent = part.Turn < this->Grid.Turns && part.Beam < this->Grid.Beams;
-    present |= isPresent ? 1u << i : 0u;
-  }
-  return present;
-}
-
 void lms3dTileSearch::Divide(const lms3dTileCandidate* candidates, std::size_t count,
-  std::uint32_t present, lms3dTiles& tiles, Parts& parts) const
+  std::uint32_t present, lms3dTiles& tiles, lms3dTileParts& parts) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    tiles.Up[axis] = static_cast<float>(this->Grid.Up[axis]);
+    tiles.Up[axis] = static_cast<float>(this->Grid.GetBeams().Up[axis]);
   }
   this->Kernels.FillTileCorners(tiles);
   parts.Clear();
@@ -328,15 +184,14 @@ void lms3dTileSearch::Divide(const lms3dTileCandidate* candidates, std::size_t c
 void lms3dTileSearch::FindNearest(
   int firstTurn, lms3dBeamPacket* packets, int count, const CastPacket& castPacket) const
 {
-  const int columns = lms3dBeamGrid::CountPackets(this->Grid.Beams);
-  const int firstBlock = firstTurn / BlockSide * this->BlocksPerTurn;
-  const int firstPart = firstTurn % BlockSide / TileSide * 4;
-  Parts parts;
+  const int columns = lms3dBeamGrid::CountPackets(this->Grid.GetBeams().Beams);
+  const int firstPart = firstTurn % lms3dTileGrid::BlockSide / TileSide * 4;
+  lms3dTileParts parts;
   for (int column = 0; column < columns; column += 4)
   {
     const int beam = column * lms3dBeamGrid::Side;
-    const Block& block = this->Blocks[firstBlock + beam / BlockSide];
-    const int part = firstPart + beam % BlockSide / TileSide;
+    const Block& block = this->Blocks[this->Grid.FindBlock(firstTurn, beam)];
+    const int part = firstPart + beam % lms3dTileGrid::BlockSide / TileSide;
     const PacketsOfTile tile = { { 1, firstTurn, beam }, packets + column, columns, count / columns,
       std::min(4, columns - column) };
     this->FindInTile(block, part, tile, parts, castPacket);
@@ -344,7 +199,7 @@ void lms3dTileSearch::FindNearest(
 }
 
 void lms3dTileSearch::FindInTile(const Block& block, int part, const PacketsOfTile& tile,
-  Parts& parts, const CastPacket& castPacket) const
+  lms3dTileParts& parts, const CastPacket& castPacket) const
 {
   const lms3dTileCandidate* candidates = block.Candidates.data() + block.First[part];
   const std::size_t count = block.First[part + 1] - block.First[part];
@@ -360,7 +215,7 @@ void lms3dTileSearch::FindInTile(const Block& block, int part, const PacketsOfTi
     return;
   }
   lms3dTiles tiles;
-  const std::uint32_t present = this->FillTiles(tile.Area, tiles);
+  const std::uint32_t present = this->Grid.FillParts(tile.Area, tiles);
   this->Divide(candidates, count, present, tiles, parts);
   tile.ForEach(
     [&](int i, lms3dBeamPacket& packet)

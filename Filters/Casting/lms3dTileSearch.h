@@ -15,6 +15,8 @@
 
 #include "Casting/lms3dBeamGrid.h"
 #include "Casting/lms3dExactView.h"
+#include "Casting/lms3dTileGrid.h"
+#include "Casting/lms3dTileParts.h"
 #include "Kernels/lms3dPacketKernels.h"
 
 #include <array>
@@ -24,22 +26,11 @@
 #include <memory>
 #include <vector>
 
-/// A triangle that may be the nearest in a tile.
-struct lms3dTileCandidate
-{
-  std::int32_t Triangle;
-
-  /// Whether it certainly meets all directions of the tile.
-  bool Covers;
-};
-
-using lms3dTileCandidates = std::vector<lms3dTileCandidate>;
-
 class lms3dTileSearch
 {
 public:
   /// The turns of a tile, for FindNearest.
-  static constexpr int TileSide = 4 * lms3dBeamGrid::Side;
+  static constexpr int TileSide = lms3dTileGrid::TileSide;
 
   /// Returns whether the search can divide a grid, and whether that can pay for a number of triangles.
   /// The answer does not depend on the machine.
@@ -62,9 +53,7 @@ public:
     int firstTurn, lms3dBeamPacket* packets, int count, const CastPacket& castPacket) const;
 
 private:
-  struct Area;
   struct PacketsOfTile;
-  class Parts;
 
   /// The parts of a block: candidates one after the other, and where each tile's begin.
   struct Block
@@ -78,23 +67,15 @@ private:
   bool Divide();
   std::vector<lms3dTileCandidates> DivideGrid() const;
   Block DivideBlock(int number, const lms3dTileCandidates& candidates) const;
-  Area GetBlockArea(int block) const;
-  void FillTile(const Area& area, int i, lms3dTiles& tiles) const;
-  std::uint32_t FillTiles(const Area& whole, lms3dTiles& tiles) const;
   void Divide(const lms3dTileCandidate* candidates, std::size_t count, std::uint32_t present,
-    lms3dTiles& tiles, Parts& parts) const;
-  void FindInTile(const Block& block, int part, const PacketsOfTile& tile, Parts& parts,
+    lms3dTiles& tiles, lms3dTileParts& parts) const;
+  void FindInTile(const Block& block, int part, const PacketsOfTile& tile, lms3dTileParts& parts,
     const CastPacket& castPacket) const;
   void TestCandidates(const lms3dTileCandidates& candidates, lms3dBeamPacket& packet) const;
 
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dExactView& View;
-  const lms3dBeamGrid Grid;
-  const int BlocksPerTurn;
-  const int NumberOfBlocks;
-
-  /// The cosine of half the angle between the turns of a tile, for each level.
-  float HalfCosines[3];
+  const lms3dTileGrid Grid;
   std::vector<lms3dCornerDirections> Corners;
   std::vector<Block> Blocks;
 };

@@ -2,139 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What single precision decides for beams and tiles, against exact arithmetic.
- *
- * Triangles and beams are chosen where the error bounds of lms3dNarrowTriangle.h and lms3dTile.h are
- * most likely to fail: beams at edges and corners, narrow triangles, and planes near to the sensor.
+ * @brief What single precision decides for tiles, against exact arithmetic: at their sides and corners,
+ * at poles, and with triangles that cover them or just reach them.
  */
+#include "Casting/NarrowFixtures.h"
 #include "Fixtures/CasterFixtures.h"
 
-#include "Casting/lms3dTriangle.h"
 #include "Kernels/lms3dPacketKernels.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
 namespace
 {
-constexpr int Size = lms3dBeamPacket::Size;
-const Vector Sensor = { 0.0, 0.0, 0.0 };
-
-using Corners = std::array<Vector, 3>;
-
-lms3dCorners GetPointers(const Corners& corners)
-{
-  return { corners[0].data(), corners[1].data(), corners[2].data() };
-}
-
-// From a millimetre to a hundred metres away; every other one is very narrow or seen nearly edge-on.
-Corners MakeTriangle(Random& random)
-{
-  const double distance = std::pow(10.0, random.Get(-3.0, 2.0));
-  const double size = distance * std::pow(10.0, random.Get(-4.0, 1.0));
-  const Vector a = distance * random.GetDirection();
-  const Vector p = size * random.GetDirection();
-  Vector q = size * random.GetDirection();
-  switch (random.GetBits() % 4)
-  {
-    case 0:
-      q = random.Get(-1.0, 1.0) * p + std::pow(10.0, random.Get(-8.0, -1.0)) * q;
-      break;
-    case 1:
-      q = random.Get(-1.0, 1.0) * p + random.Get(-1.0, 1.0) * a +
-        std::pow(10.0, random.Get(-9.0, -2.0)) * q;
-      break;
-    default:
-      break;
-  }
-  return { a, a + p, a + q };
-}
-
-// Within a few roundings of single precision of an edge or a corner, or anywhere in the triangle.
-Vector MakeDirection(const Corners& corners, Random& random)
-{
-  std::array<double, 3> weights = { random.Get(), random.Get(), random.Get() };
-  const std::uint64_t kind = random.GetBits() % 8;
-  for (int i = 0; i < 3; ++i)
-  {
-    if ((kind >> i) & 1u)
-    {
-      weights[i] = std::pow(10.0, random.Get(-9.0, -5.0)) * (random.GetBits() % 2 ? 1.0 : -1.0);
-    }
-  }
-  const Vector point = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
-  return GetLength(point) > 0.0 ? Normalize(point) : random.GetDirection();
-}
-
-Beams MakeBeams(const Corners& corners, Random& random)
-{
-  Beams beams;
-  for (Vector& beam : beams)
-  {
-    beam = MakeDirection(corners, random);
-  }
-  return beams;
-}
-
-// The range with all digits; infinite where the beam passes by or the triangle is behind.
-double GetRange(const Corners& corners, const Vector& direction)
-{
-  const lms3dCorners pointers = GetPointers(corners);
-  if (!lms3dIsInside(pointers, Sensor.data(), direction.data()))
-  {
-    return lms3dBeamPacket::NoRange;
-  }
-  double ranges[Size];
-  lms3dIntersectNearPlane(pointers, Sensor.data(), MakePacket(MakeSame(direction)), ranges);
-  return ranges[0] > 0.0 ? ranges[0] : lms3dBeamPacket::NoRange;
-}
-
-// Two triangles one after the other: what single precision decides must be true.
-struct NarrowTally
-{
-  std::int64_t Decided = 0;
-  std::int64_t Wrong = 0;
-};
-
-void JudgePair(const Corners& first, const Corners& second, Random& random, NarrowTally& tally)
-{
-  const lms3dPacketKernels& kernels = lms3dGetPacketKernels();
-  const Corners* triangles[] = { &first, &second };
-  const Beams beams = MakeBeams(second, random);
-  lms3dBeamPacket packet = MakePacket(beams);
-  std::fill_n(packet.Triangle, Size, lms3dBeamPacket::NoTriangle);
-  lms3dNarrowHits hits = {};
-  double nearest[Size];
-  std::fill_n(nearest, Size, lms3dBeamPacket::NoRange);
-  std::uint32_t followed = 0xffffu;
-  for (int number = 0; number < 2; ++number)
-  {
-    const lms3dNarrowTriangle narrow = kernels.MakeNarrowTriangle(
-      lms3dToSensorFrame(GetPointers(*triangles[number]), Sensor.data()), 1.0);
-    if (narrow.PlaneError < 0.0f)
-    {
-      return;
-    }
-    const lms3dNarrowMasks masks = kernels.UpdateNarrow(narrow, number, 0xffffu, packet, hits);
-    // A beam in doubt would go to double precision, so it is not followed any further.
-    followed &= ~masks.Uncertain;
-    for (int i = 0; i < Size; ++i)
-    {
-      if ((followed >> i) & 1u)
-      {
-        const double range = GetRange(*triangles[number], beams[i]);
-        const bool isNearer = range < nearest[i];
-        ++tally.Decided;
-        tally.Wrong += isNearer != (((masks.Changed >> i) & 1u) != 0) ? 1 : 0;
-        nearest[i] = std::min(nearest[i], range);
-      }
-    }
-  }
-}
+constexpr int Size = lms3dTiles::Size;
 
 double ToRadians(double degrees)
 {
@@ -258,8 +142,8 @@ void JudgeTile(Random& random, TileTally& tally)
   for (int number = 0; number < 2; ++number)
   {
     corners[number] = MakeTriangleNear(tile, random);
-    const lms3dNarrowTriangle narrow = kernels.MakeNarrowTriangle(
-      lms3dToSensorFrame(GetPointers(corners[number]), Sensor.data()), 1.0);
+    const lms3dNarrowTriangle narrow =
+      kernels.MakeNarrowTriangle(GetInSensorFrame(corners[number]), 1.0);
     masks[number] = kernels.ClassifyTiles(
       tiles, narrow, GetCornerDirections(corners[number]), { 1u, 0u, 0u }, 0.0f, cover);
     tally.Unmet += masks[number].Met ? 0 : 1;
@@ -282,27 +166,7 @@ void JudgeTile(Random& random, TileTally& tally)
 }
 } // namespace
 
-TEST(NarrowKernels, AreRightAboutBeamsWhereTheyAreSure)
-{
-  Random random(17);
-  NarrowTally tally;
-  for (std::size_t i = 0; i < 60000 / Fewer; ++i)
-  {
-    const Corners second = MakeTriangle(random);
-    Corners first = MakeTriangle(random);
-    if (random.GetBits() % 2)
-    {
-      // Almost the same plane, nearer or farther by less than single precision resolves, or by more.
-      const double factor = 1.0 + std::pow(10.0, random.Get(-9.0, -3.0)) * random.Get(-1.0, 1.0);
-      first = { factor * second[0], factor * second[1], factor * second[2] };
-    }
-    JudgePair(first, second, random, tally);
-  }
-  EXPECT_EQ(tally.Wrong, 0);
-  EXPECT_GT(tally.Decided, static_cast<std::int64_t>(400000 / Fewer));
-}
-
-TEST(NarrowKernels, AreRightAboutTilesWhereTheyAreSure)
+TEST(NarrowTiles, AreDecidedRightly)
 {
   Random random(18);
   TileTally tally;

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The grid of a scan's beams, divided into blocks, tiles and packets.
+ */
+#ifndef lms3dTileGrid_h
+#define lms3dTileGrid_h
+
+#include "Casting/lms3dBeamGrid.h"
+#include "Kernels/lms3dPacketKernels.h"
+
+#include <cstdint>
+
+class lms3dTileGrid
+{
+public:
+  ///@{
+  /// Turns, and beams, of a block and of a tile. Each is four times as long as the next.
+  static constexpr int BlockSide = 16 * lms3dBeamGrid::Side;
+  static constexpr int TileSide = 4 * lms3dBeamGrid::Side;
+  ///@}
+
+  /// A square part of the grid, cut off at the grid's end. The level is 0 for a block, 1 for a tile and
+  /// 2 for a packet.
+  struct Area
+  {
+    int Level;
+    int Turn;
+    int Beam;
+
+    int GetSide() const { return BlockSide >> (2 * this->Level); }
+
+    /// Returns one of the 4 x 4 parts, numbered by turn, then by beam.
+    Area GetPart(int i) const
+    {
+      const int side = this->GetSide() / 4;
+      return { this->Level + 1, this->Turn + i / 4 * side, this->Beam + i % 4 * side };
+    }
+  };
+
+  /// The arrays of the grid must outlive this object.
+  explicit lms3dTileGrid(const lms3dBeamGrid& grid);
+
+  /// Returns whether the blocks of a grid are cones: they span 90 degrees at most.
+  static bool CanDivide(const lms3dBeamGrid& grid);
+
+  const lms3dBeamGrid& GetBeams() const { return this->Grid; }
+  int GetNumberOfBlocks() const { return this->NumberOfBlocks; }
+
+  ///@{
+  /// Returns a block, and the number of the block that has a beam. Blocks are numbered by turn, then by
+  /// beam.
+  Area GetBlock(int block) const;
+  int FindBlock(int turn, int beam) const;
+  ///@}
+
+  /// Sets the input of FillTileCorners for one of sixteen tiles.
+  void FillTile(const Area& area, int i, lms3dTiles& tiles) const;
+
+  /// Does so for all parts of an area. Returns the parts that the grid has.
+  std::uint32_t FillParts(const Area& area, lms3dTiles& tiles) const;
+
+private:
+  const lms3dBeamGrid Grid;
+  const int BlocksPerTurn;
+  const int NumberOfBlocks;
+
+  /// The cosine of half the angle between the first and the last turn, for each level.
+  float HalfCosines[3];
+};
+
+#endif
