@@ -3,6 +3,7 @@
 #include "Casting/lms3dEmbreeTree.h"
 
 #include "Casting/lms3dBuildStopped.h"
+#include "Casting/lms3dEmbreeConfiguration.h"
 #include "Pipeline/lms3dProgressReporter.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ bool Report(void* reporter, double done)
 lms3dEmbreeTree::lms3dEmbreeTree(
   const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& excluded)
   : Normalization(mesh, excluded)
-  , Device(rtcNewDevice(nullptr))
+  , Device(rtcNewDevice(lms3dGetEmbreeConfiguration()))
 {
   this->ThrowOnError();
   this->Scene.reset(rtcNewScene(this->Device.get()));

@@ -5,47 +5,61 @@
 #include "Casting/lms3dTriangle.h"
 #include "Kernels/lms3dPacketKernels.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
 #include <array>
 
 namespace
 {
 /// Keeps the planes of recent triangles, because neighbouring packets hit the same ones.
-template <typename Plane>
+template <typename Plane, int NumberOfEntries>
 class PlaneCache
 {
 public:
+  PlaneCache() { this->Clear(); }
+
+  void Clear() { this->Triangles.fill(lms3dBeamPacket::NoTriangle); }
+
   template <typename Make>
   const Plane& Get(std::int32_t triangle, const Make& make)
   {
-    Entry& entry = this->Entries[triangle % NumberOfEntries];
-    if (entry.Triangle != triangle)
+    const std::int32_t entry = triangle % NumberOfEntries;
+    if (this->Triangles[entry] != triangle)
     {
-      entry.Triangle = triangle;
-      entry.Value = make(triangle);
+      this->Triangles[entry] = triangle;
+      this->Planes[entry] = make(triangle);
     }
-    return entry.Value;
+    return this->Planes[entry];
   }
 
 private:
-  struct Entry
-  {
-    std::int32_t Triangle = lms3dBeamPacket::NoTriangle;
-    Plane Value;
-  };
-
-  static constexpr int NumberOfEntries = 64;
-
-  std::array<Entry, NumberOfEntries> Entries;
+  std::array<std::int32_t, NumberOfEntries> Triangles;
+  std::array<Plane, NumberOfEntries> Planes;
 };
 
+// Enough for the packets of one call, and for a whole scan of a small scene.
+constexpr int EntriesOfCall = 64;
+constexpr int EntriesOfScan = 1024;
+
 /// Intersects beams with a triangle's plane, with about 31 digits.
+template <int NumberOfEntries>
 class DoubleDoubleIntersector
 {
 public:
-  DoubleDoubleIntersector(const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin)
+  explicit DoubleDoubleIntersector(const lms3dTriangleMesh& mesh)
     : Mesh(mesh)
-    , Origin(origin.Position)
   {
+  }
+
+  /// Keeps the planes if the origin is the one of the last call.
+  void SetOrigin(const lms3dRayOrigin& origin)
+  {
+    if (!std::equal(this->Origin, this->Origin + 3, origin.Position))
+    {
+      std::copy_n(origin.Position, 3, this->Origin);
+      this->Planes.Clear();
+    }
   }
 
   void Intersect(std::int32_t triangle, const lms3dBeamPacket& packet, double* ranges)
@@ -79,8 +93,8 @@ private:
 
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dTriangleMesh& Mesh;
-  const double* Origin;
-  PlaneCache<Plane> Planes;
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  PlaneCache<Plane, NumberOfEntries> Planes;
 };
 
 /// The same in double precision. Planes that double precision cannot represent well are computed with
@@ -122,7 +136,7 @@ private:
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dTriangleMesh& Mesh;
   const double* Origin;
-  PlaneCache<lms3dDoublePlane> Planes;
+  PlaneCache<lms3dDoublePlane, EntriesOfCall> Planes;
 };
 
 // `beams` is not 0.
@@ -158,7 +172,8 @@ void StoreHits(Intersector& intersector, double maximumRange, lms3dBeamPacket* p
 void lms3dRefineRanges(
   const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count)
 {
-  DoubleDoubleIntersector intersector(mesh, origin);
+  DoubleDoubleIntersector<EntriesOfCall> intersector(mesh);
+  intersector.SetOrigin(origin);
   StoreHits(intersector, origin.MaximumRange, packets, count);
 }
 
@@ -166,5 +181,28 @@ void lms3dRefineRangesInDouble(
   const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count)
 {
   DoubleIntersector intersector(mesh, origin);
+  StoreHits(intersector, origin.MaximumRange, packets, count);
+}
+
+struct lms3dRangeRefinement::Internals
+{
+  using Intersector = DoubleDoubleIntersector<EntriesOfScan>;
+
+  tbb::enumerable_thread_specific<Intersector> Intersectors;
+};
+
+lms3dRangeRefinement::lms3dRangeRefinement(const lms3dTriangleMesh& mesh)
+  : Internal(new Internals{ tbb::enumerable_thread_specific<Internals::Intersector>(
+      [&mesh] { return Internals::Intersector(mesh); }) })
+{
+}
+
+lms3dRangeRefinement::~lms3dRangeRefinement() = default;
+
+void lms3dRangeRefinement::Refine(
+  const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const
+{
+  Internals::Intersector& intersector = this->Internal->Intersectors.local();
+  intersector.SetOrigin(origin);
   StoreHits(intersector, origin.MaximumRange, packets, count);
 }

@@ -10,6 +10,8 @@
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Kernels/lms3dBeamPacket.h"
 
+#include <memory>
+
 ///@{
 /**
  * Sets Range of all beams of some packets that have a Triangle, metres: the distance to the plane of
@@ -24,5 +26,24 @@ void lms3dRefineRanges(
 void lms3dRefineRangesInDouble(
   const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count);
 ///@}
+
+/**
+ * lms3dRefineRanges for many calls with the same mesh and origin: each thread keeps the planes of recent
+ * triangles from call to call. The results are the same bits.
+ */
+class lms3dRangeRefinement
+{
+public:
+  /// The mesh must outlive this object and must not change.
+  explicit lms3dRangeRefinement(const lms3dTriangleMesh& mesh);
+  ~lms3dRangeRefinement();
+
+  /// Several threads may call this at once, with any origins.
+  void Refine(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
 
 #endif

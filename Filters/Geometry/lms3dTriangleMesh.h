@@ -7,18 +7,25 @@
 #ifndef lms3dTriangleMesh_h
 #define lms3dTriangleMesh_h
 
+#include "Geometry/lms3dHugePages.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-/// Three indices into the points of a mesh for each triangle.
-using lms3dTriangleIndices = std::vector<std::array<std::uint32_t, 3>>;
+///@{
+/// The points of a mesh, and three indices into them for each triangle.
+using lms3dTrianglePoints =
+  std::vector<std::array<double, 3>, lms3dHugePageAllocator<std::array<double, 3>>>;
+using lms3dTriangleIndices =
+  std::vector<std::array<std::uint32_t, 3>, lms3dHugePageAllocator<std::array<std::uint32_t, 3>>>;
+///@}
 
 struct lms3dTriangleMesh
 {
   /// Vertices in world coordinates, metres. Vertices that triangles use are finite.
-  std::vector<std::array<double, 3>> Points;
+  lms3dTrianglePoints Points;
 
   lms3dTriangleIndices Triangles;
 

@@ -219,7 +219,8 @@ struct lms3dPacketKernels
 };
 
 /// Returns the kernels of the processor's widest instruction set, or of a narrower one that the
-/// environment variable LMS3D_KERNELS names: Baseline, AVX2 or AVX512.
+/// environment variable LMS3D_KERNELS names: Baseline, AVX2 or AVX512. Embree is restricted alike
+/// (lms3dGetEmbreeConfiguration).
 const lms3dPacketKernels& lms3dGetPacketKernels();
 
 ///@{

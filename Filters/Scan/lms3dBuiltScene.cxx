@@ -44,11 +44,11 @@ vtkMTimeType GetSceneTime(vtkDataObject* scene)
   return time;
 }
 
-template <typename T>
-bool HaveSameBytes(const std::vector<T>& a, const std::vector<T>& b)
+template <typename Vector>
+bool HaveSameBytes(const Vector& a, const Vector& b)
 {
   return a.size() == b.size() &&
-    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
 }
 
 // Compares bytes, since results must not depend on what was scanned before: zeros differ in sign.

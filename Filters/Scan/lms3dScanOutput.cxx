@@ -135,13 +135,14 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeo
   tbb::parallel_for(0, geometry.GetNumberOfTurns(),
     [&](int turn)
     {
-      if (first[turn] < first[turn + 1])
+      const int returnsOfTurn = static_cast<int>(first[turn + 1] - first[turn]);
+      if (returnsOfTurn > 0)
       {
         const std::size_t beam = static_cast<std::size_t>(turn) * geometry.GetNumberOfBeams();
         const lms3dTurn source = { geometry, directions, pose.Position, turn,
           this->Ranges->GetPointer(static_cast<vtkIdType>(beam)), this->Triangles.data() + beam,
           mesh, mesh ? nullptr : this->Cells.data() + beam };
-        source.Fill(first[turn], returns, cellId);
+        source.Fill(first[turn], returnsOfTurn, returns, cellId);
       }
     });
   returns.MoveTo(geometry, pose, scan);

@@ -90,15 +90,16 @@ void FillSome(const lms3dTurn& turn, const std::vector<int>& hits, std::size_t s
 }
 } // namespace
 
-void lms3dTurn::Fill(std::size_t slot, const lms3dReturns& returns, vtkIdType* cellIds) const
+void lms3dTurn::Fill(
+  std::size_t slot, int count, const lms3dReturns& returns, vtkIdType* cellIds) const
 {
-  const std::vector<int> hits = GetHits(this->Triangles, this->Geometry.GetNumberOfBeams());
-  if (static_cast<int>(hits.size()) == this->Geometry.GetNumberOfBeams())
+  const int beams = this->Geometry.GetNumberOfBeams();
+  if (count == beams)
   {
     FillAll(*this, slot, returns, cellIds);
   }
   else
   {
-    FillSome(*this, hits, slot, returns, cellIds);
+    FillSome(*this, GetHits(this->Triangles, beams), slot, returns, cellIds);
   }
 }

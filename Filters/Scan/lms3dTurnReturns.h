@@ -21,8 +21,9 @@
 /// one value for each beam of the turn.
 struct lms3dTurn
 {
-  /// Fills the slots of the turn's returns, from `slot` on, in the arrays and in `cellIds`.
-  void Fill(std::size_t slot, const lms3dReturns& returns, vtkIdType* cellIds) const;
+  /// Fills the slots of the turn's returns, from `slot` on, in the arrays and in `cellIds`. `count`
+  /// is the number of beams with a return.
+  void Fill(std::size_t slot, int count, const lms3dReturns& returns, vtkIdType* cellIds) const;
 
   const lms3dScanGeometry& Geometry;
   const lms3dBeamDirections& Directions;

@@ -129,7 +129,7 @@ private:
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
       [&mesh](std::size_t a, std::size_t b) { return mesh.Cells[a] < mesh.Cells[b]; });
-    std::vector<std::array<std::uint32_t, 3>> triangles;
+    lms3dTriangleIndices triangles;
     std::vector<std::int64_t> cells;
     triangles.reserve(order.size());
     cells.reserve(order.size());

@@ -32,8 +32,8 @@ constexpr std::size_t MaximumNumberOfTriangles = std::numeric_limits<std::int32_
 constexpr vtkIdType WorkPerReport = 1 << 16;
 
 // A composite calls once for each leaf, so the memory grows by at least a half.
-template <typename T>
-void ReserveMore(std::vector<T>& vector, std::size_t more)
+template <typename Vector>
+void ReserveMore(Vector& vector, std::size_t more)
 {
   const std::size_t needed = vector.size() + more;
   if (needed > vector.capacity())
@@ -43,7 +43,7 @@ void ReserveMore(std::vector<T>& vector, std::size_t more)
 }
 
 template <typename ArrayT>
-void CopyPoints(ArrayT* array, std::vector<std::array<double, 3>>& points)
+void CopyPoints(ArrayT* array, lms3dTrianglePoints& points)
 {
   const auto* value = array->GetPointer(0);
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i, value += 3)
@@ -53,7 +53,7 @@ void CopyPoints(ArrayT* array, std::vector<std::array<double, 3>>& points)
   }
 }
 
-void AppendPoints(vtkPoints* points, std::vector<std::array<double, 3>>& out)
+void AppendPoints(vtkPoints* points, lms3dTrianglePoints& out)
 {
   if (!points)
   {
@@ -158,7 +158,7 @@ bool lms3dSurfaceTriangles::IsHidden(vtkIdType cell)
 
 bool lms3dSurfaceTriangles::IsUsable(vtkIdType count, const vtkIdType* points)
 {
-  const std::vector<std::array<double, 3>>& all = this->Mesh.Points;
+  const lms3dTrianglePoints& all = this->Mesh.Points;
   const vtkIdType pointsOfSurface = static_cast<vtkIdType>(all.size() - this->FirstPoint);
   bool isFinite = true;
   for (vtkIdType i = 0; i < count; ++i)

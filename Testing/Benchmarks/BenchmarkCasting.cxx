@@ -97,12 +97,12 @@ Table::Row MakeRow(const BenchmarkScene& scene, const std::string& name,
   return row;
 }
 
-template <typename T>
-void Save(const std::string& fileName, const std::vector<T>& values)
+template <typename Values>
+void Save(const std::string& fileName, const Values& values)
 {
   std::ofstream file(fileName, std::ios::binary);
   file.write(reinterpret_cast<const char*>(values.data()),
-    static_cast<std::streamsize>(values.size() * sizeof(T)));
+    static_cast<std::streamsize>(values.size() * sizeof(values[0])));
   file.close();
   if (!file)
   {

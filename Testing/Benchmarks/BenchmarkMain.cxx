@@ -5,6 +5,7 @@
  * @brief lms3dBenchmark: reads the command line and runs what it asks for.
  */
 #include "Benchmarks.h"
+#include "Cores.h"
 #include "ScanSubject.h"
 #include "Scenes.h"
 
@@ -28,6 +29,8 @@ struct Benchmark
   void (*Run)(const BenchmarkOptions& options);
   std::vector<std::string> QuickScenes;
   std::vector<std::string> Scenes = GetSceneNames();
+  /// How many cores it needs; 0 stands for all.
+  int NumberOfCores = 2;
 };
 
 const std::vector<std::string> CastingScenes = { "room", "teapot", "terrain1e5" };
@@ -42,7 +45,7 @@ const std::array<Benchmark, 7>& GetBenchmarks()
       { "casting", "time and error of a beam, by every method and by what else casts beams",
         &RunCastingBenchmark, CastingScenes, CastingScenes },
       { "growth", "time and memory of building, scanning and mapping, against what makes them grow",
-        &RunGrowthBenchmark, {}, {} },
+        &RunGrowthBenchmark, {}, {}, 0 },
       { "scan", "a scan after a change of pose, every method, beside the raw cost of its beams",
         &RunScanBenchmark, { "room", "castle", "teapot", "terrain1e5" } },
       { "first", "the first scan, building included, beside Embree's own build", &RunFirstBenchmark,
@@ -78,7 +81,10 @@ void PrintHelp()
     "what fetch() costs beside a bare socket, and the scanner; by ./run bench corba alone");
   std::printf("\nScenes: %s", Join(GetSceneNames()).c_str());
   std::printf("\n\nMethods, of the benchmark scan: %s\n", Join(ScanSubject::GetNames()).c_str());
-  std::printf("\n--beams: where the benchmark casting saves scenes, beams and true ranges\n\n");
+  std::printf("\n--beams: where the benchmark casting saves scenes, beams and true ranges\n");
+  std::printf(
+    "\nThe environment variable LMS3D_KERNELS restricts the instruction set of the filter and of "
+    "Embree: Baseline, AVX2 or AVX512.\n\n");
 }
 
 void CheckNames(
@@ -153,7 +159,14 @@ void Run(const Benchmark& benchmark, BenchmarkOptions options)
     options.Scenes = options.IsQuick ? benchmark.QuickScenes : benchmark.Scenes;
   }
   std::printf("%s: %s\n\n", benchmark.Name, benchmark.Summary);
+  std::printf("%s\n\n", ReserveCores(benchmark.NumberOfCores).c_str());
+  const LoadMeter load;
   benchmark.Run(options);
+  const std::string others = DescribeOthers(load.GetShareOfOthers());
+  if (!others.empty())
+  {
+    std::fprintf(stderr, "%s: %s\n", benchmark.Name, others.c_str());
+  }
 }
 
 void RunAllQuickly()

@@ -2,22 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
 
+#include "Casting/lms3dEmbreeConfiguration.h"
+#include "Cores.h"
 #include "ScanContender.h"
+#include "ScanTables.h"
 #include "Scenes.h"
-#include "Table.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
-#include <limits>
-#include <optional>
 
 namespace
 {
-constexpr double Beams = 361.0 * 360.0;
-constexpr double None = std::numeric_limits<double>::quiet_NaN();
-constexpr double Megabyte = 1024.0 * 1024.0;
-
 // For more triangles, brute force takes seconds.
 constexpr vtkIdType MaximumTrianglesOfBruteForce = 5000;
 
@@ -26,9 +21,6 @@ constexpr vtkIdType MaximumTrianglesOfBruteForce = 5000;
 constexpr int BeamsOfTruth = 129960;
 constexpr int BeamsOfTruthOfLargeScene = 10000;
 constexpr vtkIdType LargeScene = 50000;
-
-// With fewer triangles, other memory outweighs the scene.
-constexpr vtkIdType MinimumTrianglesForMemory = 10000;
 
 // Milliseconds for which one contender is timed before it is the next one's turn.
 constexpr double BudgetOfTurn = 60.0;
@@ -127,121 +119,31 @@ void TimeBuilds(std::vector<ScanContender>& contenders, const BenchmarkScene& sc
   }
 }
 
-std::string FormatBytesPerTriangle(const ScanContender& contender, vtkIdType triangles)
-{
-  return triangles < MinimumTrianglesForMemory ? "-"
-                                               : Table::Format(contender.SceneBytes / triangles, 0);
-}
-
-void AddRow(const BenchmarkScene& scene, const ScanContender& contender, int threads, double bound,
-  Table& table)
-{
-  const vtkIdType triangles = scene.Surface->GetNumberOfPolys();
-  const auto found = contender.ByThreads.find(threads);
-  if (found == contender.ByThreads.end())
-  {
-    Table::Row row = { scene.Name, contender.Name, std::to_string(triangles),
-      std::to_string(threads) };
-    row.resize(16, "-");
-    table.AddRow(row);
-    return;
-  }
-  const ScanTimes& times = found->second;
-  const std::optional<ScanErrors>& errors = contender.Errors;
-  table.AddRow({ scene.Name, contender.Name, std::to_string(triangles), std::to_string(threads),
-    Table::Format(times.Build, 1), Table::Format(times.Scan, 3),
-    Table::Format(Beams / times.Scan / 1000.0, 1), Table::Format(times.Scan / bound, 2),
-    FormatBytesPerTriangle(contender, triangles), Table::Format(contender.OutputBytes / Beams, 0),
-    Table::Format(contender.PeakBytes / Megabyte, 0), std::to_string(contender.Hits),
-    errors ? std::to_string(errors->Misses) : "-", errors ? std::to_string(errors->FalseHits) : "-",
-    Table::FormatPower(errors ? errors->Median : None),
-    Table::FormatPower(errors ? errors->Worst : None) });
-}
-
-std::string FormatCount(std::int64_t count)
-{
-  std::string digits = std::to_string(count);
-  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
-  {
-    digits.insert(i, ",");
-  }
-  return digits;
-}
-
-// Both numbers of threads in one row, and what was wrong in another.
-void AddSummary(const BenchmarkScene& scene, std::vector<ScanContender>& contenders, Table& summary)
-{
-  for (ScanContender& contender : contenders)
-  {
-    if (!contender.IsPresent())
-    {
-      continue;
-    }
-    Table::Row row = { scene.Name + ", " + FormatCount(scene.Surface->GetNumberOfPolys()),
-      contender.Name };
-    for (int threads : { 1, 2 })
-    {
-      const double scan = contender.ByThreads[threads].Scan;
-      row.push_back(Table::Format(scan, 2));
-      row.push_back(Table::Format(scan / contenders.front().ByThreads[threads].Scan, 2));
-    }
-    const std::optional<ScanErrors>& errors = contender.Errors;
-    row.push_back(errors ? std::to_string(errors->Misses + errors->FalseHits) : "-");
-    row.push_back(Table::FormatPower(errors ? errors->Worst : None));
-    summary.AddRow(row);
-  }
-}
-
-void PrintNotes(std::vector<ScanContender>& contenders)
-{
-  std::string speedUps;
-  for (ScanContender& contender : contenders)
-  {
-    if (contender.IsPresent())
-    {
-      speedUps += ' ' + contender.Name + ' ' + Table::Format(contender.GetSpeedUp(), 2) + ';';
-    }
-  }
-  std::printf("2 threads against 1:%s\n\n", speedUps.c_str());
-  std::fflush(stdout);
-}
-
-void TimeScene(
-  const std::string& name, const BenchmarkOptions& options, Table& table, Table& summary)
+void TimeScene(const std::string& name, const BenchmarkOptions& options, ScanTables& tables)
 {
   const BenchmarkScene scene = MakeScene(name);
   std::vector<ScanContender> contenders = MakeContenders(scene, options);
+  const LoadMeter load;
   TimeScans(contenders, options.IsQuick);
+  const double shareOfOthers = load.GetShareOfOthers();
   TimeBuilds(contenders, scene, options.IsQuick);
-  for (int threads : { 1, 2 })
-  {
-    const double bound = contenders.front().ByThreads[threads].Scan;
-    for (const ScanContender& contender : contenders)
-    {
-      AddRow(scene, contender, threads, bound, table);
-    }
-  }
-  table.Print();
-  PrintNotes(contenders);
-  AddSummary(scene, contenders, summary);
+  tables.AddScene(scene, contenders, shareOfOthers);
 }
 } // namespace
 
 void RunScanBenchmark(const BenchmarkOptions& options)
 {
-  Table table({ "scene", "method", "triangles", "threads", "build ms", "scan ms", "Mbeams/s",
-    "x raw", "B/triangle", "B/beam", "peak MB", "hits", "misses", "false hits", "median error",
-    "worst error" });
-  Table summary({ "scene, triangles", "method", "1 thread, ms", "x raw", "2 threads, ms", "x raw",
-    "wrong beams", "worst error" });
+  const char* embree = lms3dGetEmbreeConfiguration();
+  std::printf("Instruction set of the filter: %s; of Embree: %s\n\n", lms3dGetPacketKernels().Name,
+    embree ? embree : "the widest");
+  ScanTables tables;
   for (const std::string& name : options.Scenes)
   {
-    TimeScene(name, options, table, summary);
+    TimeScene(name, options, tables);
   }
-  std::printf("In short:\n\n");
-  summary.Print();
+  tables.PrintSummary();
   if (!options.CSVFile.empty())
   {
-    table.Save(options.CSVFile);
+    tables.Save(options.CSVFile);
   }
 }

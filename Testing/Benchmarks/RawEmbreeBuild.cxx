@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RawEmbreeBuild.h"
 
+#include "Casting/lms3dEmbreeConfiguration.h"
 #include "EmbreeHandles.h"
 #include "Timer.h"
 
@@ -43,7 +44,7 @@ RawEmbreeBuild::RawEmbreeBuild(vtkPolyData* surface)
 
 double RawEmbreeBuild::GetMilliseconds(Quality quality, int threads) const
 {
-  const EmbreeDevice device(rtcNewDevice(nullptr));
+  const EmbreeDevice device(rtcNewDevice(lms3dGetEmbreeConfiguration()));
   EmbreeScene scene;
   tbb::task_arena arena(threads);
   const auto build = [&]

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RawEmbreeScan.h"
 
+#include "Casting/lms3dEmbreeConfiguration.h"
 #include "CoherentCaster.h"
 #include "EmbreeHandles.h"
 #include "Geometry/lms3dAngle.h"
@@ -165,7 +166,7 @@ struct RawEmbreeScan::Internals
   }
 
   Tables Beam;
-  EmbreeDevice Device{ rtcNewDevice(nullptr) };
+  EmbreeDevice Device{ rtcNewDevice(lms3dGetEmbreeConfiguration()) };
   EmbreeScene Scene{ rtcNewScene(this->Device.get()) };
   std::map<int, tbb::task_arena> Arenas;
   float Origin[3];

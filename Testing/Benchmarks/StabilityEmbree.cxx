@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StabilityRivals.h"
 
+#include "Casting/lms3dEmbreeConfiguration.h"
 #include "CoherentCaster.h"
 #include "EmbreeHandles.h"
 
@@ -50,7 +51,7 @@ public:
   RTCScene Get() const { return this->Scene.get(); }
 
 private:
-  EmbreeDevice Device{ rtcNewDevice(nullptr) };
+  EmbreeDevice Device{ rtcNewDevice(lms3dGetEmbreeConfiguration()) };
   EmbreeScene Scene{ rtcNewScene(this->Device.get()) };
 };
 

@@ -38,7 +38,7 @@ class LineCaster
 {
 public:
   LineCaster(const lms3dTriangleMesh& mesh, double tolerance)
-    : Points(mesh.Points)
+    : Points(mesh.Points.begin(), mesh.Points.end())
     , Tolerance(tolerance)
   {
     this->Locator->SetDataSet(MakeSurface(mesh));

@@ -85,6 +85,13 @@ class RenewalTest(unittest.TestCase):
             self.change(name + part, column, "7654.3")
             self.assertRegex(summaries.make_page(self.folder, name), r"7,?654", name)
 
+    def test_the_speed_page_says_if_the_machine_was_not_quiet(self):
+        words = "The machine was not quiet: other processes took up to 42 % of the cores' time."
+        for share, is_quiet in (("3", True), ("42", False), ("-", True)):
+            self.change("F-speed-methods", "others %", share)
+            page = summaries.make_page(self.folder, "F-speed")
+            self.assertEqual(words not in page, is_quiet, share)
+
     def test_the_readme_follows_its_table(self):
         self.change("F-speed-scan", "scan ms", "98.76")
         self.assertIn("| 98.76 |", summaries.insert_table(read(README), self.folder))

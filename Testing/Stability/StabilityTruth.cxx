@@ -61,7 +61,8 @@ StabilityTruth::StabilityTruth(const StabilityCase& scene)
   const double size = GetSize(mesh);
   this->Exponent = size < MinimumSize ? -std::ilogb(size) : 0;
   mesh = Map(std::move(mesh), [this](const Vector& p) { return Enlarge(p, this->Exponent); });
-  const ExactReference reference(mesh.Points, mesh.Triangles);
+  const ExactReference reference(
+    { mesh.Points.begin(), mesh.Points.end() }, { mesh.Triangles.begin(), mesh.Triangles.end() });
   this->Hits.reserve(scene.Shots.size() * lms3dBeamPacket::Size);
   for (const StabilityShot& shot : scene.Shots)
   {

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Other libraries for Python: installs them into build/peers and runs them in own processes."""
 
+import contextlib
+import os
 import signal
 import subprocess
 import venv
@@ -55,13 +57,27 @@ def find_version(versions, name):
     return next((version for version in versions if version.startswith(name.lower())), "-")
 
 
+@contextlib.contextmanager
+def _real_time():
+    """Give this process and its children the priority of lms3dBenchmark, if the system permits."""
+    policy, parameters = os.sched_getscheduler(0), os.sched_getparam(0)
+    with contextlib.suppress(PermissionError):
+        os.sched_setscheduler(0, os.SCHED_FIFO,
+                              os.sched_param(os.sched_get_priority_min(os.SCHED_FIFO)))
+    try:
+        yield
+    finally:
+        os.sched_setscheduler(0, policy, parameters)
+
+
 def run(python, program, *arguments, result_file):
     """Run a program of this folder; return the arrays that it saves."""
     result_file.unlink(missing_ok=True)
     command = [python, HERE / program, *map(str, arguments), result_file]
     try:
-        process = subprocess.run(command, timeout=TIME_LIMIT, check=False, text=True,
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        with _real_time():
+            process = subprocess.run(command, timeout=TIME_LIMIT, check=False, text=True,
+                                     stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     except subprocess.TimeoutExpired as problem:
         raise PeerProblem(f"over {TIME_LIMIT} s") from problem
     if process.returncode < 0:

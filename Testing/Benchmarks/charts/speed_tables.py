@@ -7,6 +7,7 @@ from tables import BEAMS, find, name_scene, read, select, to_error, to_markdown,
 NAME = "F-speed"
 TITLE = "Tables F: speed and memory of a scan"
 METHODS = ("raw packets", "Exact", "Fast")
+QUIET = 3  # per cent that other processes may take; lms3dBenchmark has the same limit
 
 
 def read_part(folder, part):
@@ -92,8 +93,18 @@ def _list_kernels(rows):
     for scene, method in unique(rows, "scene", "method"):
         times = [find(rows, kernels=name, scene=scene, method=method, threads="1")
                  for name in kernels]
-        cells.append([scene, method, *(row["scan ms"] for row in times)])
-    return to_markdown(["scene", "method", *(f"{name}, ms" for name in kernels)], cells, words=2)
+        cells.append([scene, method, *(row[key] for row in times for key in ("scan ms", "x raw"))])
+    columns = [column for name in kernels for column in (f"{name}, ms", "x raw")]
+    return to_markdown(["scene", "method", *columns], cells, words=2)
+
+
+def _describe_others(rows):
+    """Return a paragraph about other processes, nothing if the machine was quiet."""
+    shares = [int(row["others %"]) for row in rows if row.get("others %", "-") != "-"]
+    if max(shares, default=0) <= QUIET:
+        return ""
+    return (f"\n\nThe machine was not quiet: other processes took up to {max(shares)} % of the "
+            "cores' time.")
 
 
 # Headings, the part with the rows, and what makes a table of them.
@@ -114,4 +125,4 @@ def make_sections(folder):
     for heading, part, make in SECTIONS:
         rows = read_part(folder, part)
         if rows:
-            yield heading, make(rows)
+            yield heading, make(rows) + _describe_others(rows)

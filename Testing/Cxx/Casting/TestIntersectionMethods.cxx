@@ -31,7 +31,8 @@ class CheckedCaster
 public:
   CheckedCaster(int method, const lms3dTriangleMesh& mesh)
     : Caster(lms3dRayCaster::New(method, mesh))
-    , Reference(mesh.Points, mesh.Triangles)
+    , Reference({ mesh.Points.begin(), mesh.Points.end() },
+        { mesh.Triangles.begin(), mesh.Triangles.end() })
   {
   }
 

@@ -26,7 +26,8 @@ std::size_t Reduce(std::size_t packets)
 
 Target::Target(const lms3dTriangleMesh& mesh)
   : Caster(lms3dRayCaster::New(vtkLMS3DScanFilter::EXACT, mesh))
-  , Reference(mesh.Points, mesh.Triangles)
+  , Reference(
+      { mesh.Points.begin(), mesh.Points.end() }, { mesh.Triangles.begin(), mesh.Triangles.end() })
 {
 }
 

@@ -17,7 +17,7 @@
 
 namespace
 {
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+using Triangles = lms3dTriangleIndices;
 
 // Each triangle as four, with its corners and the middles of its edges, all at a distance of 1.
 lms3dTriangleMesh Quarter(const lms3dTriangleMesh& mesh)
