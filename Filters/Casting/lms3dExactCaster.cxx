@@ -67,6 +67,7 @@ public:
   ExactCaster(lms3dTriangleMesh mesh, const lms3dProgress& progress)
     : lms3dRayCaster(std::move(mesh))
     , Candidates(this->GetMesh(), progress)
+    , Refinement(this->GetMesh())
   {
   }
 
@@ -94,7 +95,7 @@ public:
   void RefineRanges(
     const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const override
   {
-    lms3dRefineRanges(this->GetMesh(), origin, packets, count);
+    this->Refinement.Refine(origin, packets, count);
   }
 
 private:
@@ -104,6 +105,7 @@ private:
   }
 
   const lms3dEmbreeCandidates Candidates;
+  const lms3dRangeRefinement Refinement;
 };
 } // namespace
 
