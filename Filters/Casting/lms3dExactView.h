@@ -22,10 +22,10 @@
 /// A packet while its nearest hits are searched. The packet's Triangle is always up to date.
 struct lms3dPacketSearch
 {
-  lms3dBeamPacket* Packet;
-
   /// The range of each beam's triangle in single precision.
   lms3dNarrowHits Hits;
+
+  lms3dBeamPacket* Packet;
 
   /// The beams whose Range in the packet is that of their triangle, with about 13 digits.
   std::uint32_t HaveRange;

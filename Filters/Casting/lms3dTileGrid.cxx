@@ -68,12 +68,12 @@ void lms3dTileGrid::FillTile(const Area& area, int i, lms3dTiles& tiles) const
   }
 }
 
-std::uint32_t lms3dTileGrid::FillParts(const Area& whole, lms3dTiles& tiles) const
+std::uint32_t lms3dTileGrid::FillParts(const Area& area, lms3dTiles& tiles) const
 {
   std::uint32_t present = 0;
   for (int i = 0; i < lms3dTiles::Size; ++i)
   {
-    const Area part = whole.GetPart(i);
+    const Area part = area.GetPart(i);
     this->FillTile(part, i, tiles);
     const bool isPresent = part.Turn < this->Grid.Turns && part.Beam < this->Grid.Beams;
     present |= isPresent ? 1u << i : 0u;
