@@ -30,7 +30,7 @@ struct lms3dHugePageAllocator
   lms3dHugePageAllocator() = default;
 
   template <typename Other>
-  lms3dHugePageAllocator(const lms3dHugePageAllocator<Other>&)
+  explicit lms3dHugePageAllocator(const lms3dHugePageAllocator<Other>&)
   {
   }
 

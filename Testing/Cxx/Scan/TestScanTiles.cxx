@@ -15,7 +15,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
@@ -63,13 +62,18 @@ struct Hits
   std::vector<std::int32_t> NearestTriangles;
 };
 
+bool AreEqual(double a, double b)
+{
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
 template <typename T>
 int CountDifferences(const std::vector<T>& a, const std::vector<T>& b)
 {
   int count = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
   {
-    count += std::memcmp(&a[i], &b[i], sizeof(T)) != 0 ? 1 : 0;
+    count += AreEqual(a[i], b[i]) ? 0 : 1;
   }
   return count;
 }
