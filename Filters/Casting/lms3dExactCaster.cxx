@@ -24,11 +24,12 @@ public:
     , View(mesh, origin, candidates.GetUnit())
   {
     const std::size_t triangles = mesh.GetNumberOfTriangles();
-    if (triangles <= MaximumTrianglesPerPacket * grid.CountPackets())
+    // From outside, a scene fills a small part of the view, and Embree misses it at once.
+    if (triangles <= MaximumTrianglesPerPacket * grid.CountPackets() &&
+      candidates.IsNear(origin.Position))
     {
       this->View.MakeNarrowTriangles();
-      // From outside, a scene fills a small part of the view, and Embree misses it at once.
-      if (lms3dTileSearch::IsSuitable(grid, triangles) && candidates.IsNear(origin.Position))
+      if (lms3dTileSearch::IsSuitable(grid, triangles))
       {
         this->Tiles = lms3dTileSearch::New(this->View, grid);
       }

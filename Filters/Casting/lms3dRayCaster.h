@@ -68,7 +68,7 @@ public:
    * The two steps of Cast. FindNearest finds the nearest triangle of each beam by ranges of about 13
    * digits. Of triangles at the same range it takes the one with the smallest index. RefineRanges
    * computes the ranges of these triangles with all digits; methods whose first ranges are final do
-   * nothing.
+   * nothing. Between the two, Range of a beam with a triangle is undefined until ComputeRanges.
    */
   virtual void FindNearest(
     const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const = 0;

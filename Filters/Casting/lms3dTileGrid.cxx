@@ -7,7 +7,7 @@
 
 namespace
 {
-// Beyond 180 degrees, a block would be no cone.
+// Degrees.
 constexpr double MaximumBlockAngle = 90.0;
 
 // Covers the rounding of a cosine to single precision.

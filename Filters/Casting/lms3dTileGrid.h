@@ -42,7 +42,7 @@ public:
   /// The arrays of the grid must outlive this object.
   explicit lms3dTileGrid(const lms3dBeamGrid& grid);
 
-  /// Returns whether the blocks of a grid are cones: they span 90 degrees at most.
+  /// Returns whether the turns of each block span 90 degrees at most. Wider blocks decide too little.
   static bool CanDivide(const lms3dBeamGrid& grid);
 
   const lms3dBeamGrid& GetBeams() const { return this->Grid; }

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 /// A triangle that may be the nearest in a tile.
@@ -50,6 +51,20 @@ public:
       else if ((masks.Met >> i) & 1u)
       {
         this->Candidates[i].push_back({ triangle, ((masks.Covered >> i) & 1u) != 0 });
+      }
+    }
+  }
+
+  /// Moves the nearest cover of each tile to its first place, so that the next division drops at once
+  /// what lies behind it. Call this once, after all triangles.
+  void MoveCoversToFront()
+  {
+    for (int i = 0; i < lms3dTiles::Size; ++i)
+    {
+      if (this->Covers[i] != NoCover)
+      {
+        std::swap(this->Candidates[i][0], this->Candidates[i][this->Covers[i]]);
+        this->Covers[i] = 0;
       }
     }
   }

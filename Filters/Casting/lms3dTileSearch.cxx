@@ -23,16 +23,17 @@ lms3dCornerDirections GetCornerDirections(
   for (int corner = 0; corner < 3; ++corner)
   {
     const double* point = mesh.GetCorner(triangle, corner);
-    double seen[3];
+    double inSensorFrame[3];
     double size = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      seen[axis] = point[axis] - origin[axis];
-      size += std::abs(seen[axis]);
+      inSensorFrame[axis] = point[axis] - origin[axis];
+      size += std::abs(inSensorFrame[axis]);
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-      directions.Corner[corner][axis] = size > 0.0 ? static_cast<float>(seen[axis] / size) : 0.0f;
+      directions.Corner[corner][axis] =
+        size > 0.0 ? static_cast<float>(inSensorFrame[axis] / size) : 0.0f;
     }
   }
   return directions;
@@ -179,6 +180,7 @@ void lms3dTileSearch::Divide(const lms3dTileCandidate* candidates, std::size_t c
       { present, candidate.Covers ? present : 0u, 0u }, this->View.GetMinimumInverse(), cover);
     parts.Add(candidate.Triangle, masks);
   }
+  parts.MoveCoversToFront();
 }
 
 void lms3dTileSearch::FindNearest(

@@ -27,6 +27,8 @@ struct lms3dHugePageAllocator
   static constexpr std::size_t PageSize = std::size_t(1) << 21;
   static constexpr std::size_t MinimumSize = 2 * PageSize;
 
+  static_assert(alignof(T) <= alignof(std::max_align_t), "small vectors have the usual alignment");
+
   lms3dHugePageAllocator() = default;
 
   template <typename Other>

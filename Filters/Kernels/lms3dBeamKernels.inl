@@ -75,7 +75,9 @@ void ClipRays(const lms3dNarrowHits& hits, std::uint32_t changed, float rayOffse
   {
     const bool isChanged = (bits >> i) & 1u;
     const float tfar = 1.0f / (inverse[i] - error[i]) - rayOffset;
-    rays.TFar[i] = isChanged ? Maximum(0.0f, tfar) : rays.TFar[i];
+    // False if an extreme scale makes tfar no number.
+    const bool isShorter = isChanged & (tfar < rays.TFar[i]);
+    rays.TFar[i] = isShorter ? Maximum(0.0f, tfar) : rays.TFar[i];
     rays.Geometry[i] = isChanged ? geometry : rays.Geometry[i];
   }
 }

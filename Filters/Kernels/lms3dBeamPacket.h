@@ -23,7 +23,7 @@ struct lms3dBeamPacket
   /// x, y and z of each beam's direction in world coordinates, of length 1 within rounding.
   alignas(64) double Direction[3][Size];
 
-  /// The same in single precision, with components below 1e-15 set to 0. It only serves to cull.
+  /// The same in single precision, with components below 1e-15 set to 0.
   alignas(64) float NarrowDirection[3][Size];
 
   /// The range of the nearest hit, metres, or NoRange.

@@ -17,6 +17,9 @@ namespace
 // The share of WellConditioned at which single precision gives up.
 constexpr double NarrowConditioned = 1e-3;
 
+// Below this number, in cubic metres, products have underflowed.
+constexpr double SmallestOffset = 1e-280;
+
 // Lengths whose products neither underflow nor overflow.
 constexpr double SmallestLength = 1e-100;
 constexpr double LargestLength = 1e100;
@@ -41,7 +44,9 @@ lms3dNarrowTriangle MakeNarrowTriangle(const lms3dSensorFrameTriangle& triangle,
   const lms3dDoublePlane plane = MakeDoublePlane(triangle);
   const double side = plane.Offset > 0.0 ? 1.0 : -1.0;
   lms3dNarrowTriangle narrow;
-  bool isGood = Magnitude(plane.Offset) > NarrowConditioned * plane.MinimumSlope * size[0];
+  const double offset = Magnitude(plane.Offset);
+  bool isGood =
+    (offset > NarrowConditioned * plane.MinimumSlope * size[0]) & (offset > SmallestOffset);
   for (int e = 0; e < 3; ++e)
   {
     const int next = (e + 1) % 3;

@@ -11,7 +11,9 @@
  * between the tile's turns; in the middle, the great circle then touches the beams.
  *
  * Each direction in a tile is a sum of its corners with factors that are not negative and add up to 1
- * or more, since corners are not longer than 1. So a product that exceeds a positive bound at all four
+ * or more, since corners are not longer than 1. (Exception: a tile from pole to pole, or from one side of
+ * the sensor to the other, is no cone. Its corners then lie on both sides of any plane through its middle,
+ * so that no product decides.) So a product that exceeds a positive bound at all four
  * corners exceeds it in the whole tile.
  */
 #ifndef lms3dTile_h

@@ -14,9 +14,10 @@
 
 namespace
 {
-// The bound of a product of a tile's side and a corner of a triangle. The rounding of corners and of
-// their cross product adds to that of the product.
-constexpr float SideError = 2.0f * lms3dNarrowError;
+// The bound of a product of a tile's side and a corner of a triangle. Corners, their cross product and
+// the product err by up to 35 roundings of 6e-8 together. If a tile is so thin that rounding turns a side
+// outwards, the whole tile lies within as much of that side, which the bound covers a second time.
+constexpr float SideError = 4.0f * lms3dNarrowError;
 
 using TileVector = float[3][Size];
 
@@ -76,7 +77,7 @@ float Dot(const TileVector& x, int i, const float* y)
   return x[0][i] * y[0] + x[1][i] * y[1] + x[2][i] * y[2];
 }
 
-// Finds the tiles that no edge separates from the triangle, and those inside all three edges.
+// Finds the tiles that an edge separates from the triangle, and those inside all three edges.
 void CompareWithEdges(
   const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle, Mask& outside, Mask& covered)
 {

@@ -13,8 +13,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,6 +44,9 @@ const Grid Grids[] = {
   { "one beam", { 12.0, 12.5 }, 1, { 0.0, 360.0 }, 720 },
   { "one turn", { -90.0, 90.0 }, 1441, { 45.0, 46.0 }, 1 },
   { "a quarter of a degree", { -20.0, 0.0 }, 81, { 0.0, 60.0 }, 241 },
+  { "from pole to pole in a block", { -90.0, 90.0 }, 46, { 0.0, 360.0 }, 257 },
+  { "the widest blocks", { -90.0, 90.0 }, 130, { 0.0, 360.0 }, 256 },
+  { "two turns", { -90.0, 90.0 }, 1200, { 10.0, 11.0 }, 2 },
 };
 
 const Vector Orientations[] = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 30.0 }, { 33.0, -71.0, 123.0 } };
@@ -231,7 +237,9 @@ TEST(ScanTiles, OfARandomSoupAreExact)
     }
   }
   const lms3dTriangleMesh mesh = MakeMesh(triangles);
-  EXPECT_GT(ExpectEqualScans(mesh, { { 0.0, 0.0, 0.0 }, triangles[7][0] }, { Far, 1.5 }), 10);
+  EXPECT_GT(ExpectEqualScans(mesh, { { 0.0, 0.0, 0.0 }, triangles[7][0] },
+              { lms3dBeamPacket::NoRange, 1.5, 1e-40 }),
+    10);
 }
 
 TEST(ScanTiles, OfABallAreExact)
