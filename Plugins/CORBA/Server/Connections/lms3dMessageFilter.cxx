@@ -5,6 +5,7 @@
 #include <omniORB4/CORBA.h>
 #include <omniORB4/giopEndpoint.h>
 #include <omniORB4/minorCode.h>
+#include <omniORB4/omniTransport.h>
 
 // In this order, because they do not include each other.
 #include <omniORB4/internal/giopStrand.h>
@@ -41,6 +42,15 @@ unsigned char* GetHeader(Buffer& buffer)
   return reinterpret_cast<unsigned char*>(buffer.bufStart());
 }
 
+[[noreturn]] void CloseConnection(Stream& stream)
+{
+  {
+    const omni_tracedmutex_lock lock(*omni::omniTransportLock);
+    stream.strand().state(omni::giopStrand::DYING);
+  }
+  throw Stream::CommFailure(omni::COMM_FAILURE_UnMarshalArguments, CORBA::COMPLETED_NO, false);
+}
+
 // As the ORB does it, this fills the buffer as far as bytes have arrived, and closes the connection
 // if there is no further byte.
 void Receive(Stream& stream, Buffer& buffer)
@@ -50,9 +60,7 @@ void Receive(Stream& stream, Buffer& buffer)
     reinterpret_cast<void*>(buffer.bufLast()), room, stream.getDeadline());
   if (count <= 0)
   {
-    stream.strand().state(omni::giopStrand::DYING);
-    Stream::CommFailure::_raise(omni::COMM_FAILURE_UnMarshalArguments, CORBA::COMPLETED_NO, false,
-      __FILE__, __LINE__, "The connection ended before a message", &stream.strand());
+    CloseConnection(stream);
   }
   buffer.last += static_cast<CORBA::ULong>(count);
 }
