@@ -6,6 +6,7 @@ import struct
 
 import giop
 
+CANCEL_REQUEST = 2
 FRAGMENT = 7
 
 
@@ -22,20 +23,20 @@ def write_configuration(encoder, method=0):
     encoder.number("B", 0).number("d", 0.01)
 
 
-def _part(kind, is_last, body):
-    """A message of GIOP 1.2, or one of its fragments."""
-    flags = 1 if is_last else 3
-    return b"GIOP" + struct.pack("<4BI", 1, 2, flags, kind, len(body)) + body
+def part(kind, number, body=b"", is_last=True, order="<"):
+    """A message about a request of GIOP 1.2, or a part of one."""
+    flags = (order == "<") + (0 if is_last else 2)
+    return (b"GIOP" + struct.pack(order + "4B2I", 1, 2, flags, kind, 4 + len(body), number) + body)
 
 
 def _fragments():
     """A request whose argument has two megabytes, nearly all of them in the second part."""
-    header = giop.Encoder().number("I", 1).number("I", 3).number("I", 0)
+    header = giop.Encoder().number("I", 3).number("I", 0)
     header.octets(b"LMS3D").string(b"_is_a").number("I", 0)
-    header.bytes += bytes(-(12 + len(header.bytes)) % 8)
+    header.bytes += bytes(-(16 + len(header.bytes)) % 8)
     argument = struct.pack("<I", 2000001) + b"x" * 2000000 + b"\0"
-    return (_part(giop.REQUEST, False, bytes(header.bytes) + argument[:8])
-            + _part(FRAGMENT, True, struct.pack("<I", 1) + argument[8:]))
+    return (part(giop.REQUEST, 1, bytes(header.bytes) + argument[:8], is_last=False)
+            + part(FRAGMENT, 1, argument[8:]))
 
 
 # Two megabytes, in one message and in fragments.

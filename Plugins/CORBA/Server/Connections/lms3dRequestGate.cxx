@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Connections/lms3dRequestGate.h"
 
+#include "Connections/lms3dMessageFilter.h"
+
 #include <omniORB4/CORBA.h>
 #include <omniORB4/omniInterceptors.h>
 #include <omniORB4/omniTransport.h>
@@ -54,11 +56,11 @@ void RunAfterStart(Interceptors::createThread_T::info_T& thread)
 constexpr CORBA::ULong MaximumArgumentBytes = 65536;
 
 // Runs before the ORB allocates memory for the arguments, which it never frees if the rest of the
-// message does not come. The size of a message in fragments is unknown until its end, so it counts
-// as too large.
+// message does not come.
 void RequireSmall(omni::GIOP_S& request)
 {
-  if (request.checkInputOverrun(1, MaximumArgumentBytes))
+  if (lms3dMessageFilter::IsRequestIncomplete() ||
+    request.checkInputOverrun(1, MaximumArgumentBytes))
   {
     throw CORBA::IMP_LIMIT(0, CORBA::COMPLETED_NO);
   }
@@ -84,6 +86,7 @@ CORBA::Boolean Pass(Interceptors::serverReceiveRequest_T::info_T& request)
 
 void lms3dRequestGate::Install()
 {
+  lms3dMessageFilter::Install();
   Interceptors* const interceptors = omniORB::getInterceptors();
   interceptors->createThread.add(RunAfterStart);
   interceptors->serverReceiveRequest.add(Pass);

@@ -14,7 +14,7 @@ class giopStrand;
 OMNI_NAMESPACE_END(omni)
 
 /**
- * The only file that includes omniORB's internal headers.
+ * This file and lms3dMessageFilter are the only ones that include omniORB's internal headers.
  *
  * omniORB serves from the creation of its first object adapter on, which is before there is an
  * object, and also while it destroys the objects. Clients would then get OBJECT_NOT_EXIST or
@@ -29,7 +29,7 @@ OMNI_NAMESPACE_END(omni)
 class lms3dRequestGate
 {
 public:
-  /// Call once per process, before the ORB's first object adapter exists.
+  /// Call once per process, after ORB_init() and before the ORB's first object adapter exists.
   static void Install();
 
   /// Lets requests pass.
