@@ -13,6 +13,18 @@
 #include <vtkSMProxy.h>
 #include <vtkTransform.h>
 
+namespace
+{
+// In ParaView 5.13 an invisible box has no actors.
+void GetAllActors(vtkProp* prop, vtkPropCollection* actors)
+{
+  const vtkTypeBool visibility = prop->GetVisibility();
+  prop->VisibilityOn();
+  prop->GetActors(actors);
+  prop->SetVisibility(visibility);
+}
+} // namespace
+
 //------------------------------------------------------------------------------
 lms3dSensorAxes::lms3dSensorAxes()
 {
@@ -80,7 +92,7 @@ void lms3dSensorAxes::DrawOnTop(vtkProp* prop)
 {
   constexpr double offset = -100000;
   vtkNew<vtkPropCollection> parts;
-  prop->GetActors(parts);
+  GetAllActors(prop, parts);
   parts->InitTraversal();
   while (vtkProp* part = parts->GetNextProp())
   {

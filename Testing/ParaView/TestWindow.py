@@ -29,9 +29,9 @@ class TestToolbars(WindowTest):
     """The icons, with the settings of the starts before."""
 
     def test_every_start_shows_all_icons(self):
-        icons = [window.expect_icon("LMS3D", i, text) for i, text in enumerate(FILTERS)]
+        icons = [window.expect_icon("filters", "LMS3D", i, text) for i, text in enumerate(FILTERS)]
         if HAS_REMOTE:
-            icons.append(window.expect_icon("LMS3D Server", 0, "LMS3D Remote"))
+            icons.append(window.expect_icon("sources", "LMS3D Server", 0, "LMS3D Remote"))
         for start in range(3):
             with self.subTest(start):
                 self.play(*icons)
@@ -65,7 +65,7 @@ class TestRun(WindowTest):
         before = self.plain_settings()
         code, messages = window.play(
             self.home, [*window.APPLY, *window.expect_cells(804),
-                        *window.expect_icon("LMS3D", 1, "LMS3D Scan")],
+                        *window.expect_icon("filters", "LMS3D", 1, "LMS3D Scan")],
             [self.root / "run", "paraview", ROOM], LMS3D_PRESET="default",
             PATH=f"{self.programs}:{os.environ['PATH']}")
         self.assertEqual(code, 0, messages)
@@ -121,10 +121,7 @@ class TestTrajectory(WindowTest):
             window.expect_cells(0), window.expect(box, "enabled", "true"))
 
 
-VERSION = tuple(int(part) for part in os.environ["LMS3D_PARAVIEW_VERSION"].split(".")[:2])
-
-
-@unittest.skipIf(VERSION >= (5, 13), "another dialog, which searches the filters' short help")
+@unittest.skipIf(window.VERSION >= (5, 13), "another dialog, which searches the filters' short help")
 class TestQuickSearch(WindowTest):
     """Ctrl+Space and words."""
 

@@ -16,6 +16,7 @@ from pathlib import Path
 
 CHECK = "check"
 TIMEOUT = 250  # seconds; ends a ParaView that waits in a dialog
+VERSION = tuple(int(part) for part in os.environ["LMS3D_PARAVIEW_VERSION"].split(".")[:2])
 
 _PANEL = "propertiesDock/propertiesPanel"
 PROPERTIES = (f"{_PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
@@ -74,9 +75,13 @@ def expect_cells(count):
     return expect(f"{INFORMATION}/cellCount", "text", f"{count:,}")
 
 
-def expect_icon(toolbar, place, text):
-    """An icon of a toolbar, which has the text of its menu entry."""
-    return expect(f"{toolbar}/1QToolButton{place}", "text", text)
+def expect_icon(menu, category, place, text):
+    """An icon of a category's toolbar, which has the text of its entry in the menu.
+
+    ParaView 5.13 names the menu too, and hides these toolbars while it plays.
+    """
+    toolbar = f"{menu}.{category}/0" if VERSION >= (5, 13) else f"{category}/1"
+    return expect(f"{toolbar}QToolButton{place}", "text", text)
 
 
 def press(name, key, text=""):
