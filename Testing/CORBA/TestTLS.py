@@ -85,9 +85,12 @@ class TLSTest(unittest.TestCase):
                     finished = ask()
                     self.assertEqual(finished.returncode, 1)
                     self.assertIn("no server answers there", finished.stderr)
-                    if reason in finished.stderr:
+                    # omniORB 4.3 does not print alerts.
+                    has_alerts = "Version: 4.2" in finished.stderr
+                    shown = reason if has_alerts or "alert" not in reason else "Error in network"
+                    if shown in finished.stderr:
                         break
-                self.assertIn(reason, finished.stderr)
+                self.assertIn(shown, finished.stderr)
 
     def test_no_certificate(self):
         """Neither TLS without a key nor plain TCP."""
