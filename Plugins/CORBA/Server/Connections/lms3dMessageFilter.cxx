@@ -37,9 +37,15 @@ decltype(omni::giopStreamImpl::inputMessageBegin) BeginOfORB = nullptr;
 // The ORB receives, unmarshals and answers a call in one thread.
 thread_local bool IsIncomplete = false;
 
+// A buffer's bytes follow it in memory. Its offsets count from its own address.
+unsigned char* GetByte(Buffer& buffer, CORBA::ULong offset)
+{
+  return reinterpret_cast<unsigned char*>(&buffer) + offset;
+}
+
 unsigned char* GetHeader(Buffer& buffer)
 {
-  return reinterpret_cast<unsigned char*>(buffer.bufStart());
+  return GetByte(buffer, buffer.start);
 }
 
 [[noreturn]] void CloseConnection(Stream& stream)
@@ -56,8 +62,8 @@ unsigned char* GetHeader(Buffer& buffer)
 void Receive(Stream& stream, Buffer& buffer)
 {
   const std::size_t room = buffer.bufEnd() - buffer.bufLast();
-  const int count = stream.strand().connection->Recv(
-    reinterpret_cast<void*>(buffer.bufLast()), room, stream.getDeadline());
+  const int count =
+    stream.strand().connection->Recv(GetByte(buffer, buffer.last), room, stream.getDeadline());
   if (count <= 0)
   {
     CloseConnection(stream);
