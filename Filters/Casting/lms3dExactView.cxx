@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dExactView.h"
 
+#include "Casting/lms3dBeamMask.h"
 #include "Casting/lms3dTriangle.h"
 
 #include <tbb/parallel_for.h>
@@ -23,22 +24,6 @@ bool IsInside(const lms3dCorners& corners, const lms3dRayOrigin& origin, int bea
   const double direction[3] = { packet.Direction[0][beam], packet.Direction[1][beam],
     packet.Direction[2][beam] };
   return lms3dIsInside(corners, origin.Position, direction);
-}
-
-bool Has(std::uint32_t beams, int beam)
-{
-  return (beams >> beam) & 1u;
-}
-
-// `beams` is not 0.
-int GetFirst(std::uint32_t beams)
-{
-  int first = 0;
-  while (!Has(beams, first))
-  {
-    ++first;
-  }
-  return first;
 }
 } // namespace
 
@@ -147,8 +132,8 @@ std::uint32_t lms3dExactView::UpdateUncertain(const lms3dCorners& corners, std::
     const double range = ranges[beam];
     const bool isNearer = range < packet.Range[beam] ||
       (range == packet.Range[beam] && triangle < packet.Triangle[beam]);
-    if (Has(uncertain, beam) && range > 0.0 && range <= this->Origin.MaximumRange && isNearer &&
-      (!Has(undecided, beam) || IsInside(corners, this->Origin, beam, packet)))
+    if (lms3dHasBeam(uncertain, beam) && range > 0.0 && range <= this->Origin.MaximumRange &&
+      isNearer && (!lms3dHasBeam(undecided, beam) || IsInside(corners, this->Origin, beam, packet)))
     {
       packet.Range[beam] = range;
       packet.Triangle[beam] = triangle;
@@ -167,7 +152,7 @@ void lms3dExactView::FindRanges(std::uint32_t beams, lms3dBeamPacket& packet) co
 {
   while (beams != 0)
   {
-    const std::int32_t triangle = packet.Triangle[GetFirst(beams)];
+    const std::int32_t triangle = packet.Triangle[lms3dGetFirstBeam(beams)];
     std::uint32_t same = 0;
     for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
     {
@@ -195,6 +180,6 @@ void lms3dExactView::FindRanges(
   }
   for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
   {
-    packet.Range[beam] = Has(beams, beam) ? alone.Range[beam] : packet.Range[beam];
+    packet.Range[beam] = lms3dHasBeam(beams, beam) ? alone.Range[beam] : packet.Range[beam];
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dRangeRefinement.h"
 
+#include "Casting/lms3dBeamMask.h"
 #include "Casting/lms3dTriangle.h"
 #include "Kernels/lms3dPacketKernels.h"
 
@@ -139,17 +140,6 @@ private:
   PlaneCache<lms3dDoublePlane, EntriesOfCall> Planes;
 };
 
-// `beams` is not 0.
-int GetFirst(std::uint32_t beams)
-{
-  int first = 0;
-  while (!((beams >> first) & 1u))
-  {
-    ++first;
-  }
-  return first;
-}
-
 template <typename Intersector>
 void StoreHits(Intersector& intersector, double maximumRange, lms3dBeamPacket* packets, int count)
 {
@@ -160,7 +150,7 @@ void StoreHits(Intersector& intersector, double maximumRange, lms3dBeamPacket* p
     std::uint32_t remaining = kernels.FindHits(packet);
     while (remaining != 0)
     {
-      const std::int32_t triangle = packet.Triangle[GetFirst(remaining)];
+      const std::int32_t triangle = packet.Triangle[lms3dGetFirstBeam(remaining)];
       double ranges[lms3dBeamPacket::Size];
       intersector.Intersect(triangle, packet, ranges);
       remaining &= ~kernels.StoreRanges(ranges, triangle, maximumRange, packet);

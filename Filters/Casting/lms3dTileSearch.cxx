@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dTileSearch.h"
 
+#include "Casting/lms3dTriangle.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -16,24 +18,16 @@ constexpr double MaximumCandidatesPerPacket = 0.75;
 constexpr std::size_t MaximumCandidatesOfTile = 64;
 constexpr std::size_t MaximumCandidatesOfPacket = 16;
 
-lms3dCornerDirections GetCornerDirections(
-  const lms3dTriangleMesh& mesh, std::size_t triangle, const double origin[3])
+lms3dCornerDirections GetCornerDirections(const lms3dSensorFrameTriangle& triangle)
 {
   lms3dCornerDirections directions;
-  for (int corner = 0; corner < 3; ++corner)
+  for (int i = 0; i < 3; ++i)
   {
-    const double* point = mesh.GetCorner(triangle, corner);
-    double inSensorFrame[3];
-    double size = 0.0;
+    const double(&corner)[3] = triangle.Corner[i];
+    const double size = std::abs(corner[0]) + std::abs(corner[1]) + std::abs(corner[2]);
     for (int axis = 0; axis < 3; ++axis)
     {
-      inSensorFrame[axis] = point[axis] - origin[axis];
-      size += std::abs(inSensorFrame[axis]);
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      directions.Corner[corner][axis] =
-        size > 0.0 ? static_cast<float>(inSensorFrame[axis] / size) : 0.0f;
+      directions.Corner[i][axis] = size > 0.0 ? static_cast<float>(corner[axis] / size) : 0.0f;
     }
   }
   return directions;
@@ -94,8 +88,8 @@ bool lms3dTileSearch::Divide()
   tbb::parallel_for(std::size_t(0), this->Corners.size(),
     [this](std::size_t i)
     {
-      this->Corners[i] =
-        GetCornerDirections(this->View.GetMesh(), i, this->View.GetOrigin().Position);
+      this->Corners[i] = GetCornerDirections(lms3dToSensorFrame(
+        lms3dGetCorners(this->View.GetMesh(), i), this->View.GetOrigin().Position));
     });
   const std::vector<lms3dTileCandidates> candidates = this->DivideGrid();
   std::size_t total = 0;

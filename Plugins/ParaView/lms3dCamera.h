@@ -22,7 +22,7 @@ struct lms3dCamera
   Vector ViewUp;
   Vector CenterOfRotation;
   double ParallelScale;
-  int InteractionMode; // of vtkPVRenderView
+  int InteractionMode; // a mode that vtkPVRenderView defines
 };
 
 lms3dCamera lms3dGetCamera(pqView* view);
