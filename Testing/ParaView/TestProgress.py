@@ -8,6 +8,7 @@ Run by pvpython. LMS3D_PLUGIN is the plugin's file, LMS3D_DATA_DIR the folder of
 import os
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -16,6 +17,8 @@ from proxies import algorithm
 
 ROOM = str(Path(os.environ["LMS3D_DATA_DIR"]) / "room.wrl")
 SIDE = 400
+# Seconds. ParaView reports the progress of a step at most once in this time.
+INTERVAL = 0.01
 
 simple.LoadPlugin(os.environ["LMS3D_PLUGIN"], remote=False, ns=globals())
 
@@ -29,6 +32,13 @@ def write_field(path):
     faces = " ".join("{}, {}, {}, {}, -1,".format(*corner) for corner in corners)
     path.write_text("#VRML V2.0 utf8\nShape { geometry IndexedFaceSet { coord Coordinate { point ["
                     f"{points}] }} coordIndex [{faces}] }} }}\n")
+
+
+def slow_down(proxy):
+    """Make each report of the step outlast ParaView's interval, however fast the machine is."""
+    filter_ = algorithm(proxy)
+    tag = filter_.AddObserver("ProgressEvent", lambda caller, event: time.sleep(2 * INTERVAL))
+    return lambda: filter_.RemoveObserver(tag)
 
 
 def count(proxy):
@@ -63,7 +73,7 @@ class TestProgress(unittest.TestCase):
 
     def test_progress_bar_moves_and_names_the_step(self):
         handler = simple.servermanager.ActiveConnection.Session.GetProgressHandler()
-        handler.SetProgressInterval(0.01)
+        handler.SetProgressInterval(INTERVAL)
         reports = []
         handler.AddObserver("ProgressEvent", lambda caller, event: reports.append(
             (caller.GetLastProgressText(), caller.GetLastProgress())))
@@ -71,7 +81,9 @@ class TestProgress(unittest.TestCase):
             reports.clear()
             name = algorithm(step).GetClassName()
             with self.subTest(name):
+                restore_speed = slow_down(step)
                 step.UpdatePipeline()
+                restore_speed()
                 percents = [percent for text, percent in reports if text == name]
                 self.assertEqual(percents, sorted(percents))
                 self.assertTrue(any(0 < percent < 100 for percent in percents), reports)
