@@ -17,12 +17,16 @@ inline bool lms3dHasBeam(std::uint32_t beams, int beam)
 /// Returns the first beam of a set that is not empty.
 inline int lms3dGetFirstBeam(std::uint32_t beams)
 {
+#if defined(__GNUC__)
+  return __builtin_ctz(beams);
+#else
   int first = 0;
   while (!lms3dHasBeam(beams, first))
   {
     ++first;
   }
   return first;
+#endif
 }
 
 #endif

@@ -36,21 +36,20 @@ public:
     }
   }
 
-  int GetTurnsOfBand() const override
-  {
-    return this->Tiles ? lms3dTileSearch::TileSide : lms3dBeamGrid::Side;
-  }
+  int GetRows() const override { return this->Tiles ? lms3dTileSearch::PacketsPerSide : 1; }
 
-  void FindNearest(int firstTurn, lms3dBeamPacket* packets, int count) const override
+  int GetColumns() const override { return MaximumPackets / this->GetRows(); }
+
+  void FindNearest(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const override
   {
     if (this->Tiles)
     {
-      this->Tiles->FindNearest(firstTurn, packets, count,
+      this->Tiles->FindNearest(rectangle, packets,
         [this](lms3dBeamPacket& packet) { this->Candidates.Cast(this->View, &packet, 1); });
     }
     else
     {
-      this->Candidates.Cast(this->View, packets, count);
+      this->Candidates.Cast(this->View, packets, rectangle.Rows * rectangle.Columns);
     }
   }
 

@@ -38,8 +38,10 @@ lms3dExactView::lms3dExactView(
 
 void lms3dExactView::MakeNarrowTriangles()
 {
-  this->NarrowTriangles.resize(this->Mesh.GetNumberOfTriangles());
-  tbb::parallel_for(std::size_t(0), this->NarrowTriangles.size(),
+  const std::size_t count = this->Mesh.GetNumberOfTriangles();
+  // A vector would write zeros first.
+  this->NarrowTriangles.reset(new lms3dNarrowTriangle[count]);
+  tbb::parallel_for(std::size_t(0), count,
     [this](std::size_t i)
     {
       const lms3dCorners corners = lms3dGetCorners(this->Mesh, i);
@@ -63,7 +65,7 @@ void lms3dExactView::Begin(lms3dBeamPacket& packet, lms3dPacketSearch& search) c
 std::uint32_t lms3dExactView::Test(
   std::uint32_t triangle, std::uint32_t beams, lms3dPacketSearch& search) const
 {
-  if (this->NarrowTriangles.empty() || this->NarrowTriangles[triangle].PlaneError < 0.0f)
+  if (!this->NarrowTriangles || this->NarrowTriangles[triangle].PlaneError < 0.0f)
   {
     return this->TestWide(triangle, beams, search);
   }

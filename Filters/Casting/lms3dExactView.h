@@ -17,7 +17,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 /// A packet while its nearest hits are searched. The packet's Triangle is always up to date.
 struct lms3dPacketSearch
@@ -79,7 +79,7 @@ private:
   const lms3dRayOrigin Origin;
   const double Unit;
   const float MinimumInverse;
-  std::vector<lms3dNarrowTriangle> NarrowTriangles;
+  std::unique_ptr<lms3dNarrowTriangle[]> NarrowTriangles;
 };
 
 #endif

@@ -2,24 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Casts the beams of one whole scan, band by band.
+ * @brief Casts the beams of one whole scan, rectangle by rectangle.
  */
 #ifndef lms3dGridCaster_h
 #define lms3dGridCaster_h
 
 #include "Kernels/lms3dBeamPacket.h"
 
+/// A rectangle of packets in the grid of a scan: rows along its turns, columns along its beams. The
+/// packets are ordered by row, then by column.
+struct lms3dPacketRectangle
+{
+  int FirstTurn;
+  int FirstBeam;
+  int Rows;
+  int Columns;
+};
+
 class lms3dGridCaster
 {
 public:
+  /// No rectangle has more packets. Enough for the preparations of a call to cost little, and few enough
+  /// for the cache.
+  static constexpr int MaximumPackets = 64;
+
   virtual ~lms3dGridCaster() = default;
 
-  /// A band is this number of turns, a multiple of lms3dBeamGrid::Side. The first begins at turn 0.
-  virtual int GetTurnsOfBand() const = 0;
+  ///@{
+  /// The rows and columns of the rectangles into which the grid is to be divided, from turn 0 and beam 0
+  /// on. Those at the grid's end can be smaller.
+  virtual int GetRows() const = 0;
+  virtual int GetColumns() const = 0;
+  ///@}
 
-  /// Does what lms3dRayCaster::FindNearest does for all packets of a band, ordered by turn, then by
-  /// beam. Several threads may call this at once.
-  virtual void FindNearest(int firstTurn, lms3dBeamPacket* packets, int count) const = 0;
+  /// Does what lms3dRayCaster::FindNearest does for the packets of one rectangle. Several threads may
+  /// call this at once.
+  virtual void FindNearest(
+    const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const = 0;
 };
 
 #endif

@@ -43,11 +43,12 @@ public:
   {
   }
 
-  int GetTurnsOfBand() const override { return lms3dBeamGrid::Side; }
+  int GetRows() const override { return 1; }
+  int GetColumns() const override { return MaximumPackets; }
 
-  void FindNearest(int, lms3dBeamPacket* packets, int count) const override
+  void FindNearest(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const override
   {
-    this->Caster.FindNearest(this->Origin, packets, count);
+    this->Caster.FindNearest(this->Origin, packets, rectangle.Rows * rectangle.Columns);
   }
 
 private:

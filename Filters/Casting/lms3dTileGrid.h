@@ -49,10 +49,14 @@ public:
   int GetNumberOfBlocks() const { return this->NumberOfBlocks; }
 
   ///@{
-  /// Returns a block, and the number of the block that has a beam. Blocks are numbered by turn, then by
-  /// beam.
+  /// Returns a block, the number of the block that has a beam, and the number of the block's tile that
+  /// has it. Blocks and tiles are numbered by turn, then by beam.
   Area GetBlock(int block) const;
   int FindBlock(int turn, int beam) const;
+  static int FindPart(int turn, int beam)
+  {
+    return turn % BlockSide / TileSide * 4 + beam % BlockSide / TileSide;
+  }
   ///@}
 
   /// Sets the input of FillTileCorners for one of sixteen tiles.

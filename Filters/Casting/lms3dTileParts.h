@@ -7,12 +7,12 @@
 #ifndef lms3dTileParts_h
 #define lms3dTileParts_h
 
+#include "Casting/lms3dBeamMask.h"
 #include "Kernels/lms3dPacketKernels.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 /// A triangle that may be the nearest in a tile.
@@ -26,79 +26,95 @@ struct lms3dTileCandidate
 
 using lms3dTileCandidates = std::vector<lms3dTileCandidate>;
 
-/// The candidates of sixteen tiles.
+/// The candidates of sixteen tiles. Sets of tiles are masks, as in lms3dTile.h.
 class lms3dTileParts
 {
 public:
-  void Clear()
+  /// `count` is how many triangles will be added at most.
+  explicit lms3dTileParts(std::size_t count)
   {
-    for (lms3dTileCandidates& candidates : this->Candidates)
-    {
-      candidates.clear();
-    }
+    this->Triangles.reserve(count);
     this->Covers.fill(NoCover);
   }
 
   /// Adds what a triangle does to the tiles.
   void Add(std::int32_t triangle, const lms3dTileMasks& masks)
   {
-    for (int i = 0; masks.Met >> i != 0; ++i)
+    if (masks.Met != 0)
     {
-      if ((masks.Nearest >> i) & 1u)
-      {
-        this->SetCover(i, triangle);
-      }
-      else if ((masks.Met >> i) & 1u)
-      {
-        this->Candidates[i].push_back({ triangle, ((masks.Covered >> i) & 1u) != 0 });
-      }
+      this->SetCovers(masks.Nearest);
+      this->Triangles.push_back({ triangle, masks.Met, masks.Covered });
     }
   }
 
-  /// Moves the nearest cover of each tile to its first place, so that the next division drops at once
-  /// what lies behind it. Call this once, after all triangles.
-  void MoveCoversToFront()
+  /// Returns the tiles all of whose beams have the triangle of GetTriangle.
+  std::uint32_t GetDecided() const
   {
-    for (int i = 0; i < lms3dTiles::Size; ++i)
+    std::uint32_t once = 0;
+    std::uint32_t twice = 0;
+    for (const Triangle& triangle : this->Triangles)
     {
-      if (this->Covers[i] != NoCover)
+      twice |= once & triangle.Met;
+      once |= triangle.Met;
+    }
+    return ~once | (~twice & this->Covered);
+  }
+
+  /// Returns the nearest triangle that covers a tile, or lms3dBeamPacket::NoTriangle.
+  std::int32_t GetTriangle(int tile) const
+  {
+    const int cover = this->Covers[tile];
+    return cover == NoCover ? lms3dBeamPacket::NoTriangle : this->Triangles[cover].Number;
+  }
+
+  /// Appends the candidates of a tile to a list. The nearest one that covers the tile comes first, so that
+  /// the next division drops at once what lies behind it.
+  void AppendCandidates(int tile, lms3dTileCandidates& candidates) const
+  {
+    const int cover = this->Covers[tile];
+    if (cover != NoCover)
+    {
+      candidates.push_back({ this->Triangles[cover].Number, true });
+    }
+    for (int i = 0; i < static_cast<int>(this->Triangles.size()); ++i)
+    {
+      const Triangle& triangle = this->Triangles[i];
+      if (lms3dHasBeam(triangle.Met, tile) && i != cover)
       {
-        std::swap(this->Candidates[i][0], this->Candidates[i][this->Covers[i]]);
-        this->Covers[i] = 0;
+        candidates.push_back({ triangle.Number, lms3dHasBeam(triangle.Covered, tile) });
       }
     }
   }
-
-  /// Returns whether all beams of a tile have the triangle of GetTriangle.
-  bool IsDecided(int i) const
-  {
-    const std::size_t count = this->Candidates[i].size();
-    return count == 0 || (count == 1 && this->Covers[i] != NoCover);
-  }
-
-  std::int32_t GetTriangle(int i) const
-  {
-    return this->Candidates[i].empty() ? lms3dBeamPacket::NoTriangle
-                                       : this->Candidates[i][0].Triangle;
-  }
-
-  std::array<lms3dTileCandidates, lms3dTiles::Size> Candidates;
 
 private:
   static constexpr int NoCover = -1;
 
-  // The last cover lies behind the new one.
-  void SetCover(int i, std::int32_t triangle)
+  struct Triangle
   {
-    if (this->Covers[i] == NoCover)
+    std::int32_t Number;
+    std::uint32_t Met;
+    std::uint32_t Covered;
+  };
+
+  // The next triangle becomes the cover of some tiles. It hides their last cover there.
+  void SetCovers(std::uint32_t tiles)
+  {
+    this->Covered |= tiles;
+    for (; tiles != 0; tiles &= tiles - 1)
     {
-      this->Covers[i] = static_cast<int>(this->Candidates[i].size());
-      this->Candidates[i].push_back({ triangle, true });
+      int& cover = this->Covers[lms3dGetFirstBeam(tiles)];
+      if (cover != NoCover)
+      {
+        this->Triangles[cover].Met &= ~(tiles & -tiles);
+      }
+      cover = static_cast<int>(this->Triangles.size());
     }
-    this->Candidates[i][this->Covers[i]].Triangle = triangle;
   }
 
-  /// Where the nearest cover of each tile stands in its candidates.
+  std::vector<Triangle> Triangles;
+
+  /// The tiles that a triangle covers, and for each, where the nearest stands in Triangles.
+  std::uint32_t Covered = 0;
   std::array<int, lms3dTiles::Size> Covers;
 };
 

@@ -40,27 +40,27 @@ void SetTriangle(std::int32_t triangle, lms3dBeamPacket& packet)
 }
 } // namespace
 
-/// The packets of a tile in the packets of a band.
+/// The packets of one tile, in an array that has the packets of several tiles side by side.
 struct lms3dTileSearch::PacketsOfTile
 {
-  lms3dTileGrid::Area Area;
-  lms3dBeamPacket* First;
-  int Stride;
-  int Rows;
-  int Columns;
-
   // Calls `function` with the number of the part that a packet is, and the packet.
   template <typename Function>
   void ForEach(const Function& function) const
   {
-    for (int row = 0; row < this->Rows; ++row)
+    for (int row = 0; row < this->Tile.Rows; ++row)
     {
-      for (int column = 0; column < this->Columns; ++column)
+      for (int column = 0; column < this->Tile.Columns; ++column)
       {
-        function(4 * row + column, this->First[row * this->Stride + column]);
+        function(PacketsPerSide * row + column, this->First[row * this->Stride + column]);
       }
     }
   }
+
+  lms3dPacketRectangle Tile;
+  lms3dBeamPacket* First;
+
+  /// How far the rows of packets are apart in the array.
+  int Stride;
 };
 
 bool lms3dTileSearch::IsSuitable(const lms3dBeamGrid& grid, std::size_t triangles)
@@ -128,11 +128,11 @@ std::vector<lms3dTileCandidates> lms3dTileSearch::DivideGrid() const
         this->Grid.FillTile(
           this->Grid.GetBlock(std::min(first + i, this->Grid.GetNumberOfBlocks() - 1)), i, tiles);
       }
-      lms3dTileParts parts;
-      this->Divide(all.data(), all.size(), (1u << count) - 1u, tiles, parts);
+      const lms3dTileParts parts =
+        this->ClassifyParts(all.data(), all.size(), (1u << count) - 1u, tiles);
       for (int i = 0; i < count; ++i)
       {
-        candidates[first + i] = std::move(parts.Candidates[i]);
+        parts.AppendCandidates(i, candidates[first + i]);
       }
     });
   return candidates;
@@ -143,28 +143,26 @@ lms3dTileSearch::Block lms3dTileSearch::DivideBlock(
 {
   lms3dTiles tiles;
   const std::uint32_t present = this->Grid.FillParts(this->Grid.GetBlock(number), tiles);
-  lms3dTileParts parts;
-  this->Divide(candidates.data(), candidates.size(), present, tiles, parts);
-  Block block = { {}, {}, 0 };
+  const lms3dTileParts parts =
+    this->ClassifyParts(candidates.data(), candidates.size(), present, tiles);
+  Block block = { {}, {}, parts.GetDecided() };
   for (int i = 0; i < lms3dTiles::Size; ++i)
   {
-    const lms3dTileCandidates& ofTile = parts.Candidates[i];
-    block.Decided |= parts.IsDecided(i) ? 1u << i : 0u;
-    block.Candidates.insert(block.Candidates.end(), ofTile.begin(), ofTile.end());
+    parts.AppendCandidates(i, block.Candidates);
     block.First[i + 1] = static_cast<std::uint32_t>(block.Candidates.size());
   }
   return block;
 }
 
-void lms3dTileSearch::Divide(const lms3dTileCandidate* candidates, std::size_t count,
-  std::uint32_t present, lms3dTiles& tiles, lms3dTileParts& parts) const
+lms3dTileParts lms3dTileSearch::ClassifyParts(const lms3dTileCandidate* candidates,
+  std::size_t count, std::uint32_t present, lms3dTiles& tiles) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
     tiles.Up[axis] = static_cast<float>(this->Grid.GetBeams().Up[axis]);
   }
   this->Kernels.FillTileCorners(tiles);
-  parts.Clear();
+  lms3dTileParts parts(count);
   lms3dTileCover cover = {};
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -174,59 +172,69 @@ void lms3dTileSearch::Divide(const lms3dTileCandidate* candidates, std::size_t c
       { present, candidate.Covers ? present : 0u, 0u }, this->View.GetMinimumInverse(), cover);
     parts.Add(candidate.Triangle, masks);
   }
-  parts.MoveCoversToFront();
+  return parts;
 }
 
-void lms3dTileSearch::FindNearest(
-  int firstTurn, lms3dBeamPacket* packets, int count, const CastPacket& castPacket) const
+void lms3dTileSearch::FindNearest(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets,
+  const CastPacket& castPacket) const
 {
-  const int columns = lms3dBeamGrid::CountPackets(this->Grid.GetBeams().Beams);
-  const int firstPart = firstTurn % lms3dTileGrid::BlockSide / TileSide * 4;
-  lms3dTileParts parts;
-  for (int column = 0; column < columns; column += 4)
+  for (int column = 0; column < rectangle.Columns; column += PacketsPerSide)
   {
-    const int beam = column * lms3dBeamGrid::Side;
-    const Block& block = this->Blocks[this->Grid.FindBlock(firstTurn, beam)];
-    const int part = firstPart + beam % lms3dTileGrid::BlockSide / TileSide;
-    const PacketsOfTile tile = { { 1, firstTurn, beam }, packets + column, columns, count / columns,
-      std::min(4, columns - column) };
-    this->FindInTile(block, part, tile, parts, castPacket);
+    const lms3dPacketRectangle tile = { rectangle.FirstTurn,
+      rectangle.FirstBeam + column * lms3dBeamGrid::Side, rectangle.Rows,
+      std::min(PacketsPerSide, rectangle.Columns - column) };
+    this->FindInTile({ tile, packets + column, rectangle.Columns }, castPacket);
   }
 }
 
-void lms3dTileSearch::FindInTile(const Block& block, int part, const PacketsOfTile& tile,
-  lms3dTileParts& parts, const CastPacket& castPacket) const
+void lms3dTileSearch::FindInTile(const PacketsOfTile& packets, const CastPacket& castPacket) const
 {
+  const lms3dPacketRectangle& tile = packets.Tile;
+  const Block& block = this->Blocks[this->Grid.FindBlock(tile.FirstTurn, tile.FirstBeam)];
+  const int part = lms3dTileGrid::FindPart(tile.FirstTurn, tile.FirstBeam);
   const lms3dTileCandidate* candidates = block.Candidates.data() + block.First[part];
   const std::size_t count = block.First[part + 1] - block.First[part];
-  if ((block.Decided >> part) & 1u)
+  if (lms3dHasBeam(block.Decided, part))
   {
     const std::int32_t triangle = count == 0 ? lms3dBeamPacket::NoTriangle : candidates[0].Triangle;
-    tile.ForEach([triangle](int, lms3dBeamPacket& packet) { SetTriangle(triangle, packet); });
-    return;
+    packets.ForEach([triangle](int, lms3dBeamPacket& packet) { SetTriangle(triangle, packet); });
   }
-  if (count > MaximumCandidatesOfTile)
+  else if (count > MaximumCandidatesOfTile)
   {
-    tile.ForEach([&castPacket](int, lms3dBeamPacket& packet) { castPacket(packet); });
-    return;
+    packets.ForEach([&castPacket](int, lms3dBeamPacket& packet) { castPacket(packet); });
   }
+  else
+  {
+    this->FindInParts(candidates, count, packets, castPacket);
+  }
+}
+
+void lms3dTileSearch::FindInParts(const lms3dTileCandidate* candidates, std::size_t count,
+  const PacketsOfTile& packets, const CastPacket& castPacket) const
+{
   lms3dTiles tiles;
-  const std::uint32_t present = this->Grid.FillParts(tile.Area, tiles);
-  this->Divide(candidates, count, present, tiles, parts);
-  tile.ForEach(
+  const std::uint32_t present =
+    this->Grid.FillParts({ 1, packets.Tile.FirstTurn, packets.Tile.FirstBeam }, tiles);
+  const lms3dTileParts parts = this->ClassifyParts(candidates, count, present, tiles);
+  const std::uint32_t decided = parts.GetDecided();
+  lms3dTileCandidates ofPacket;
+  packets.ForEach(
     [&](int i, lms3dBeamPacket& packet)
     {
-      if (parts.IsDecided(i))
+      if (lms3dHasBeam(decided, i))
       {
         SetTriangle(parts.GetTriangle(i), packet);
+        return;
       }
-      else if (parts.Candidates[i].size() > MaximumCandidatesOfPacket)
+      ofPacket.clear();
+      parts.AppendCandidates(i, ofPacket);
+      if (ofPacket.size() > MaximumCandidatesOfPacket)
       {
         castPacket(packet);
       }
       else
       {
-        this->TestCandidates(parts.Candidates[i], packet);
+        this->TestCandidates(ofPacket, packet);
       }
     });
 }

@@ -15,6 +15,7 @@
 
 #include "Casting/lms3dBeamGrid.h"
 #include "Casting/lms3dExactView.h"
+#include "Casting/lms3dGridCaster.h"
 #include "Casting/lms3dTileGrid.h"
 #include "Casting/lms3dTileParts.h"
 #include "Kernels/lms3dPacketKernels.h"
@@ -29,8 +30,8 @@
 class lms3dTileSearch
 {
 public:
-  /// The turns of a tile, for FindNearest.
-  static constexpr int TileSide = lms3dTileGrid::TileSide;
+  /// The packets along each side of a tile.
+  static constexpr int PacketsPerSide = lms3dTileGrid::TileSide / lms3dBeamGrid::Side;
 
   /// Returns whether the search can divide a grid, and whether that can pay for a number of triangles.
   /// The answer does not depend on the machine.
@@ -47,15 +48,15 @@ public:
   /// Casts a packet that the search does not decide.
   using CastPacket = std::function<void(lms3dBeamPacket&)>;
 
-  /// Sets Triangle of all packets of TileSide turns, ordered by turn, then by beam. `firstTurn` is a
-  /// multiple of TileSide. Several threads may call this at once.
+  /// Sets Triangle of the packets of one tile. Several threads may call this at once.
   void FindNearest(
-    int firstTurn, lms3dBeamPacket* packets, int count, const CastPacket& castPacket) const;
+    const lms3dPacketRectangle& tile, lms3dBeamPacket* packets, const CastPacket& castPacket) const;
 
 private:
   struct PacketsOfTile;
 
-  /// The parts of a block: candidates one after the other, and where each tile's begin.
+  /// The candidates of a block's tiles, one tile after the other, where those of each tile begin, and
+  /// the tiles that are decided.
   struct Block
   {
     lms3dTileCandidates Candidates;
@@ -67,10 +68,11 @@ private:
   bool Divide();
   std::vector<lms3dTileCandidates> DivideGrid() const;
   Block DivideBlock(int number, const lms3dTileCandidates& candidates) const;
-  void Divide(const lms3dTileCandidate* candidates, std::size_t count, std::uint32_t present,
-    lms3dTiles& tiles, lms3dTileParts& parts) const;
-  void FindInTile(const Block& block, int part, const PacketsOfTile& tile, lms3dTileParts& parts,
-    const CastPacket& castPacket) const;
+  lms3dTileParts ClassifyParts(const lms3dTileCandidate* candidates, std::size_t count,
+    std::uint32_t present, lms3dTiles& tiles) const;
+  void FindInTile(const PacketsOfTile& packets, const CastPacket& castPacket) const;
+  void FindInParts(const lms3dTileCandidate* candidates, std::size_t count,
+    const PacketsOfTile& packets, const CastPacket& castPacket) const;
   void TestCandidates(const lms3dTileCandidates& candidates, lms3dBeamPacket& packet) const;
 
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();

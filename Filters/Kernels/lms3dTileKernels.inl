@@ -81,17 +81,16 @@ float Dot(const TileVector& x, int i, const float* y)
 void CompareWithEdges(
   const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle, Mask& outside, Mask& covered)
 {
-  const float(&edge)[3][3] = triangle.Edge;
   for (int i = 0; i < Size; ++i)
   {
     float least = 1.0f;
     float most = 1.0f;
-    for (int e = 0; e < 3; ++e)
+    for (const float(&edge)[3] : triangle.Edge)
     {
-      const float a = Dot(tiles.Corner[0], i, edge[e]);
-      const float b = Dot(tiles.Corner[1], i, edge[e]);
-      const float c = Dot(tiles.Corner[2], i, edge[e]);
-      const float d = Dot(tiles.Corner[3], i, edge[e]);
+      const float a = Dot(tiles.Corner[0], i, edge);
+      const float b = Dot(tiles.Corner[1], i, edge);
+      const float c = Dot(tiles.Corner[2], i, edge);
+      const float d = Dot(tiles.Corner[3], i, edge);
       least = Minimum(least, Minimum(Minimum(a, b), Minimum(c, d)));
       most = Minimum(most, Maximum(Maximum(a, b), Maximum(c, d)));
     }

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -41,32 +42,26 @@ public:
   {
   }
 
-  int GetTurnsOfBand() const { return this->GridCaster->GetTurnsOfBand(); }
+  int CountRectangles() const { return this->CountRows() * this->CountColumns(); }
 
-  void CastBand(int firstTurn) const
+  void CastRectangle(int number) const
   {
-    const int columns = static_cast<int>(this->Elevations.size());
-    const int turns = std::min(this->GetTurnsOfBand(), this->Turns - firstTurn);
-    const int rows = lms3dBeamGrid::CountPackets(turns);
-    const int count = rows * columns;
-    // A vector would write zeros first.
-    const std::unique_ptr<lms3dBeamPacket[]> packets(new lms3dBeamPacket[count]);
-    for (int row = 0; row < rows; ++row)
-    {
-      this->GenerateRow(firstTurn + row * Side, packets.get() + row * columns);
-    }
-    this->GridCaster->FindNearest(firstTurn, packets.get(), count);
+    const lms3dPacketRectangle rectangle = this->GetRectangle(number);
+    const int count = rectangle.Rows * rectangle.Columns;
+    lms3dBeamPacket packets[lms3dGridCaster::MaximumPackets];
+    this->Generate(rectangle, packets);
+    this->GridCaster->FindNearest(rectangle, packets);
     if (this->Request.NearestHits.Ranges)
     {
-      this->Request.Caster.ComputeRanges(this->Origin, packets.get(), count);
-      this->Store(firstTurn, packets.get(), count, this->Request.NearestHits);
+      this->Request.Caster.ComputeRanges(this->Origin, packets, count);
+      this->Store(rectangle, packets, this->Request.NearestHits);
     }
-    this->Request.Caster.RefineRanges(this->Origin, packets.get(), count);
+    this->Request.Caster.RefineRanges(this->Origin, packets, count);
     for (int i = 0; i < count; ++i)
     {
       this->Kernels.ApplyMinimumRange(this->Request.Limits.Minimum, packets[i]);
     }
-    this->Store(firstTurn, packets.get(), count, this->Request.Returns);
+    this->Store(rectangle, packets, this->Request.Returns);
   }
 
 private:
@@ -101,14 +96,38 @@ private:
     return axes;
   }
 
-  void GenerateRow(int firstTurn, lms3dBeamPacket* packets) const
+  int CountRows() const
   {
-    const lms3dFanAxes axes = this->MakeAxes(firstTurn);
-    const int turns = std::min(Side, this->Turns - firstTurn);
-    for (std::size_t column = 0; column < this->Elevations.size(); ++column)
+    return (lms3dBeamGrid::CountPackets(this->Turns) - 1) / this->GridCaster->GetRows() + 1;
+  }
+
+  int CountColumns() const
+  {
+    return (lms3dBeamGrid::CountPackets(this->Beams) - 1) / this->GridCaster->GetColumns() + 1;
+  }
+
+  lms3dPacketRectangle GetRectangle(int number) const
+  {
+    const int row = number / this->CountColumns() * this->GridCaster->GetRows();
+    const int column = number % this->CountColumns() * this->GridCaster->GetColumns();
+    return { row * Side, column * Side,
+      std::min(this->GridCaster->GetRows(), lms3dBeamGrid::CountPackets(this->Turns) - row),
+      std::min(this->GridCaster->GetColumns(), lms3dBeamGrid::CountPackets(this->Beams) - column) };
+  }
+
+  void Generate(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const
+  {
+    const std::size_t firstColumn = rectangle.FirstBeam / Side;
+    for (int row = 0; row < rectangle.Rows; ++row)
     {
-      this->Kernels.GenerateDirections(this->Elevations[column], axes, packets[column]);
-      packets[column].Active = GetActive(turns, this->CountBeams(column));
+      const int firstTurn = rectangle.FirstTurn + row * Side;
+      const lms3dFanAxes axes = this->MakeAxes(firstTurn);
+      const int turns = std::min(Side, this->Turns - firstTurn);
+      for (int i = 0; i < rectangle.Columns; ++i, ++packets)
+      {
+        this->Kernels.GenerateDirections(this->Elevations[firstColumn + i], axes, *packets);
+        packets->Active = GetActive(turns, this->CountBeams(firstColumn + i));
+      }
     }
   }
 
@@ -127,37 +146,38 @@ private:
     return active;
   }
 
-  void Store(
-    int firstTurn, const lms3dBeamPacket* packets, int count, const lms3dBeamHits& hits) const
+  void Store(const lms3dPacketRectangle& rectangle, const lms3dBeamPacket* packets,
+    const lms3dBeamHits& hits) const
   {
-    const int columns = static_cast<int>(this->Elevations.size());
-    for (int i = 0; i < count; ++i)
+    for (int row = 0; row < rectangle.Rows; ++row)
     {
-      this->Store(firstTurn + i / columns * Side, i % columns, packets[i], hits);
+      for (int column = 0; column < rectangle.Columns; ++column, ++packets)
+      {
+        this->Store(
+          rectangle.FirstTurn + row * Side, rectangle.FirstBeam + column * Side, *packets, hits);
+      }
     }
   }
 
-  void Store(int firstTurn, std::size_t column, const lms3dBeamPacket& packet,
-    const lms3dBeamHits& hits) const
+  void Store(
+    int firstTurn, int firstBeam, const lms3dBeamPacket& packet, const lms3dBeamHits& hits) const
   {
     const int turns = std::min(Side, this->Turns - firstTurn);
-    const int beams = this->CountBeams(column);
-    std::size_t slot = static_cast<std::size_t>(firstTurn) * this->Beams + column * Side;
+    const int beams = std::min(Side, this->Beams - firstBeam);
+    std::size_t slot = static_cast<std::size_t>(firstTurn) * this->Beams + firstBeam;
     for (int turn = 0; turn < turns; ++turn, slot += this->Beams)
     {
       const double* range = packet.Range + Side * turn;
       const std::int32_t* triangle = packet.Triangle + Side * turn;
-      // With a constant count, the compiler does not call a general copy.
       if (beams == Side)
       {
-        std::copy_n(range, Side, hits.Ranges + slot);
-        std::copy_n(triangle, Side, hits.Triangles + slot);
+        // Without a call, unlike std::copy_n.
+        std::memcpy(hits.Ranges + slot, range, Side * sizeof(*range));
+        std::memcpy(hits.Triangles + slot, triangle, Side * sizeof(*triangle));
+        continue;
       }
-      else
-      {
-        std::copy_n(range, beams, hits.Ranges + slot);
-        std::copy_n(triangle, beams, hits.Triangles + slot);
-      }
+      std::copy_n(range, beams, hits.Ranges + slot);
+      std::copy_n(triangle, beams, hits.Triangles + slot);
     }
   }
 
@@ -175,18 +195,17 @@ private:
 bool lms3dScan(const lms3dScanRequest& request, const lms3dProgress& progress)
 {
   const Scan scan(request);
-  const int turns = scan.GetTurnsOfBand();
-  const int bands = (request.Geometry.GetNumberOfTurns() - 1) / turns + 1;
-  std::atomic<int> bandsDone{ 0 };
+  const int rectangles = scan.CountRectangles();
+  std::atomic<int> done{ 0 };
   lms3dProgressReporter reporter(progress);
 
-  tbb::parallel_for(tbb::blocked_range<int>(0, bands),
+  tbb::parallel_for(tbb::blocked_range<int>(0, rectangles),
     [&](const tbb::blocked_range<int>& range)
     {
-      for (int band = range.begin(); band < range.end() && !reporter.IsStopped(); ++band)
+      for (int i = range.begin(); i < range.end() && !reporter.IsStopped(); ++i)
       {
-        scan.CastBand(band * turns);
-        reporter.Report(static_cast<double>(++bandsDone) / bands);
+        scan.CastRectangle(i);
+        reporter.Report(static_cast<double>(++done) / rectangles);
       }
     });
   return !reporter.IsStopped();

@@ -33,6 +33,26 @@ void FillEach(T* out, int count, const ValueOf& valueOf)
   }
 }
 
+// `beamOf` maps a return to its beam. The choice between the three sources stands outside the loops, so
+// that the compiler can vectorize them.
+template <typename BeamOf>
+void FillCells(const lms3dTurn& turn, int count, vtkIdType* cellIds, const BeamOf& beamOf)
+{
+  if (!turn.Mesh)
+  {
+    FillEach(cellIds, count, [&](int i) { return turn.Cells[beamOf(i)]; });
+  }
+  else if (turn.Mesh->Cells.empty())
+  {
+    FillEach(cellIds, count, [&](int i) { return vtkIdType(turn.Triangles[beamOf(i)]); });
+  }
+  else
+  {
+    const std::int64_t* cells = turn.Mesh->Cells.data();
+    FillEach(cellIds, count, [&](int i) { return vtkIdType(cells[turn.Triangles[beamOf(i)]]); });
+  }
+}
+
 // `beamOf` maps a return to its beam. Each array has a loop of its own, so that the compiler can
 // vectorize the loops, at least if all beams of the turn gave a return.
 template <typename BeamOf>
@@ -45,12 +65,7 @@ void FillArrays(const lms3dTurn& turn, int count, std::size_t slot, const lms3dR
     returns.Alpha + slot, count, [&](int i) { return static_cast<float>(alpha[beamOf(i)]); });
   const int firstBeam = turn.Number * turn.Geometry.GetNumberOfBeams();
   FillEach(returns.BeamId + slot, count, [&](int i) { return firstBeam + beamOf(i); });
-  FillEach(cellIds + slot, count,
-    [&](int i)
-    {
-      const int beam = beamOf(i);
-      return turn.Mesh ? turn.Mesh->GetCell(turn.Triangles[beam]) : turn.Cells[beam];
-    });
+  FillCells(turn, count, cellIds + slot, beamOf);
   std::fill_n(
     returns.Beta + slot, count, static_cast<float>(turn.Geometry.GetBetaAngles()[turn.Number]));
   const vtkIdType first = static_cast<vtkIdType>(slot);

@@ -161,7 +161,7 @@ struct Situation
                  &directions.GetFanAxis(0), this->Geometry.GetBetaStep(),
                  this->Geometry.GetAlphaCosines().data(), this->Geometry.GetAlphaSines().data(),
                  directions.GetUp() })
-             ->GetTurnsOfBand() == lms3dTileSearch::TileSide;
+             ->GetRows() == lms3dTileSearch::PacketsPerSide;
   }
 
   void ExpectEqual() const
