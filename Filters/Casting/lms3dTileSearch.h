@@ -55,7 +55,7 @@ public:
 private:
   struct PacketsOfTile;
 
-  /// The candidates of a block's tiles, one tile after the other, where those of each tile begin, and
+  /// The candidates of a block's tiles, one tile after the other, where each tile's begin, and
   /// the tiles that are decided.
   struct Block
   {
