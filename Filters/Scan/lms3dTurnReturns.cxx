@@ -10,6 +10,23 @@
 
 namespace
 {
+// From this mean length on, it pays to fill the arrays run by run.
+constexpr int MinimumRunLength = 8;
+
+// A run is a number of neighbouring beams with a return, between beams without one.
+int CountRuns(const std::int32_t* triangles, int count)
+{
+  // Compilers vectorize a count that is as wide as the elements.
+  std::int32_t runs = triangles[0] != lms3dBeamPacket::NoTriangle ? 1 : 0;
+  for (int beam = 1; beam < count; ++beam)
+  {
+    const bool isFirst = (triangles[beam] != lms3dBeamPacket::NoTriangle) &
+      (triangles[beam - 1] == lms3dBeamPacket::NoTriangle);
+    runs += isFirst ? 1 : 0;
+  }
+  return runs;
+}
+
 // Returns the beams of a turn that gave a return.
 std::vector<int> GetHits(const std::int32_t* triangles, int count)
 {
@@ -54,7 +71,7 @@ void FillCells(const lms3dTurn& turn, int count, vtkIdType* cellIds, const BeamO
 }
 
 // `beamOf` maps a return to its beam. Each array has a loop of its own, so that the compiler can
-// vectorize the loops, at least if all beams of the turn gave a return.
+// vectorize the loops, at least for a run.
 template <typename BeamOf>
 void FillArrays(const lms3dTurn& turn, int count, std::size_t slot, const lms3dReturns& returns,
   vtkIdType* cellIds, const BeamOf& beamOf)
@@ -81,16 +98,32 @@ void Locate(const lms3dTurn& turn, int count, std::size_t slot, const lms3dRetur
   lms3dGetPacketKernels().Locate(located, returns.Point + 3 * slot);
 }
 
-void FillAll(
-  const lms3dTurn& turn, std::size_t slot, const lms3dReturns& returns, vtkIdType* cellIds)
+void FillRun(const lms3dTurn& turn, int first, int count, std::size_t slot,
+  const lms3dReturns& returns, vtkIdType* cellIds)
 {
-  const int count = turn.Geometry.GetNumberOfBeams();
-  FillArrays(turn, count, slot, returns, cellIds, [](int i) { return i; });
-  Locate(turn, count, slot, returns, turn.Geometry.GetAlphaCosines().data(),
-    turn.Geometry.GetAlphaSines().data());
+  FillArrays(turn, count, slot, returns, cellIds, [first](int i) { return first + i; });
+  Locate(turn, count, slot, returns, turn.Geometry.GetAlphaCosines().data() + first,
+    turn.Geometry.GetAlphaSines().data() + first);
 }
 
-void FillSome(const lms3dTurn& turn, const std::vector<int>& hits, std::size_t slot,
+void FillRuns(
+  const lms3dTurn& turn, std::size_t slot, const lms3dReturns& returns, vtkIdType* cellIds)
+{
+  const std::int32_t* begin = turn.Triangles;
+  const std::int32_t* end = begin + turn.Geometry.GetNumberOfBeams();
+  const auto isReturn = [](std::int32_t triangle)
+  { return triangle != lms3dBeamPacket::NoTriangle; };
+  for (const std::int32_t* first = std::find_if(begin, end, isReturn); first != end;)
+  {
+    const std::int32_t* last = std::find_if_not(first, end, isReturn);
+    const int count = static_cast<int>(last - first);
+    FillRun(turn, static_cast<int>(first - begin), count, slot, returns, cellIds);
+    slot += count;
+    first = std::find_if(last, end, isReturn);
+  }
+}
+
+void FillHits(const lms3dTurn& turn, const std::vector<int>& hits, std::size_t slot,
   const lms3dReturns& returns, vtkIdType* cellIds)
 {
   const int count = static_cast<int>(hits.size());
@@ -111,10 +144,14 @@ void lms3dTurn::Fill(
   const int beams = this->Geometry.GetNumberOfBeams();
   if (count == beams)
   {
-    FillAll(*this, slot, returns, cellIds);
+    FillRun(*this, 0, count, slot, returns, cellIds);
+  }
+  else if (MinimumRunLength * CountRuns(this->Triangles, beams) <= count)
+  {
+    FillRuns(*this, slot, returns, cellIds);
   }
   else
   {
-    FillSome(*this, GetHits(this->Triangles, beams), slot, returns, cellIds);
+    FillHits(*this, GetHits(this->Triangles, beams), slot, returns, cellIds);
   }
 }
