@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <type_traits>
 #include <vector>
@@ -157,6 +158,16 @@ double lms3dEmbreeCandidates::GetUnit() const
 bool lms3dEmbreeCandidates::IsNear(const double origin[3]) const
 {
   return this->Internal->Tree.GetNormalization().GetCone(origin).Minimum < 0.0;
+}
+
+lms3dCone lms3dEmbreeCandidates::GetCone(const double origin[3]) const
+{
+  lms3dCone cone = this->Internal->Tree.GetNormalization().GetCone(origin);
+  if (!this->Internal->Outliers.empty())
+  {
+    cone.Minimum = -std::numeric_limits<double>::infinity();
+  }
+  return cone;
 }
 
 void lms3dEmbreeCandidates::Cast(

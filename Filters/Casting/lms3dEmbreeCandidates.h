@@ -39,6 +39,10 @@ public:
   /// directions.
   bool IsNear(const double origin[3]) const;
 
+  /// Returns the directions in which the scene lies, seen from an origin in world coordinates. With
+  /// outliers, these are all directions.
+  lms3dCone GetCone(const double origin[3]) const;
+
 private:
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dEmbreeCandidates.h"
 #include "Casting/lms3dExactView.h"
+#include "Casting/lms3dGridCone.h"
 #include "Casting/lms3dRangeRefinement.h"
 #include "Casting/lms3dRayCaster.h"
 #include "Casting/lms3dTileSearch.h"
@@ -21,6 +22,8 @@ public:
   ExactGridCaster(const lms3dTriangleMesh& mesh, const lms3dEmbreeCandidates& candidates,
     const lms3dRayOrigin& origin, const lms3dBeamGrid& grid)
     : Candidates(candidates)
+    , Grid(grid)
+    , Cone(candidates.GetCone(origin.Position))
     , View(mesh, origin, candidates.GetUnit())
   {
     const std::size_t triangles = mesh.GetNumberOfTriangles();
@@ -40,6 +43,11 @@ public:
 
   int GetColumns() const override { return MaximumPackets / this->GetRows(); }
 
+  bool IsEmpty(const lms3dPacketRectangle& rectangle) const override
+  {
+    return lms3dIsOutside(this->Cone, this->Grid, rectangle);
+  }
+
   void FindNearest(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const override
   {
     if (this->Tiles)
@@ -55,6 +63,8 @@ public:
 
 private:
   const lms3dEmbreeCandidates& Candidates;
+  const lms3dBeamGrid Grid;
+  const lms3dCone Cone;
   lms3dExactView View;
   std::unique_ptr<lms3dTileSearch> Tiles;
 };

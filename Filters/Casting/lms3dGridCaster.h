@@ -35,6 +35,9 @@ public:
   virtual int GetColumns() const = 0;
   ///@}
 
+  /// Returns true only if no beam of a rectangle hits a triangle. Such rectangles need not be cast.
+  virtual bool IsEmpty(const lms3dPacketRectangle&) const { return false; }
+
   /// Does what lms3dRayCaster::FindNearest does for the packets of one rectangle. Several threads may
   /// call this at once.
   virtual void FindNearest(

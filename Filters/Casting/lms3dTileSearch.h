@@ -48,9 +48,10 @@ public:
   /// Casts a packet that the search does not decide.
   using CastPacket = std::function<void(lms3dBeamPacket&)>;
 
-  /// Sets Triangle of the packets of one tile. Several threads may call this at once.
-  void FindNearest(
-    const lms3dPacketRectangle& tile, lms3dBeamPacket* packets, const CastPacket& castPacket) const;
+  /// Sets Triangle of the packets of some tiles side by side. The rectangle begins where a tile begins,
+  /// and has at most PacketsPerSide rows. Several threads may call this at once.
+  void FindNearest(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets,
+    const CastPacket& castPacket) const;
 
 private:
   struct PacketsOfTile;

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -44,9 +45,22 @@ public:
 
   int CountRectangles() const { return this->CountRows() * this->CountColumns(); }
 
-  void CastRectangle(int number) const
+  void Cast(int number) const
   {
     const lms3dPacketRectangle rectangle = this->GetRectangle(number);
+    if (this->GridCaster->IsEmpty(rectangle))
+    {
+      this->StoreNothing(rectangle);
+    }
+    else
+    {
+      this->Cast(rectangle);
+    }
+  }
+
+private:
+  void Cast(const lms3dPacketRectangle& rectangle) const
+  {
     const int count = rectangle.Rows * rectangle.Columns;
     lms3dBeamPacket packets[lms3dGridCaster::MaximumPackets];
     this->Generate(rectangle, packets);
@@ -64,7 +78,6 @@ public:
     this->Store(rectangle, packets, this->Request.Returns);
   }
 
-private:
   static std::vector<lms3dElevations> MakeElevations(const lms3dScanGeometry& geometry)
   {
     const int beams = geometry.GetNumberOfBeams();
@@ -146,6 +159,29 @@ private:
     return active;
   }
 
+  void StoreNothing(const lms3dPacketRectangle& rectangle) const
+  {
+    if (this->Request.NearestHits.Ranges)
+    {
+      this->StoreNothing(rectangle, lms3dBeamPacket::NoRange, this->Request.NearestHits);
+    }
+    this->StoreNothing(rectangle, std::numeric_limits<double>::quiet_NaN(), this->Request.Returns);
+  }
+
+  void StoreNothing(
+    const lms3dPacketRectangle& rectangle, double range, const lms3dBeamHits& hits) const
+  {
+    const int endTurn = std::min(rectangle.FirstTurn + rectangle.Rows * Side, this->Turns);
+    const int endBeam = std::min(rectangle.FirstBeam + rectangle.Columns * Side, this->Beams);
+    for (int turn = rectangle.FirstTurn; turn < endTurn; ++turn)
+    {
+      const std::size_t slot = static_cast<std::size_t>(turn) * this->Beams + rectangle.FirstBeam;
+      const int beams = endBeam - rectangle.FirstBeam;
+      std::fill_n(hits.Ranges + slot, beams, range);
+      std::fill_n(hits.Triangles + slot, beams, lms3dBeamPacket::NoTriangle);
+    }
+  }
+
   void Store(const lms3dPacketRectangle& rectangle, const lms3dBeamPacket* packets,
     const lms3dBeamHits& hits) const
   {
@@ -204,7 +240,7 @@ bool lms3dScan(const lms3dScanRequest& request, const lms3dProgress& progress)
     {
       for (int i = range.begin(); i < range.end() && !reporter.IsStopped(); ++i)
       {
-        scan.CastRectangle(i);
+        scan.Cast(i);
         reporter.Report(static_cast<double>(++done) / rectangles);
       }
     });
