@@ -3,6 +3,7 @@
 
 if (LMS3D_BUILD_PARAVIEW_PLUGIN OR LMS3D_USE_PARAVIEW_VTK)
   include(LMS3DDebianParaView)
+  lms3d_mend_debian_paraview("")
 endif ()
 
 if (LMS3D_BUILD_PARAVIEW_PLUGIN)
