@@ -79,8 +79,8 @@
  * @par Several processes
  * If the Controller has several processes, as in ParaView under MPI, each process casts beams
  * against its own piece of the scene, and the nearest return wins. The first process has the scan,
- * and all others have an empty one. Each process has its block of the range image, as VTK
- * distributes images. All processes use the trajectory of the first.
+ * and all others have an empty one with the same arrays. Each process has its block of the range
+ * image, as VTK distributes images. All processes use the trajectory of the first.
  * @par
  * With EXACT, ANGLE_SUM and MOLLER_TRUMBORE the scan is the same to the bit for every distribution
  * of the scene, provided that no cell was cut and that all cells have global ids, which ParaView's
@@ -90,7 +90,8 @@
  * methods round each piece differently.
  * @par
  * Surface attributes come from the process whose triangle was hit. A cell array must exist on all
- * processes that have returns. Arrays of vtkIdType become arrays of vtkTypeInt64.
+ * processes that have returns, or, if there is no return, on all that have triangles. Arrays of
+ * vtkIdType become arrays of vtkTypeInt64.
  * @par
  * The filter warns once if the global ids show that cells are missing: ids up to N, but fewer than
  * N + 1 cells in all processes together. (If no cell has the id 0, fewer than N, because some file

@@ -4,6 +4,7 @@
 
 #include <vtkCommunicator.h>
 #include <vtkMultiProcessController.h>
+#include <vtkMultiProcessStream.h>
 
 #include <algorithm>
 #include <array>
@@ -176,6 +177,14 @@ void lms3dProcesses::Broadcast(lms3dPose& pose, double& time) const
     std::copy_n(values.begin() + 3 + 3 * axis, 3, pose.Axes[axis].begin());
   }
   time = values[12];
+}
+
+void lms3dProcesses::Broadcast(vtkMultiProcessStream& stream) const
+{
+  if (this->IsParallel())
+  {
+    this->Controller->Broadcast(stream, 0);
+  }
 }
 
 lms3dProcesses::Cells lms3dProcesses::GatherCells(const lms3dScenePart& mine) const

@@ -20,6 +20,7 @@
 #include <vector>
 
 class vtkMultiProcessController;
+class vtkMultiProcessStream;
 
 /**
  * Wraps a controller, which must outlive the object.
@@ -63,6 +64,9 @@ public:
 
   /// Replaces the pose and the time in all processes by the first process's.
   void Broadcast(lms3dPose& pose, double& time) const;
+
+  /// Replaces the stream in all processes by the first process's.
+  void Broadcast(vtkMultiProcessStream& stream) const;
 
   /// The cells of all processes.
   struct Cells

@@ -3,6 +3,7 @@
 #include "Scan/lms3dScanJob.h"
 
 #include "Pipeline/lms3dPipelineRequests.h"
+#include "Scan/lms3dEmptyArrays.h"
 #include "Scan/lms3dSurfaceAttributes.h"
 
 #include <vtkDataObject.h>
@@ -221,6 +222,7 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
     processes.RunCollectively([&] { run([&] { this->AddSurfaceAttributes(scan, own); }); });
     lms3dGatherSurfaceAttributes(processes, this->Output.GetOwnTriangles(), own, scan.Points);
   }
+  lms3dAddEmptyArrays(processes, scan.Points->GetPointData());
   return true;
 }
 

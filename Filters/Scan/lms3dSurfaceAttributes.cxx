@@ -12,6 +12,7 @@
 #include "Scene/lms3dSceneCellData.h"
 
 #include <vtkAbstractArray.h>
+#include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
@@ -138,8 +139,29 @@ vtkSmartPointer<vtkAbstractArray> ToSendableType(vtkAbstractArray* array)
   return copy.Get();
 }
 
-vtkSmartPointer<vtkTable> MakeTable(const std::vector<int>& beams, vtkFieldData* attributes)
+// Stands in for the missing returns of a process. VTK sends no arrays of a table without rows.
+constexpr int NoBeam = -1;
+
+void FillWithOneTuple(vtkAbstractArray* array)
 {
+  array->SetNumberOfTuples(1);
+  if (auto* numbers = vtkDataArray::SafeDownCast(array))
+  {
+    numbers->Fill(0.0);
+  }
+}
+
+// `attributes` may get a tuple.
+vtkSmartPointer<vtkTable> MakeTable(std::vector<int> beams, vtkFieldData* attributes)
+{
+  if (beams.empty() && attributes->GetNumberOfArrays() > 0)
+  {
+    beams.push_back(NoBeam);
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      FillWithOneTuple(attributes->GetAbstractArray(i));
+    }
+  }
   const auto ids = lms3dMakeArray<vtkIntArray>(BeamIds, beams.size());
   std::copy(beams.begin(), beams.end(), ids->GetPointer(0));
   vtkNew<vtkTable> table;
@@ -160,12 +182,23 @@ lms3dTupleSource MakeSource(vtkTable* table, const int* found, vtkIdType count)
 {
   lms3dTupleSource source = { table->GetRowData(), table->GetNumberOfRows() };
   auto* beams = vtkIntArray::SafeDownCast(table->GetRowData()->GetArray(BeamIds));
-  for (vtkIdType row = 0; row < source.Size; ++row)
+  for (vtkIdType row = 0; row < source.Size && beams->GetValue(row) != NoBeam; ++row)
   {
     source.Add(
       row, std::distance(found, std::lower_bound(found, found + count, beams->GetValue(row))));
   }
   return source;
+}
+
+// Sources without returns count only if no source has any.
+void KeepSourcesWithReturns(std::vector<lms3dTupleSource>& sources)
+{
+  const auto first = std::stable_partition(sources.begin(), sources.end(),
+    [](const lms3dTupleSource& source) { return source.Tuples->GetNumberOfIds() > 0; });
+  if (first != sources.begin())
+  {
+    sources.erase(first, sources.end());
+  }
 }
 
 using Tables = std::vector<vtkSmartPointer<vtkDataObject>>;
@@ -183,6 +216,7 @@ void JoinTables(const Tables& tables, vtkPolyData* scan)
       sources.push_back(MakeSource(rows, found->GetPointer(0), found->GetNumberOfTuples()));
     }
   }
+  KeepSourcesWithReturns(sources);
   lms3dJoinArrays(sources, scan->GetNumberOfPoints(), scan->GetPointData());
 }
 } // namespace

@@ -40,7 +40,8 @@ void lms3dAddSurfaceAttributes(
 
 /// Adds the attributes of all processes to the first process's `scan`. In each process, `attributes`
 /// has a tuple for each beam that counts in `triangles`. If a beam counts in several processes, the
-/// lowest rank wins. Collective.
+/// lowest rank wins. A cell array must exist in all processes with returns, or, if none has any, in all
+/// with triangles. May change `attributes`. Collective.
 void lms3dGatherSurfaceAttributes(const lms3dProcesses& processes,
   const lms3dHitTriangles& triangles, vtkFieldData* attributes, vtkPolyData* scan);
 

@@ -3,8 +3,8 @@
 """Scans with all processes of a pvbatch: `pvbatch ParallelScan.py JOB.json`, under mpirun.
 
 JOB.json lists the cases: a scene, the filter that spreads it over the processes, and the properties
-of the scan. The first process writes the arrays of each case to CASE.npz and its errors to CASE.txt
-in the folder of the job.
+of the scan. In the folder of the job the first process writes the arrays of each case to CASE.npz and
+its errors to CASE.txt, and each process the names of its arrays to CASE.RANK.json.
 """
 
 import json
@@ -45,14 +45,26 @@ def listen(filter_, said):
     filter_.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
 
 
-def contents(scan):
-    """The arrays of the scan by name."""
+def names(scan):
+    """The names, types and sizes of this process's arrays, and the name of its active normals."""
     points = algorithm(scan).GetOutputDataObject(0)
+    data = points.GetPointData()
+    arrays = map(data.GetAbstractArray, range(data.GetNumberOfArrays()))
+    normals = data.GetNormals()
+    return {"count": points.GetNumberOfPoints(), "normals": normals and normals.GetName(),
+            "arrays": sorted([array.GetName(), array.GetDataType(), array.GetNumberOfComponents()]
+                             for array in arrays)}
+
+
+def contents(scan):
+    """The arrays of the scan by name; empty without a return."""
+    points = algorithm(scan).GetOutputDataObject(0)
+    if points.GetNumberOfPoints() == 0:
+        return {}
     arrays = {array.GetName(): vtk_to_numpy(array)
               for array in map(points.GetPointData().GetArray,
                                range(points.GetPointData().GetNumberOfArrays()))}
-    if arrays:
-        arrays["Points"] = vtk_to_numpy(points.GetPoints().GetData())
+    arrays["Points"] = vtk_to_numpy(points.GetPoints().GetData())
     return arrays
 
 
@@ -99,11 +111,12 @@ def run(case):
         comparison.UpdatePipeline()
     arrays = {**contents(scan), **contents_of_map(local_map)}
     save_image(scan, case["name"])
+    (JOB.parent / f"{case['name']}.{PROCESS}.json").write_text(json.dumps(names(scan)))
     if PROCESS == 0:
         np.savez(JOB.parent / case["name"], **arrays)
         (JOB.parent / f"{case['name']}.txt").write_text("".join(said))
     else:
-        assert not arrays, "the first process alone has the scan"
+        assert not arrays, "the first process alone has returns"
 
 
 for case_ in json.loads(JOB.read_text()):

@@ -140,6 +140,10 @@ class TestParallel(unittest.TestCase):
         room = {"scene": str(ROOM), "spread": SPREADS[-1], "properties": {}}
         yield {**room, "name": "journey", "trajectory": str(cls.folder / "journey.vtp"), "time": 1}
         yield {**room, "name": "lost", "trajectory": str(cls.folder / "bad.vtp")}
+        # From far above, no beam returns. The labelled cells are in all processes, or in the first alone.
+        for spread in SPREADS[:2]:
+            yield {**room, "name": f"unseen.{spread}", "spread": spread, "properties":
+                   {"Position": [0.0, 0.0, 1000.0], "SurfaceAttributes": 1, **COARSE}}
         yield {**room, "name": "volume", "scene": str(cls.folder / "volume.vtu")}
         yield {**room, "name": "empty", "scene": str(cls.folder / "journey.vtp")}
         yield {**room, "name": "missing", "scene": str(cls.folder / "no.wrl"), "spread": "one"}
@@ -187,6 +191,31 @@ class TestParallel(unittest.TestCase):
 
     def test_trajectory_is_followed_by_all(self):
         self.assert_same("journey", ROOM, {"Position": [0.3, -0.2, 1.0]})
+
+    def names(self, run, name):
+        """The arrays of each process."""
+        return [json.loads((self.folder / run / f"{name}.{rank}.json").read_text())
+                for rank in range(RUNS[run][0] if RUNS[run][1] else 1)]
+
+    def test_all_processes_have_the_same_arrays(self):
+        for name in ("room.one", "labelled.one", "labelled.D3", "unseen.one", "unseen.D3"):
+            for run in ("2", "4"):
+                with self.subTest(name, run=run):
+                    first, *others = self.names(run, name)
+                    self.assertEqual(first["count"] == 0, name.startswith("unseen"))
+                    self.assertEqual(others, [{**first, "count": 0}] * len(others))
+
+    def test_a_scan_without_returns_has_the_arrays_of_one_process(self):
+        for name in ("unseen.one", "unseen.D3"):
+            expected = self.names("1", name)[0]["arrays"]
+            names = {array for array, *_ in expected}
+            self.assertLessEqual({"Normals", "Incidence", "Color", "ShapeId", "Range"}, names)
+            for run in ("2", "4"):
+                with self.subTest(name, run=run):
+                    # The filters that spread a scene over several processes add a cell array.
+                    found = [array for array in self.names(run, name)[0]["arrays"]
+                             if array[0] != "vtkOriginalCellIds"]
+                    self.assertEqual(found, expected)
 
     def test_all_processes_report_errors_and_go_on(self):
         words_of = {"lost": "The trajectory has its point 0", "empty": "The scene has no polygons",
