@@ -1,13 +1,20 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A server that forwards each call to itself keeps a source no longer than its time limit."""
+"""A server that forwards each call to itself keeps a source no longer than its time limit. A source
+follows no forward to a Unix socket.
+"""
 
+import socket
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
-from raw_listener import Forwarder
+from raw_listener import Forwarder, make_profile, make_unix_component
+
+_CLOSED_PORT = 1
 
 _LOOK = """
 import sys
@@ -33,6 +40,22 @@ class RemoteForwardingTest(unittest.TestCase):
                 self.assertEqual(finished.returncode, 1)
                 self.assertIn("nothing to show", finished.stderr)
                 self.assertGreater(server.count, 1)
+
+    def test_a_unix_socket(self):
+        """The source does not connect to it."""
+        path = str(Path(self.enterContext(tempfile.TemporaryDirectory()), "socket"))
+        target = make_profile(b"127.0.0.1", _CLOSED_PORT, [make_unix_component(path)])
+        with socket.socket(socket.AF_UNIX) as other, Forwarder(target=target) as server:
+            other.bind(path)
+            other.listen()
+            other.settimeout(0)
+            subprocess.run(
+                [sys.executable, "-c", _LOOK,
+                 f"corbaloc:iiop:1.0@127.0.0.1:{server.port}/LMS3D"],
+                capture_output=True, text=True, timeout=60, check=False)
+            self.assertGreater(server.count, 0)
+            with self.assertRaises(BlockingIOError):
+                other.accept()
 
 
 if __name__ == "__main__":

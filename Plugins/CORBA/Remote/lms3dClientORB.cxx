@@ -4,6 +4,7 @@
 
 #include "Common/lms3dCallRetries.h"
 #include "Common/lms3dORBLog.h"
+#include "Common/lms3dORBSources.h"
 
 #include <iostream>
 
@@ -18,8 +19,12 @@ CORBA::ORB_ptr MakeORB()
 {
   lms3dSetORBLog(PrintLine, {});
   lms3dLimitRetries();
+  constexpr const char* rule = "clientTransportRule";
+  const char* options[][2] = { { lms3dORBSources({}).IsSet(rule) ? nullptr : rule,
+                                 lms3dClientTransportRule },
+    { nullptr, nullptr } };
   int noArguments = 0;
-  return CORBA::ORB_init(noArguments, nullptr);
+  return CORBA::ORB_init(noArguments, nullptr, "omniORB4", options);
 }
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "Client/lms3dScannerReference.h"
 #include "Common/lms3dCallRetries.h"
 #include "Common/lms3dORBLog.h"
+#include "Common/lms3dORBSources.h"
 #include "lms3dClientActions.h"
 #include "lms3dClientCommands.h"
 #include "lms3dExceptionText.h"
@@ -20,13 +21,22 @@ namespace
 constexpr int ExitFailure = 1;
 constexpr int ExitUsage = 2;
 
-// Longer than the server's longest wait, so that only a server that hangs exceeds it.
-const char* ORBOptions[][2] = { { "clientCallTimeOutPeriod", "15000" },
-  { "endPoint", "giop:tcp:127.0.0.1:" }, { nullptr, nullptr } };
+// Milliseconds. Longer than the server's longest wait, so that only a server that hangs exceeds it.
+constexpr const char* CallMilliseconds = "15000";
 
 void PrintLine(const std::string& line)
 {
   std::cerr << line << '\n';
+}
+
+CORBA::ORB_ptr MakeORB(int& argc, char** argv)
+{
+  constexpr const char* rule = "clientTransportRule";
+  const bool isRuleGiven = lms3dORBSources({ argv + 1, argv + argc }).IsSet(rule);
+  const char* options[][2] = { { "clientCallTimeOutPeriod", CallMilliseconds },
+    { "endPoint", "giop:tcp:127.0.0.1:" },
+    { isRuleGiven ? nullptr : rule, lms3dClientTransportRule }, { nullptr, nullptr } };
+  return CORBA::ORB_init(argc, argv, "omniORB4", options);
 }
 
 // Returns an empty function for a wrong command. Throws for wrong arguments, before contacting a
@@ -66,7 +76,7 @@ int main(int argc, char* argv[])
   {
     lms3dSetORBLog(PrintLine, { argv + 1, argv + argc });
     lms3dLimitRetries();
-    const CORBA::ORB_var orb = CORBA::ORB_init(argc, argv, "omniORB4", ORBOptions);
+    const CORBA::ORB_var orb = MakeORB(argc, argv);
     code = Run(orb, { argv + 1, argv + argc });
     lms3dRequireOutput();
     orb->destroy();

@@ -2,70 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/lms3dORBSettings.h"
 
+#include "Common/lms3dORBSources.h"
+
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <set>
 #include <stdexcept>
 
 namespace
 {
 using Names = std::set<std::string>;
-
-constexpr const char* Prefix = "-ORB";
-
-Names GetNamesOfArguments(const std::vector<std::string>& arguments)
-{
-  Names names;
-  for (std::size_t i = 0; i < arguments.size(); i += 2)
-  {
-    names.insert(arguments[i].substr(std::string(Prefix).size()));
-  }
-  return names;
-}
-
-std::string GetConfigurationFile(const std::vector<std::string>& arguments)
-{
-  // Names and values alternate. A value may look like a name.
-  for (std::size_t i = 0; i < arguments.size(); i += 2)
-  {
-    if (arguments[i] == "-ORBconfigFile")
-    {
-      return arguments[i + 1];
-    }
-  }
-  const char* const file = std::getenv("OMNIORB_CONFIG");
-  return file ? file : "/etc/omniORB.cfg";
-}
-
-// The names of lines "name = value". Empty if the file does not exist.
-Names GetNamesOfFile(const std::string& file)
-{
-  Names names;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);)
-  {
-    const std::size_t first = line.find_first_not_of(" \t");
-    const std::size_t end = line.find_first_of(" \t=", first);
-    if (first != std::string::npos && line[first] != '#' && end != std::string::npos)
-    {
-      names.insert(line.substr(first, end - first));
-    }
-  }
-  return names;
-}
-
-Names GetNamesOfAdministrator(const lms3dServerOptions& options)
-{
-  Names names = GetNamesOfFile(GetConfigurationFile(options.ORBArguments));
-  names.merge(GetNamesOfArguments(options.ORBArguments));
-  return names;
-}
-
-bool IsSetByAdministrator(const std::string& name, const Names& names)
-{
-  return names.count(name) != 0 || std::getenv(("ORB" + name).c_str());
-}
 
 // The server's own options overrule the ORB's environment and configuration file.
 Names GetNamesOfOwnOptions(const lms3dServerOptions& options)
@@ -90,10 +35,9 @@ void AddTLS(lms3dORBSettings& settings, const lms3dServerOptions& options)
       { "sslKeyPassword", "none" } });
 }
 
-// Without Unix sockets, which belong to other programs of this machine.
 void AddConnectRules(lms3dORBSettings& settings, const lms3dServerOptions& options)
 {
-  const std::string transports = " ssl,tcp";
+  const std::string transports = std::string(" ") + lms3dNetworkTransports;
   settings.emplace_back("clientTransportRule", "127.0.0.1/255.255.255.255" + transports);
   for (const std::string& address : options.ConnectTo)
   {
@@ -131,21 +75,21 @@ lms3dORBSettings lms3dGetORBSettings(const lms3dServerOptions& options)
     AddTLS(settings, options);
   }
 
-  const Names administrator = GetNamesOfAdministrator(options);
+  const lms3dORBSources administrator(options.ORBArguments);
   const Names own = GetNamesOfOwnOptions(options);
   const auto isOverruled = [&administrator, &own](const lms3dORBSettings::value_type& setting)
-  { return own.count(setting.first) == 0 && IsSetByAdministrator(setting.first, administrator); };
+  { return own.count(setting.first) == 0 && administrator.IsSet(setting.first); };
   settings.erase(std::remove_if(settings.begin(), settings.end(), isOverruled), settings.end());
   return settings;
 }
 
 void lms3dCheckEndpointSources(const lms3dServerOptions& options)
 {
-  const Names administrator = GetNamesOfAdministrator(options);
+  const lms3dORBSources administrator(options.ORBArguments);
   for (const char* name :
     { "endPoint", "endPointNoListen", "endPointNoPublish", "endPointPublish" })
   {
-    if (!options.AllowRemote && IsSetByAdministrator(name, administrator))
+    if (!options.AllowRemote && administrator.IsSet(name))
     {
       throw std::invalid_argument(std::string(name) +
         ": the ORB's arguments, environment or configuration file name an endpoint. Use "
