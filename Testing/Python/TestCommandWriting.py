@@ -62,6 +62,35 @@ class TestFullDisks(CommandLineTest):
                 self.assert_folder(path.name)
                 path.unlink()
 
+    def test_a_later_result_that_fails(self):
+        """The results before it do not replace their files."""
+        local_map, old = (self.folder / name for name in ("map.vtp", "old.vtp"))
+        full = self.folder / "teapot_map.vtp"
+        self.done(*SCAN, "--map", local_map)
+        self.make_device("full", full)
+        for arguments in ((*SCAN, "-o", old, "--map", full),
+                          ("compare", local_map, ROOM, "-o", old, "--scene-points", full),
+                          ("demo", "--output", self.folder)):
+            with self.subTest(arguments[0]):
+                old.write_text("old")
+                result = run_process(*arguments)
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn(f"cannot write '{full}': No space left on device".encode(),
+                              result.stderr)
+                self.assertNotIn(b"wrote", result.stdout)
+                self.assertEqual(old.read_text(), "old")
+                self.assert_folder(local_map.name, old.name, full.name)
+
+    def test_a_file_before_a_broken_pipe(self):
+        """The standard output comes last, and no file gets its name if it fails."""
+        reader, writer = os.pipe()
+        os.close(reader)
+        path = self.folder / "ranges.vti"
+        with open(writer, "wb") as pipe:
+            self.assert_failed(run_process(*SCAN, "-o", "-", "--range-image", path, stdout=pipe),
+                               "Broken pipe")
+        self.assert_folder()
+
     def make_device(self, name, path):
         """Make the path a device. By a link a fault could replace the system's own device."""
         if os.geteuid() != 0:

@@ -4,8 +4,11 @@
 """lms3d scan --trajectory: its series of files, what it refuses, and its progress."""
 
 import io
+import os
 import re
 import signal
+import subprocess
+import sys
 import unittest
 from contextlib import redirect_stderr
 from pathlib import Path
@@ -14,7 +17,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 from lms3d.problems import Problem
-from lms3d.results import replace
+from lms3d.results import ResultFiles
 from lms3d.scene import read_scene
 from lms3d.simulation import Simulation
 from lms3d.trajectory import Series, TrajectoryScan
@@ -145,20 +148,22 @@ class TestTrajectory(CommandLineTest):
     def test_a_folder_that_appears_during_the_scans_is_reported(self):
         path = self.folder / "scans_0001.vtp"
         with self.assertRaisesRegex(Problem, f"cannot write '{path}': Is a directory"), \
-                Series(self.folder / "scans.pvd", 2, ()) as series:
+                Series(self.folder / "scans.pvd", 2, ()) as series, ResultFiles() as files:
             for time in (0.0, 1.0):
                 series.add(trajectory(), time)
+            series.finish(files)
             path.mkdir()
-        self.assertFalse((self.folder / "scans.pvd").exists())
+        self.assertEqual(list(self.folder.iterdir()), [path])
 
     def replace_series(self):
         """Replace a series of two old files and their list."""
         self.names = ("scans.pvd", "scans_0000.vtp", "scans_0001.vtp")
         for name in self.names:
             (self.folder / name).write_text("old")
-        with Series(self.folder / "scans.pvd", 2, ()) as series:
+        with Series(self.folder / "scans.pvd", 2, ()) as series, ResultFiles() as files:
             for time in (0.0, 1.0):
                 series.add(trajectory(), time)
+            series.finish(files)
 
     def count_old_files(self):
         """How many files of the series are old; there are no other files."""
@@ -178,13 +183,38 @@ class TestTrajectory(CommandLineTest):
             raise OSError(28, "No space left on device")
         path.write_bytes(text.encode(encoding or "utf-8"))
 
+    def test_two_series_are_published_together(self):
+        path = self.path()
+        names = ("scans.pvd", "scans_0000.vtp", "maps.pvd", "maps_0000.vtp")
+        for name in names:
+            (self.folder / name).write_text("old")
+        code = ("import sys\nfrom pathlib import Path\nfrom lms3d import cli\n"
+                "write_text = Path.write_text\n"
+                "def write(path, *args, **named):\n"
+                "    if path.name == 'scans.pvd':\n"
+                "        raise OSError(28, 'No space left on device')\n"
+                "    return write_text(path, *args, **named)\n"
+                "Path.write_text = write\nsys.exit(cli.main())\n")
+        result = subprocess.run(
+            [sys.executable, "-c", code, "scan", str(ROOM), "--trajectory", str(path),
+             *map(str, COARSE), "-o", str(self.folder / names[0]), "--map",
+             str(self.folder / names[2])], capture_output=True, text=True, timeout=300, check=False)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("scans.pvd': No space left", result.stderr)
+        self.assertEqual({(self.folder / name).read_text() for name in names}, {"old"})
+        self.assertEqual(sorted(each.name for each in self.folder.iterdir()),
+                         sorted([*names, path.name]))
+
     def test_an_interrupted_series_is_complete(self):
-        def replace_and_interrupt(*paths):
-            replace(*paths)
-            signal.raise_signal(signal.SIGINT)
+        replace = os.replace
+
+        def replace_and_interrupt(temporary, path):
+            replace(temporary, path)
+            if path.parent == self.folder.resolve():
+                signal.raise_signal(signal.SIGINT)
 
         with self.assertRaises(KeyboardInterrupt), \
-                mock.patch("lms3d.trajectory.replace", replace_and_interrupt):
+                mock.patch("os.replace", replace_and_interrupt):
             self.replace_series()
         self.assertEqual(self.count_old_files(), 0)
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes results. The file ending chooses the format; a failed write leaves no incomplete file."""
 
+import errno
 import os
 import shutil
 import sys
@@ -9,6 +10,7 @@ from contextlib import closing, contextmanager, redirect_stdout
 from pathlib import Path
 
 from .formats import encode
+from .interruption import interruptible
 from .problems import Problem, UsageProblem
 
 # The formats of each result.
@@ -93,27 +95,89 @@ def reports(targets):
         yield
 
 
-def save(data, path, result=None, shown=None):
-    """Write a data object. A file gets its name only when it is complete.
+class ResultFiles:
+    """Writes results. Their files get their names together, after the last one is complete.
 
-    If the path is STREAM, `result` (a key of STREAM_ENDINGS) chooses the format. `shown` is the
-    name of the file in messages, by default the path.
+    A context manager. If its block fails, no file changes. If one file cannot get its name at the
+    end, the files before it keep theirs. Only files wait: the standard output, devices and pipes get
+    their bytes at once.
     """
-    shown = "the standard output" if path == STREAM else f"'{shown or path}'"
-    ending = STREAM_ENDINGS[result] if path == STREAM else Path(path).suffix.lower()
-    with _writing(shown), closing(encode(data, ending, f"cannot write {shown}")) as pieces, \
-            _opened(path) as file:
-        for piece in pieces:
-            view = memoryview(piece)
-            while view:
-                view = view[file.write(view):]
+
+    def __init__(self):
+        self._files = []
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, failure, *_):
+        with interruptible(lambda: None):  # Ctrl-C waits until all files have their names
+            try:
+                if failure is None:
+                    self._publish()
+            finally:
+                for temporary, *_ in self._files:
+                    temporary.unlink(missing_ok=True)
+
+    def save(self, data, path, result=None, shown=None):
+        """Write a data object.
+
+        If the path is STREAM, `result` (a key of STREAM_ENDINGS) chooses the format. `shown` is the
+        name of the file in messages, by default the path.
+        """
+        shown = "the standard output" if path == STREAM else f"'{shown or path}'"
+        ending = STREAM_ENDINGS[result] if path == STREAM else Path(path).suffix.lower()
+        with _writing(shown), closing(encode(data, ending, f"cannot write {shown}")) as pieces, \
+                self._opened(path, shown) as file:
+            for piece in pieces:
+                view = memoryview(piece)
+                while view:
+                    view = view[file.write(view):]
+
+    def add(self, temporary, path):
+        """Let a complete file of the same file system get its name with the others."""
+        self._files.append((temporary, path, f"'{path}'"))
+
+    def _opened(self, path, shown):
+        """A binary file to write to: the standard output, a device or a pipe, or a new file.
+
+        It has no buffer: after Ctrl-C, closing a file with a buffer could wait for a reader again.
+        """
+        if path == STREAM:
+            return open(_STDOUT, "wb", buffering=0, closefd=False)
+        if _is_device(path):
+            return open(path, "wb", buffering=0)
+        return self._temporary(Path(path).resolve(), shown)
+
+    def _temporary(self, path, shown):
+        """A new file beside `path`, which gets this name."""
+        temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
+        try:
+            file = open(temporary, "xb", buffering=0)
+        except FileExistsError:
+            raise Problem(f"cannot write {shown}: delete '{temporary}' first") from None
+        self._files.append((temporary, path, shown))
+        return file
+
+    def _publish(self):
+        for temporary, path, shown in self._files:
+            with _writing(shown):
+                _check_replaceable(path)
+                if path.exists():
+                    shutil.copymode(path, temporary)
+        for temporary, path, shown in self._files:
+            with _writing(shown):
+                os.replace(temporary, path)
 
 
-def replace(temporary, path):
-    """Give a complete file its name, and the permissions of the file that it replaces."""
-    if path.exists():
-        shutil.copymode(path, temporary)
-    os.replace(temporary, path)
+def save(data, path, result=None, shown=None):
+    """Write one data object, as ResultFiles.save does."""
+    with ResultFiles() as files:
+        files.save(data, path, result, shown)
+
+
+def _check_replaceable(path):
+    if path.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
 
 
 def writing(path):
@@ -129,39 +193,6 @@ def _writing(shown):
         raise Problem(f"cannot write {shown}: {error.strerror}") from error
     except MemoryError as error:
         raise Problem(f"cannot write {shown}: not enough memory") from error
-
-
-@contextmanager
-def _opened(path):
-    """A binary file to write to: the standard output, a device or a pipe, or a new file.
-
-    It has no buffer: after Ctrl-C, closing a file with a buffer could wait for a reader again.
-    """
-    if path == STREAM:
-        with open(_STDOUT, "wb", buffering=0, closefd=False) as file:
-            yield file
-    elif _is_device(path):
-        with open(path, "wb", buffering=0) as file:
-            yield file
-    else:
-        with _temporary(Path(path).resolve()) as file:
-            yield file
-
-
-@contextmanager
-def _temporary(path):
-    """A temporary file beside `path`: renamed to it after the block, deleted if the block fails."""
-    temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
-    try:
-        file = open(temporary, "xb", buffering=0)
-    except FileExistsError:
-        raise Problem(f"cannot write '{path}': delete '{temporary}' first") from None
-    try:
-        with file:
-            yield file
-        replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
 def _is_device(path):

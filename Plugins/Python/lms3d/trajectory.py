@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from .execution import update
 from .interruption import interruptible
 from .problems import UsageProblem
-from .results import check_writable, replace, save, writing
+from .results import check_writable, save, writing
 
 
 class TrajectoryScan:
@@ -58,8 +58,8 @@ def check_names(paths):
 class Series:
     """Files of one result: NAME_0000.vtp and so on beside NAME.pvd, which lists them.
 
-    A context manager. The files get their names at the end of the ``with`` block, the list last; if
-    the block fails, no file changes. The constructor raises Problem if a file cannot be written.
+    A context manager, which deletes the files that have not got their names. The constructor raises
+    Problem if a file cannot be written.
     """
 
     def __init__(self, path, steps, inputs):
@@ -89,20 +89,15 @@ class Series:
         save(data, self._folder / name, shown=self._path.with_name(name))
         self._times.append(time)
 
-    def __exit__(self, failure, *_):
-        with interruptible(lambda: None):  # Ctrl-C waits until all files have their names
-            try:
-                if failure is None:
-                    self._write_list()
-                    self._publish()
-            finally:
-                shutil.rmtree(self._folder, ignore_errors=True)
-
-    def _publish(self):
+    def finish(self, files):
+        """Give all files to ResultFiles, the list last."""
+        self._write_list()
         for name in (*self._names, self._path.name):
-            path = self._path.with_name(name)
-            with writing(path):
-                replace(self._folder / name, path)
+            files.add(self._folder / name, self._path.with_name(name))
+
+    def __exit__(self, *_):
+        with interruptible(lambda: None):
+            shutil.rmtree(self._folder, ignore_errors=True)
 
     def _write_list(self):
         entries = "".join(f'    <DataSet timestep="{time!r}" file={quoteattr(name)}/>\n'

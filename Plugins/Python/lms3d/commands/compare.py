@@ -5,7 +5,7 @@
 from .. import vtkLMS3DMapComparison
 from ..comparison import POSE_ARRAYS, compare, copy_pose, has_pose
 from ..problems import Problem, UsageProblem
-from ..results import check_targets, reports, save
+from ..results import ResultFiles, check_targets, reports
 from ..scene import check_readable, read_data
 from ..simulation import Simulation
 from . import scene_options, sensor_options
@@ -89,8 +89,10 @@ def _compare(options):
                          (options.minimum_range, options.maximum_range), options.threads)
     _print(comparison, scan)
     results = {"map with errors": comparison.map, "scene points": comparison.scene_points}
-    for result, path in _targets(options):
-        save(results[result], path, result)
+    with ResultFiles() as files:
+        for result, path in _targets(options):
+            files.save(results[result], path, result)
+    for _, path in _targets(options):
         print(f"wrote    {path}")
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from ..data import scene_file
 from ..figure import Figure, check_display
 from ..problems import Problem
-from ..results import save
+from ..results import ResultFiles
 from ..scene import UP_AXES, read_scene
 from ..simulation import Simulation
 from . import sensor_options
@@ -73,14 +73,15 @@ def run(options):
     except OSError as error:
         raise Problem(f"cannot make the folder '{folder}': {error.strerror}") from error
 
-    rows, files = [_COLUMNS], []
-    for experiment in (ROOM, TEAPOT):
-        simulation = simulate(experiment, options.data, options.maximum_error)
-        milliseconds = 1000 * simulation.scan_time()
-        rows.append(_row(experiment, simulation, milliseconds))
-        files += _write(experiment, simulation, folder)
+    rows, names = [_COLUMNS], []
+    with ResultFiles() as files:
+        for experiment in (ROOM, TEAPOT):
+            simulation = simulate(experiment, options.data, options.maximum_error)
+            milliseconds = 1000 * simulation.scan_time()
+            rows.append(_row(experiment, simulation, milliseconds))
+            names += _write(experiment, simulation, folder, files)
     _print_table(rows)
-    print(f"\nscenes: {UP_AXES['file']}\nwrote {folder}/: " + " ".join(files))
+    print(f"\nscenes: {UP_AXES['file']}\nwrote {folder}/: " + " ".join(names))
 
 
 def simulate(experiment, data=None, maximum_error=None):
@@ -99,7 +100,7 @@ def simulate(experiment, data=None, maximum_error=None):
     return simulation
 
 
-def _write(experiment, simulation, folder):
+def _write(experiment, simulation, folder, files):
     results = {
         f"{experiment.name}_scan.vtp": simulation.scan,
         f"{experiment.name}_range.vti": simulation.range_image,
@@ -107,7 +108,7 @@ def _write(experiment, simulation, folder):
         f"{experiment.figure}_{experiment.name}.png": Figure(simulation).image(),
     }
     for name, data in results.items():
-        save(data, folder / name)
+        files.save(data, folder / name)
     return list(results)
 
 

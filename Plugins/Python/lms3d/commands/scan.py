@@ -8,7 +8,7 @@ from pathlib import Path
 from ..figure import Figure, check_display
 from ..messages import say
 from ..problems import Problem, UsageProblem
-from ..results import check_targets, reports, save
+from ..results import STREAM, ResultFiles, check_targets, reports
 from ..scene import check_readable, read_data
 from ..trajectory import Series, TrajectoryScan, check_names
 from . import picture_options, scene_options, sensor_options
@@ -22,9 +22,9 @@ The file ending chooses the format. A .vtp file keeps everything in full precisi
 .stl file has coordinates in single precision only. A .csv file has the columns
 x,y,z,Range,Alpha,Beta,BeamId,CellId; a .ply file of points has these properties.
 
-A file gets its name when it is complete. In place of a file, - is the standard output: points
-are then written as .csv, the range image as .vti, the map as .ply, and the picture as .png. The
-lines that the command prints go to the error stream then.
+The files get their names together, when all are complete. In place of a file, - is the standard
+output: points are then written as .csv, the range image as .vti, the map as .ply, and the picture
+as .png. The lines that the command prints go to the error stream then.
 
 With --trajectory there is one scan for each pose, and with --map also one local map. Each output
 is a .pvd file, which lists the files of all steps and their times; ParaView plays it. The poses
@@ -111,6 +111,9 @@ def _scan_trajectory(options, simulation):
         if not any(scans.returns):
             raise Problem("no beam returned from any pose: move the trajectory, or widen the "
                           "sensor's ranges or angles")
+        with ResultFiles() as together:
+            for _, files in series:
+                files.finish(together)
     print(f"scans    {len(scans.times):,} from time {scans.times[0]:g} to "
           f"{scans.times[-1]:g}, {sum(scans.returns):,} returns")
     if 0 in scans.returns:
@@ -158,6 +161,10 @@ def _write(options, simulation):
         "map": lambda: simulation.map,
         "picture": lambda: Figure(simulation, options.size, edges=options.edges).image(),
     }
-    for result, path in _targets(options):
-        save(results[result](), path, result)
+    # The standard output comes last: nothing takes it back if a file cannot be written.
+    targets = sorted(_targets(options), key=lambda target: target[1] == STREAM)
+    with ResultFiles() as files:
+        for result, path in targets:
+            files.save(results[result](), path, result)
+    for _, path in targets:
         print(f"wrote    {path}")
