@@ -32,9 +32,10 @@ lms3dSurfaceQuery::Points GetPoints(vtkPolyData* data)
 }
 
 // Returns NaN for a vertex that is not finite.
-std::vector<double> GetVertexErrors(const lms3dSurfaceQuery& scene, vtkPolyData* map)
+std::vector<double> GetVertexErrors(
+  const lms3dSurfaceQuery& scene, vtkPolyData* map, const lms3dProgress& progress)
 {
-  std::vector<double> errors = lms3dGetDistances(scene, GetPoints(map));
+  std::vector<double> errors = lms3dGetDistances(scene, GetPoints(map), progress);
   std::replace(errors.begin(), errors.end(), std::numeric_limits<double>::infinity(),
     std::numeric_limits<double>::quiet_NaN());
   return errors;
@@ -94,7 +95,8 @@ bool lms3dComparison::Compare(const lms3dSurfaceQuery& map, const lms3dSurfaceQu
   {
     return false;
   }
-  const lms3dSceneErrors sceneErrors(map, scene, view, this->NumberOfSamples);
+  const lms3dSceneErrors sceneErrors(
+    map, scene, view, this->NumberOfSamples, lms3dGetStepProgress(progress, 0.3, 0.6));
   if (sceneErrors.Points.empty())
   {
     throw std::runtime_error(DescribeInvisibleScene(view.GetPosition()));
@@ -103,10 +105,13 @@ bool lms3dComparison::Compare(const lms3dSurfaceQuery& map, const lms3dSurfaceQu
   {
     return false;
   }
-  const lms3dMapErrors mapErrors(map, scene, view, this->Tolerance, this->NumberOfSamples);
-  const std::vector<double> vertexErrors = GetVertexErrors(scene, this->Map);
+  const lms3dMapErrors mapErrors(map, scene, view, this->Tolerance, this->NumberOfSamples,
+    lms3dGetStepProgress(progress, 0.6, 0.8));
+  const std::vector<double> vertexErrors =
+    GetVertexErrors(scene, this->Map, lms3dGetStepProgress(progress, 0.8, 0.85));
   const std::vector<double> returnDistances =
-    lms3dGetDistances(map, this->Scan ? GetPoints(this->Scan) : lms3dSurfaceQuery::Points());
+    lms3dGetDistances(map, this->Scan ? GetPoints(this->Scan) : lms3dSurfaceQuery::Points(),
+      lms3dGetStepProgress(progress, 0.85, 0.9));
   if (!progress(0.9))
   {
     return false;

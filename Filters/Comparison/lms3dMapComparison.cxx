@@ -55,11 +55,12 @@ std::vector<double> GetDistances(const std::vector<lms3dNearest>& nearest)
 }
 
 // Returns the samples of the scene that the sensor sees.
-lms3dSurfaceQuery::Points GetVisible(
-  const lms3dSurfaceQuery& scene, const lms3dSensorView& view, std::int64_t count)
+lms3dSurfaceQuery::Points GetVisible(const lms3dSurfaceQuery& scene, const lms3dSensorView& view,
+  std::int64_t count, const lms3dProgress& progress)
 {
   const lms3dSurfaceSamples samples(scene.GetMesh(), count);
-  const std::vector<double> ranges = scene.GetRangesTowards(view.GetPosition(), samples.Points);
+  const std::vector<double> ranges =
+    scene.GetRangesTowards(view.GetPosition(), samples.Points, progress);
   lms3dSurfaceQuery::Points visible;
   for (std::size_t i = 0; i < ranges.size(); ++i)
   {
@@ -78,19 +79,20 @@ double GetShare(std::size_t part, std::size_t whole)
 }
 } // namespace
 
-std::vector<double> lms3dGetDistances(
-  const lms3dSurfaceQuery& surface, const lms3dSurfaceQuery::Points& points)
+std::vector<double> lms3dGetDistances(const lms3dSurfaceQuery& surface,
+  const lms3dSurfaceQuery::Points& points, const lms3dProgress& progress)
 {
-  return GetDistances(surface.FindNearest(points));
+  return GetDistances(surface.FindNearest(points, progress));
 }
 
 lms3dMapErrors::lms3dMapErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
-  const lms3dSensorView& view, double tolerance, std::int64_t count)
+  const lms3dSensorView& view, double tolerance, std::int64_t count, const lms3dProgress& progress)
   : Samples(map.GetMesh(), count)
 {
-  const std::vector<lms3dNearest> nearest = scene.FindNearest(this->Samples.Points);
-  const std::vector<double> ranges =
-    scene.GetRangesTowards(view.GetPosition(), this->Samples.Points);
+  const std::vector<lms3dNearest> nearest =
+    scene.FindNearest(this->Samples.Points, lms3dGetStepProgress(progress, 0.0, 0.8));
+  const std::vector<double> ranges = scene.GetRangesTowards(
+    view.GetPosition(), this->Samples.Points, lms3dGetStepProgress(progress, 0.8, 1.0));
   this->Distances = GetDistances(nearest);
   this->Angles.resize(nearest.size());
   std::size_t samplesInFreeSpace = 0;
@@ -106,8 +108,8 @@ lms3dMapErrors::lms3dMapErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQ
 }
 
 lms3dSceneErrors::lms3dSceneErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
-  const lms3dSensorView& view, std::int64_t count)
-  : Points(GetVisible(scene, view, count))
+  const lms3dSensorView& view, std::int64_t count, const lms3dProgress& progress)
+  : Points(GetVisible(scene, view, count, lms3dGetStepProgress(progress, 0.0, 0.2)))
   , VisibleShare(GetShare(this->Points.size(), count))
 {
   if (this->VisibleShare < 1.0)
@@ -115,8 +117,8 @@ lms3dSceneErrors::lms3dSceneErrors(const lms3dSurfaceQuery& map, const lms3dSurf
     const double samples =
       count / std::max(this->VisibleShare, 1.0 / MaximumSamplesPerVisibleSample);
     const std::int64_t refined = static_cast<std::int64_t>(std::ceil(samples));
-    this->Points = GetVisible(scene, view, refined);
+    this->Points = GetVisible(scene, view, refined, lms3dGetStepProgress(progress, 0.2, 0.4));
     this->VisibleShare = GetShare(this->Points.size(), refined);
   }
-  this->Distances = lms3dGetDistances(map, this->Points);
+  this->Distances = lms3dGetDistances(map, this->Points, lms3dGetStepProgress(progress, 0.4, 1.0));
 }

@@ -10,16 +10,20 @@
 #include "Comparison/lms3dSensorView.h"
 #include "Comparison/lms3dSurfaceQuery.h"
 #include "Comparison/lms3dSurfaceSamples.h"
+#include "Pipeline/lms3dProgress.h"
 
 #include <cstdint>
 #include <vector>
+
+// Everything here throws lms3dBuildStopped if `progress` stopped it.
 
 /// Errors at samples of the map.
 struct lms3dMapErrors
 {
   /// Takes `count` samples, at least 1. `tolerance` is in metres.
   lms3dMapErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
-    const lms3dSensorView& view, double tolerance, std::int64_t count);
+    const lms3dSensorView& view, double tolerance, std::int64_t count,
+    const lms3dProgress& progress);
 
   lms3dSurfaceSamples Samples;
 
@@ -47,7 +51,7 @@ struct lms3dSceneErrors
    * scene.
    */
   lms3dSceneErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
-    const lms3dSensorView& view, std::int64_t count);
+    const lms3dSensorView& view, std::int64_t count, const lms3dProgress& progress);
 
   /// The samples that the view covers and that no part of the scene hides. May be empty.
   lms3dSurfaceQuery::Points Points;
@@ -61,7 +65,7 @@ struct lms3dSceneErrors
 
 /// Returns the distance of each point from the surface, metres; infinite for a point that is not
 /// finite.
-std::vector<double> lms3dGetDistances(
-  const lms3dSurfaceQuery& surface, const lms3dSurfaceQuery::Points& points);
+std::vector<double> lms3dGetDistances(const lms3dSurfaceQuery& surface,
+  const lms3dSurfaceQuery::Points& points, const lms3dProgress& progress);
 
 #endif

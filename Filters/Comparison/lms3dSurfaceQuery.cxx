@@ -7,16 +7,43 @@
 #include "Casting/lms3dTriangle.h"
 #include "Geometry/lms3dTriangleDistance.h"
 #include "Kernels/lms3dPacketKernels.h"
+#include "Pipeline/lms3dProgressReporter.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace
 {
+// The points of a task: many enough to hide its cost, few enough for a quick abort.
+constexpr std::size_t BlockSize = 1024;
+
+// Runs `work` in parallel for each block of `count` points, given as its first and its end.
+template <typename Work>
+void RunInBlocks(std::size_t count, const lms3dProgress& progress, const Work& work)
+{
+  const std::size_t blocks = (count + BlockSize - 1) / BlockSize;
+  lms3dProgressReporter reporter(progress);
+  std::atomic<std::size_t> done{ 0 };
+  tbb::parallel_for(std::size_t(0), blocks,
+    [&](std::size_t block)
+    {
+      if (!reporter.IsStopped())
+      {
+        work(block * BlockSize, std::min(count, (block + 1) * BlockSize));
+        reporter.Report(static_cast<double>(++done) / static_cast<double>(blocks));
+      }
+    });
+  if (reporter.IsStopped())
+  {
+    throw lms3dBuildStopped();
+  }
+}
+
 // Keeps the nearest of the triangles that Embree offers.
 class NearestTriangle final : public lms3dNearestTest
 {
@@ -81,14 +108,15 @@ lms3dSurfaceQuery::lms3dSurfaceQuery(lms3dTriangleMesh mesh, const lms3dProgress
 {
 }
 
-std::vector<lms3dNearest> lms3dSurfaceQuery::FindNearest(const Points& points) const
+std::vector<lms3dNearest> lms3dSurfaceQuery::FindNearest(
+  const Points& points, const lms3dProgress& progress) const
 {
   std::vector<lms3dNearest> nearest(points.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size()),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  RunInBlocks(points.size(), progress,
+    [&](std::size_t first, std::size_t last)
     {
       std::uint32_t guess = 0;
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      for (std::size_t i = first; i < last; ++i)
       {
         nearest[i] = this->FindNearest(points[i], guess);
         guess = nearest[i].Triangle;
@@ -109,20 +137,20 @@ lms3dNearest lms3dSurfaceQuery::FindNearest(const lms3dVector& point, std::uint3
 }
 
 std::vector<double> lms3dSurfaceQuery::GetRangesTowards(
-  const lms3dVector& origin, const Points& points) const
+  const lms3dVector& origin, const Points& points, const lms3dProgress& progress) const
 {
   constexpr std::size_t Size = lms3dBeamPacket::Size;
+  static_assert(BlockSize % Size == 0, "A packet lies in one block.");
   const lms3dRayOrigin rayOrigin = { { origin[0], origin[1], origin[2] },
     std::numeric_limits<double>::infinity() };
   std::vector<double> ranges(points.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (points.size() + Size - 1) / Size),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  RunInBlocks(points.size(), progress,
+    [&](std::size_t first, std::size_t last)
     {
-      for (std::size_t packet = range.begin(); packet < range.end(); ++packet)
+      for (; first < last; first += Size)
       {
-        const std::size_t first = packet * Size;
         this->CastTowards(rayOrigin, points.data() + first,
-          static_cast<int>(std::min(Size, points.size() - first)), ranges.data() + first);
+          static_cast<int>(std::min(Size, last - first)), ranges.data() + first);
       }
     });
   return ranges;

@@ -25,29 +25,29 @@ struct lms3dNearest
 };
 
 /// Both queries use the threads of the calling TBB arena. The results do not depend on the number of
-/// threads.
+/// threads. The queries and the constructor throw lms3dBuildStopped if `progress` stopped them.
 class lms3dSurfaceQuery
 {
 public:
   /// World coordinates, metres.
   using Points = std::vector<lms3dVector>;
 
-  /// Takes the mesh over, which must have at least one triangle and none without area. Throws
-  /// lms3dBuildStopped if `progress` stopped the build.
+  /// Takes the mesh over, which must have at least one triangle and none without area.
   lms3dSurfaceQuery(lms3dTriangleMesh mesh, const lms3dProgress& progress);
 
   const lms3dTriangleMesh& GetMesh() const { return this->Mesh; }
 
   /// Returns the nearest triangle of each point. Distances are exact within the rounding of double,
   /// and infinite for a point that is not finite.
-  std::vector<lms3dNearest> FindNearest(const Points& points) const;
+  std::vector<lms3dNearest> FindNearest(const Points& points, const lms3dProgress& progress) const;
 
   /**
    * Casts a beam from `origin` towards each point. Returns the range of the first hit in metres, or
    * infinity without a hit. Single precision decides which triangle is hit: a beam that passes an
    * edge within 1e-6 of the surface's size may hit the triangle on the other side.
    */
-  std::vector<double> GetRangesTowards(const lms3dVector& origin, const Points& points) const;
+  std::vector<double> GetRangesTowards(
+    const lms3dVector& origin, const Points& points, const lms3dProgress& progress) const;
 
 private:
   lms3dNearest FindNearest(const lms3dVector& point, std::uint32_t guess) const;

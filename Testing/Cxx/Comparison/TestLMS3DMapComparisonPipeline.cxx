@@ -24,6 +24,7 @@
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 TEST(LMS3DMapComparisonPipeline, HasTheSameBitsForAnyNumberOfThreads)
 {
@@ -173,7 +174,7 @@ TEST(LMS3DMapComparisonPipeline, ComparesAgainAfterAnAbort)
         comparison.Filter->AbortExecuteOn();
       }
     });
-  for (double share : { 0.3, 0.6, 0.9 })
+  for (double share : { 0.3, 0.31, 0.45, 0.6, 0.7, 0.82, 0.9 })
   {
     aborted = share;
     comparison.Filter->Modified();
@@ -194,6 +195,23 @@ TEST(LMS3DMapComparisonPipeline, ComparesAgainAfterAnAbort)
   EXPECT_NEAR(comparison.Update()->GetMapToSceneMean(), 0.03, 1e-12);
   EXPECT_EQ(comparison.Filter->GetOutput()->GetNumberOfCells(), 1);
   EXPECT_GT(comparison.GetScenePoints()->GetNumberOfPoints(), 100000);
+}
+
+TEST(LMS3DMapComparisonPipeline, ReportsProgressInItsSearches)
+{
+  Comparison comparison(MakeFloor(2.0, 0.03), MakeFloor(2.0, 0.0), Point{ 0.0, 0.0, 1.0 });
+  std::vector<double> reports;
+  const ProgressListener listener(
+    comparison.Filter, [&](double progress) { reports.push_back(progress); });
+  comparison.Update();
+  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  for (double first : { 0.3, 0.6 })
+  {
+    EXPECT_GT(std::count_if(reports.begin(), reports.end(),
+                [first](double report) { return report > first && report < first + 0.29; }),
+      1)
+      << first;
+  }
 }
 
 TEST(LMS3DMapComparisonPipeline, IsOnePiece)
