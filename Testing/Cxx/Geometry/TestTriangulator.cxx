@@ -157,9 +157,15 @@ TEST(Triangulator, KeepsAStraightCornerOfAConvexPolygonAsAVertex)
   const Corners square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
   for (std::size_t side = 0; side < 4; ++side)
   {
-    Corners corners = square;
-    const lms3dVector middle = lms3dScale(lms3dAdd(square[side], square[(side + 1) % 4]), 0.5);
-    corners.insert(corners.begin() + static_cast<std::ptrdiff_t>(side + 1), middle);
+    Corners corners;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      corners.push_back(square[i]);
+      if (i == side)
+      {
+        corners.push_back(lms3dScale(lms3dAdd(square[i], square[(i + 1) % 4]), 0.5));
+      }
+    }
     for (auto shared : { lms3dTriangulator::FIRST_CORNER, lms3dTriangulator::LAST_CORNER })
     {
       lms3dTriangulator triangulator(shared);
