@@ -72,7 +72,7 @@ bool lms3dVRMLContext::CountMemory(std::size_t bytes, const std::string& file, s
 bool lms3dVRMLContext::HasMemory(std::size_t bytes, const std::string& file, std::size_t line)
 {
   return this->CheckLimit(
-    bytes <= this->GetMemoryLeft(), "MaximumMemory", "--scene-memory", file, line);
+    bytes <= this->GetMemoryLeft(), "MaximumMemory", "--scene-memory, in MB", file, line);
 }
 
 bool lms3dVRMLContext::CheckLimit(
@@ -80,9 +80,13 @@ bool lms3dVRMLContext::CheckLimit(
 {
   if (!isWithin && this->ReportedLimits.insert(limit).second)
   {
+    // Before the first node is visited, the memory is for the text, and no shape can be made.
+    const bool isText = limit == std::string("MaximumMemory") && this->Nodes == 0;
     this->Messages.AddError(file, line,
-      std::string("the rest of the scene is not read: it is larger than ") + limit +
-        " allows (on the command line " + option + ")");
+      std::string(
+        isText ? "no shape is read: the text alone" : "the rest of the scene is not read: it") +
+        " is larger than " + limit +
+        " allows. Raise this limit if you trust the scene (on the command line " + option + ")");
   }
   return isWithin;
 }

@@ -3,13 +3,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Short texts that stand for huge scenes, and the memory that vtkVRMLImporterSource may use."""
 
+import re
 import subprocess
 import sys
 import textwrap
 import time
 import unittest
 
-from vrml_reading import SQUARE, SceneTest
+from vrml_reading import SQUARE, Scene, SceneTest
 
 
 class Memory(SceneTest):
@@ -48,6 +49,27 @@ class Memory(SceneTest):
         self.assert_lost(scene)
         self.assertIn("MaximumMemory", scene.words())
         self.assertTrue(2 < scene.triangles < 4000)
+
+    def test_a_text_that_exceeds_the_memory(self):
+        """No shape is read. The error says what, where, and what to do."""
+        path = self.write("# a comment\n" + SQUARE * 1000)
+        scene = Scene(path, MaximumMemory=100_000)
+        self.assertEqual(scene.triangles, 0)
+        self.assertEqual(len(scene.errors), 1)
+        words = re.escape(f"{path} has no surface that can be read. {path}:") + (
+            r"\d+: no shape is read: the text alone is larger than MaximumMemory allows\. Raise this "
+            r"limit if you trust the scene \(on the command line --scene-memory, in MB\)")
+        self.assertRegex(scene.errors[0], words)
+        line = int(re.search(r":(\d+): no shape", scene.errors[0]).group(1))
+        self.assertTrue(10 < line < 1000, line)
+
+    def test_an_inline_whose_text_exceeds_the_memory(self):
+        """The shapes before it stay."""
+        self.write(SQUARE * 1000, "large.wrl")
+        scene = self.read(SQUARE + 'Inline { url "large.wrl" }', MaximumMemory=100_000)
+        self.assert_lost(scene, 1)
+        self.assertIn("the rest of the scene is not read: it is larger than MaximumMemory allows",
+                      scene.words())
 
     def test_memory_of_meshes(self):
         ring = " ".join(f"{i} {i * i}" for i in range(1000))
