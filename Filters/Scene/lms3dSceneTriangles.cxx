@@ -58,6 +58,7 @@ public:
     }
     this->Scene.SkippedCells = this->Surfaces.GetSkippedCells();
     this->Scene.CrossedCells = this->Surfaces.GetCrossedCells();
+    this->Scene.FirstCrossedCell = this->Surfaces.GetFirstCrossedCell();
     this->Scene.HiddenCells = this->Surfaces.GetHiddenCells();
     return true;
   }
@@ -93,6 +94,10 @@ public:
     for (std::int64_t& cell : cells)
     {
       cell = this->GlobalIds[cell];
+    }
+    if (this->Scene.CrossedCells > 0)
+    {
+      this->Scene.FirstCrossedCell = this->GlobalIds[this->Scene.FirstCrossedCell];
     }
     if (!std::is_sorted(cells.begin(), cells.end()))
     {
@@ -212,8 +217,10 @@ std::string lms3dDescribeSkippedCells(const lms3dSceneTriangles& triangles, cons
   }
   if (triangles.CrossedCells > 0)
   {
-    text << what << ": polygons that cross themselves: " << triangles.CrossedCells
-         << ". Their triangles may overlap or extend beyond them; split these polygons. ";
+    text << what << ": polygons that have too many corners for their shape, or cross themselves: "
+         << triangles.CrossedCells << ". The first is cell " << triangles.FirstCrossedCell
+         << ". Their triangles may overlap or extend beyond them; split these polygons. All other "
+            "cells are complete. ";
   }
   return text.str();
 }

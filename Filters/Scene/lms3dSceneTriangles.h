@@ -36,9 +36,12 @@ struct lms3dSceneTriangles
   /// The number of cells that were skipped because a coordinate is not finite or exceeds 1e18 m.
   std::int64_t SkippedCells = 0;
 
-  /// The number of polygons that cross themselves. Their triangles are in the mesh, but can overlap
-  /// or extend beyond the polygon.
+  /// The number of polygons that cross themselves or take too much work. Their triangles are in the
+  /// mesh, but can overlap or extend beyond the polygon.
   std::int64_t CrossedCells = 0;
+
+  /// The number of the first of these cells, -1 without any.
+  std::int64_t FirstCrossedCell = -1;
 
   /// The number of polygons and strips that were skipped because vtkGhostType marks them as
   /// HIDDENCELL.

@@ -224,7 +224,11 @@ void lms3dSurfaceTriangles::TriangulatePolygon(vtkIdType count, const vtkIdType*
   }
   const bool isSimple =
     this->Triangulator.Cut(this->Corners, [this] { return this->ReportProgress(); });
-  this->CrossedCells += isSimple || this->IsStopped ? 0 : 1;
+  if (!isSimple && !this->IsStopped)
+  {
+    this->FirstCrossedCell = this->CrossedCells == 0 ? this->Cell : this->FirstCrossedCell;
+    ++this->CrossedCells;
+  }
   for (const lms3dTriangulator::Triangle& triangle : this->Triangulator.GetTriangles())
   {
     this->AppendTriangle(points[triangle[0]], points[triangle[1]], points[triangle[2]]);

@@ -50,8 +50,12 @@ public:
   /// Returns the number of cells that were skipped because of their coordinates.
   std::int64_t GetSkippedCells() const { return this->SkippedCells; }
 
-  /// Returns the number of polygons that cross themselves.
+  ///@{
+  /// Returns the number of polygons that lms3dTriangulator did not cut exactly, and the first one's
+  /// cell, -1 without any.
   std::int64_t GetCrossedCells() const { return this->CrossedCells; }
+  std::int64_t GetFirstCrossedCell() const { return this->FirstCrossedCell; }
+  ///@}
 
   /// Returns the number of cells that were skipped because vtkGhostType marks them as HIDDENCELL.
   std::int64_t GetHiddenCells() const { return this->HiddenCells; }
@@ -75,6 +79,7 @@ private:
   lms3dTriangleMesh& Mesh;
   std::int64_t SkippedCells = 0;
   std::int64_t CrossedCells = 0;
+  std::int64_t FirstCrossedCell = -1;
   std::int64_t HiddenCells = 0;
 
   ///@{

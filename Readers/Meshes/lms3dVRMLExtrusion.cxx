@@ -168,7 +168,10 @@ private:
     }
     if (!this->Triangulator.Cut(corners))
     {
-      this->Evaluator.Warn(this->Node, "the crossSection of an Extrusion crosses itself in a cap");
+      this->Evaluator.Warn(this->Node,
+        "the crossSection of an Extrusion has too many corners for its shape, or crosses itself, "
+        "in a "
+        "cap; the triangles may overlap or extend beyond the cap");
     }
     const std::int32_t offset = static_cast<std::int32_t>(section * this->Corners);
     for (lms3dTriangulator::Triangle triangle : this->Triangulator.GetTriangles())

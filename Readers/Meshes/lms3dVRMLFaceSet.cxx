@@ -207,8 +207,9 @@ private:
     if (this->Crossed > 0)
     {
       this->Evaluator.Warn(this->Node,
-        CountFaces(this->Crossed, " crosses itself", " cross themselves") +
-          "; its triangles may overlap or extend beyond it");
+        CountFaces(this->Crossed, " has too many corners for its shape, or crosses itself",
+          " have too many corners for their shape, or cross themselves") +
+          "; the triangles may overlap or extend beyond it: split such faces");
     }
   }
 

@@ -120,6 +120,22 @@ class Large(SceneTest):
         points[::2] *= 0.5
         self.check(points, self.CORNERS / 2 * 0.5 * math.sin(2 * np.pi / self.CORNERS))
 
+    def test_a_triangle_with_sides_that_bow_inwards(self):
+        """Few corners are convex, so it takes too much work. The message says what to do, and no other
+        face is lost."""
+        side = np.arange(0, 1, 1e-4)
+        bow = side + 0.4j * side * (1 - side)
+        turn = np.exp(2j * np.pi / 3)
+        outline = np.concatenate((bow, 1 + turn * bow, 1 + turn + turn ** 2 * bow))
+        scene = self.read(SQUARE + face(np.column_stack((outline.real, outline.imag))) + SQUARE)
+        self.assertEqual((scene.errors, len(scene.warnings)), ([], 1))
+        self.assertRegex(scene.messages[0], r"scene\.wrl:\d+: .*1 .*too many corners for its shape, or "
+                                            r"crosses itself.*: split such faces")
+        self.assertEqual(scene.triangles, 2 + len(outline) - 2 + 2)
+        areas = np.bincount(scene.shape_ids, scene.areas())
+        self.assertAlmostEqual(areas[0], 1)
+        self.assertAlmostEqual(areas[2], 1)
+
     def test_comb(self):
         teeth = self.CORNERS // 4
         points = [(2 * i + x, y) for i in range(teeth) for x, y in ((0, 0), (0, 9), (1, 9), (1, 0))]

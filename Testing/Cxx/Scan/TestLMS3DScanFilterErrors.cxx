@@ -9,13 +9,16 @@
 #include <vtkCommand.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
 #include <vtkPoints.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -227,6 +230,35 @@ TEST(LMS3DScanFilterErrors, APolygonThatCrossesItselfIsFilledWithAWarning)
     EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
     observer->Clear();
   }
+}
+
+// The sides of a triangle bow inwards, so few corners are convex.
+TEST(LMS3DScanFilterErrors, APolygonOfTooManyCornersIsNamedAndNothingElseIsLost)
+{
+  constexpr int count = 30000;
+  std::vector<Point> corners;
+  for (int i = 0; i < count; ++i)
+  {
+    const double t = 3.0 * i / count;
+    const int side = static_cast<int>(t);
+    const double along = t - side;
+    const double angle = 2.0 * vtkMath::Pi() * side / 3.0;
+    const double next = angle + 2.0 * vtkMath::Pi() / 3.0;
+    const double share = 1.0 - 1.2 * along * (1.0 - along);
+    corners.push_back({ share * (std::cos(angle) * (1.0 - along) + std::cos(next) * along),
+      share * (std::sin(angle) * (1.0 - along) + std::sin(next) * along), 0.5 });
+  }
+  vtkSmartPointer<vtkPolyData> ball = MakeBall(2.0, 8);
+  vtkNew<vtkLMS3DScanFilter> scan;
+  scan->SetInputDataObject(Join(ball, MakePolygon(corners)));
+  vtkNew<vtkTest::ErrorObserver> observer;
+  scan->AddObserver(vtkCommand::WarningEvent, observer);
+  EXPECT_EQ(UpdateAndGetError(scan), "");
+  EXPECT_NE(observer->GetWarningMessage().find("cross themselves: 1. The first is cell " +
+              std::to_string(ball->GetNumberOfCells()) + ". "),
+    std::string::npos)
+    << observer->GetWarningMessage();
+  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 361 * 360);
 }
 
 TEST(LMS3DScanFilterErrors, APolygonWithoutAreaIsNone)

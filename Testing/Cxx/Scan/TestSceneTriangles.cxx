@@ -150,6 +150,7 @@ TEST_F(SceneTriangles, OfAPolygonThatCrossesItselfAreThoseOfTheReader)
     EXPECT_EQ(GetMessages(read).size(), 1u);
     EXPECT_FALSE(scene.Mesh.Triangles.empty());
     EXPECT_EQ(GetTriangles(scene.Mesh), GetTriangles(read));
+    EXPECT_EQ(scene.FirstCrossedCell, 0);
     EXPECT_NE(lms3dDescribeSkippedCells(scene, "The scene").find("cross themselves: 1."),
       std::string::npos);
   }
