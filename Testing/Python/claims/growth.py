@@ -41,7 +41,7 @@ def make_claims():
               0.05, 0.1),
         Claim(ACCURACY, "a power of about -0.3", power("map", "map within 10 mm", "threads"),
               -0.4, -0.2),
-        *make_spread(ACCURACY, "the plain grid and building have about -0.9",
+        *make_spread(ACCURACY, "the plain grid and the build of `Exact` have about -0.9",
                      [power("map", "plain grid", "threads"), power("build", "Exact", "threads")],
                      -1, -0.8),
         Claim(ACCURACY, "takes 1.7 times the memory of its scan",

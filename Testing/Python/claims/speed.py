@@ -115,28 +115,32 @@ def make_claims():
 def make_map_claims():
     """Maps, as performance.md and the README describe them."""
     scene, hills = {"column": "to scene mean mm"}, {"scene": "terrain1e5"}
+    farthest = {name: [local_map(QUADRICS, "10", scene=name, column="farthest return mm"),
+                       grid(scene=name, column="farthest return mm")]
+                for name in ("room", "teapot")}
     claims = [Claim(PERFORMANCE, *claim) for claim in (
-        ("about as near to the scene as the plain grid",
+        ("at about the same distance to the scene as the [plain grid]",
          bounded("10", **scene) / grid(**scene), 0.9, 1.1),
-        ("is a third farther", local_map(QUADRICS, "10", **scene) / bounded("10", **scene),
-         1.25, 1.4),
-        ("returns are two thirds of a metre away",
-         local_map(QUADRICS, "10", column="farthest return mm") / 1000, 0.64, 0.69),
+        ("the distance is a third larger",
+         local_map(QUADRICS, "10", **scene) / bounded("10", **scene), 1.25, 1.4),
+        ("returns are two thirds of a metre away", min(farthest["room"]) / 1000, 0.64, 0.69),
+        ("returns are two thirds of a metre away", max(farthest["room"]) / 1000, 0.64, 0.69),
         ("within 20 mm is nearer to the scene than the grid",
          bounded("20", "5", **scene) / grid("5", **scene), 0, 1),
         ("the mean of both distances is half of the grid's",
          bounded("10", **hills) / grid(**hills), 0.45, 0.55),
-        ("its returns are up to 56 mm away",
-         local_map(QUADRICS, "10", scene="teapot", column="farthest return mm"), 55.5, 56.5),
+        ("as in the plain grid, returns are up to 56 mm away", min(farthest["teapot"]), 55.5, 56.5),
+        ("as in the plain grid, returns are up to 56 mm away", max(farthest["teapot"]), 55.5, 56.5),
         ("takes about six times as long as with a bound of 0",
          bounded("5", "5", column="ms") / grid("5", column="ms"), 5, 7),
     )]
     return claims + [Claim(README, *claim) for claim in (
         ("less than a hundredth of the plain grid's triangles",
          bounded("10", column="triangles") / grid(column="triangles"), 0.005, 0.01),
-        ("about as near to the scene", bounded("10", **scene) / grid(**scene), 0.9, 1.1),
+        ("its mean distance to the scene is about the same",
+         bounded("10", **scene) / grid(**scene), 0.9, 1.1),
         ("more than 500 times as long",
          local_map(QUADRICS, "10", column="ms") / bounded("10", column="ms"), 500, 700),
-        ("a third farther from the scene",
+        ("the mean distance is a third larger",
          local_map(QUADRICS, "10", **scene) / bounded("10", **scene), 1.25, 1.4),
     )]
