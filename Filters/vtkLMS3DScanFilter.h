@@ -83,19 +83,14 @@
  * image, as VTK distributes images. All processes use the trajectory of the first.
  * @par
  * With EXACT, ANGLE_SUM and MOLLER_TRUMBORE the scan is the same to the bit for every distribution
- * of the scene, provided that no cell was cut and that all cells have global ids, which ParaView's
- * RedistributeDataSet generates. Among hits at the same range, the cell with the smallest number is
- * returned. Without global ids, cells are numbered consecutively over the processes, so CellId, and
- * which of several hits at the same range is returned, depend on the distribution. The other
- * methods round each piece differently.
+ * of the scene, provided that no cell was cut and that all cells have global ids
+ * (Documentation/parallel.md).
  * @par
  * Surface attributes come from the process whose triangle was hit. A cell array must exist on all
  * processes that have returns, or, if there is no return, on all that have triangles. Arrays of
  * vtkIdType become arrays of vtkTypeInt64.
  * @par
- * The filter warns once if the global ids show that cells are missing: ids up to N, but fewer than
- * N + 1 cells in all processes together. (If no cell has the id 0, fewer than N, because some file
- * formats number from 1.)
+ * The filter warns once if the global ids show that cells are missing.
  *
  * @par Updates
  * The acceleration structure (Embree) is built again only if the scene's triangles, their cell
@@ -131,11 +126,18 @@
  * times the scene's size.
  *
  * @par Memory
- * In addition to the input and the outputs: for EXACT and FAST 24 bytes for each point and 12 for
- * each triangle (20 if some cells are not triangles), and Embree's structure; while a changed scene
- * is compared with the last one, its points and triangles again; 4 bytes for each beam, and 20 more
- * with several processes; with SurfaceAttributes 28 bytes for each return, more with global ids, while they are filled. The
- * memory of outputs that were released is kept for the next scan.
+ * In addition to the input and the outputs:
+ * - kept for EXACT and FAST: 24 bytes for each point, 12 for each triangle (20 if some cells are not
+ *   triangles), and Embree's structure;
+ * - kept for EXACT: the planes of 1,024 triangles for each thread, about 76 KB;
+ * - while a changed scene is compared with the last one: its points and triangles again;
+ * - during a scan: 4 bytes for each beam, and 20 more with several processes;
+ * - during a scan with EXACT: 64 bytes for each triangle if the sensor is inside the sphere around the
+ *   scene and the scene has at most two triangles for 16 beams, and 36 more if tiles of beams are decided at
+ *   once (at most 5,000 triangles);
+ * - while SurfaceAttributes are filled: 28 bytes for each return, more with global ids.
+ * @par
+ * The memory of outputs that were released is kept for the next scan.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkVRMLImporterSource
@@ -209,9 +211,8 @@ public:
 
   ///@{
   /**
-   * The number of turns, at least 1. A single turn has the first angle of BetaRange.
-   * AlphaResolution x BetaResolution must not exceed 2^31 - 1. The default is 360, steps of one
-   * degree over the default range.
+   * The number of turns, at least 1. A single turn has the first angle of BetaRange. The default is
+   * 360, steps of one degree over the default range.
    */
   vtkSetMacro(BetaResolution, int);
   vtkGetMacro(BetaResolution, int);
@@ -239,8 +240,8 @@ public:
    * How a beam finds the surface. For every method, the outputs do not depend on the number of
    * threads, and only ranges above 0 count.
    *
-   * EXACT: Embree finds candidates. A test in double precision with error bounds decides; if a
-   * bound leaves a sign open, exact arithmetic decides (Shewchuk 1997). The answer is exact for the
+   * EXACT: Embree finds candidates. Tests in single and double precision with error bounds decide;
+   * if a bound leaves a sign open, exact arithmetic decides (Shewchuk 1997). The answer is exact for the
    * vertices and Position as they are in double precision, and for the direction of the beam as it
    * is rounded (its length is 1 to about 3e-16). Triangles are closed, so no beam passes between
    * two triangles that share an edge or a vertex. A beam in the plane of a triangle does not hit
@@ -265,9 +266,8 @@ public:
    * of a triangle lies inside if the angles between its corners sum to 2 pi, within 1e-6, or if it
    * is closer to a corner than 1e-9 of the range. So a beam that passes an edge of a triangle by
    * less than about 1e-7 of the triangle's size hits it, and a needle narrower than that is a line
-   * that hides what lies behind. The method as printed in the paper mirrors planes through the
-   * origin, returns surfaces behind the sensor, gives a range of 0 for a parallel plane, and
-   * compares with 2 pi exactly, which loses most beams.
+   * that hides what lies behind. Documentation/references.md lists the errors of the method as
+   * printed in the paper, which are corrected here.
    *
    * MOLLER_TRUMBORE: the textbook test (Moeller and Trumbore 1997) in double precision, by brute
    * force. Triangles that share an edge do not round alike, so beams exactly at edges and vertices

@@ -19,8 +19,9 @@
  * need more triangles. With noise, the bound counts from the noisy returns. The surface extends beyond the
  * last returns by less than a cell of the grid, on average midway to the next beam.
  *
- * With a MaximumError of 0, the filter makes the plain grid: every return is a vertex, and each cell of
- * the grid of beams and turns has two triangles, divided along the shorter diagonal.
+ * With a MaximumError of 0, the filter makes the plain grid: every return is a vertex, and a cell of the
+ * grid of beams and turns has two triangles, divided along the shorter diagonal, if its four returns are
+ * on one surface. A return without neighbours on its surface is a point without a triangle.
  *
  * No triangle crosses a depth step. Two neighbouring returns lie on one surface if
  *
