@@ -23,7 +23,7 @@ def make_claims():
         *make_spread(ACCURACY, "err by some millionths", packet_errors, 0.5e-6, 5e-6),
         *make_spread(ACCURACY, "take almost three times as long as `Exact` in the room",
                      [beam(name) / room for name in ("Embree robust rays", "Open3D")], 2.4, 3.1),
-        *make_spread(ACCURACY, "takes about 250 times as long in the room",
+        *make_spread(ACCURACY, "takes about 250 times as long as `Exact` in the room",
                      [beam(name) / room for name in ("vtkStaticCellLocator", "StaticCellLocator")],
                      200, 300),
         Claim(ACCURACY, "without a tolerance it misses one beam in a thousand",
