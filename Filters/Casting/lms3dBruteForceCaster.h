@@ -7,6 +7,7 @@
 #ifndef lms3dBruteForceCaster_h
 #define lms3dBruteForceCaster_h
 
+#include "Casting/lms3dPacketBeams.h"
 #include "Casting/lms3dRayCaster.h"
 #include "Casting/lms3dTriangle.h"
 #include "Geometry/lms3dVector.h"
@@ -30,11 +31,7 @@ public:
   {
     for (int i = 0; i < count; ++i)
     {
-      for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
-      {
-        packets[i].Range[beam] = lms3dBeamPacket::NoRange;
-        packets[i].Triangle[beam] = lms3dBeamPacket::NoTriangle;
-      }
+      lms3dSetTriangle(lms3dBeamPacket::NoTriangle, packets[i]);
     }
     // Prepares each triangle once for all packets.
     for (std::size_t triangle = 0; triangle < this->GetMesh().GetNumberOfTriangles(); ++triangle)
@@ -58,9 +55,7 @@ private:
   {
     for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
     {
-      const lms3dVector direction = { packet.Direction[0][beam], packet.Direction[1][beam],
-        packet.Direction[2][beam] };
-      const double range = test.GetRange(direction);
+      const double range = test.GetRange(lms3dGetDirection(packet, beam));
       if (range > 0.0 && range <= maximumRange && range < packet.Range[beam])
       {
         packet.Range[beam] = range;

@@ -95,7 +95,7 @@ struct lms3dEmbreeCandidates::Internals
       double x[3];
       for (int corner = 0; corner < 3; ++corner)
       {
-        x[corner] = normalization.GetCoordinate(self->Mesh.GetCorner(triangle, corner), axis);
+        x[corner] = normalization.NormalizeCoordinate(self->Mesh.GetCorner(triangle, corner), axis);
       }
       low[axis] = static_cast<float>(std::min({ x[0], x[1], x[2] })) - BoxMargin;
       high[axis] = static_cast<float>(std::max({ x[0], x[1], x[2] })) + BoxMargin;
@@ -155,9 +155,9 @@ double lms3dEmbreeCandidates::GetUnit() const
   return this->Internal->Tree.GetNormalization().GetDiagonal();
 }
 
-bool lms3dEmbreeCandidates::IsNear(const double origin[3]) const
+bool lms3dEmbreeCandidates::IsInBoundingSphere(const double point[3]) const
 {
-  return this->Internal->Tree.GetNormalization().GetCone(origin).Minimum < 0.0;
+  return this->Internal->Tree.GetNormalization().GetCone(point).Minimum < 0.0;
 }
 
 lms3dCone lms3dEmbreeCandidates::GetCone(const double origin[3]) const

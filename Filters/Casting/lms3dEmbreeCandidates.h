@@ -28,16 +28,16 @@ public:
   lms3dEmbreeCandidates(const lms3dEmbreeCandidates&) = delete;
   lms3dEmbreeCandidates& operator=(const lms3dEmbreeCandidates&) = delete;
 
-  /// Fills Triangle of some packets as lms3dExactView does. The view must be of the same mesh, with the
-  /// unit of this object. Several threads may call this at once.
+  /// Fills Triangle of `count` packets, at least one, as lms3dExactView does. The view must be of the same
+  /// mesh, with the unit of this object. Several threads may call this at once.
   void Cast(const lms3dExactView& view, lms3dBeamPacket* packets, int count) const;
 
   /// Returns the diagonal of the scene without its outliers, metres.
   double GetUnit() const;
 
-  /// Returns whether an origin, world coordinates, is so near to the scene that it may be seen in all
-  /// directions.
-  bool IsNear(const double origin[3]) const;
+  /// Returns whether a point, world coordinates, is inside the bounding sphere of the scene without its
+  /// outliers.
+  bool IsInBoundingSphere(const double point[3]) const;
 
   /// Returns the directions in which the scene lies, seen from an origin in world coordinates. With
   /// outliers, these are all directions.

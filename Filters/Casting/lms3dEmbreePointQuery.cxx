@@ -20,7 +20,7 @@ struct Search
   /// Takes metres, returns units of the normalized scene.
   float GetRadius(double distance) const
   {
-    return static_cast<float>(this->Normalization->GetDistance(distance)) * SearchFactor +
+    return static_cast<float>(this->Normalization->NormalizeLength(distance)) * SearchFactor +
       SearchMargin;
   }
 };
@@ -44,9 +44,9 @@ void lms3dFindNearestTriangle(const lms3dEmbreeTriangles& triangles, const doubl
   const lms3dNormalization& normalization = triangles.GetTree().GetNormalization();
   Search search = { &test, &normalization };
   RTCPointQuery query;
-  query.x = static_cast<float>(normalization.GetCoordinate(point, 0));
-  query.y = static_cast<float>(normalization.GetCoordinate(point, 1));
-  query.z = static_cast<float>(normalization.GetCoordinate(point, 2));
+  query.x = static_cast<float>(normalization.NormalizeCoordinate(point, 0));
+  query.y = static_cast<float>(normalization.NormalizeCoordinate(point, 1));
+  query.z = static_cast<float>(normalization.NormalizeCoordinate(point, 2));
   query.time = 0.0f;
   query.radius = search.GetRadius(maximumDistance);
   RTCPointQueryContext context;

@@ -23,7 +23,8 @@ protected:
 };
 
 /// Calls `test` with all triangles that can be the nearest to a point, and with all others at the
-/// same distance. Coordinates are world coordinates. The search ends at a maximum distance, metres. All coordinates of the point must be finite.
+/// same distance. Coordinates are world coordinates. The search ends at a maximum distance, metres.
+/// All coordinates of the point must be finite.
 void lms3dFindNearestTriangle(const lms3dEmbreeTriangles& triangles, const double point[3],
   double maximumDistance, lms3dNearestTest& test);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dEmbreeRays.h"
 
+#include "Casting/lms3dBitMask.h"
+
 #include <algorithm>
 
 namespace
@@ -25,7 +27,7 @@ lms3dEmbreeRays::lms3dEmbreeRays(
   , Origin(origin)
   , Cone(tree.GetNormalization().GetCone(origin.Position))
   , RayOffset(tree.GetNormalization().GetRayOffset(origin.Position))
-  , NarrowRayOffset(static_cast<float>(tree.GetNormalization().GetDistance(this->RayOffset)))
+  , NarrowRayOffset(static_cast<float>(tree.GetNormalization().NormalizeLength(this->RayOffset)))
   , TFar(this->GetTFar(origin.MaximumRange))
 {
   for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
@@ -43,7 +45,8 @@ lms3dEmbreeRays::lms3dEmbreeRays(
 float lms3dEmbreeRays::GetTFar(double range) const
 {
   const double distance = (range - this->RayOffset) * TFarMargin + range * RangeRounding;
-  return std::max(0.0f, static_cast<float>(this->Tree.GetNormalization().GetDistance(distance)));
+  return std::max(
+    0.0f, static_cast<float>(this->Tree.GetNormalization().NormalizeLength(distance)));
 }
 
 void lms3dEmbreeRays::ShiftOrigins(const lms3dBeamPacket& packet)
@@ -97,8 +100,7 @@ void lms3dEmbreeRays::Intersect(std::uint32_t beams, lms3dEmbreeContext& context
   alignas(64) int valid[lms3dBeamPacket::Size];
   for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
   {
-    const std::uint32_t bit = 1u << beam;
-    valid[beam] = (beams & bit) == bit ? -1 : 0;
+    valid[beam] = lms3dHasBit(beams, beam) ? -1 : 0;
   }
 #if LMS3D_EMBREE_MAJOR >= 4
   rtcInitRayQueryContext(&context);

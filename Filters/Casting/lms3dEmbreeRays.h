@@ -22,7 +22,8 @@ using lms3dEmbreeContext = RTCRayQueryContext;
 using lms3dEmbreeContext = RTCIntersectContext;
 #endif
 
-/// Serves one packet after the other, all with the same origin. Keeps a reference to the tree.
+/// Serves one packet after the other, all with the same origin. Keeps references to `tree` and
+/// `origin`, which must outlive the object.
 class lms3dEmbreeRays
 {
 public:

@@ -4,8 +4,8 @@
 
 #include "Casting/lms3dEmbreeRays.h"
 #include "Casting/lms3dEmbreeTree.h"
+#include "Casting/lms3dPacketBeams.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace
@@ -24,7 +24,8 @@ lms3dEmbreeHandle<RTCGeometry> MakeGeometry(
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      *vertex++ = static_cast<float>(tree.GetNormalization().GetCoordinate(point.data(), axis));
+      *vertex++ =
+        static_cast<float>(tree.GetNormalization().NormalizeCoordinate(point.data(), axis));
     }
   }
   return geometry;
@@ -49,8 +50,7 @@ void lms3dEmbreeTriangles::Cast(
   for (int i = 0; i < count; ++i)
   {
     lms3dBeamPacket& packet = packets[i];
-    std::fill_n(packet.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
-    std::fill_n(packet.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
+    lms3dSetTriangle(lms3dBeamPacket::NoTriangle, packet);
     const std::uint32_t active = rays.Prepare(packet);
     if (active != 0)
     {

@@ -28,8 +28,8 @@ public:
   lms3dEmbreeTriangles(const lms3dEmbreeTriangles&) = delete;
   lms3dEmbreeTriangles& operator=(const lms3dEmbreeTriangles&) = delete;
 
-  /// Sets Triangle of the active beams of some packets; Range becomes NoRange. Several threads may
-  /// call this at once.
+  /// Sets Triangle of the active beams of `count` packets, at least one; Range becomes NoRange. Several
+  /// threads may call this at once.
   void Cast(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
 
   const lms3dEmbreeTree& GetTree() const { return *this->Tree; }

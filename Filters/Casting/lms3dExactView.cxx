@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dExactView.h"
 
-#include "Casting/lms3dBeamMask.h"
+#include "Casting/lms3dBitMask.h"
+#include "Casting/lms3dPacketBeams.h"
 #include "Casting/lms3dTriangle.h"
 
 #include <tbb/parallel_for.h>
@@ -21,9 +22,7 @@ float RoundUp(double x)
 bool IsInside(const lms3dCorners& corners, const lms3dRayOrigin& origin, int beam,
   const lms3dBeamPacket& packet)
 {
-  const double direction[3] = { packet.Direction[0][beam], packet.Direction[1][beam],
-    packet.Direction[2][beam] };
-  return lms3dIsInside(corners, origin.Position, direction);
+  return lms3dIsInside(corners, origin.Position, lms3dGetDirection(packet, beam).data());
 }
 } // namespace
 
@@ -56,8 +55,7 @@ void lms3dExactView::Begin(lms3dBeamPacket& packet, lms3dPacketSearch& search) c
   const float inverse = this->MinimumInverse;
   std::fill_n(search.Hits.InverseRange, lms3dBeamPacket::Size, inverse);
   std::fill_n(search.Hits.Error, lms3dBeamPacket::Size, lms3dNarrowError * inverse);
-  std::fill_n(packet.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
-  std::fill_n(packet.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
+  lms3dSetTriangle(lms3dBeamPacket::NoTriangle, packet);
   search.HaveRange = ~0u;
   search.Packet = &packet;
 }
@@ -76,7 +74,8 @@ std::uint32_t lms3dExactView::Test(
                               : masks.Changed | this->TestWide(triangle, masks.Uncertain, search);
 }
 
-// Double precision and exact arithmetic.
+// Without the narrow triangle: single precision only rejects, double precision and exact arithmetic
+// decide.
 std::uint32_t lms3dExactView::TestWide(
   std::uint32_t triangle, std::uint32_t beams, lms3dPacketSearch& search) const
 {
@@ -112,10 +111,10 @@ std::uint32_t lms3dExactView::Update(const lms3dCorners& corners,
   return changed;
 }
 
-// Updates the beams in `uncertain`: beams that need the exact test (mask `undecided`), and beams whose
-// range needs more digits than double precision gives.
+// Updates `beams` with more digits than double precision gives. The beams in `needInsideTest` also need
+// the exact test.
 std::uint32_t lms3dExactView::UpdateUncertain(const lms3dCorners& corners, std::int32_t triangle,
-  std::uint32_t uncertain, std::uint32_t undecided, lms3dBeamPacket& packet) const
+  std::uint32_t beams, std::uint32_t needInsideTest, lms3dBeamPacket& packet) const
 {
   double ranges[lms3dBeamPacket::Size];
   const lms3dDoubleDoublePlane plane =
@@ -134,8 +133,8 @@ std::uint32_t lms3dExactView::UpdateUncertain(const lms3dCorners& corners, std::
     const double range = ranges[beam];
     const bool isNearer = range < packet.Range[beam] ||
       (range == packet.Range[beam] && triangle < packet.Triangle[beam]);
-    if (lms3dHasBeam(uncertain, beam) && range > 0.0 && range <= this->Origin.MaximumRange &&
-      isNearer && (!lms3dHasBeam(undecided, beam) || IsInside(corners, this->Origin, beam, packet)))
+    if (lms3dHasBit(beams, beam) && range > 0.0 && range <= this->Origin.MaximumRange && isNearer &&
+      (!lms3dHasBit(needInsideTest, beam) || IsInside(corners, this->Origin, beam, packet)))
     {
       packet.Range[beam] = range;
       packet.Triangle[beam] = triangle;
@@ -154,7 +153,7 @@ void lms3dExactView::FindRanges(std::uint32_t beams, lms3dBeamPacket& packet) co
 {
   while (beams != 0)
   {
-    const std::int32_t triangle = packet.Triangle[lms3dGetFirstBeam(beams)];
+    const std::int32_t triangle = packet.Triangle[lms3dGetFirstBit(beams)];
     std::uint32_t same = 0;
     for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
     {
@@ -170,8 +169,7 @@ void lms3dExactView::FindRanges(
   std::int32_t triangle, std::uint32_t beams, lms3dBeamPacket& packet) const
 {
   lms3dBeamPacket alone = packet;
-  std::fill_n(alone.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
-  std::fill_n(alone.Triangle, lms3dBeamPacket::Size, lms3dBeamPacket::NoTriangle);
+  lms3dSetTriangle(lms3dBeamPacket::NoTriangle, alone);
   if (triangle != lms3dBeamPacket::NoTriangle)
   {
     const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
@@ -182,6 +180,6 @@ void lms3dExactView::FindRanges(
   }
   for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
   {
-    packet.Range[beam] = lms3dHasBeam(beams, beam) ? alone.Range[beam] : packet.Range[beam];
+    packet.Range[beam] = lms3dHasBit(beams, beam) ? alone.Range[beam] : packet.Range[beam];
   }
 }

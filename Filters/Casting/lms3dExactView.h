@@ -4,8 +4,8 @@
  * @file
  * @brief A mesh seen from one origin, and the test of its triangles against packets of beams.
  *
- * Each beam gets the triangle that is the smallest by the pair of range and index, among those that it
- * hits within the maximum range. Single precision decides wherever its error bounds allow. Double
+ * Each beam gets the nearest triangle that it hits within the maximum range; of equally near ones, the
+ * one with the smallest index. Single precision decides wherever its error bounds allow. Double
  * precision with an error bound decides on most other beams. Exact arithmetic decides on the rest. All
  * three find the same triangles, so the results do not depend on the order of the tests.
  */
@@ -39,7 +39,7 @@ public:
   lms3dExactView(const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, double unit);
 
   /// Computes what single precision needs, 64 bytes for each triangle, with the threads of the calling
-  /// TBB arena. Without this call, Test begins with double precision.
+  /// TBB arena. Without this call, single precision only rejects.
   void MakeNarrowTriangles();
 
   /// Begins the search of a packet whose directions are set.
@@ -70,7 +70,7 @@ private:
   std::uint32_t Update(const lms3dCorners& corners, const lms3dSensorFrameTriangle& inSensorFrame,
     std::int32_t triangle, const lms3dHitMasks& masks, lms3dBeamPacket& packet) const;
   std::uint32_t UpdateUncertain(const lms3dCorners& corners, std::int32_t triangle,
-    std::uint32_t uncertain, std::uint32_t undecided, lms3dBeamPacket& packet) const;
+    std::uint32_t beams, std::uint32_t needInsideTest, lms3dBeamPacket& packet) const;
   void FindRanges(std::uint32_t beams, lms3dBeamPacket& packet) const;
   void FindRanges(std::int32_t triangle, std::uint32_t beams, lms3dBeamPacket& packet) const;
 

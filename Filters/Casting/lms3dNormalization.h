@@ -24,22 +24,17 @@ public:
   explicit lms3dNormalization(
     const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& excluded = {});
 
-  /// Returns a normalized coordinate.
-  double Normalize(double coordinate, int axis) const
+  /// Returns one normalized coordinate of a point.
+  double NormalizeCoordinate(const double* point, int axis) const
   {
-    return (coordinate - this->Center[axis]) / this->Diagonal;
-  }
-
-  double GetCoordinate(const double* point, int axis) const
-  {
-    return this->Normalize(point[axis], axis);
+    return (point[axis] - this->Center[axis]) / this->Diagonal;
   }
 
   double GetCenter(int axis) const { return this->Center[axis]; }
   double GetDiagonal() const { return this->Diagonal; }
 
   /// Returns a normalized length.
-  double GetDistance(double range) const { return range / this->Diagonal; }
+  double NormalizeLength(double length) const { return length / this->Diagonal; }
 
   /// Returns how far along its beam a ray may start without passing the scene: 0 near the scene. Rays
   /// that can hit then start within two and a half diagonals of the centre.

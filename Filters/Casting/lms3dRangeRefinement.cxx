@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dRangeRefinement.h"
 
-#include "Casting/lms3dBeamMask.h"
+#include "Casting/lms3dBitMask.h"
 #include "Casting/lms3dTriangle.h"
 #include "Kernels/lms3dPacketKernels.h"
 
@@ -44,7 +44,6 @@ constexpr int EntriesOfCall = 64;
 constexpr int EntriesOfScan = 1024;
 
 /// Intersects beams with a triangle's plane, with about 31 digits.
-template <int NumberOfEntries>
 class DoubleDoubleIntersector
 {
 public:
@@ -95,7 +94,7 @@ private:
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dTriangleMesh& Mesh;
   double Origin[3] = { 0.0, 0.0, 0.0 };
-  PlaneCache<Plane, NumberOfEntries> Planes;
+  PlaneCache<Plane, EntriesOfScan> Planes;
 };
 
 /// The same in double precision. Planes that double precision cannot represent well are computed with
@@ -150,7 +149,7 @@ void StoreHits(Intersector& intersector, double maximumRange, lms3dBeamPacket* p
     std::uint32_t remaining = kernels.FindHits(packet);
     while (remaining != 0)
     {
-      const std::int32_t triangle = packet.Triangle[lms3dGetFirstBeam(remaining)];
+      const std::int32_t triangle = packet.Triangle[lms3dGetFirstBit(remaining)];
       double ranges[lms3dBeamPacket::Size];
       intersector.Intersect(triangle, packet, ranges);
       remaining &= ~kernels.StoreRanges(ranges, triangle, maximumRange, packet);
@@ -158,14 +157,6 @@ void StoreHits(Intersector& intersector, double maximumRange, lms3dBeamPacket* p
   }
 }
 } // namespace
-
-void lms3dRefineRanges(
-  const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count)
-{
-  DoubleDoubleIntersector<EntriesOfCall> intersector(mesh);
-  intersector.SetOrigin(origin);
-  StoreHits(intersector, origin.MaximumRange, packets, count);
-}
 
 void lms3dRefineRangesInDouble(
   const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count)
@@ -176,14 +167,12 @@ void lms3dRefineRangesInDouble(
 
 struct lms3dRangeRefinement::Internals
 {
-  using Intersector = DoubleDoubleIntersector<EntriesOfScan>;
-
-  tbb::enumerable_thread_specific<Intersector> Intersectors;
+  tbb::enumerable_thread_specific<DoubleDoubleIntersector> Intersectors;
 };
 
 lms3dRangeRefinement::lms3dRangeRefinement(const lms3dTriangleMesh& mesh)
-  : Internal(new Internals{ tbb::enumerable_thread_specific<Internals::Intersector>(
-      [&mesh] { return Internals::Intersector(mesh); }) })
+  : Internal(new Internals{ tbb::enumerable_thread_specific<DoubleDoubleIntersector>(
+      [&mesh] { return DoubleDoubleIntersector(mesh); }) })
 {
 }
 
@@ -192,7 +181,7 @@ lms3dRangeRefinement::~lms3dRangeRefinement() = default;
 void lms3dRangeRefinement::Refine(
   const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const
 {
-  Internals::Intersector& intersector = this->Internal->Intersectors.local();
+  DoubleDoubleIntersector& intersector = this->Internal->Intersectors.local();
   intersector.SetOrigin(origin);
   StoreHits(intersector, origin.MaximumRange, packets, count);
 }

@@ -12,24 +12,20 @@
 
 #include <memory>
 
-///@{
 /**
  * Sets Range of all beams of some packets that have a Triangle, metres: the distance to the plane of
- * that triangle. Removes a hit if the range is not above 0 or beyond the maximum. Triangles are
- * indices into the mesh.
+ * that triangle. Removes a hit if the range is 0 or less, or above the maximum. Triangles are indices
+ * into the mesh.
  *
- * The first function gives all digits of a double. The second gives about 13 digits. At grazing
- * incidence it gives fewer: each zero after the decimal point of the cosine of incidence costs one.
+ * Gives about 13 digits. At grazing incidence it gives fewer: each zero after the decimal point of the
+ * cosine of incidence costs one.
  */
-void lms3dRefineRanges(
-  const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count);
 void lms3dRefineRangesInDouble(
   const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count);
-///@}
 
 /**
- * lms3dRefineRanges for many calls with the same mesh and origin: each thread keeps the planes of recent
- * triangles from call to call. The results are the same bits.
+ * The same with all digits of a double. Each thread keeps the planes of recent triangles from call to
+ * call, as long as the origin stays the same. The results do not depend on earlier calls.
  */
 class lms3dRangeRefinement
 {

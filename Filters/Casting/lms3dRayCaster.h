@@ -5,9 +5,10 @@
  * @brief Finds the nearest triangle along each beam of a packet.
  *
  * Each method is a source file with one function that makes its caster. To add a method, add that
- * file to CMakeLists.txt, a row to the table in lms3dRayCaster.cxx, an enumerator with its setter to
- * vtkLMS3DScanFilter.h, and an entry to LMS3DFilters.xml. The filter, the command line and the
- * benchmark read the table; tests compare the header and the XML with it.
+ * file to CMakeLists.txt, an enumerator to lms3dRayCaster::Method, a declaration of the function and a
+ * row of the table to lms3dRayCaster.cxx, an enumerator with its setter to vtkLMS3DScanFilter.h, and an
+ * entry to LMS3DFilters.xml. The filter, the command line and the benchmark read the table; tests
+ * compare the header and the XML with it.
  */
 #ifndef lms3dRayCaster_h
 #define lms3dRayCaster_h
@@ -65,10 +66,11 @@ public:
 
   ///@{
   /**
-   * The two steps of Cast. FindNearest finds the nearest triangle of each beam by ranges of about 13
-   * digits. Of triangles at the same range it takes the one with the smallest index. RefineRanges
-   * computes the ranges of these triangles with all digits; methods whose first ranges are final do
-   * nothing. Between the two, Range of a beam with a triangle is undefined until ComputeRanges.
+   * The two steps of Cast. FindNearest finds the nearest triangle of each beam: FAST by ranges in single
+   * precision, the other methods by ranges of about 13 digits. EXACT, ANGLE_SUM and MOLLER_TRUMBORE
+   * take, of triangles at the same range, the one with the smallest index. RefineRanges computes the
+   * ranges of these triangles with all digits; methods whose first ranges are final do nothing. Between
+   * the two, Range of a beam with a triangle is undefined until ComputeRanges.
    */
   virtual void FindNearest(
     const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const = 0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dTileGrid.h"
 
+#include "Geometry/lms3dAngle.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,11 +26,11 @@ lms3dTileGrid::lms3dTileGrid(const lms3dBeamGrid& grid)
   , BlocksPerTurn(CountBlocks(grid.Beams))
   , NumberOfBlocks(CountBlocks(grid.Turns) * this->BlocksPerTurn)
 {
-  const double degree = std::acos(-1.0) / 180.0;
   for (int level = 0; level < 3; ++level)
   {
     const double angle = (Area{ level, 0, 0 }.GetSide() - 1) * grid.TurnStep;
-    this->HalfCosines[level] = static_cast<float>(std::cos(0.5 * angle * degree) * CosineMargin);
+    this->HalfCosines[level] =
+      static_cast<float>(std::cos(0.5 * angle * lms3dRadiansPerDegree) * CosineMargin);
   }
 }
 

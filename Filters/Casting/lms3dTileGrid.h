@@ -16,9 +16,11 @@ class lms3dTileGrid
 {
 public:
   ///@{
-  /// Turns, and beams, of a block and of a tile. Each is four times as long as the next.
-  static constexpr int BlockSide = 16 * lms3dBeamGrid::Side;
-  static constexpr int TileSide = 4 * lms3dBeamGrid::Side;
+  /// Turns, and beams, of a block and of a tile. A block has 4 x 4 tiles, a tile 4 x 4 packets.
+  static constexpr int PartsPerSide = 4;
+  static constexpr int TileSide = PartsPerSide * lms3dBeamGrid::Side;
+  static constexpr int BlockSide = PartsPerSide * TileSide;
+  static_assert(PartsPerSide * PartsPerSide == lms3dTiles::Size);
   ///@}
 
   /// A square part of the grid, cut off at the grid's end. The level is 0 for a block, 1 for a tile and
@@ -29,13 +31,18 @@ public:
     int Turn;
     int Beam;
 
-    int GetSide() const { return BlockSide >> (2 * this->Level); }
+    int GetSide() const
+    {
+      constexpr int Sides[] = { BlockSide, TileSide, lms3dBeamGrid::Side };
+      return Sides[this->Level];
+    }
 
-    /// Returns one of the 4 x 4 parts, numbered by turn, then by beam.
+    /// Returns one of the parts of a block or tile, numbered by turn, then by beam.
     Area GetPart(int i) const
     {
-      const int side = this->GetSide() / 4;
-      return { this->Level + 1, this->Turn + i / 4 * side, this->Beam + i % 4 * side };
+      const int side = this->GetSide() / PartsPerSide;
+      return { this->Level + 1, this->Turn + i / PartsPerSide * side,
+        this->Beam + i % PartsPerSide * side };
     }
   };
 
@@ -55,11 +62,12 @@ public:
   int FindBlock(int turn, int beam) const;
   static int FindPart(int turn, int beam)
   {
-    return turn % BlockSide / TileSide * 4 + beam % BlockSide / TileSide;
+    return turn % BlockSide / TileSide * PartsPerSide + beam % BlockSide / TileSide;
   }
   ///@}
 
-  /// Sets the input of FillTileCorners for one of sixteen tiles.
+  /// Sets the input of FillTileCorners for tile `i`, from 0 to 15, to an area. An area that reaches beyond
+  /// the grid ends with the grid's last turn or beam; one that lies beyond it is this turn or beam alone.
   void FillTile(const Area& area, int i, lms3dTiles& tiles) const;
 
   /// Does so for all parts of an area. Returns the parts that the grid has.

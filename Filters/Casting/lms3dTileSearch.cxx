@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dTileSearch.h"
 
+#include "Casting/lms3dPacketBeams.h"
 #include "Casting/lms3dTriangle.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace
@@ -17,27 +17,6 @@ constexpr std::size_t MaximumTriangles = 5000;
 constexpr double MaximumCandidatesPerPacket = 0.75;
 constexpr std::size_t MaximumCandidatesOfTile = 64;
 constexpr std::size_t MaximumCandidatesOfPacket = 16;
-
-lms3dCornerDirections GetCornerDirections(const lms3dSensorFrameTriangle& triangle)
-{
-  lms3dCornerDirections directions;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double(&corner)[3] = triangle.Corner[i];
-    const double size = std::abs(corner[0]) + std::abs(corner[1]) + std::abs(corner[2]);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      directions.Corner[i][axis] = size > 0.0 ? static_cast<float>(corner[axis] / size) : 0.0f;
-    }
-  }
-  return directions;
-}
-
-void SetTriangle(std::int32_t triangle, lms3dBeamPacket& packet)
-{
-  std::fill_n(packet.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);
-  std::fill_n(packet.Triangle, lms3dBeamPacket::Size, triangle);
-}
 } // namespace
 
 /// The packets of one tile, in an array that has the packets of several tiles side by side.
@@ -88,7 +67,7 @@ bool lms3dTileSearch::Divide()
   tbb::parallel_for(std::size_t(0), this->Corners.size(),
     [this](std::size_t i)
     {
-      this->Corners[i] = GetCornerDirections(lms3dToSensorFrame(
+      this->Corners[i] = lms3dGetCornerDirections(lms3dToSensorFrame(
         lms3dGetCorners(this->View.GetMesh(), i), this->View.GetOrigin().Position));
     });
   const std::vector<lms3dTileCandidates> candidates = this->DivideGrid();
@@ -128,7 +107,7 @@ std::vector<lms3dTileCandidates> lms3dTileSearch::DivideGrid() const
         this->Grid.FillTile(
           this->Grid.GetBlock(std::min(first + i, this->Grid.GetNumberOfBlocks() - 1)), i, tiles);
       }
-      const lms3dTileParts parts =
+      const lms3dTileCandidateLists parts =
         this->ClassifyParts(all.data(), all.size(), (1u << count) - 1u, tiles);
       for (int i = 0; i < count; ++i)
       {
@@ -143,7 +122,7 @@ lms3dTileSearch::Block lms3dTileSearch::DivideBlock(
 {
   lms3dTiles tiles;
   const std::uint32_t present = this->Grid.FillParts(this->Grid.GetBlock(number), tiles);
-  const lms3dTileParts parts =
+  const lms3dTileCandidateLists parts =
     this->ClassifyParts(candidates.data(), candidates.size(), present, tiles);
   Block block = { {}, {}, parts.GetDecided() };
   for (int i = 0; i < lms3dTiles::Size; ++i)
@@ -154,7 +133,7 @@ lms3dTileSearch::Block lms3dTileSearch::DivideBlock(
   return block;
 }
 
-lms3dTileParts lms3dTileSearch::ClassifyParts(const lms3dTileCandidate* candidates,
+lms3dTileCandidateLists lms3dTileSearch::ClassifyParts(const lms3dTileCandidate* candidates,
   std::size_t count, std::uint32_t present, lms3dTiles& tiles) const
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -162,7 +141,7 @@ lms3dTileParts lms3dTileSearch::ClassifyParts(const lms3dTileCandidate* candidat
     tiles.Up[axis] = static_cast<float>(this->Grid.GetBeams().Up[axis]);
   }
   this->Kernels.FillTileCorners(tiles);
-  lms3dTileParts parts(count);
+  lms3dTileCandidateLists parts(count);
   lms3dTileCover cover = {};
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -194,10 +173,11 @@ void lms3dTileSearch::FindInTile(const PacketsOfTile& packets, const CastPacket&
   const int part = lms3dTileGrid::FindPart(tile.FirstTurn, tile.FirstBeam);
   const lms3dTileCandidate* candidates = block.Candidates.data() + block.First[part];
   const std::size_t count = block.First[part + 1] - block.First[part];
-  if (lms3dHasBeam(block.Decided, part))
+  if (lms3dHasBit(block.Decided, part))
   {
     const std::int32_t triangle = count == 0 ? lms3dBeamPacket::NoTriangle : candidates[0].Triangle;
-    packets.ForEach([triangle](int, lms3dBeamPacket& packet) { SetTriangle(triangle, packet); });
+    packets.ForEach(
+      [triangle](int, lms3dBeamPacket& packet) { lms3dSetTriangle(triangle, packet); });
   }
   else if (count > MaximumCandidatesOfTile)
   {
@@ -215,15 +195,15 @@ void lms3dTileSearch::FindInParts(const lms3dTileCandidate* candidates, std::siz
   lms3dTiles tiles;
   const std::uint32_t present =
     this->Grid.FillParts({ 1, packets.Tile.FirstTurn, packets.Tile.FirstBeam }, tiles);
-  const lms3dTileParts parts = this->ClassifyParts(candidates, count, present, tiles);
+  const lms3dTileCandidateLists parts = this->ClassifyParts(candidates, count, present, tiles);
   const std::uint32_t decided = parts.GetDecided();
   lms3dTileCandidates ofPacket;
   packets.ForEach(
     [&](int i, lms3dBeamPacket& packet)
     {
-      if (lms3dHasBeam(decided, i))
+      if (lms3dHasBit(decided, i))
       {
-        SetTriangle(parts.GetTriangle(i), packet);
+        lms3dSetTriangle(parts.GetTriangle(i), packet);
         return;
       }
       ofPacket.clear();

@@ -16,8 +16,8 @@
 #include "Casting/lms3dBeamGrid.h"
 #include "Casting/lms3dExactView.h"
 #include "Casting/lms3dGridCaster.h"
+#include "Casting/lms3dTileCandidateLists.h"
 #include "Casting/lms3dTileGrid.h"
-#include "Casting/lms3dTileParts.h"
 #include "Kernels/lms3dPacketKernels.h"
 
 #include <array>
@@ -69,7 +69,7 @@ private:
   bool Divide();
   std::vector<lms3dTileCandidates> DivideGrid() const;
   Block DivideBlock(int number, const lms3dTileCandidates& candidates) const;
-  lms3dTileParts ClassifyParts(const lms3dTileCandidate* candidates, std::size_t count,
+  lms3dTileCandidateLists ClassifyParts(const lms3dTileCandidate* candidates, std::size_t count,
     std::uint32_t present, lms3dTiles& tiles) const;
   void FindInTile(const PacketsOfTile& packets, const CastPacket& castPacket) const;
   void FindInParts(const lms3dTileCandidate* candidates, std::size_t count,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dTriangle.h"
 
+#include "Casting/lms3dPacketBeams.h"
 #include "Geometry/lms3dExactSum.h"
 #include "Geometry/lms3dTwoSum.h"
 
@@ -87,6 +88,21 @@ bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const do
   return (positive == 0) != (negative == 0);
 }
 
+lms3dCornerDirections lms3dGetCornerDirections(const lms3dSensorFrameTriangle& triangle)
+{
+  lms3dCornerDirections directions;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double(&corner)[3] = triangle.Corner[i];
+    const double size = std::abs(corner[0]) + std::abs(corner[1]) + std::abs(corner[2]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      directions.Corner[i][axis] = size > 0.0 ? static_cast<float>(corner[axis] / size) : 0.0f;
+    }
+  }
+  return directions;
+}
+
 bool lms3dHasArea(const lms3dCorners& corners)
 {
   const Difference p = Subtract(corners[1], corners[0]);
@@ -151,8 +167,7 @@ void lms3dIntersectNearPlane(const lms3dCorners& corners, const double origin[3]
   const double offset = GetDeterminant(a, p, q).GetValue();
   for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
   {
-    const double direction[3] = { packet.Direction[0][beam], packet.Direction[1][beam],
-      packet.Direction[2][beam] };
-    ranges[beam] = offset == 0.0 ? 0.0 : offset / GetDeterminant(direction, p, q).GetValue();
+    const lms3dVector direction = lms3dGetDirection(packet, beam);
+    ranges[beam] = offset == 0.0 ? 0.0 : offset / GetDeterminant(direction.data(), p, q).GetValue();
   }
 }

@@ -35,8 +35,12 @@ inline lms3dSensorFrameTriangle lms3dToSensorFrame(
   return triangle;
 }
 
-/// Whether a beam passes inside, without rounding: for those that double leaves in undecided.
+/// Returns whether a beam passes inside, by exact arithmetic. For the beams that double precision leaves
+/// undecided.
 bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3]);
+
+/// Returns the directions of the corners, rounded to single precision.
+lms3dCornerDirections lms3dGetCornerDirections(const lms3dSensorFrameTriangle& triangle);
 
 /// Returns whether the corners do not lie on one line, with exact arithmetic.
 bool lms3dHasArea(const lms3dCorners& corners);

@@ -3,7 +3,6 @@
 #include "Comparison/lms3dSurfaceQuery.h"
 
 #include "Casting/lms3dEmbreePointQuery.h"
-#include "Casting/lms3dRangeRefinement.h"
 #include "Casting/lms3dTriangle.h"
 #include "Geometry/lms3dTriangleDistance.h"
 #include "Kernels/lms3dPacketKernels.h"
@@ -105,6 +104,7 @@ std::uint32_t AimAtPoints(
 lms3dSurfaceQuery::lms3dSurfaceQuery(lms3dTriangleMesh mesh, const lms3dProgress& progress)
   : Mesh(std::move(mesh))
   , Triangles(this->Mesh, this->Mesh.Triangles, progress)
+  , Refinement(this->Mesh)
 {
 }
 
@@ -163,6 +163,6 @@ void lms3dSurfaceQuery::CastTowards(
   const lms3dVector position = { origin.Position[0], origin.Position[1], origin.Position[2] };
   packet.Active = AimAtPoints(position, points, count, packet);
   this->Triangles.Cast(origin, &packet, 1);
-  lms3dRefineRanges(this->Mesh, origin, &packet, 1);
+  this->Refinement.Refine(origin, &packet, 1);
   std::copy_n(packet.Range, count, ranges);
 }

@@ -9,6 +9,7 @@
 
 #include "Casting/lms3dBuildStopped.h"
 #include "Casting/lms3dEmbreeTriangles.h"
+#include "Casting/lms3dRangeRefinement.h"
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Geometry/lms3dVector.h"
 
@@ -56,6 +57,7 @@ private:
 
   const lms3dTriangleMesh Mesh;
   const lms3dEmbreeTriangles Triangles;
+  const lms3dRangeRefinement Refinement;
 };
 
 #endif

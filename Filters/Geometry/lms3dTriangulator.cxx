@@ -128,14 +128,18 @@ bool lms3dTriangulator::MayContinue(const KeepGoing& keepGoing)
   return !keepGoing || keepGoing();
 }
 
-bool lms3dTriangulator::ClipEars(const KeepGoing& keepGoing)
+void lms3dTriangulator::BeginClipping()
 {
   this->LinkCorners();
   this->BuildGrid();
   this->Work = 0;
   this->MaximumWork = WorkAllowance + WorkPerCorner * this->Polygon.GetPoints().size();
   this->NextCheck = WorkPerCheck;
+}
 
+bool lms3dTriangulator::ClipEars(const KeepGoing& keepGoing)
+{
+  this->BeginClipping();
   bool isSimple = true;
   bool stepsBack = false;
   int requirement = NO_CORNER_TOUCHES;

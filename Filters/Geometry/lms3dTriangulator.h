@@ -88,6 +88,7 @@ private:
   bool IsEar(std::int32_t corner, int requirement);
   bool IsFree(std::int32_t corner, bool mayTouch);
   void Clip(std::int32_t corner);
+  void BeginClipping();
   /// Returns whether the maximum of work is reached. From then on ears are not tested for corners.
   bool IsExhausted() const { return this->Work >= this->MaximumWork; }
   /// Returns the strictest requirement that the work done so far allows.

@@ -37,10 +37,7 @@ std::uint32_t FindInCone(const lms3dCone& cone, const lms3dBeamPacket& packet)
   Mask within;
   for (int i = 0; i < Size; ++i)
   {
-    within.Set(i,
-      packet.Direction[0][i] * cone.Axis[0] + packet.Direction[1][i] * cone.Axis[1] +
-          packet.Direction[2][i] * cone.Axis[2] >=
-        cone.Minimum);
+    within.Set(i, Dot(packet.Direction, i, cone.Axis) >= cone.Minimum);
   }
   return within.GetBits();
 }

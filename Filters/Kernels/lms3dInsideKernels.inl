@@ -69,8 +69,7 @@ Limits<Real> FindLimits(const Edge<Real>* edges, const Real (&direction)[3][Size
   Real low[3], high[3];
   for (int e = 0; e < 3; ++e)
   {
-    const Real value = direction[0][i] * edges[e].Normal[0] + direction[1][i] * edges[e].Normal[1] +
-      direction[2][i] * edges[e].Normal[2];
+    const Real value = Dot(direction, i, edges[e].Normal);
     low[e] = value - edges[e].Error;
     high[e] = value + edges[e].Error;
   }
@@ -79,21 +78,22 @@ Limits<Real> FindLimits(const Edge<Real>* edges, const Real (&direction)[3][Size
 }
 
 // Returns true if single precision proves that all beams in `beams` pass outside. This rejects most
-// candidates at half the cost. The error bound of the farthest corner serves all three edges.
+// candidates at half the cost. One error bound serves all three edges: the 1-norms of both corners of an
+// edge are at most 3 times the largest component of all corners.
 bool AllMiss(
   const lms3dSensorFrameTriangle& triangle, std::uint32_t beams, const lms3dBeamPacket& packet)
 {
   float corner[3][3];
-  float farthest = 0.0f;
+  float largest = 0.0f;
   for (int i = 0; i < 3; ++i)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       corner[i][axis] = static_cast<float>(triangle.Corner[i][axis]);
-      farthest = Maximum(farthest, corner[i][axis] < 0 ? -corner[i][axis] : corner[i][axis]);
+      largest = Maximum(largest, corner[i][axis] < 0 ? -corner[i][axis] : corner[i][axis]);
     }
   }
-  const float error = 9.0f * FloatEdgeError * farthest * farthest + FloatUnderflow;
+  const float error = 3.0f * 3.0f * FloatEdgeError * largest * largest + FloatUnderflow;
   const Edge<float> edges[3] = { MakeEdge(corner[1], corner[2], error),
     MakeEdge(corner[2], corner[0], error), MakeEdge(corner[0], corner[1], error) };
   Mask missed;
@@ -168,8 +168,7 @@ std::uint32_t UpdateNearest(const lms3dSensorFrameTriangle& corners, std::int32_
   alignas(64) double ranges[Size];
   for (int i = 0; i < Size; ++i)
   {
-    const double slope = packet.Direction[0][i] * plane.Normal[0] +
-      packet.Direction[1][i] * plane.Normal[1] + packet.Direction[2][i] * plane.Normal[2];
+    const double slope = Dot(packet.Direction, i, plane.Normal);
     const double range = plane.Offset / slope;
     ranges[i] = range;
     const bool isTie = (range == packet.Range[i]) & (triangle < packet.Triangle[i]);

@@ -18,18 +18,18 @@ namespace
 constexpr double NarrowConditioned = 1e-3;
 
 // Below this number, in cubic metres, products have underflowed.
-constexpr double SmallestOffset = 1e-280;
+constexpr double MinimumOffset = 1e-280;
 
 // Lengths whose products neither underflow nor overflow.
-constexpr double SmallestLength = 1e-100;
-constexpr double LargestLength = 1e100;
+constexpr double MinimumLength = 1e-100;
+constexpr double MaximumLength = 1e100;
 
 // The same for a plane in single precision.
-constexpr float SmallestPlane = 1e-20f;
-constexpr float LargestPlane = 1e20f;
+constexpr float MinimumPlane = 1e-20f;
+constexpr float MaximumPlane = 1e20f;
 
 // Hits that are nearer keep this value, which no triangle in single precision reaches.
-constexpr double LargestInverse = 1e30;
+constexpr double MaximumInverse = 1e30;
 
 bool IsWithin(double low, double x, double high)
 {
@@ -46,7 +46,7 @@ lms3dNarrowTriangle MakeNarrowTriangle(const lms3dSensorFrameTriangle& triangle,
   lms3dNarrowTriangle narrow;
   const double offset = Magnitude(plane.Offset);
   bool isGood =
-    (offset > NarrowConditioned * plane.MinimumSlope * size[0]) & (offset > SmallestOffset);
+    (offset > NarrowConditioned * plane.MinimumSlope * size[0]) & (offset > MinimumOffset);
   for (int e = 0; e < 3; ++e)
   {
     const int next = (e + 1) % 3;
@@ -57,7 +57,7 @@ lms3dNarrowTriangle MakeNarrowTriangle(const lms3dSensorFrameTriangle& triangle,
     {
       narrow.Edge[e][axis] = static_cast<float>(edge.Normal[axis] * scale);
     }
-    isGood &= IsWithin(SmallestLength, size[e], LargestLength);
+    isGood &= IsWithin(MinimumLength, size[e], MaximumLength);
   }
   const double scale = unit / plane.Offset;
   float sum = 0.0f;
@@ -66,7 +66,7 @@ lms3dNarrowTriangle MakeNarrowTriangle(const lms3dSensorFrameTriangle& triangle,
     narrow.Plane[axis] = static_cast<float>(plane.Normal[axis] * scale);
     sum += narrow.Plane[axis] < 0.0f ? -narrow.Plane[axis] : narrow.Plane[axis];
   }
-  isGood &= IsWithin(SmallestPlane, sum, LargestPlane);
+  isGood &= IsWithin(MinimumPlane, sum, MaximumPlane);
   narrow.PlaneError = isGood ? lms3dNarrowError * sum : -1.0f;
   return narrow;
 }
@@ -75,17 +75,13 @@ lms3dNarrowMasks UpdateNarrow(const lms3dNarrowTriangle& triangle, std::int32_t 
   std::uint32_t beams, lms3dBeamPacket& packet, lms3dNarrowHits& hits)
 {
   const float(&direction)[3][Size] = packet.NarrowDirection;
-  const float(&edge)[3][3] = triangle.Edge;
   alignas(64) float inside[Size];
   Mask mayHit;
   for (int i = 0; i < Size; ++i)
   {
-    const float a =
-      direction[0][i] * edge[0][0] + direction[1][i] * edge[0][1] + direction[2][i] * edge[0][2];
-    const float b =
-      direction[0][i] * edge[1][0] + direction[1][i] * edge[1][1] + direction[2][i] * edge[1][2];
-    const float c =
-      direction[0][i] * edge[2][0] + direction[1][i] * edge[2][1] + direction[2][i] * edge[2][2];
+    const float a = Dot(direction, i, triangle.Edge[0]);
+    const float b = Dot(direction, i, triangle.Edge[1]);
+    const float c = Dot(direction, i, triangle.Edge[2]);
     inside[i] = Minimum(Minimum(a, b), c);
     mayHit.Set(i, inside[i] > -lms3dNarrowError);
   }
@@ -100,8 +96,7 @@ lms3dNarrowMasks UpdateNarrow(const lms3dNarrowTriangle& triangle, std::int32_t 
   alignas(64) float inverse[Size];
   for (int i = 0; i < Size; ++i)
   {
-    inverse[i] = direction[0][i] * triangle.Plane[0] + direction[1][i] * triangle.Plane[1] +
-      direction[2][i] * triangle.Plane[2];
+    inverse[i] = Dot(direction, i, triangle.Plane);
     const float margin = hits.Error[i] + error;
     nearer.Set(i, (inside[i] > lms3dNarrowError) & (inverse[i] > hits.InverseRange[i] + margin));
     farther.Set(i, inverse[i] < hits.InverseRange[i] - margin);
@@ -123,7 +118,7 @@ void NarrowRanges(
   for (int i = 0; i < Size; ++i)
   {
     const bool isChanged = (changed >> i) & 1u;
-    const float inverse = static_cast<float>(Minimum(unit / packet.Range[i], LargestInverse));
+    const float inverse = static_cast<float>(Minimum(unit / packet.Range[i], MaximumInverse));
     hits.InverseRange[i] = isChanged ? inverse : hits.InverseRange[i];
     hits.Error[i] = isChanged ? lms3dNarrowError * inverse : hits.Error[i];
   }

@@ -11,17 +11,18 @@
  * turned so that directions inside have positive products, and the plane (n / n.a) times a unit of
  * length, whose product is the inverse range.
  *
- * The components of an edge are at most 1 in size. Rounding the edge to single precision, rounding d,
- * and the three products and two sums of a dot product err by at most 5 u = 3e-7 together. The error of
- * a plane's product is the same share of the plane's 1-norm.
+ * The 1-norm of an edge is at most 1, and so is each component of d. So the products of a dot product,
+ * and its sums, are at most 1 together. Rounding the edge to single precision, rounding d, and rounding
+ * the products err by at most u each, and so does each of the two sums: 5 u = 3e-7 together. The error
+ * of a plane's product is the same share of the plane's 1-norm.
  *
  * The vectors are computed in double precision, from corners that are rounded once. For directions that
  * meet the triangle this adds less than 1e-9 to either product, as long as
  * |n.a| > 1e-6 |b - a| |c - a| |a|: there, rounding moves a corner, and with it the hit, by at most
- * 1e-16 |a| / 1e-6. Beside a small triangle far away its plane can err by more. That does no harm: only
- * inside the edges, or for the whole of a tile, does the plane decide, and its product is linear, so that
- * what holds at the corners of a tile holds where the triangle is. If even the sign of n.a is lost in the
- * rounding of corners, the triangle is so narrow that all products with its edges stay below the bound.
+ * 1e-16 |a| / 1e-6. Beside a small, far triangle the plane can err by more. This is harmless: the plane
+ * decides only for beams inside the edges, or for whole tiles. Its product is linear, so what holds at a
+ * tile's corners holds wherever the triangle lies in the tile. If rounding of the corners changes even
+ * the sign of n.a, the triangle is so narrow that all products with its edges stay below the bound.
  */
 #ifndef lms3dNarrowTriangle_h
 #define lms3dNarrowTriangle_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The arithmetic that is done for all beams of a packet, or of a tile of a map, at once.
+ * @brief The arithmetic that is done for all beams of a packet, or of a strip of a map, at once.
  *
  * It is compiled for several instruction sets; the widest one of the processor is chosen at run
  * time. All give the same bits: they do the same operations in the same order, and the compiler may
@@ -18,7 +18,7 @@
 #include "Geometry/lms3dTwoSum.h"
 #include "Kernels/lms3dBeamPacket.h"
 #include "Kernels/lms3dNarrowTriangle.h"
-#include "Kernels/lms3dNormalTile.h"
+#include "Kernels/lms3dNormalStrip.h"
 #include "Kernels/lms3dTile.h"
 
 #include <cstdint>
@@ -175,9 +175,9 @@ struct lms3dPacketKernels
   void (*FillTileCorners)(lms3dTiles& tiles);
 
   /**
-   * Decides what a triangle does to tiles, and updates their cover. `masks` has the tiles to look at in
-   * Met, and in Covered none of them, or all if the triangle is known to cover them. `minimumInverse` is
-   * the inverse of the maximum range, rounded up.
+   * Decides what a triangle does to tiles, and updates their cover. On input, Met has the tiles to test;
+   * Covered equals Met if the triangle is known to cover them, otherwise 0. `minimumInverse` is the
+   * inverse of the maximum range, rounded up.
    */
   lms3dTileMasks (*ClassifyTiles)(const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle,
     const lms3dCornerDirections& corners, lms3dTileMasks masks, float minimumInverse,
@@ -203,7 +203,7 @@ struct lms3dPacketKernels
     const lms3dDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges);
 
   /// Stores the range of the beams whose Triangle is `triangle`, and returns these beams. A hit is
-  /// removed if its range is not above 0 or beyond the maximum.
+  /// removed if its range is 0 or less, or above the maximum.
   std::uint32_t (*StoreRanges)(
     const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet);
 
@@ -213,9 +213,9 @@ struct lms3dPacketKernels
   /// Computes the world coordinates of the returns, three numbers for each.
   void (*Locate)(const lms3dReturnsOfTurn& returns, double* points);
 
-  /// Adds the normals of the triangles between the tile's two turns, completes the sums of the first
+  /// Adds the normals of the triangles between the strip's two turns, completes the sums of the first
   /// turn and makes the second turn the first one.
-  void (*AddStrip)(lms3dNormalTile& tile);
+  void (*AddStrip)(lms3dNormalStrip& strip);
 };
 
 /// Returns the kernels of the processor's widest instruction set, or of a narrower one that the

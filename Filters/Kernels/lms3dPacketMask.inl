@@ -34,6 +34,13 @@ Real Maximum(Real x, Real y)
   return x > y ? x : y;
 }
 
+// The product of vector i of sixteen with one other vector.
+template <typename Real>
+Real Dot(const Real (&x)[3][Size], int i, const Real* y)
+{
+  return x[0][i] * y[0] + x[1][i] * y[1] + x[2][i] * y[2];
+}
+
 // A condition for each beam: -1 (all bits set) or 0.
 struct Mask
 {

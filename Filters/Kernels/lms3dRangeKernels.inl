@@ -71,9 +71,7 @@ void IntersectDoublePlane(
 {
   for (int i = 0; i < Size; ++i)
   {
-    ranges[i] = plane.Offset /
-      (packet.Direction[0][i] * plane.Normal[0] + packet.Direction[1][i] * plane.Normal[1] +
-        packet.Direction[2][i] * plane.Normal[2]);
+    ranges[i] = plane.Offset / Dot(packet.Direction, i, plane.Normal);
   }
 }
 

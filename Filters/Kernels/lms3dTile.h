@@ -4,7 +4,7 @@
  * @file
  * @brief Sixteen tiles of a scan's grid, and what a triangle does to each.
  *
- * A tile is a range of turns and beams. All its beams lie in the cone of four directions, its corners:
+ * A tile is a range of turns and beams: a block, a tile or a packet of lms3dTileGrid. All its beams lie in the cone of four directions, its corners:
  * the sides along turns are great circles. A side along beams is not: between two corners at the
  * elevation alpha, the great circle lies farther from the horizon than the beams. So a corner on the
  * side towards the horizon has the elevation atan(tan(alpha) cos(h)) instead, where h is half the angle
@@ -47,7 +47,8 @@ struct lms3dTiles
   ///@}
 };
 
-/// The nearest triangle that covers each tile: its inverse range at the corners with the error.
+/// The nearest triangle that covers each tile: its inverse range at the corners with the error. All
+/// zeros: no cover yet.
 struct lms3dTileCover
 {
   alignas(64) float InverseRange[4][lms3dTiles::Size];

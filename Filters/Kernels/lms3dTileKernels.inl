@@ -14,9 +14,23 @@
 
 namespace
 {
-// The bound of a product of a tile's side and a corner of a triangle. Corners, their cross product and
-// the product err by up to 35 roundings of 6e-8 together. If a tile is so thin that rounding turns a side
-// outwards, the whole tile lies within as much of that side, which the bound covers a second time.
+// The bound of a product of a tile's side and a corner of a triangle: 134 u, where u = 6e-8 is one
+// rounding. The numbers below are lengths of error vectors.
+//
+// Corner of a tile, 8 u: the cosine, the fan's axis and their product (3), the sine, its product with the
+// half cosine, the upward axis and the last product (4), and the sum (1). lms3dTileGrid has a margin for
+// the rounding of the half cosine.
+// Side, 18.5 u: its two corners (16), and the products (1.5) and the difference (1) of the cross product.
+// In each component these are 18 u.
+// Product with a triangle's corner, whose 1-norm is 1, 22 u: the side (18), the rounding of the triangle's
+// corner (1), the products (1) and the sums (2).
+//
+// If a tile is very thin, rounding can turn a side outwards. The product of the side and `inside` then is
+// at most 61 u: the side's error times 2, the length of `inside` (37), twice a corner's error and the sum
+// (18), and the roundings of the product (6). The other two corners are that near to the side's plane,
+// and since the factors of a tile's corners add up to at most 1.42, all directions in the tile are within
+// 87 u. In a tile of many beams and few turns the factors can be larger, but `inside` is shorter by as
+// much. Altogether 109 u.
 constexpr float SideError = 4.0f * lms3dNarrowError;
 
 using TileVector = float[3][Size];
@@ -72,30 +86,25 @@ void FillTileCorners(lms3dTiles& tiles)
   }
 }
 
-float Dot(const TileVector& x, int i, const float* y)
-{
-  return x[0][i] * y[0] + x[1][i] * y[1] + x[2][i] * y[2];
-}
-
 // Finds the tiles that an edge separates from the triangle, and those inside all three edges.
 void CompareWithEdges(
   const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle, Mask& outside, Mask& covered)
 {
   for (int i = 0; i < Size; ++i)
   {
-    float least = 1.0f;
-    float most = 1.0f;
+    float minimum = 1.0f;
+    float minimumOfMaxima = 1.0f;
     for (const float(&edge)[3] : triangle.Edge)
     {
       const float a = Dot(tiles.Corner[0], i, edge);
       const float b = Dot(tiles.Corner[1], i, edge);
       const float c = Dot(tiles.Corner[2], i, edge);
       const float d = Dot(tiles.Corner[3], i, edge);
-      least = Minimum(least, Minimum(Minimum(a, b), Minimum(c, d)));
-      most = Minimum(most, Maximum(Maximum(a, b), Maximum(c, d)));
+      minimum = Minimum(minimum, Minimum(Minimum(a, b), Minimum(c, d)));
+      minimumOfMaxima = Minimum(minimumOfMaxima, Maximum(Maximum(a, b), Maximum(c, d)));
     }
-    outside.Set(i, most < -lms3dNarrowError);
-    covered.Set(i, least > lms3dNarrowError);
+    outside.Set(i, minimumOfMaxima < -lms3dNarrowError);
+    covered.Set(i, minimum > lms3dNarrowError);
   }
 }
 
@@ -105,15 +114,15 @@ std::uint32_t FindSeparated(const lms3dTiles& tiles, const lms3dCornerDirections
   Mask separated;
   for (int i = 0; i < Size; ++i)
   {
-    float least = 1.0f;
+    float minimumOfMaxima = 1.0f;
     for (const TileVector& side : tiles.Side)
     {
       const float a = Dot(side, i, corners.Corner[0]);
       const float b = Dot(side, i, corners.Corner[1]);
       const float c = Dot(side, i, corners.Corner[2]);
-      least = Minimum(least, Maximum(Maximum(a, b), c));
+      minimumOfMaxima = Minimum(minimumOfMaxima, Maximum(Maximum(a, b), c));
     }
-    separated.Set(i, least < -SideError);
+    separated.Set(i, minimumOfMaxima < -SideError);
   }
   return separated.GetBits();
 }
@@ -131,20 +140,20 @@ lms3dTileMasks CompareWithCover(const lms3dTiles& tiles, const lms3dNarrowTriang
   for (int i = 0; i < Size; ++i)
   {
     const float margin = cover.Error[i] + error;
-    float smallest = LargestPlane;
-    float leastGain = LargestPlane;
-    float mostGain = -LargestPlane;
+    float minimum = MaximumPlane;
+    float minimumGain = MaximumPlane;
+    float maximumGain = -MaximumPlane;
     for (int c = 0; c < 4; ++c)
     {
       inverse[c][i] = Dot(tiles.Corner[c], i, triangle.Plane);
       const float gain = inverse[c][i] - cover.InverseRange[c][i];
-      smallest = Minimum(smallest, inverse[c][i]);
-      leastGain = Minimum(leastGain, gain);
-      mostGain = Maximum(mostGain, gain);
+      minimum = Minimum(minimum, inverse[c][i]);
+      minimumGain = Minimum(minimumGain, gain);
+      maximumGain = Maximum(maximumGain, gain);
     }
-    behind.Set(i, mostGain < -margin);
-    nearest.Set(i, leastGain > margin);
-    isWithin.Set(i, smallest > within);
+    behind.Set(i, maximumGain < -margin);
+    nearest.Set(i, minimumGain > margin);
+    isWithin.Set(i, minimum > within);
   }
   masks.Met &= ~behind.GetBits();
   masks.Covered &= masks.Met & isWithin.GetBits();

@@ -13,15 +13,15 @@
 /// Precedes the bytes of a block.
 struct alignas(64) lms3dMemoryPool::Header
 {
-  std::shared_ptr<Shelf> Home;
+  std::shared_ptr<FreeBlocks> Owner;
   std::size_t Bytes;
 };
 
 /// The blocks that are not in use.
-struct lms3dMemoryPool::Shelf
+struct lms3dMemoryPool::FreeBlocks
 {
   std::mutex Lock;
-  std::vector<Header*> Waiting;
+  std::vector<Header*> Unused;
   bool IsOpen = true;
 
   static void Free(Header* block)
@@ -35,18 +35,18 @@ struct lms3dMemoryPool::Shelf
   Header* Find(std::size_t bytes)
   {
     const std::lock_guard<std::mutex> guard(this->Lock);
-    auto best = this->Waiting.end();
-    for (auto it = this->Waiting.begin(); it != this->Waiting.end(); ++it)
+    auto best = this->Unused.end();
+    for (auto it = this->Unused.begin(); it != this->Unused.end(); ++it)
     {
       const bool fits = (*it)->Bytes >= bytes && (*it)->Bytes <= 2 * bytes;
-      best = fits && (best == this->Waiting.end() || (*it)->Bytes < (*best)->Bytes) ? it : best;
+      best = fits && (best == this->Unused.end() || (*it)->Bytes < (*best)->Bytes) ? it : best;
     }
-    if (best == this->Waiting.end())
+    if (best == this->Unused.end())
     {
       return nullptr;
     }
     Header* block = *best;
-    this->Waiting.erase(best);
+    this->Unused.erase(best);
     return block;
   }
 
@@ -54,7 +54,7 @@ struct lms3dMemoryPool::Shelf
   {
     const std::lock_guard<std::mutex> guard(this->Lock);
     std::vector<Header*> all;
-    all.swap(this->Waiting);
+    all.swap(this->Unused);
     return all;
   }
 
@@ -63,14 +63,14 @@ struct lms3dMemoryPool::Shelf
     const std::lock_guard<std::mutex> guard(this->Lock);
     if (this->IsOpen)
     {
-      this->Waiting.push_back(block);
+      this->Unused.push_back(block);
     }
     return this->IsOpen;
   }
 };
 
 lms3dMemoryPool::lms3dMemoryPool()
-  : Blocks(std::make_shared<Shelf>())
+  : Blocks(std::make_shared<FreeBlocks>())
 {
 }
 
@@ -103,11 +103,11 @@ void* lms3dMemoryPool::Take(std::size_t bytes)
 void lms3dMemoryPool::Return(void* block)
 {
   Header* header = static_cast<Header*>(block) - 1;
-  // Keeps the shelf alive during the call, since the block can have the last reference.
-  const std::shared_ptr<Shelf> home = header->Home;
-  if (!home->Keep(header))
+  // Keeps the free blocks' list alive during the call, since the block can have the last reference.
+  const std::shared_ptr<FreeBlocks> owner = header->Owner;
+  if (!owner->Keep(header))
   {
-    Shelf::Free(header);
+    FreeBlocks::Free(header);
   }
 }
 
@@ -115,6 +115,6 @@ void lms3dMemoryPool::FreeUnused()
 {
   for (Header* block : this->Blocks->TakeAll())
   {
-    Shelf::Free(block);
+    FreeBlocks::Free(block);
   }
 }

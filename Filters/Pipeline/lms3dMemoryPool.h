@@ -34,9 +34,9 @@ public:
   void FreeUnused();
 
 private:
-  struct Shelf;
+  struct FreeBlocks;
   struct Header;
-  std::shared_ptr<Shelf> Blocks;
+  std::shared_ptr<FreeBlocks> Blocks;
 };
 
 #endif

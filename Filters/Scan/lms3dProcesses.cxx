@@ -99,13 +99,13 @@ struct Reduced
   std::vector<double> Measured;
 };
 
-void Reduce(vtkMultiProcessController* controller, const double* chosenRanges, vtkIdType* cells,
+void Reduce(vtkMultiProcessController* controller, const double* nearestRanges, vtkIdType* cells,
   double* ranges, vtkIdType beams, Reduced& reduced)
 {
-  controller->AllReduce(chosenRanges, reduced.Nearest.data(), beams, vtkCommunicator::MIN_OP);
+  controller->AllReduce(nearestRanges, reduced.Nearest.data(), beams, vtkCommunicator::MIN_OP);
   for (vtkIdType i = 0; i < beams; ++i)
   {
-    cells[i] = chosenRanges[i] == reduced.Nearest[i] ? cells[i] : lms3dProcesses::NoCell;
+    cells[i] = nearestRanges[i] == reduced.Nearest[i] ? cells[i] : lms3dProcesses::NoCell;
   }
   controller->AllReduce(cells, reduced.Hit.data(), beams, vtkCommunicator::MIN_OP);
 
@@ -230,7 +230,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> lms3dProcesses::GatherToFirst(vtkDat
 }
 
 void lms3dProcesses::ReduceToNearest(
-  const std::vector<double>& chosenRanges, std::vector<vtkIdType>& cells, double* ranges) const
+  const std::vector<double>& nearestRanges, std::vector<vtkIdType>& cells, double* ranges) const
 {
   const std::size_t beams = cells.size();
   Reduced reduced;
@@ -238,7 +238,7 @@ void lms3dProcesses::ReduceToNearest(
   for (std::size_t first = 0; first < beams; first += BeamsAtOnce)
   {
     const std::size_t count = std::min(BeamsAtOnce, beams - first);
-    Reduce(this->Controller, chosenRanges.data() + first, cells.data() + first, ranges + first,
+    Reduce(this->Controller, nearestRanges.data() + first, cells.data() + first, ranges + first,
       static_cast<vtkIdType>(count), reduced);
   }
 }

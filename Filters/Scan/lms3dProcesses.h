@@ -86,12 +86,12 @@ public:
   /**
    * Replaces `ranges` (metres, NaN without a return) and `cells` of each beam by range and cell of
    * the nearest hit in all processes. The nearest hit is the one with the smallest of
-   * `chosenRanges` (lms3dBeamPacket::NoRange without a hit), and among equal ones the one in the
+   * `nearestRanges` (lms3dBeamPacket::NoRange without a hit), and among equal ones the one in the
    * cell with the smallest number: what one process would choose from the whole scene. All arrays
    * have one value for each beam, in all processes.
    */
   void ReduceToNearest(
-    const std::vector<double>& chosenRanges, std::vector<vtkIdType>& cells, double* ranges) const;
+    const std::vector<double>& nearestRanges, std::vector<vtkIdType>& cells, double* ranges) const;
 
   /// Returns the data objects of all processes, by rank, in the first process. In all others the
   /// result is undefined. Throws std::runtime_error in all processes if one cannot send.

@@ -25,6 +25,15 @@ namespace
 constexpr double BuildShare = 0.3;
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+// `time` is NaN without a trajectory.
+void SetDataTime(double time, vtkDataObject* data)
+{
+  if (!std::isnan(time))
+  {
+    data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  }
+}
 } // namespace
 
 /// One run: the request, and what all its steps use.
@@ -44,25 +53,13 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
   const lms3dProcesses processes(request.Controller);
   lms3dPose pose;
   double time = NAN;
-  bool isBuilt = false;
-  processes.RunCollectively(
-    [&]
-    {
-      if (processes.IsFirst())
-      {
-        pose = this->GetPose(request, time);
-      }
-      this->GetGeometry(request.Settings);
-      isBuilt = this->Build(request, processes.IsParallel());
-    });
-  processes.Broadcast(pose, time);
-
+  const bool isPrepared = this->Prepare(request, processes, pose, time);
   vtkPolyData* points = vtkPolyData::GetData(request.Outputs, 0);
   vtkImageData* image = vtkImageData::GetData(request.Outputs, 1);
   bool isDone = false;
-  if (!processes.AnyOf(!isBuilt))
+  if (isPrepared)
   {
-    const Scan scan = { request, processes, this->GetGeometry(request.Settings), pose,
+    const Scan scan = { request, processes, this->Sensor.GetGeometry(request.Settings), pose,
       lms3dGetStepProgress(request.Progress, BuildShare, 1.0), points, image };
     isDone = processes.IsParallel() ? this->CastInParallel(scan) : this->CastAlone(scan);
     this->Output.Discard();
@@ -75,60 +72,30 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
   {
     lms3dClearOutputs(request.Outputs);
   }
-  if (!std::isnan(time))
-  {
-    points->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-    image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-  }
+  SetDataTime(time, points);
+  SetDataTime(time, image);
   return isDone;
 }
 
-// Tables of sines and cosines are computed for new angles only.
-const lms3dScanGeometry& lms3dScanJob::GetGeometry(const lms3dScanSettings& settings)
+// Finds the pose, its time and the tables of angles, and builds the scene. Returns false, in all
+// processes, if the build was stopped in one of them.
+bool lms3dScanJob::Prepare(const lms3dScanJobRequest& request, const lms3dProcesses& processes,
+  lms3dPose& pose, double& time)
 {
-  const Angles angles = { settings.AlphaRange[0], settings.AlphaRange[1],
-    static_cast<double>(settings.AlphaResolution), settings.BetaRange[0], settings.BetaRange[1],
-    static_cast<double>(settings.BetaResolution) };
-  if (!this->Geometry || angles != this->GeometryAngles)
-  {
-    this->Geometry = std::make_unique<lms3dScanGeometry>(settings.AlphaRange.data(),
-      settings.AlphaResolution, settings.BetaRange.data(), settings.BetaResolution);
-    this->GeometryAngles = angles;
-  }
-  return *this->Geometry;
-}
-
-const lms3dTrajectory& lms3dScanJob::GetTrajectory(
-  vtkPolyData* poses, const lms3dVector& orientation)
-{
-  const vtkMTimeType time = poses->GetMTime();
-  if (!this->Trajectory || this->TrajectoryData != poses || this->TrajectoryTime != time ||
-    this->TrajectoryOrientation != orientation)
-  {
-    this->Trajectory = std::make_unique<lms3dTrajectory>(poses, orientation.data());
-    this->TrajectoryData = poses;
-    this->TrajectoryTime = time;
-    this->TrajectoryOrientation = orientation;
-  }
-  return *this->Trajectory;
-}
-
-// The pose at the requested time, and its own time: NaN without a trajectory.
-lms3dPose lms3dScanJob::GetPose(const lms3dScanJobRequest& request, double& time)
-{
-  const lms3dScanSettings& settings = request.Settings;
-  if (!request.Trajectory)
-  {
-    time = NAN;
-    return lms3dPose::FromOrientation(settings.Position.data(), settings.Orientation.data());
-  }
-  const lms3dTrajectory& trajectory = this->GetTrajectory(request.Trajectory, settings.Orientation);
-  vtkInformation* output = request.RequestedOutput;
-  const int step = output->Has(Pipeline::UPDATE_TIME_STEP())
-    ? trajectory.FindStep(output->Get(Pipeline::UPDATE_TIME_STEP()))
-    : 0;
-  time = trajectory.GetTimes()[step];
-  return trajectory.GetPose(step);
+  bool isBuilt = false;
+  processes.RunCollectively(
+    [&]
+    {
+      if (processes.IsFirst())
+      {
+        pose = this->Sensor.GetPose(
+          request.Settings, request.Trajectory, *request.RequestedOutput, time);
+      }
+      this->Sensor.GetGeometry(request.Settings);
+      isBuilt = this->Build(request, processes.IsParallel());
+    });
+  processes.Broadcast(pose, time);
+  return !processes.AnyOf(!isBuilt);
 }
 
 bool lms3dScanJob::Build(const lms3dScanJobRequest& request, bool isParallel)
@@ -174,7 +141,8 @@ bool lms3dScanJob::CastAlone(const Scan& scan)
   return isDone;
 }
 
-// Collective calls stay outside of Threads.Run: MPI need not allow calls from other threads.
+// In the following functions, collective calls stay outside of Threads.Run: MPI need not allow calls from
+// other threads.
 bool lms3dScanJob::CastInParallel(const Scan& scan)
 {
   const lms3dProcesses& processes = scan.Processes;
@@ -185,25 +153,38 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
   {
     this->WarnIfIncomplete(cells.Whole, scan);
   }
-  const lms3dScanSettings& settings = scan.Request.Settings;
-  const auto run = [&](const auto& work) { this->Threads.Run(settings.NumberOfThreads, work); };
-
-  bool isStopped = false;
-  processes.RunCollectively(
-    [&]
-    {
-      run(
-        [&]
-        {
-          isStopped = !this->Output.CastPart(
-            caster, scan.Geometry, scan.Pose, settings.Limits, scan.Progress);
-        });
-    });
-  if (processes.AnyOf(isStopped))
+  if (!this->CastPart(scan))
   {
     return false;
   }
   this->Output.ReduceToNearest(processes, caster, cells.First);
+  this->FillOutputsInParallel(scan);
+  return true;
+}
+
+// Returns false, in all processes, if the work was stopped in one of them.
+bool lms3dScanJob::CastPart(const Scan& scan)
+{
+  const lms3dScanSettings& settings = scan.Request.Settings;
+  bool isStopped = false;
+  scan.Processes.RunCollectively(
+    [&]
+    {
+      this->Threads.Run(settings.NumberOfThreads,
+        [&]
+        {
+          isStopped = !this->Output.CastPart(
+            this->Scene.GetCaster(), scan.Geometry, scan.Pose, settings.Limits, scan.Progress);
+        });
+    });
+  return !scan.Processes.AnyOf(isStopped);
+}
+
+void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
+{
+  const lms3dProcesses& processes = scan.Processes;
+  const lms3dScanSettings& settings = scan.Request.Settings;
+  const auto run = [&](const auto& work) { this->Threads.Run(settings.NumberOfThreads, work); };
   vtkInformation* image = scan.Request.Outputs->GetInformationObject(1);
   const lms3dImagePiece piece = { processes.GetRank(), processes.GetCount(),
     image->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) };
@@ -223,7 +204,6 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
     lms3dGatherSurfaceAttributes(processes, this->Output.GetOwnTriangles(), own, scan.Points);
   }
   lms3dAddEmptyArrays(processes, scan.Points->GetPointData());
-  return true;
 }
 
 void lms3dScanJob::AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) const

@@ -8,20 +8,17 @@
 #define lms3dScanJob_h
 
 #include "Device/lms3dScanGeometry.h"
-#include "Device/lms3dTrajectory.h"
 #include "Pipeline/lms3dProgress.h"
 #include "Pipeline/lms3dThreads.h"
 #include "Scan/lms3dBuiltScene.h"
 #include "Scan/lms3dProcesses.h"
 #include "Scan/lms3dScanOutput.h"
+#include "Scan/lms3dScanSensor.h"
 #include "Scan/lms3dScanSettings.h"
 
-#include <vtkSmartPointer.h>
 #include <vtkType.h>
 
-#include <array>
 #include <functional>
-#include <memory>
 #include <string>
 
 class vtkDataObject;
@@ -71,7 +68,10 @@ public:
 
   /// Returns the poses, read again only if the trajectory or the orientation (degrees, for points
   /// without one) changed. Throws std::runtime_error, with a text for the user, if they are bad.
-  const lms3dTrajectory& GetTrajectory(vtkPolyData* poses, const lms3dVector& orientation);
+  const lms3dTrajectory& GetTrajectory(vtkPolyData* poses, const lms3dVector& orientation)
+  {
+    return this->Sensor.GetTrajectory(poses, orientation);
+  }
 
   /// Returns the time when the acceleration structure was last built, 0 before the first.
   vtkMTimeType GetBuildTime() const { return this->Scene.GetBuildTime(); }
@@ -79,11 +79,13 @@ public:
 private:
   struct Scan;
 
-  const lms3dScanGeometry& GetGeometry(const lms3dScanSettings& settings);
-  lms3dPose GetPose(const lms3dScanJobRequest& request, double& time);
+  bool Prepare(const lms3dScanJobRequest& request, const lms3dProcesses& processes, lms3dPose& pose,
+    double& time);
   bool Build(const lms3dScanJobRequest& request, bool isParallel);
   bool CastAlone(const Scan& scan);
   bool CastInParallel(const Scan& scan);
+  bool CastPart(const Scan& scan);
+  void FillOutputsInParallel(const Scan& scan);
   void AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) const;
   void WarnIfIncomplete(const lms3dScenePart& scene, const Scan& scan);
 
@@ -91,14 +93,7 @@ private:
   lms3dThreads Threads;
   lms3dScanOutput Output;
 
-  using Angles = std::array<double, 6>;
-  std::unique_ptr<lms3dScanGeometry> Geometry;
-  Angles GeometryAngles;
-
-  std::unique_ptr<lms3dTrajectory> Trajectory;
-  vtkSmartPointer<vtkPolyData> TrajectoryData;
-  vtkMTimeType TrajectoryTime = 0;
-  lms3dVector TrajectoryOrientation;
+  lms3dScanSensor Sensor;
 
   /// The last warnings, which are not repeated for each pose.
   std::string SkippedCells;

@@ -29,7 +29,7 @@ std::size_t CountBeams(const lms3dScanGeometry& geometry)
 void lms3dScanOutput::Discard()
 {
   this->Ranges = nullptr;
-  this->ChosenTriangles = {};
+  this->NearestTriangles = {};
   this->Cells = {};
   this->Pool.FreeUnused();
 }
@@ -48,7 +48,7 @@ bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
   this->Allocate(CountBeams(geometry));
-  this->ChosenTriangles = {};
+  this->NearestTriangles = {};
   return lms3dScan(
     { caster, geometry, pose, limits, { this->Ranges->GetPointer(0), this->Triangles.data() } },
     progress);
@@ -59,8 +59,8 @@ bool lms3dScanOutput::CastPart(const lms3dRayCaster* caster, const lms3dScanGeom
 {
   const std::size_t beams = CountBeams(geometry);
   this->Allocate(beams);
-  this->ChosenRanges.assign(beams, lms3dBeamPacket::NoRange);
-  this->ChosenTriangles.assign(beams, lms3dBeamPacket::NoTriangle);
+  this->NearestRanges.assign(beams, lms3dBeamPacket::NoRange);
+  this->NearestTriangles.assign(beams, lms3dBeamPacket::NoTriangle);
   this->Cells.resize(beams);
   if (!caster)
   {
@@ -69,7 +69,7 @@ bool lms3dScanOutput::CastPart(const lms3dRayCaster* caster, const lms3dScanGeom
   }
   return lms3dScan(
     { *caster, geometry, pose, limits, { this->Ranges->GetPointer(0), this->Triangles.data() },
-      { this->ChosenRanges.data(), this->ChosenTriangles.data() } },
+      { this->NearestRanges.data(), this->NearestTriangles.data() } },
     progress);
 }
 
@@ -79,7 +79,7 @@ void lms3dScanOutput::ReduceToNearest(
   const std::size_t beams = this->Triangles.size();
   const auto getOwnCell = [this, caster, firstCell](std::size_t beam)
   {
-    const std::int32_t triangle = this->ChosenTriangles[beam];
+    const std::int32_t triangle = this->NearestTriangles[beam];
     return triangle == lms3dBeamPacket::NoTriangle
       ? lms3dProcesses::NoCell
       : firstCell + caster->GetMesh().GetCell(triangle);
@@ -89,17 +89,17 @@ void lms3dScanOutput::ReduceToNearest(
     this->Cells[i] = getOwnCell(i);
   }
   double* ranges = this->Ranges->GetPointer(0);
-  processes.ReduceToNearest(this->ChosenRanges, this->Cells, ranges);
+  processes.ReduceToNearest(this->NearestRanges, this->Cells, ranges);
   for (std::size_t i = 0; i < beams; ++i)
   {
     const bool isReturn = !std::isnan(ranges[i]);
     this->Triangles[i] = isReturn ? 0 : lms3dBeamPacket::NoTriangle;
     if (!isReturn || getOwnCell(i) != this->Cells[i])
     {
-      this->ChosenTriangles[i] = lms3dBeamPacket::NoTriangle;
+      this->NearestTriangles[i] = lms3dBeamPacket::NoTriangle;
     }
   }
-  this->ChosenRanges = {};
+  this->NearestRanges = {};
 }
 
 std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& geometry) const

@@ -54,7 +54,7 @@ public:
   /// other beams, and for beams that hit another process's part. Valid until Discard.
   const std::vector<std::int32_t>& GetOwnTriangles() const
   {
-    return this->ChosenTriangles.empty() ? this->Triangles : this->ChosenTriangles;
+    return this->NearestTriangles.empty() ? this->Triangles : this->NearestTriangles;
   }
 
   /// Fills output 0, which must be empty. `mesh` is that of the caster, or null after
@@ -85,8 +85,8 @@ private:
   ///@{
   /// Used only with several processes: what CastPart found for each beam, before limits applied,
   /// and the cell of the nearest hit. ReduceToNearest removes triangles that gave no return.
-  std::vector<double> ChosenRanges;
-  std::vector<std::int32_t> ChosenTriangles;
+  std::vector<double> NearestRanges;
+  std::vector<std::int32_t> NearestTriangles;
   std::vector<vtkIdType> Cells;
   ///@}
 };

@@ -20,7 +20,7 @@ class vtkFieldData;
 class vtkPolyData;
 
 /// The triangle that each beam of a scan hit, ordered by turn, then by beam;
-/// lms3dBeamPacket::NoTriangle for beams that do not count.
+/// lms3dBeamPacket::NoTriangle for beams without a return from this process's part.
 using lms3dHitTriangles = std::vector<std::int32_t>;
 
 /// The hits of a scan. References must outlive it.
@@ -32,16 +32,16 @@ struct lms3dSurfaceHits
   const lms3dHitTriangles& Triangles;
 };
 
-/// Adds Normals, Incidence and the cell arrays of the scene to `data`, one tuple for each beam that
-/// counts. `hasGlobalIds` says whether the cells of the mesh are global ids. Uses the threads of the
+/// Adds Normals, Incidence and the cell arrays of the scene to `data`, one tuple for each beam with
+/// a triangle. `hasGlobalIds` says whether the cells of the mesh are global ids. Uses the threads of the
 /// calling TBB arena.
 void lms3dAddSurfaceAttributes(
   const lms3dSurfaceHits& hits, vtkDataObject* scene, bool hasGlobalIds, vtkFieldData* data);
 
 /// Adds the attributes of all processes to the first process's `scan`. In each process, `attributes`
-/// has a tuple for each beam that counts in `triangles`. If a beam counts in several processes, the
-/// lowest rank wins. A cell array must exist in all processes with returns, or, if none has any, in all
-/// with triangles. May change `attributes`. Collective.
+/// has a tuple for each beam with a triangle in `triangles`. If a beam has a triangle in several
+/// processes, the lowest rank wins. A cell array must exist in all processes with returns, or, if none
+/// has any, in all with triangles. May change `attributes`. Collective.
 void lms3dGatherSurfaceAttributes(const lms3dProcesses& processes,
   const lms3dHitTriangles& triangles, vtkFieldData* attributes, vtkPolyData* scan);
 

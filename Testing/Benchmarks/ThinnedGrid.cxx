@@ -13,14 +13,14 @@
 
 namespace
 {
-constexpr int TileSide = 4;
+constexpr int PacketSide = 4;
 
 // Milliseconds: quick casts are repeated, since the first is slower.
 constexpr double BudgetOfTrial = 20.0;
 
 constexpr double LowestAlpha = -90.0;
 constexpr double HighestAlpha = 90.0;
-static_assert(TileSide * TileSide == lms3dBeamPacket::Size);
+static_assert(PacketSide * PacketSide == lms3dBeamPacket::Size);
 
 std::vector<double> Spread(const double* ranges, const std::vector<std::size_t>& beams)
 {
@@ -76,14 +76,14 @@ std::vector<std::size_t> ThinnedGrid::GetBeamsOfShots() const
   const int alphas = this->GetAlphaResolution();
   const int betas = this->GetBetaResolution();
   std::vector<std::size_t> beams;
-  for (int row = 0; row < betas; row += TileSide)
+  for (int row = 0; row < betas; row += PacketSide)
   {
-    for (int tile = 0; tile < alphas; tile += TileSide)
+    for (int column = 0; column < alphas; column += PacketSide)
     {
       for (int i = 0; i < lms3dBeamPacket::Size; ++i)
       {
-        const int turn = std::min(row + i / TileSide, betas - 1) * this->Stride;
-        const int beam = std::min(tile + i % TileSide, alphas - 1) * this->Stride;
+        const int turn = std::min(row + i / PacketSide, betas - 1) * this->Stride;
+        const int beam = std::min(column + i % PacketSide, alphas - 1) * this->Stride;
         beams.push_back(static_cast<std::size_t>(turn) * Alphas + beam);
       }
     }

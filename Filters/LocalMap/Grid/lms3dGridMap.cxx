@@ -135,17 +135,7 @@ void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
   {
     return;
   }
-  const int triangles = CheckNumber(this->Mesher.GetNumberOfTriangles());
-  const auto connectivity = lms3dMakeArray<vtkTypeInt32Array>(
-    this->Pool, "Connectivity", 3 * static_cast<vtkIdType>(triangles));
-  const auto offsets =
-    lms3dMakeArray<vtkTypeInt32Array>(this->Pool, "Offsets", static_cast<vtkIdType>(triangles) + 1);
-  this->Mesher.FillTriangles(grid, connectivity->GetPointer(0));
-  FillOffsets(triangles, offsets->GetPointer(0));
-  if (grid.GetGeometry().IsMirrored())
-  {
-    ReverseTriangles(triangles, connectivity->GetPointer(0));
-  }
+  const vtkSmartPointer<vtkCellArray> triangles = this->MakeTriangles(grid);
   if (!progress(0.7))
   {
     return;
@@ -157,10 +147,26 @@ void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
   vtkNew<vtkPoints> mapPoints;
   mapPoints->SetData(coordinates);
   map->SetPoints(mapPoints);
-  vtkNew<vtkCellArray> polygons;
-  polygons->SetData(offsets, connectivity);
-  map->SetPolys(polygons);
+  map->SetPolys(triangles);
   map->GetPointData()->SetScalars(ranges);
   map->GetPointData()->SetNormals(normals);
   this->Pool.FreeUnused();
+}
+
+vtkSmartPointer<vtkCellArray> lms3dGridMap::MakeTriangles(const lms3dRangeGrid& grid)
+{
+  const int count = CheckNumber(this->Mesher.GetNumberOfTriangles());
+  const auto connectivity = lms3dMakeArray<vtkTypeInt32Array>(
+    this->Pool, "Connectivity", 3 * static_cast<vtkIdType>(count));
+  const auto offsets =
+    lms3dMakeArray<vtkTypeInt32Array>(this->Pool, "Offsets", static_cast<vtkIdType>(count) + 1);
+  this->Mesher.FillTriangles(grid, connectivity->GetPointer(0));
+  FillOffsets(count, offsets->GetPointer(0));
+  if (grid.GetGeometry().IsMirrored())
+  {
+    ReverseTriangles(count, connectivity->GetPointer(0));
+  }
+  const auto triangles = vtkSmartPointer<vtkCellArray>::New();
+  triangles->SetData(offsets, connectivity);
+  return triangles;
 }

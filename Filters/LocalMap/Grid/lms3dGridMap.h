@@ -11,7 +11,10 @@
 #include "Pipeline/lms3dMemoryPool.h"
 #include "Pipeline/lms3dProgress.h"
 
+#include <vtkSmartPointer.h>
+
 class lms3dScanInput;
+class vtkCellArray;
 class vtkPolyData;
 
 /// Fills maps in which every return is a vertex. Reuses the memory of earlier maps. Uses the threads of
@@ -29,6 +32,8 @@ public:
     const lms3dProgress& progress, vtkPolyData* map);
 
 private:
+  vtkSmartPointer<vtkCellArray> MakeTriangles(const lms3dRangeGrid& grid);
+
   lms3dMemoryPool Pool;
   lms3dGridPoints Points;
   lms3dGridMesher Mesher;

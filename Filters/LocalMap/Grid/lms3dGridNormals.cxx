@@ -24,18 +24,18 @@ bool IsProperScale(double scale)
   return scale > 0.0 && scale < std::numeric_limits<double>::infinity();
 }
 
-/// Gives the kernels the points that a tile of beams needs, turn after turn.
-class NormalTile
+/// Gives the kernels the points of a strip of beams, turn after turn.
+class NormalStrip
 {
 public:
   /// Takes the beams from `firstBeam` to before GetEndBeam().
-  NormalTile(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
+  NormalStrip(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
     const lms3dGridPoints& points, int firstBeam)
     : Kernels(lms3dGetPacketKernels())
     , Mesher(mesher)
     , Points(points)
     , FirstCell(firstBeam - 1)
-    , Cells(std::min(lms3dNormalTile::Cells, grid.GetNumberOfBeams() - this->FirstCell))
+    , Cells(std::min(lms3dNormalStrip::Cells, grid.GetNumberOfBeams() - this->FirstCell))
   {
   }
 
@@ -58,8 +58,8 @@ public:
       this->Begin(turn);
     }
     this->Fetch(turn + 1);
-    std::copy_n(cells, this->Cells, this->Tile.Triangles);
-    this->Kernels.AddStrip(this->Tile);
+    std::copy_n(cells, this->Cells, this->Strip.Triangles);
+    this->Kernels.AddStrip(this->Strip);
     this->WasEmpty = isEmpty;
   }
 
@@ -68,13 +68,13 @@ public:
     const int i = beam - this->FirstCell;
     return !this->HasSums
       ? lms3dVector{}
-      : lms3dVector{ this->Tile.Sum[0][i], this->Tile.Sum[1][i], this->Tile.Sum[2][i] };
+      : lms3dVector{ this->Strip.Sum[0][i], this->Strip.Sum[1][i], this->Strip.Sum[2][i] };
   }
 
   /// 1 / length of the sum; 0 if there is no sum. See IsProperScale().
   double GetScale(int beam) const
   {
-    return this->HasSums ? this->Tile.Scale[beam - this->FirstCell] : 0.0;
+    return this->HasSums ? this->Strip.Scale[beam - this->FirstCell] : 0.0;
   }
 
 private:
@@ -82,11 +82,11 @@ private:
   void Begin(int turn)
   {
     this->Fetch(turn);
-    this->Kernels.AddStrip(this->Tile);
+    this->Kernels.AddStrip(this->Strip);
     for (int axis = 0; axis < 3; ++axis)
     {
-      std::fill_n(this->Tile.NextBegin[axis], lms3dNormalTile::Cells, 0.0);
-      std::fill_n(this->Tile.NextEnd[axis], lms3dNormalTile::Cells, 0.0);
+      std::fill_n(this->Strip.NextBegin[axis], lms3dNormalStrip::Cells, 0.0);
+      std::fill_n(this->Strip.NextEnd[axis], lms3dNormalStrip::Cells, 0.0);
     }
   }
 
@@ -95,7 +95,7 @@ private:
     for (int axis = 0; axis < 3; ++axis)
     {
       const double* coordinates = this->Points.GetRow(axis, turn) + this->FirstCell;
-      std::copy_n(coordinates, this->Cells + 1, this->Tile.Next[axis]);
+      std::copy_n(coordinates, this->Cells + 1, this->Strip.Next[axis]);
     }
   }
 
@@ -106,7 +106,7 @@ private:
   const int Cells;
   bool WasEmpty = true;
   bool HasSums = false;
-  lms3dNormalTile Tile = {};
+  lms3dNormalStrip Strip = {};
 };
 
 class NormalWriter
@@ -124,23 +124,23 @@ public:
   }
 
   /// Writes the normals of a turn, and keeps the sums of its poles.
-  void WriteTurn(int turn, const NormalTile& tile)
+  void WriteTurn(int turn, const NormalStrip& strip)
   {
     const std::int32_t* vertices = this->Grid.GetVertices(turn);
     const std::int32_t first = this->Grid.GetFirstVertex(turn);
-    for (int beam = tile.GetFirstBeam(); beam < tile.GetEndBeam(); ++beam)
+    for (int beam = strip.GetFirstBeam(); beam < strip.GetEndBeam(); ++beam)
     {
       if (vertices[beam] >= first)
       {
-        this->Write(turn, beam, tile.GetSum(beam), tile.GetScale(beam));
+        this->Write(turn, beam, strip.GetSum(beam), strip.GetScale(beam));
       }
     }
     const std::vector<int>& poles = this->Grid.GetPoles();
     for (std::size_t i = 0; i < poles.size(); ++i)
     {
-      if (poles[i] >= tile.GetFirstBeam() && poles[i] < tile.GetEndBeam())
+      if (poles[i] >= strip.GetFirstBeam() && poles[i] < strip.GetEndBeam())
       {
-        this->PoleSums[turn * poles.size() + i] = tile.GetSum(poles[i]);
+        this->PoleSums[turn * poles.size() + i] = strip.GetSum(poles[i]);
       }
     }
   }
@@ -204,17 +204,17 @@ void lms3dFillNormals(const lms3dRangeGrid& grid, const lms3dGridMesher& mesher,
     {
       for (int beam = 0; beam < grid.GetNumberOfBeams();)
       {
-        NormalTile tile(grid, mesher, points, beam);
-        tile.MoveTo(turns.begin() - 1);
+        NormalStrip strip(grid, mesher, points, beam);
+        strip.MoveTo(turns.begin() - 1);
         for (int turn = turns.begin(); turn < turns.end(); ++turn)
         {
-          tile.MoveTo(turn);
+          strip.MoveTo(turn);
           if (grid.HasReturns(turn))
           {
-            writer.WriteTurn(turn, tile);
+            writer.WriteTurn(turn, strip);
           }
         }
-        beam = tile.GetEndBeam();
+        beam = strip.GetEndBeam();
       }
     });
   writer.WritePoles();

@@ -10,8 +10,6 @@
 
 namespace
 {
-const Vector Sensor = { 0.0, 0.0, 0.0 };
-
 lms3dCorners GetPointers(const Corners& corners)
 {
   return { corners[0].data(), corners[1].data(), corners[2].data() };
@@ -40,19 +38,31 @@ Corners MakeTriangle(Random& random)
   return { a, a + p, a + q };
 }
 
-lms3dSensorFrameTriangle GetInSensorFrame(const Corners& corners)
+Vector MakeSensor(Random& random)
 {
-  return lms3dToSensorFrame(GetPointers(corners), Sensor.data());
+  const Vector sensor = std::pow(10.0, random.Get(-3.0, 2.0)) * random.GetDirection();
+  return random.GetBits() % 2 ? sensor : Vector{ 0.0, 0.0, 0.0 };
 }
 
-double GetRange(const Corners& corners, const Vector& direction)
+SeenTriangle::SeenTriangle(const Corners& corners, const Vector& sensor)
+  : World{ corners[0] + sensor, corners[1] + sensor, corners[2] + sensor }
+  , Sensor(sensor)
 {
-  const lms3dCorners pointers = GetPointers(corners);
-  if (!lms3dIsInside(pointers, Sensor.data(), direction.data()))
+}
+
+lms3dSensorFrameTriangle SeenTriangle::GetInSensorFrame() const
+{
+  return lms3dToSensorFrame(GetPointers(this->World), this->Sensor.data());
+}
+
+double SeenTriangle::GetRange(const Vector& direction) const
+{
+  const lms3dCorners corners = GetPointers(this->World);
+  if (!lms3dIsInside(corners, this->Sensor.data(), direction.data()))
   {
     return lms3dBeamPacket::NoRange;
   }
   double ranges[lms3dBeamPacket::Size];
-  lms3dIntersectNearPlane(pointers, Sensor.data(), MakePacket(MakeSame(direction)), ranges);
+  lms3dIntersectNearPlane(corners, this->Sensor.data(), MakePacket(MakeSame(direction)), ranges);
   return ranges[0] > 0.0 ? ranges[0] : lms3dBeamPacket::NoRange;
 }

@@ -12,17 +12,33 @@
 
 #include <array>
 
-/// World coordinates, metres. The sensor is at the origin.
+/// Metres.
 using Corners = std::array<Vector, 3>;
 
-/// Returns a triangle at a distance of a millimetre to a hundred metres. Half of them are very narrow or
-/// seen nearly edge-on.
+/// Returns a triangle relative to the sensor, at a distance of a millimetre to a hundred metres. Half of
+/// them are very narrow or seen nearly edge-on.
 Corners MakeTriangle(Random& random);
 
-lms3dSensorFrameTriangle GetInSensorFrame(const Corners& corners);
+/// Returns the origin of world coordinates, or in half of the cases a point up to a hundred metres away.
+Vector MakeSensor(Random& random);
 
-/// Returns the range of a beam with all digits, metres; infinite if the beam passes by or the triangle
-/// is behind the sensor.
-double GetRange(const Corners& corners, const Vector& direction);
+/// A triangle in world coordinates, and the sensor that sees it.
+class SeenTriangle
+{
+public:
+  /// Takes corners relative to the sensor. In world coordinates they are rounded; that triangle is the
+  /// true one.
+  SeenTriangle(const Corners& corners, const Vector& sensor);
+
+  lms3dSensorFrameTriangle GetInSensorFrame() const;
+
+  /// Returns the range of a beam with all digits, metres; infinite if the beam passes by or the triangle
+  /// is behind the sensor.
+  double GetRange(const Vector& direction) const;
+
+private:
+  Corners World;
+  Vector Sensor;
+};
 
 #endif

@@ -8,6 +8,7 @@
 #include "Casting/NarrowFixtures.h"
 #include "Fixtures/CasterFixtures.h"
 
+#include "Casting/lms3dBitMask.h"
 #include "Kernels/lms3dPacketKernels.h"
 
 #include <gtest/gtest.h>
@@ -25,10 +26,10 @@ constexpr int Size = lms3dBeamPacket::Size;
 Vector MakeDirection(const Corners& corners, Random& random)
 {
   std::array<double, 3> weights = { random.Get(), random.Get(), random.Get() };
-  const std::uint64_t kind = random.GetBits() % 8;
+  const std::uint32_t kind = random.GetBits() % 8;
   for (int i = 0; i < 3; ++i)
   {
-    if ((kind >> i) & 1u)
+    if (lms3dHasBit(kind, i))
     {
       weights[i] = std::pow(10.0, random.Get(-9.0, -5.0)) * (random.GetBits() % 2 ? 1.0 : -1.0);
     }
@@ -57,7 +58,8 @@ struct NarrowTally
 void JudgePair(const Corners& first, const Corners& second, Random& random, NarrowTally& tally)
 {
   const lms3dPacketKernels& kernels = lms3dGetPacketKernels();
-  const Corners* triangles[] = { &first, &second };
+  const Vector sensor = MakeSensor(random);
+  const SeenTriangle triangles[] = { { first, sensor }, { second, sensor } };
   const Beams beams = MakeBeams(second, random);
   lms3dBeamPacket packet = MakePacket(beams);
   std::fill_n(packet.Triangle, Size, lms3dBeamPacket::NoTriangle);
@@ -68,7 +70,7 @@ void JudgePair(const Corners& first, const Corners& second, Random& random, Narr
   for (int number = 0; number < 2; ++number)
   {
     const lms3dNarrowTriangle narrow =
-      kernels.MakeNarrowTriangle(GetInSensorFrame(*triangles[number]), 1.0);
+      kernels.MakeNarrowTriangle(triangles[number].GetInSensorFrame(), 1.0);
     if (narrow.PlaneError < 0.0f)
     {
       return;
@@ -78,12 +80,12 @@ void JudgePair(const Corners& first, const Corners& second, Random& random, Narr
     followed &= ~masks.Uncertain;
     for (int i = 0; i < Size; ++i)
     {
-      if ((followed >> i) & 1u)
+      if (lms3dHasBit(followed, i))
       {
-        const double range = GetRange(*triangles[number], beams[i]);
+        const double range = triangles[number].GetRange(beams[i]);
         const bool isNearer = range < nearest[i];
         ++tally.Decided;
-        tally.Wrong += isNearer != (((masks.Changed >> i) & 1u) != 0) ? 1 : 0;
+        tally.Wrong += isNearer != lms3dHasBit(masks.Changed, i) ? 1 : 0;
         nearest[i] = std::min(nearest[i], range);
       }
     }

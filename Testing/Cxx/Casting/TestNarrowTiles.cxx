@@ -8,6 +8,9 @@
 #include "Casting/NarrowFixtures.h"
 #include "Fixtures/CasterFixtures.h"
 
+#include "Casting/lms3dTileGrid.h"
+#include "Casting/lms3dTriangle.h"
+#include "Geometry/lms3dAngle.h"
 #include "Kernels/lms3dPacketKernels.h"
 
 #include <gtest/gtest.h>
@@ -15,21 +18,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace
 {
-constexpr int Size = lms3dTiles::Size;
-
-double ToRadians(double degrees)
+// The direction at two angles, degrees, of a sensor that is not upright.
+Vector MakeDirection(double alpha, double beta)
 {
-  return degrees * std::acos(-1.0) / 180.0;
+  const double a = alpha * lms3dRadiansPerDegree;
+  const double b = beta * lms3dRadiansPerDegree;
+  return Turn({ std::cos(a) * std::cos(b), -std::cos(a) * std::sin(b), std::sin(a) });
 }
 
-// One tile, alone in its set: from the first to the last angle, degrees.
+// A block, a tile or a packet that is a whole grid: from the first to the last angle, degrees.
 struct Tile
 {
   double Alpha[2];
   double Beta[2];
+  int Level;
 
   static Tile Make(Random& random)
   {
@@ -37,16 +43,16 @@ struct Tile
     Tile tile;
     tile.Alpha[0] = random.GetBits() % 8 == 0 ? -90.0 : random.Get(-90.0, 89.0);
     tile.Alpha[1] = std::min(90.0, tile.Alpha[0] + sides[random.GetBits() % 6]);
+    if (random.GetBits() % 8 == 0)
+    {
+      // Nearly from pole to pole.
+      tile.Alpha[1] = 90.0 - std::pow(10.0, random.Get(-4.0, 1.0));
+      tile.Alpha[0] = -tile.Alpha[1];
+    }
     tile.Beta[0] = random.Get(0.0, 360.0);
     tile.Beta[1] = tile.Beta[0] + sides[random.GetBits() % 6];
+    tile.Level = random.GetBits() % 3;
     return tile;
-  }
-
-  static Vector GetDirection(double alpha, double beta)
-  {
-    const double a = ToRadians(alpha);
-    const double b = ToRadians(beta);
-    return { std::cos(a) * std::cos(b), -std::cos(a) * std::sin(b), std::sin(a) };
   }
 
   Vector GetDirection(Random& random) const
@@ -57,46 +63,42 @@ struct Tile
       const std::uint64_t kind = random.GetBits() % 4;
       s = kind < 2 ? static_cast<double>(kind) : random.Get();
     }
-    return GetDirection(this->Alpha[0] + share[0] * (this->Alpha[1] - this->Alpha[0]),
+    return MakeDirection(this->Alpha[0] + share[0] * (this->Alpha[1] - this->Alpha[0]),
       this->Beta[0] + share[1] * (this->Beta[1] - this->Beta[0]));
   }
 
+  // All sixteen tiles are the same.
   void Fill(lms3dTiles& tiles) const
   {
-    const double half = std::cos(ToRadians(0.5 * (this->Beta[1] - this->Beta[0]))) * (1.0 - 1e-6);
-    for (int end = 0; end < 2; ++end)
+    const lms3dTileGrid::Area area = { this->Level, 0, 0 };
+    const int side = area.GetSide();
+    std::vector<Vector> fanAxes(side);
+    std::vector<double> cosines(side);
+    std::vector<double> sines(side);
+    const double alphaStep = (this->Alpha[1] - this->Alpha[0]) / (side - 1);
+    const double betaStep = (this->Beta[1] - this->Beta[0]) / (side - 1);
+    for (int i = 0; i < side; ++i)
     {
-      const double sine = std::sin(ToRadians(this->Alpha[end]));
-      const bool isTowardsHorizon = end == 0 ? sine > 0.0 : sine < 0.0;
-      const Vector fan = GetDirection(0.0, this->Beta[end]);
-      std::fill_n(
-        tiles.Cosine[end], Size, static_cast<float>(std::cos(ToRadians(this->Alpha[end]))));
-      std::fill_n(tiles.Sine[end], Size, static_cast<float>(isTowardsHorizon ? sine * half : sine));
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        std::fill_n(tiles.Fan[end][axis], Size, static_cast<float>(fan[axis]));
-      }
+      // The last angles without rounding.
+      const double alpha = i == side - 1 ? this->Alpha[1] : this->Alpha[0] + i * alphaStep;
+      cosines[i] = std::cos(alpha * lms3dRadiansPerDegree);
+      sines[i] = std::sin(alpha * lms3dRadiansPerDegree);
+      fanAxes[i] = MakeDirection(0.0, i == side - 1 ? this->Beta[1] : this->Beta[0] + i * betaStep);
     }
-    tiles.Up[0] = tiles.Up[1] = 0.0f;
-    tiles.Up[2] = 1.0f;
+    const Vector up = Turn({ 0.0, 0.0, 1.0 });
+    const lms3dTileGrid grid(
+      { side, side, fanAxes.data(), betaStep, cosines.data(), sines.data(), up });
+    for (int i = 0; i < lms3dTiles::Size; ++i)
+    {
+      grid.FillTile(area, i, tiles);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      tiles.Up[axis] = static_cast<float>(up[axis]);
+    }
     lms3dGetPacketKernels().FillTileCorners(tiles);
   }
 };
-
-lms3dCornerDirections GetCornerDirections(const Corners& corners)
-{
-  lms3dCornerDirections directions;
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    const Vector& p = corners[corner];
-    const double size = std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      directions.Corner[corner][axis] = static_cast<float>(p[axis] / size);
-    }
-  }
-  return directions;
-}
 
 // A triangle with one of its corners, or a point of an edge, in the tile or at its border.
 Corners MakeTriangleNear(const Tile& tile, Random& random)
@@ -137,22 +139,22 @@ void JudgeTile(Random& random, TileTally& tally)
   tile.Fill(tiles);
   lms3dTileCover cover = {};
   // One triangle, then another that may hide it or lie behind.
-  Corners corners[2];
+  const Vector sensor = MakeSensor(random);
+  const SeenTriangle triangles[2] = { { MakeTriangleNear(tile, random), sensor },
+    { MakeTriangleNear(tile, random), sensor } };
   lms3dTileMasks masks[2];
   for (int number = 0; number < 2; ++number)
   {
-    corners[number] = MakeTriangleNear(tile, random);
-    const lms3dNarrowTriangle narrow =
-      kernels.MakeNarrowTriangle(GetInSensorFrame(corners[number]), 1.0);
-    masks[number] = kernels.ClassifyTiles(
-      tiles, narrow, GetCornerDirections(corners[number]), { 1u, 0u, 0u }, 0.0f, cover);
+    const lms3dSensorFrameTriangle corners = triangles[number].GetInSensorFrame();
+    masks[number] = kernels.ClassifyTiles(tiles, kernels.MakeNarrowTriangle(corners, 1.0),
+      lms3dGetCornerDirections(corners), { 1u, 0u, 0u }, 0.0f, cover);
     tally.Unmet += masks[number].Met ? 0 : 1;
     tally.Covered += masks[number].Covered ? 1 : 0;
   }
   for (int sample = 0; sample < 20; ++sample)
   {
     const Vector direction = tile.GetDirection(random);
-    const double ranges[2] = { GetRange(corners[0], direction), GetRange(corners[1], direction) };
+    const double ranges[2] = { triangles[0].GetRange(direction), triangles[1].GetRange(direction) };
     const bool isHit[2] = { !std::isinf(ranges[0]), !std::isinf(ranges[1]) };
     for (int number = 0; number < 2; ++number)
     {

@@ -108,7 +108,8 @@ void ExpectRangesOfEachTriangle(
   const lms3dTriangleMesh& mesh, const std::vector<lms3dBeamPacket>& hits)
 {
   std::vector<lms3dBeamPacket> refined = hits;
-  lms3dRefineRanges(mesh, Origin, refined.data(), static_cast<int>(refined.size()));
+  const lms3dRangeRefinement refinement(mesh);
+  refinement.Refine(Origin, refined.data(), static_cast<int>(refined.size()));
   ExpectRangesOfEachTriangle(mesh, Origin, hits, refined);
 }
 } // namespace
@@ -162,7 +163,8 @@ TEST(RangeRefinement, KeepsPlanesOfOneOriginAlone)
       SCOPED_TRACE(x);
       const lms3dRayOrigin origin = { { x, 0.2, 0.3 }, limit };
       std::vector<lms3dBeamPacket> expected = hits;
-      lms3dRefineRanges(mesh, origin, expected.data(), static_cast<int>(expected.size()));
+      const lms3dRangeRefinement fresh(mesh);
+      fresh.Refine(origin, expected.data(), static_cast<int>(expected.size()));
       std::vector<lms3dBeamPacket> refined = hits;
       for (lms3dBeamPacket& packet : refined)
       {

@@ -45,6 +45,7 @@ const Grid Grids[] = {
   { "one turn", { -90.0, 90.0 }, 1441, { 45.0, 46.0 }, 1 },
   { "a quarter of a degree", { -20.0, 0.0 }, 81, { 0.0, 60.0 }, 241 },
   { "from pole to pole in a block", { -90.0, 90.0 }, 46, { 0.0, 360.0 }, 257 },
+  { "nearly from pole to pole in a block", { -89.99, 89.99 }, 60, { 0.0, 360.0 }, 512 },
   { "the widest blocks", { -90.0, 90.0 }, 130, { 0.0, 360.0 }, 256 },
   { "two turns", { -90.0, 90.0 }, 1200, { 10.0, 11.0 }, 2 },
 };
@@ -68,18 +69,13 @@ struct Hits
   std::vector<std::int32_t> NearestTriangles;
 };
 
-bool AreEqual(double a, double b)
-{
-  return a == b || (std::isnan(a) && std::isnan(b));
-}
-
 template <typename T>
 int CountDifferences(const std::vector<T>& a, const std::vector<T>& b)
 {
   int count = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
   {
-    count += AreEqual(a[i], b[i]) ? 0 : 1;
+    count += a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i])) ? 0 : 1;
   }
   return count;
 }
@@ -97,6 +93,12 @@ struct Situation
       this->Geometry.GetNumberOfTurns();
   }
 
+  lms3dRayOrigin GetOrigin() const
+  {
+    const lms3dVector& position = this->Pose.Position;
+    return { { position[0], position[1], position[2] }, this->MaximumRange };
+  }
+
   Hits Scan() const
   {
     Hits hits(this->CountBeams());
@@ -111,9 +113,7 @@ struct Situation
   Hits CastPackets() const
   {
     const lms3dBeamDirections directions(this->Geometry, this->Pose);
-    const lms3dRayOrigin origin = {
-      { this->Pose.Position[0], this->Pose.Position[1], this->Pose.Position[2] }, this->MaximumRange
-    };
+    const lms3dRayOrigin origin = this->GetOrigin();
     const int beams = this->Geometry.GetNumberOfBeams();
     Hits hits(this->CountBeams());
     for (std::size_t first = 0; first < hits.Ranges.size(); first += lms3dBeamPacket::Size)
@@ -152,11 +152,8 @@ struct Situation
   bool HasTiles() const
   {
     const lms3dBeamDirections directions(this->Geometry, this->Pose);
-    const lms3dRayOrigin origin = {
-      { this->Pose.Position[0], this->Pose.Position[1], this->Pose.Position[2] }, this->MaximumRange
-    };
     return this->Caster
-             .NewGridCaster(origin,
+             .NewGridCaster(this->GetOrigin(),
                { this->Geometry.GetNumberOfTurns(), this->Geometry.GetNumberOfBeams(),
                  &directions.GetFanAxis(0), this->Geometry.GetBetaStep(),
                  this->Geometry.GetAlphaCosines().data(), this->Geometry.GetAlphaSines().data(),
@@ -191,7 +188,8 @@ int ExpectEqualScans(const lms3dTriangleMesh& mesh, const std::vector<Vector>& s
         {
           SCOPED_TRACE(testing::Message()
             << grid.Name << " from " << sensor[0] << " " << sensor[1] << " " << sensor[2]
-            << " turned by " << orientation[0] << ", up to " << maximumRange);
+            << " turned by " << orientation[0] << " " << orientation[1] << " " << orientation[2]
+            << ", up to " << maximumRange);
           const Situation situation = { *caster, grid.GetGeometry(),
             lms3dPose::FromOrientation(sensor.data(), orientation.data()), maximumRange };
           situation.ExpectEqual();
@@ -208,7 +206,7 @@ constexpr double Far = 1e3;
 
 // On faces, edges, corners and planes, inside and outside. The beams at right angles to a wall have
 // the maximum range exactly.
-TEST(ScanTiles, OfACubeAndBlocksAreExact)
+TEST(ScanTiles, OfACubeAndBlocksHaveTheBitsOfPackets)
 {
   lms3dTriangleMesh mesh = Move(MakeCube(3), 6.0, { 0.0, 0.0, 0.0 });
   Append(MakeBlocks(), mesh);
@@ -218,7 +216,7 @@ TEST(ScanTiles, OfACubeAndBlocksAreExact)
   EXPECT_GT(ExpectEqualScans(mesh, sensors, { Far, 2.0, 3.0 }), 50);
 }
 
-TEST(ScanTiles, OfARandomSoupAreExact)
+TEST(ScanTiles, OfARandomSoupHaveTheBitsOfPackets)
 {
   Random random(19);
   std::vector<std::array<Vector, 3>> triangles;
@@ -242,7 +240,7 @@ TEST(ScanTiles, OfARandomSoupAreExact)
     10);
 }
 
-TEST(ScanTiles, OfABallAreExact)
+TEST(ScanTiles, OfABallHaveTheBitsOfPackets)
 {
   const lms3dTriangleMesh mesh = MakeIcosphere(3);
   EXPECT_GT(ExpectEqualScans(

@@ -7,13 +7,13 @@
  * The sizes are fixed, so that compilers see that the rows do not overlap, and small enough for the
  * first-level cache. Coordinates are in metres, in any frame.
  */
-#ifndef lms3dNormalTile_h
-#define lms3dNormalTile_h
+#ifndef lms3dNormalStrip_h
+#define lms3dNormalStrip_h
 
 #include <cstdint>
 
-/// lms3dPacketKernels::AddStrip advances a tile by one turn.
-struct lms3dNormalTile
+/// lms3dPacketKernels::AddStrip advances a strip by one turn.
+struct lms3dNormalStrip
 {
   /// A multiple of the width of vector registers. Unused cells have no triangles.
   static constexpr int Cells = 64;

@@ -4,10 +4,10 @@
  * @file
  * @brief The triangles that may be the nearest in each of sixteen tiles.
  */
-#ifndef lms3dTileParts_h
-#define lms3dTileParts_h
+#ifndef lms3dTileCandidateLists_h
+#define lms3dTileCandidateLists_h
 
-#include "Casting/lms3dBeamMask.h"
+#include "Casting/lms3dBitMask.h"
 #include "Kernels/lms3dPacketKernels.h"
 
 #include <array>
@@ -27,11 +27,11 @@ struct lms3dTileCandidate
 using lms3dTileCandidates = std::vector<lms3dTileCandidate>;
 
 /// The candidates of sixteen tiles. Sets of tiles are masks, as in lms3dTile.h.
-class lms3dTileParts
+class lms3dTileCandidateLists
 {
 public:
   /// `count` is how many triangles will be added at most.
-  explicit lms3dTileParts(std::size_t count)
+  explicit lms3dTileCandidateLists(std::size_t count)
   {
     this->Triangles.reserve(count);
     this->Covers.fill(NoCover);
@@ -79,9 +79,9 @@ public:
     for (int i = 0; i < static_cast<int>(this->Triangles.size()); ++i)
     {
       const Triangle& triangle = this->Triangles[i];
-      if (lms3dHasBeam(triangle.Met, tile) && i != cover)
+      if (lms3dHasBit(triangle.Met, tile) && i != cover)
       {
-        candidates.push_back({ triangle.Number, lms3dHasBeam(triangle.Covered, tile) });
+        candidates.push_back({ triangle.Number, lms3dHasBit(triangle.Covered, tile) });
       }
     }
   }
@@ -102,7 +102,7 @@ private:
     this->Covered |= tiles;
     for (; tiles != 0; tiles &= tiles - 1)
     {
-      int& cover = this->Covers[lms3dGetFirstBeam(tiles)];
+      int& cover = this->Covers[lms3dGetFirstBit(tiles)];
       if (cover != NoCover)
       {
         this->Triangles[cover].Met &= ~(tiles & -tiles);

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Sets of the beams of a packet, or of sixteen tiles, as masks: bit i stands for beam or tile i.
+ */
+#ifndef lms3dBitMask_h
+#define lms3dBitMask_h
+
+#include <cstdint>
+
+inline bool lms3dHasBit(std::uint32_t mask, int bit)
+{
+  return (mask >> bit) & 1u;
+}
+
+/// Returns the lowest bit of a mask that is not 0.
+inline int lms3dGetFirstBit(std::uint32_t mask)
+{
+#if defined(__GNUC__)
+  return __builtin_ctz(mask);
+#else
+  int first = 0;
+  while (!lms3dHasBit(mask, first))
+  {
+    ++first;
+  }
+  return first;
+#endif
+}
+
+#endif
