@@ -100,23 +100,23 @@ struct Tile
   }
 };
 
-// A triangle with one of its corners, or a point of an edge, in the tile or at its border.
-Corners MakeTriangleNear(const Tile& tile, Random& random)
+// A triangle with one of its corners, its centre or a point of an edge along `aim`.
+Corners MakeTriangleNear(const Vector& aim, Random& random)
 {
   Corners corners = MakeTriangle(random);
   const double size = GetLength(corners[0]);
   if (random.GetBits() % 4 == 0)
   {
     // Large enough to cover the tile.
-    const Vector center = tile.GetDirection(random);
     for (Vector& corner : corners)
     {
-      corner = size * (center + random.Get(0.0, 3.0) * random.GetDirection());
+      corner = size * (aim + random.Get(0.0, 3.0) * random.GetDirection());
     }
     return corners;
   }
-  const Vector aim = GetLength(corners[0]) * tile.GetDirection(random);
-  const Vector step = aim - (random.GetBits() % 2 ? corners[0] : 0.5 * (corners[0] + corners[1]));
+  const Vector points[] = { corners[0], 0.5 * (corners[0] + corners[1]),
+    1.0 / 3.0 * (corners[0] + corners[1] + corners[2]) };
+  const Vector step = size * aim - points[random.GetBits() % 3];
   for (Vector& corner : corners)
   {
     corner = corner + step;
@@ -140,8 +140,9 @@ void JudgeTile(Random& random, TileTally& tally)
   lms3dTileCover cover = {};
   // One triangle, then another that may hide it or lie behind.
   const Vector sensor = MakeSensor(random);
-  const SeenTriangle triangles[2] = { { MakeTriangleNear(tile, random), sensor },
-    { MakeTriangleNear(tile, random), sensor } };
+  const Vector aims[2] = { tile.GetDirection(random), tile.GetDirection(random) };
+  const SeenTriangle triangles[2] = { { MakeTriangleNear(aims[0], random), sensor },
+    { MakeTriangleNear(aims[1], random), sensor } };
   lms3dTileMasks masks[2];
   for (int number = 0; number < 2; ++number)
   {
@@ -153,7 +154,7 @@ void JudgeTile(Random& random, TileTally& tally)
   }
   for (int sample = 0; sample < 20; ++sample)
   {
-    const Vector direction = tile.GetDirection(random);
+    const Vector direction = sample < 2 ? aims[sample] : tile.GetDirection(random);
     const double ranges[2] = { triangles[0].GetRange(direction), triangles[1].GetRange(direction) };
     const bool isHit[2] = { !std::isinf(ranges[0]), !std::isinf(ranges[1]) };
     for (int number = 0; number < 2; ++number)

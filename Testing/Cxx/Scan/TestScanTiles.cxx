@@ -95,7 +95,7 @@ struct Situation
 
   lms3dRayOrigin GetOrigin() const
   {
-    const lms3dVector& position = this->Pose.Position;
+    const Vector& position = this->Pose.Position;
     return { { position[0], position[1], position[2] }, this->MaximumRange };
   }
 
