@@ -30,7 +30,8 @@ namespace
 // (18), and the roundings of the product (6). The other two corners are that near to the side's plane,
 // and since the factors of a tile's corners add up to at most 1.42, all directions in the tile are within
 // 87 u. In a tile of many beams and few turns the factors can be larger, but `inside` is shorter by as
-// much. Altogether 109 u.
+// much. Altogether 109 u. (This holds for tiles of up to 178 degrees from the first to the last beam. For
+// larger ones, the bound rests on a test.)
 constexpr float SideError = 4.0f * lms3dNarrowError;
 
 using TileVector = float[3][Size];
