@@ -56,7 +56,7 @@ public:
 private:
   struct PacketsOfTile;
 
-  /// The candidates of a block's tiles, one tile after the other, where each tile's begin, and
+  /// The candidates of a block's tiles, one tile after the other, where the list of each tile begins, and
   /// the tiles that are decided.
   struct Block
   {
