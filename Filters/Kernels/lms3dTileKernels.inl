@@ -30,9 +30,13 @@ namespace
 // (18), and the roundings of the product (6). The other two corners are that near to the side's plane,
 // and since the factors of a tile's corners add up to at most 1.42, all directions in the tile are within
 // 87 u. In a tile of many beams and few turns the factors can be larger, but `inside` is shorter by as
-// much. Altogether 109 u. (This holds for tiles of up to 178 degrees from the first to the last beam. For
-// larger ones, the bound rests on a test.)
+// much. Altogether 109 u. (This holds for tiles of up to 178 degrees from the first to the last beam. In
+// larger ones, a side at the first or last beam is 0 and separates nothing.)
 constexpr float SideError = 4.0f * lms3dNarrowError;
+
+// Twice the cosine of 178 degrees, rounded up: the product of a corner with the sum of the two corners on
+// the other side of a tile.
+constexpr float MaximumOpposite = -1.998f;
 
 using TileVector = float[3][Size];
 
@@ -58,7 +62,8 @@ void FillTileSide(
     const float y = p[2][i] * q[0][i] - p[0][i] * q[2][i];
     const float z = p[0][i] * q[1][i] - p[1][i] * q[0][i];
     const float product = x * inside[0][i] + y * inside[1][i] + z * inside[2][i];
-    const float sign = product < 0.0f ? -1.0f : 1.0f;
+    const float opposite = p[0][i] * inside[0][i] + p[1][i] * inside[1][i] + p[2][i] * inside[2][i];
+    const float sign = opposite < MaximumOpposite ? 0.0f : (product < 0.0f ? -1.0f : 1.0f);
     side[0][i] = sign * x;
     side[1][i] = sign * y;
     side[2][i] = sign * z;

@@ -27,7 +27,7 @@ Vector MakeDirection(double alpha, double beta)
 {
   const double a = alpha * lms3dRadiansPerDegree;
   const double b = beta * lms3dRadiansPerDegree;
-  return Turn({ std::cos(a) * std::cos(b), -std::cos(a) * std::sin(b), std::sin(a) });
+  return Turn(Turn({ std::cos(a) * std::cos(b), -std::cos(a) * std::sin(b), std::sin(a) }));
 }
 
 // A block, a tile or a packet that is a whole grid: from the first to the last angle, degrees.
@@ -86,7 +86,7 @@ struct Tile
       sines[i] = std::sin(alpha * lms3dRadiansPerDegree);
       fanAxes[i] = MakeDirection(0.0, i == side - 1 ? this->Beta[1] : this->Beta[0] + i * betaStep);
     }
-    const Vector up = Turn({ 0.0, 0.0, 1.0 });
+    const Vector up = Turn(Turn({ 0.0, 0.0, 1.0 }));
     const lms3dTileGrid grid(
       { side, side, fanAxes.data(), betaStep, cosines.data(), sines.data(), up });
     for (int i = 0; i < lms3dTiles::Size; ++i)
