@@ -55,6 +55,15 @@ if (BUILD_TESTING)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${LMS3D_VTK_COMPONENTS})
 
+# Headers alone, without CMake files of their own.
+find_path(LMS3D_RANDOM123_INCLUDE_DIR Random123/threefry.h
+  DOC "The folder that has Random123/threefry.h")
+if (NOT LMS3D_RANDOM123_INCLUDE_DIR)
+  message(FATAL_ERROR "Random123 is missing. Install librandom123-dev, or set "
+    "LMS3D_RANDOM123_INCLUDE_DIR to the folder that has Random123/threefry.h.")
+endif ()
+mark_as_advanced(LMS3D_RANDOM123_INCLUDE_DIR)
+
 if (LMS3D_BUILD_CORBA)
   find_package(omniORB4 4.2 REQUIRED)
 endif ()

@@ -51,18 +51,28 @@ ImageFrame MakeFrame(const lms3dScanGeometry& geometry)
              geometry.GetNumberOfBeams() },
     { geometry.GetBetaAngles().front(), geometry.GetBetaStep(), geometry.GetNumberOfTurns() } };
 }
+
+void Describe(ImageFrame frame, vtkInformation* info)
+{
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), frame.Extent, 6);
+  info->Set(vtkDataObject::ORIGIN(), frame.Origin, 3);
+  info->Set(vtkDataObject::SPACING(), frame.Spacing, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_DOUBLE, 1);
+}
 } // namespace
 
 void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
   const double betaRange[2], int betaResolution, vtkInformation* info)
 {
-  const ImageFrame frame(
-    { alphaRange[0], lms3dScanGeometry::GetStep(alphaRange, alphaResolution), alphaResolution },
-    { betaRange[0], lms3dScanGeometry::GetStep(betaRange, betaResolution), betaResolution });
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), frame.Extent, 6);
-  info->Set(vtkDataObject::ORIGIN(), frame.Origin, 3);
-  info->Set(vtkDataObject::SPACING(), frame.Spacing, 3);
-  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_DOUBLE, 1);
+  Describe(
+    { { alphaRange[0], lms3dScanGeometry::GetStep(alphaRange, alphaResolution), alphaResolution },
+      { betaRange[0], lms3dScanGeometry::GetStep(betaRange, betaResolution), betaResolution } },
+    info);
+}
+
+void lms3dDescribeRangeImage(const lms3dScanGeometry& geometry, vtkInformation* info)
+{
+  Describe(MakeFrame(geometry), info);
 }
 
 void lms3dFillRangeImage(

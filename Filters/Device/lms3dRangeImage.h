@@ -27,6 +27,9 @@ struct lms3dImagePiece
 void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
   const double betaRange[2], int betaResolution, vtkInformation* info);
 
+/// Sets the same for the image of a scan that exists.
+void lms3dDescribeRangeImage(const lms3dScanGeometry& geometry, vtkInformation* info);
+
 /// Fills the whole image, which then shares `ranges`: one value for each beam, ordered by turn,
 /// then by beam.
 void lms3dFillRangeImage(

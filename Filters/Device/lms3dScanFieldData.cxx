@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -21,7 +22,31 @@ void AddDoubles(vtkFieldData* fieldData, const char* name, const double* values,
   std::copy(values, values + count, array->GetPointer(0));
   lms3dAddHiddenArray(array, fieldData);
 }
+
+std::vector<double> GetFiniteNumbers(vtkFieldData* data, const char* name)
+{
+  vtkDataArray* array = data->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    return {};
+  }
+  std::vector<double> numbers(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    numbers[i] = array->GetTuple1(static_cast<vtkIdType>(i));
+  }
+  const bool areFinite =
+    std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+  return areFinite ? numbers : std::vector<double>();
+}
 } // namespace
+
+lms3dGridAngles lms3dGetGridAngles(vtkFieldData* data)
+{
+  lms3dGridAngles angles = { GetFiniteNumbers(data, "AlphaAngles"),
+    GetFiniteNumbers(data, "BetaAngles") };
+  return angles.Alpha.empty() || angles.Beta.empty() ? lms3dGridAngles() : angles;
+}
 
 void lms3dAddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan)
 {

@@ -9,7 +9,20 @@
 
 #include "Device/lms3dScanGeometry.h"
 
+#include <vector>
+
+class vtkFieldData;
 class vtkPolyData;
+
+/// The axes of the grid of beams, degrees. Both are empty if a scan was stopped.
+struct lms3dGridAngles
+{
+  std::vector<double> Alpha;
+  std::vector<double> Beta;
+};
+
+/// Returns AlphaAngles and BetaAngles, or empty ones if an array is missing, empty or not finite.
+lms3dGridAngles lms3dGetGridAngles(vtkFieldData* data);
 
 /// Adds the arrays AlphaAngles, BetaAngles (degrees) and SensorToWorld, which the header of
 /// vtkLMS3DScanFilter documents.

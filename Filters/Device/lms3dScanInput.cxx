@@ -100,6 +100,23 @@ bool AreEqual(vtkDoubleArray* array, const std::vector<double>& values)
 }
 } // namespace
 
+void lms3dThrowBadReturn(std::int64_t index, double range, int beamId, std::int64_t beams)
+{
+  const std::string beginning = "Return " + std::to_string(index) + " of the scan has the ";
+  if (beamId < 0 || beamId >= beams)
+  {
+    throw std::runtime_error(beginning + "BeamId " + std::to_string(beamId) + "; 0 to " +
+      std::to_string(beams - 1) + " are expected from AlphaAngles and BetaAngles.");
+  }
+  if (!(range > 0.0 && range <= std::numeric_limits<double>::max()))
+  {
+    throw std::runtime_error(beginning + "Range " + std::to_string(range) +
+      "; a finite number of metres above 0 is expected. Remove beams that gave no return.");
+  }
+  throw std::runtime_error(beginning + "BeamId " + std::to_string(beamId) +
+    " of an earlier return; at most one return for each beam is expected.");
+}
+
 lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
 {
   const vtkIdType count = scan->GetNumberOfPoints();
@@ -147,6 +164,18 @@ void lms3dScanInput::CheckPoints() const
 lms3dScanGeometry lms3dScanInput::GetGeometry() const
 {
   return { ToVector(this->AlphaAngles), ToVector(this->BetaAngles) };
+}
+
+lms3dPose lms3dScanInput::GetPose() const
+{
+  const double* matrix = this->GetSensorToWorld();
+  lms3dPose pose;
+  pose.Position = this->GetSensorPosition();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    pose.Axes[axis] = { matrix[axis], matrix[4 + axis], matrix[8 + axis] };
+  }
+  return pose;
 }
 
 bool lms3dScanInput::HasAngles(const lms3dScanGeometry& geometry) const

@@ -14,8 +14,15 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <cstdint>
 
 class vtkPolyData;
+
+/// Throws std::runtime_error, with a text for the user: the return has a BeamId outside of the
+/// `beams` of the grid, or a Range that is not a finite number above 0, or otherwise the BeamId of
+/// another return.
+[[noreturn]] void lms3dThrowBadReturn(
+  std::int64_t index, double range, int beamId, std::int64_t beams);
 
 /// Keeps the arrays of a scan alive, and shares them unless another filter changed their types.
 class lms3dScanInput
@@ -45,6 +52,8 @@ public:
   void CheckPoints() const;
 
   lms3dScanGeometry GetGeometry() const;
+
+  lms3dPose GetPose() const;
 
   /// Returns whether the angles of the scan and of `geometry` are equal to the bit.
   bool HasAngles(const lms3dScanGeometry& geometry) const;

@@ -19,6 +19,7 @@
 #include "Kernels/lms3dBeamPacket.h"
 #include "Kernels/lms3dNarrowTriangle.h"
 #include "Kernels/lms3dNormalStrip.h"
+#include "Kernels/lms3dRangeErrorRow.h"
 #include "Kernels/lms3dTile.h"
 
 #include <cstdint>
@@ -216,6 +217,14 @@ struct lms3dPacketKernels
   /// Adds the normals of the triangles between the strip's two turns, completes the sums of the first
   /// turn and makes the second turn the first one.
   void (*AddStrip)(lms3dNormalStrip& strip);
+
+  /// Fills 2 * `pairs` independent normal deviates (mean 0, variance 1), one for each beam of the turn.
+  void (*DrawNormals)(const lms3dDrawKey& key, int pairs, double* deviates);
+
+  /// Replaces ranges (metres) by the reported ones: NaN where a range is NaN, or would not be above 0
+  /// and finite.
+  void (*ReportRanges)(
+    const lms3dRangeErrorModel& model, const double* deviates, int count, double* ranges);
 };
 
 /// Returns the kernels of the processor's widest instruction set, or of a narrower one that the

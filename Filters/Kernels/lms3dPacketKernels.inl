@@ -15,6 +15,7 @@
 #include "Kernels/lms3dInsideKernels.inl"
 #include "Kernels/lms3dNarrowKernels.inl"
 #include "Kernels/lms3dNormalKernels.inl"
+#include "Kernels/lms3dRangeErrorKernels.inl"
 #include "Kernels/lms3dRangeKernels.inl"
 #include "Kernels/lms3dTileKernels.inl"
 
@@ -23,6 +24,6 @@
   GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, MakeNarrowTriangle,  \
     UpdateNarrow, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles, FindHits,           \
     MakeDoubleDoublePlane, MakeDoublePlane, IntersectDoubleDoublePlane, IntersectDoublePlane, \
-    StoreRanges, ApplyMinimumRange, Locate, AddStrip
+    StoreRanges, ApplyMinimumRange, Locate, AddStrip, DrawNormals, ReportRanges
 
 #endif

@@ -45,13 +45,13 @@ void lms3dRequestPiece(int piece, int pieces, vtkInformation* input)
   }
 }
 
-void lms3dUpdateInput(vtkAlgorithm* filter, int port)
+void lms3dUpdateInput(vtkAlgorithm* filter, int port, int piece, int pieces)
 {
   int output;
   vtkAlgorithm* producer = filter->GetInputAlgorithm(port, 0, output);
   vtkNew<vtkInformationVector> requests;
   requests->SetNumberOfInformationObjects(output + 1);
-  lms3dRequestPiece(0, 1, requests->GetInformationObject(output));
+  lms3dRequestPiece(piece, pieces, requests->GetInformationObject(output));
   producer->Update(output, requests);
 }
 

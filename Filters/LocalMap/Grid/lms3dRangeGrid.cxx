@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 
+#include "Device/lms3dScanInput.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace
@@ -67,28 +67,10 @@ void lms3dRangeGrid::AssignReturns(const double* ranges, const int* beamIds, std
     if (beam < 0 || beam >= beams || this->ReturnOfBeam[beam] != NoReturn ||
       !(ranges[i] > 0.0 && ranges[i] <= MaximumRange))
     {
-      this->ThrowBadReturn(i, ranges[i], beam);
+      lms3dThrowBadReturn(i, ranges[i], beam, beams);
     }
     this->ReturnOfBeam[beam] = static_cast<std::int32_t>(i);
   }
-}
-
-void lms3dRangeGrid::ThrowBadReturn(std::int64_t index, double range, int beamId) const
-{
-  const std::string beginning = "Return " + std::to_string(index) + " of the scan has the ";
-  const std::int64_t beams = static_cast<std::int64_t>(this->ReturnOfBeam.size());
-  if (beamId < 0 || beamId >= beams)
-  {
-    throw std::runtime_error(beginning + "BeamId " + std::to_string(beamId) + "; 0 to " +
-      std::to_string(beams - 1) + " are expected from AlphaAngles and BetaAngles.");
-  }
-  if (this->ReturnOfBeam[beamId] != NoReturn)
-  {
-    throw std::runtime_error(beginning + "BeamId " + std::to_string(beamId) +
-      " of an earlier return; at most one return for each beam is expected.");
-  }
-  throw std::runtime_error(beginning + "Range " + std::to_string(range) +
-    "; a finite number of metres above 0 is expected. Remove beams that gave no return.");
 }
 
 // Keeps the return of median range in the first turn and removes the others.

@@ -75,7 +75,6 @@ public:
 
 private:
   void AssignReturns(const double* ranges, const int* beamIds, std::int64_t count);
-  [[noreturn]] void ThrowBadReturn(std::int64_t index, double range, int beamId) const;
   void CollapsePole(int beam, const double* ranges);
   void CountVertices();
   void FillTurn(int turn, const double* ranges);

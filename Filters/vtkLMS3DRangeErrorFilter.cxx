@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLMS3DRangeErrorFilter.h"
+
+#include "Device/lms3dRangeImage.h"
+#include "Pipeline/lms3dAlgorithmProgress.h"
+#include "Pipeline/lms3dErrorReport.h"
+#include "Pipeline/lms3dFailure.h"
+#include "Pipeline/lms3dPipelineRequests.h"
+#include "RangeErrors/lms3dRangeErrorJob.h"
+#include "Scan/lms3dProcesses.h"
+
+#include <vtkDataObject.h>
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+vtkStandardNewMacro(vtkLMS3DRangeErrorFilter);
+
+struct vtkLMS3DRangeErrorFilter::Internals
+{
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  lms3dRangeErrorJob Job;
+  lms3dErrorReport Errors;
+};
+
+vtkLMS3DRangeErrorFilter::vtkLMS3DRangeErrorFilter()
+  : Internal(new Internals)
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkLMS3DRangeErrorFilter::~vtkLMS3DRangeErrorFilter() = default;
+
+void vtkLMS3DRangeErrorFilter::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Internal->Controller != controller)
+  {
+    this->Internal->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkLMS3DRangeErrorFilter::GetController() const
+{
+  return this->Internal->Controller;
+}
+
+vtkImageData* vtkLMS3DRangeErrorFilter::GetRangeImage()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkLMS3DRangeErrorFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  return 1;
+}
+
+int vtkLMS3DRangeErrorFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // Only the data of a scan has the size of its range image.
+  vtkMultiProcessController* controller = this->Internal->Controller;
+  const lms3dProcesses processes(controller);
+  lms3dUpdateInput(this, 0, processes.GetRank(), processes.GetCount());
+  if (vtkPolyData* scan = vtkPolyData::GetData(inputVector[0]))
+  {
+    if (const lms3dScanGeometry* geometry = this->Internal->Job.GetGeometry(scan, controller))
+    {
+      lms3dDescribeRangeImage(*geometry, outputVector->GetInformationObject(1));
+    }
+  }
+  return 1;
+}
+
+int vtkLMS3DRangeErrorFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  const lms3dProcesses processes(this->Internal->Controller);
+  lms3dRequestPiece(
+    processes.GetRank(), processes.GetCount(), inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
+int vtkLMS3DRangeErrorFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // Without SetErrorCode(), which modifies the filter, so that every update would run it again.
+  this->ErrorCode = vtkErrorCode::NoError;
+  // An image keeps its arrays from one execution to the next.
+  vtkImageData::GetData(outputVector, 1)->Initialize();
+  vtkMultiProcessController* controller = this->Internal->Controller;
+  // In one process the first piece is the whole scan, and other pieces are empty.
+  if (!lms3dProcesses(controller).IsParallel() &&
+    !lms3dIsFirstPiece(lms3dGetRequestedOutput(request, outputVector)))
+  {
+    return 1;
+  }
+  const lms3dRangeErrorSettings settings = { this->RangeBias, this->RangeNoise,
+    this->RangeResolution, this->NoiseSeed };
+  std::string error = lms3dFindRangeErrorProblem(settings);
+  bool isDone = false;
+  if (error.empty())
+  {
+    const lms3dRangeErrorJobRequest job = { settings, this->NumberOfThreads, controller,
+      vtkPolyData::GetData(inputVector[0]), outputVector, lms3dReportTo(this, 0.0, 1.0) };
+    error = lms3dRunAndGetError([&] { isDone = this->Internal->Job.Run(job); },
+      "There is not enough memory for the scan with errors. Choose lower resolutions for the "
+      "scan.");
+  }
+  if (!error.empty())
+  {
+    this->ErrorCode = vtkErrorCode::UserError;
+    return this->Internal->Errors.Report(this, error, outputVector);
+  }
+  if (!isDone)
+  {
+    lms3dClearOutputs(outputVector);
+  }
+  return 1;
+}
+
+void vtkLMS3DRangeErrorFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RangeBias: " << this->RangeBias << '\n';
+  os << indent << "RangeNoise: " << this->RangeNoise << '\n';
+  os << indent << "RangeResolution: " << this->RangeResolution << '\n';
+  os << indent << "NoiseSeed: " << this->NoiseSeed << '\n';
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << '\n';
+  os << indent << "Controller: " << this->GetController() << '\n';
+}
