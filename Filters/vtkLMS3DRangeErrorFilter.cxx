@@ -19,6 +19,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <string>
 
@@ -68,7 +69,18 @@ int vtkLMS3DRangeErrorFilter::FillOutputPortInformation(int port, vtkInformation
 int vtkLMS3DRangeErrorFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Only the data of a scan has the size of its range image.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  vtkInformation* image = outputVector->GetInformationObject(1);
+  if (input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    image->CopyEntry(input, Pipeline::WHOLE_EXTENT());
+    image->CopyEntry(input, vtkDataObject::ORIGIN());
+    image->CopyEntry(input, vtkDataObject::SPACING());
+    vtkDataObject::SetPointDataActiveScalarInfo(image, VTK_DOUBLE, 1);
+    return 1;
+  }
+  // The data of a scan that does not come from the filter has the size of its range image.
   vtkMultiProcessController* controller = this->Internal->Controller;
   const lms3dProcesses processes(controller);
   lms3dUpdateInput(this, 0, processes.GetRank(), processes.GetCount());
@@ -76,7 +88,7 @@ int vtkLMS3DRangeErrorFilter::RequestInformation(
   {
     if (const lms3dScanGeometry* geometry = this->Internal->Job.GetGeometry(scan, controller))
     {
-      lms3dDescribeRangeImage(*geometry, outputVector->GetInformationObject(1));
+      lms3dDescribeRangeImage(*geometry, image);
     }
   }
   return 1;

@@ -27,8 +27,9 @@
  *
  * @par Output 1, the range image
  * The range image of output 0, as in vtkLMS3DScanFilter: `Range` (float64, metres) for all beams, NaN
- * without a return. The extent of the image depends on the scan. Therefore the filter updates its
- * input already when a consumer requests information.
+ * without a return. vtkLMS3DScanFilter publishes the extent of the image before it scans. An input
+ * without a published extent, such as a scan from a file, is updated already when a consumer requests
+ * information.
  *
  * @par Beams without a return
  * A beam without a return stays without one. A device counts steps of distance, and 0 stands for no

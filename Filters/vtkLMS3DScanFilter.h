@@ -14,7 +14,8 @@
  *     d(alpha, beta) = (cos(alpha) cos(beta), -cos(alpha) sin(beta), sin(alpha))
  *
  * (section 2.1 of the paper). Beta turns clockwise, seen from above. The sensor is ideal: a beam
- * has no width, and a range has no noise. Units are metres and degrees.
+ * has no width, and a range has no noise. (vtkLMS3DRangeErrorFilter adds the errors of a real
+ * device.) Units are metres and degrees.
  *
  * @par Input 0, the scene
  * A vtkPolyData, any other data set, or a composite of data sets. The filter scans polygons and
@@ -140,7 +141,7 @@
  * The memory of outputs that were released is kept for the next scan.
  *
  * @sa
- * vtkLMS3DSurfaceReconstructionFilter vtkVRMLImporterSource
+ * vtkLMS3DRangeErrorFilter vtkLMS3DSurfaceReconstructionFilter vtkVRMLImporterSource
  */
 #ifndef vtkLMS3DScanFilter_h
 #define vtkLMS3DScanFilter_h

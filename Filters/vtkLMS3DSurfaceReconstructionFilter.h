@@ -63,7 +63,7 @@
  * returns gives an empty map and no error. The output is the same to the bit for any NumberOfThreads.
  *
  * @sa
- * vtkLMS3DScanFilter
+ * vtkLMS3DScanFilter vtkLMS3DRangeErrorFilter
  */
 #ifndef vtkLMS3DSurfaceReconstructionFilter_h
 #define vtkLMS3DSurfaceReconstructionFilter_h

@@ -4,8 +4,8 @@
  * @file
  * @brief Kernels of range errors: normal deviates, and the ranges that a device reports.
  *
- * The logarithm, sine and cosine are own series: those of the C library differ in the last bit
- * between processors and versions, and compilers do not vectorize them.
+ * The logarithm, sine and cosine are series of our own: the functions of the C library differ in the
+ * last bit between processors and versions, and compilers do not vectorize them.
  */
 #ifndef lms3dRangeErrorKernels_inl
 #define lms3dRangeErrorKernels_inl

@@ -37,7 +37,7 @@ inline bool lms3dIsOutputOf(vtkSMProxy* shown, const char* source, unsigned int 
 
 inline bool lms3dIsRangeImage(vtkSMProxy* shown)
 {
-  return lms3dIsOutputOf(shown, "LMS3DScan", 1);
+  return lms3dIsOutputOf(shown, "LMS3DScan", 1) || lms3dIsOutputOf(shown, "LMS3DRangeError", 1);
 }
 
 /// Whether `view` has a visible representation whose proxy passes `test`.

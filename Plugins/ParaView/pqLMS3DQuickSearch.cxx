@@ -11,8 +11,8 @@
 
 namespace
 {
-const char* const Filters[] = { "LMS3DScan", "LMS3DSurfaceReconstruction", "LMS3DMapComparison",
-  "LMS3DRemote" };
+const char* const Filters[] = { "LMS3DScan", "LMS3DRangeError", "LMS3DSurfaceReconstruction",
+  "LMS3DMapComparison", "LMS3DRemote" };
 const char* const Words = " (lidar, laser, range)";
 } // namespace
 

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scans with all processes of a pvbatch: `pvbatch ParallelScan.py JOB.json`, under mpirun.
 
-JOB.json lists the cases: a scene, the filter that spreads it over the processes, and the properties
-of the scan. In the folder of the job the first process writes the arrays of each case to CASE.npz and
-its errors to CASE.txt, and each process the names of its arrays to CASE.RANK.json.
+JOB.json lists the cases: a scene, the filter that spreads it over the processes, the properties of
+the scan, and the errors of its ranges. In the folder of the job the first process writes the arrays of
+each case to CASE.npz and its errors to CASE.txt, and each process the names of its arrays to
+CASE.RANK.json.
 """
 
 import json
@@ -101,6 +102,9 @@ def run(case):
     if "time" in case:
         scan.UpdatePipeline(case["time"])
     else:
+        scan.UpdatePipeline()
+    if "errors" in case:
+        scan = LMS3DRangeError(Input=scan, **case["errors"])
         scan.UpdatePipeline()
     local_map = LMS3DSurfaceReconstruction(Input=scan)
     if not said:

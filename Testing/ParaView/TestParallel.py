@@ -35,10 +35,14 @@ RUNS = {"1": (1, True), "2": (2, True), "4": (4, True), "driven": (2, False)}
 
 COARSE = {"AlphaResolution": 37, "BetaResolution": 36}
 
+# A scan with beams that have no return, and the errors of its ranges.
+NEAR = {"Position": [0.3, -0.2, 1.0], "MinimumRange": 2.0, "MaximumRange": 4.0}
+ERRORS = {"RangeBias": 0.01, "RangeNoise": 0.005, "RangeResolution": 0.001, "NoiseSeed": 7}
+
 # Sensors and methods by name. Each scans a scene on one process and a spread scene.
 SCANS = {
     "room": (ROOM, {"Position": [0.3, -0.2, 1.0]}),
-    "near": (ROOM, {"Position": [0.3, -0.2, 1.0], "MinimumRange": 2.0, "MaximumRange": 4.0}),
+    "near": (ROOM, NEAR),
     # From the middle, beams hit the ball's vertices and edges, and the squares' corners.
     "lattice": ("lattice.vtp", {"Position": [0.0, 0.0, 0.0]}),
     "labelled": (ROOM, {"Position": [0.3, -0.2, 1.0], "SurfaceAttributes": 1, **COARSE}),
@@ -54,13 +58,18 @@ def read(path):
     return reader
 
 
-def serial(scene, properties):
+def serial(scene, properties, errors=None):
     """The arrays that one process computes, in the form of ParallelScan.py."""
     reader = read(scene)
     scan = lms3d.vtkLMS3DScanFilter()
     scan.SetInputConnection(reader.GetOutputPort())
     for name, value in properties.items():
         getattr(scan, f"Set{name}")(value)
+    if errors:
+        ideal, scan = scan, lms3d.vtkLMS3DRangeErrorFilter()
+        scan.SetInputConnection(ideal.GetOutputPort())
+        for name, value in errors.items():
+            getattr(scan, f"Set{name}")(value)
     local_map = lms3d.vtkLMS3DSurfaceReconstructionFilter()
     local_map.SetInputConnection(scan.GetOutputPort())
     local_map.Update()
@@ -138,6 +147,7 @@ class TestParallel(unittest.TestCase):
                 yield {"name": f"{name}.{spread}", "scene": str(cls.folder / scene),
                        "spread": spread, "properties": properties}
         room = {"scene": str(ROOM), "spread": SPREADS[-1], "properties": {}}
+        yield {**room, "name": "reported", "properties": NEAR, "errors": ERRORS}
         yield {**room, "name": "journey", "trajectory": str(cls.folder / "journey.vtp"), "time": 1}
         yield {**room, "name": "lost", "trajectory": str(cls.folder / "bad.vtp")}
         # From far above, no beam returns. The labelled cells are in all processes, or in the first alone.
@@ -149,9 +159,9 @@ class TestParallel(unittest.TestCase):
         yield {**room, "name": "missing", "scene": str(cls.folder / "no.wrl"), "spread": "one"}
         yield {**room, "name": "compared", "compare": True}
 
-    def assert_same(self, name, scene, properties):
+    def assert_same(self, name, scene, properties, errors=None):
         """Every number of processes returns what one process returns."""
-        expected = serial(self.folder / scene, properties)
+        expected = serial(self.folder / scene, properties, errors)
         self.assertGreater(expected["MapTriangles"].size, 0)
         for run, (_, is_symmetric) in RUNS.items():
             with self.subTest(name, run=run), np.load(self.folder / run / f"{name}.npz") as scan:
@@ -216,6 +226,9 @@ class TestParallel(unittest.TestCase):
                     found = [array for array in self.names(run, name)[0]["arrays"]
                              if array[0] != "vtkOriginalCellIds"]
                     self.assertEqual(found, expected)
+
+    def test_errors_of_ranges_are_the_same(self):
+        self.assert_same("reported", ROOM, NEAR, ERRORS)
 
     def test_all_processes_report_errors_and_go_on(self):
         words_of = {"lost": "The trajectory has its point 0", "empty": "The scene has no polygons",

@@ -121,6 +121,20 @@ class TestRoom(unittest.TestCase):
         patches = vtk_to_numpy(surface.GetCellData().GetArray("PatchId"))
         self.assertEqual(patches.max() + 1, results.GetArray("NumberOfPatches").GetValue(0))
 
+    def test_range_errors_change_scan_image_and_map(self):
+        errors = LMS3DRangeError(Input=self.scan, RangeBias=0.25, NoiseSeed=3)
+        scan, ideal = output(errors), output(self.scan)
+        image = algorithm(errors).GetOutputDataObject(1)
+        np.testing.assert_array_equal(array(scan, "Range"), array(ideal, "Range") + 0.25)
+        np.testing.assert_array_equal(
+            array(image, "Range")[array(scan, "BeamId")], array(scan, "Range"))
+        errors.RangeNoise = 0.005
+        noise = array(output(errors), "Range") - array(ideal, "Range") - 0.25
+        self.assertAlmostEqual(noise.std(), 0.005, delta=4e-5)
+        self.assertGreater(output(LMS3DSurfaceReconstruction(Input=errors)).GetNumberOfPolys(), 0)
+        self.assertEqual(
+            [errors.SMProxy.GetOutputPortName(i) for i in (0, 1)], ["Scan", "Range Image"])
+
     def test_field_arrays_are_no_choice_for_colouring(self):
         comparison = LMS3DMapComparison(Map=self.map, Scene=self.reader)
         bounded = LMS3DSurfaceReconstruction(Input=self.scan)

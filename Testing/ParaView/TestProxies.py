@@ -63,6 +63,11 @@ def compare():
     return LMS3DMapComparison(Map=simple.Sphere(), Scene=simple.Sphere())
 
 
+def constructors():
+    """What makes the proxies whose properties the tests check."""
+    return VRMLReader, LMS3DScan, LMS3DRangeError, LMS3DSurfaceReconstruction, compare
+
+
 class TestProxies(unittest.TestCase):
     """What the plugin adds, as the properties panel shows it."""
 
@@ -78,6 +83,7 @@ class TestProxies(unittest.TestCase):
         classes = {
             VRMLReader: "vtkVRMLImporterSource",
             LMS3DScan: "vtkLMS3DScanFilter",
+            LMS3DRangeError: "vtkLMS3DRangeErrorFilter",
             LMS3DSurfaceReconstruction: "vtkLMS3DSurfaceReconstructionFilter",
             compare: "vtkLMS3DMapComparison",
         }
@@ -86,14 +92,14 @@ class TestProxies(unittest.TestCase):
                 self.assertEqual(algorithm(make()).GetClassName(), name)
 
     def test_filters_are_in_the_menu_lms3d(self):
-        for make in (LMS3DScan, LMS3DSurfaceReconstruction, compare):
+        for make in (LMS3DScan, LMS3DRangeError, LMS3DSurfaceReconstruction, compare):
             with self.subTest(make.__name__):
                 menu = make().SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
                 self.assertEqual(menu.GetAttribute("category"), "LMS3D")
 
     def test_the_short_help_has_the_words_of_the_field(self):
         """ParaView's quick search finds them from version 5.13 on."""
-        for make in (LMS3DScan, LMS3DSurfaceReconstruction, compare):
+        for make in (LMS3DScan, LMS3DRangeError, LMS3DSurfaceReconstruction, compare):
             for word in ("lidar", "laser", "range"):
                 with self.subTest(make.__name__, word=word):
                     self.assertIn(word, make().SMProxy.GetDocumentation().GetShortHelp())
@@ -101,6 +107,7 @@ class TestProxies(unittest.TestCase):
     def test_labels(self):
         self.assertEqual(VRMLReader().GetXMLLabel(), "VRML Reader")
         self.assertEqual(LMS3DScan().GetXMLLabel(), "LMS3D Scan")
+        self.assertEqual(LMS3DRangeError().GetXMLLabel(), "LMS3D Range Error")
         self.assertEqual(
             LMS3DSurfaceReconstruction().GetXMLLabel(), "LMS3D Surface Reconstruction")
         self.assertEqual(compare().GetXMLLabel(), "LMS3D Map Comparison")
@@ -122,7 +129,7 @@ class TestProxies(unittest.TestCase):
         })
 
     def test_every_property_is_documented(self):
-        for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction, compare):
+        for make in constructors():
             proxy = make()
             for name in proxy.ListProperties():
                 with self.subTest(make.__name__, property=name):
@@ -130,7 +137,7 @@ class TestProxies(unittest.TestCase):
 
     def explained(self):
         """The properties that have a default, each with its name and its documentation."""
-        for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction, compare):
+        for make in constructors():
             proxy = make()
             for name in set(proxy.ListProperties()) - NEEDED:
                 shown = proxy.SMProxy.GetProperty(name)
@@ -159,7 +166,7 @@ class TestProxies(unittest.TestCase):
                                  for i in range(filter_.GetNumberOfIntersectionMethods())})
 
     def test_defaults_match_the_filters(self):
-        for make in (VRMLReader, LMS3DScan, LMS3DSurfaceReconstruction, compare):
+        for make in constructors():
             proxy = make()
             fresh = getattr(lms3d, algorithm(proxy).GetClassName())()
             for name in set(proxy.ListProperties()) - NEEDED:

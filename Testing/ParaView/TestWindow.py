@@ -22,7 +22,8 @@ ROOM, JOURNEY = DATA / "room.wrl", DATA / "journey.vtp"
 BEAMS = 361 * 360
 HAS_REMOTE = "LMS3DRemote" in os.environ["LMS3D_PLUGINS"]
 
-FILTERS = ["LMS3D Map Comparison", "LMS3D Scan", "LMS3D Surface Reconstruction"]
+FILTERS = ["LMS3D Map Comparison", "LMS3D Range Error", "LMS3D Scan",
+           "LMS3D Surface Reconstruction"]
 
 
 class TestToolbars(WindowTest):
@@ -65,7 +66,7 @@ class TestRun(WindowTest):
         before = self.plain_settings()
         code, messages = window.play(
             self.home, [*window.APPLY, *window.expect_cells(804),
-                        *window.expect_icon("filters", "LMS3D", 1, "LMS3D Scan")],
+                        *window.expect_icon("filters", "LMS3D", 2, "LMS3D Scan")],
             [self.root / "run", "paraview", ROOM], LMS3D_PRESET="default",
             PATH=f"{self.programs}:{os.environ['PATH']}")
         self.assertEqual(code, 0, messages)

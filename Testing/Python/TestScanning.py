@@ -124,12 +124,13 @@ class TestOptions(unittest.TestCase):
     """The arguments of a scan."""
 
     def test_the_defaults_are_the_filters(self):
-        sensor = lms3d.vtkLMS3DScanFilter()
+        sensor, errors = lms3d.vtkLMS3DScanFilter(), lms3d.vtkLMS3DRangeErrorFilter()
         for name, parameter in inspect.signature(lms3d.scan).parameters.items():
             if parameter.default is not parameter.empty and name not in ("method", "threads"):
                 with self.subTest(name):
-                    getter = "Get" + name.title().replace("_", "")
-                    self.assertEqual(parameter.default, getattr(sensor, getter)())
+                    name_in_vtk = {"seed": "NoiseSeed"}.get(name, name.title().replace("_", ""))
+                    owner = sensor if hasattr(sensor, f"Get{name_in_vtk}") else errors
+                    self.assertEqual(parameter.default, getattr(owner, f"Get{name_in_vtk}")())
                     self.assertIn(name, lms3d.scan.__doc__)
         self.assertEqual(METHODS["exact"], sensor.GetIntersectionMethod())
 

@@ -20,7 +20,7 @@ ROW = re.compile(r"^\| `([\w/]+)` \|([^|]*)\|([^|]*)\|[^|]*\|$", re.MULTILINE)
 INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)
 # By the beginning of the header's name.
 LIBRARIES = {"ParaView": r"pq|vtkSM|vtkPV", "VTK": r"vtk", "TBB": r"tbb/", "Embree": r"embree\d/",
-             "omniORB": r"omni", "Qt": r"Q[A-Z]"}
+             "omniORB": r"omni", "Qt": r"Q[A-Z]", "Random123": r"Random123/"}
 
 
 class Room:

@@ -12,7 +12,8 @@ def _load_plugins_in_states():
     from paraview import servermanager, smstate
 
     constructors = {
-        "LMS3D": ("VRMLReader", "LMS3DScan", "LMS3DSurfaceReconstruction", "LMS3DMapComparison"),
+        "LMS3D": ("VRMLReader", "LMS3DScan", "LMS3DRangeError", "LMS3DSurfaceReconstruction",
+                  "LMS3DMapComparison"),
         "LMS3DRemote": ("LMS3DRemote",),
     }
     start = "from paraview.simple import *\n"

@@ -12,8 +12,9 @@ Scan a mesh (metres; angles are in degrees, z is up) and look at the ranges, a n
 `scan` also accepts a vtkPolyData, and `reconstruct` makes a local map of triangles from a scan.
 
 The classes are ordinary VTK algorithms: vtkVRMLImporterSource reads a scene, vtkLMS3DScanFilter
-scans it, vtkLMS3DSurfaceReconstructionFilter makes a local map from a scan, and
-vtkLMS3DMapComparison measures how far the map is from the scene. If LMS3D was built with CORBA,
+scans it, vtkLMS3DRangeErrorFilter gives the scan the errors of a real device,
+vtkLMS3DSurfaceReconstructionFilter makes a local map from a scan, and vtkLMS3DMapComparison measures
+how far the map is from the scene. If LMS3D was built with CORBA,
 vtkLMS3DRemoteSource shows the scans of a running server.
 Importing the package needs no display. The same job from a shell:
 ``python3 -m lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp``.

@@ -14,4 +14,5 @@ METHODS = {
 
 # A count is an int in VTK.
 MAXIMUM_COUNT = 2**31 - 1
+MINIMUM_SEED = -2**31
 MAXIMUM_THREADS = 1024

@@ -15,8 +15,12 @@ from .interruption import abortable
 from .mesh import from_vtk, to_vtk
 from .messages import VTKMessages
 from .problems import Problem
-from .properties import MAXIMUM_COUNT, MAXIMUM_THREADS, METHODS
-from .vtkLMS3DFilters import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
+from .properties import MAXIMUM_COUNT, MAXIMUM_THREADS, METHODS, MINIMUM_SEED
+from .vtkLMS3DFilters import (
+    vtkLMS3DRangeErrorFilter,
+    vtkLMS3DScanFilter,
+    vtkLMS3DSurfaceReconstructionFilter,
+)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -47,7 +51,8 @@ class Scan:
 
 def scan(mesh, position, *, orientation=(0.0, 0.0, 0.0), alpha_range=(-90.0, 90.0),
          alpha_resolution=361, beta_range=(0.0, 360.0), beta_resolution=360, minimum_range=0.0,
-         maximum_range=80.0, method="exact", threads=0, surface_attributes=False):
+         maximum_range=80.0, method="exact", threads=0, surface_attributes=False,
+         range_bias=0.0, range_noise=0.0, range_resolution=0.0, seed=0):
     """Scan a mesh from a position and return a Scan, whose fields are numpy arrays.
 
     Lengths are in metres, angles in degrees; z is up. Further scans of one mesh are faster with
@@ -66,6 +71,10 @@ def scan(mesh, position, *, orientation=(0.0, 0.0, 0.0), alpha_range=(-90.0, 90.
     threads: 1 to 1024; 0 stands for all cores. The result does not depend on it.
     surface_attributes: whether the point data of `poly` also has what the beams hit: Normals,
         Incidence, and the cell arrays of the mesh.
+    range_bias, range_noise, range_resolution: the errors of the device, metres, in this order: a
+        constant, one standard deviation of normally distributed noise, and the step that ranges are
+        rounded to. By default there are none. A range that would be 0 or less is no return.
+    seed: the number of the noise; the same seed gives the same noise.
 
     Raises ValueError if an argument is invalid or the mesh has no polygons.
     """
@@ -84,8 +93,18 @@ def scan(mesh, position, *, orientation=(0.0, 0.0, 0.0), alpha_range=(-90.0, 90.
     sensor.SetIntersectionMethod(METHODS[method])
     sensor.SetSurfaceAttributes(bool(surface_attributes))
     sensor.SetNumberOfThreads(_to_count("threads", threads, 0, MAXIMUM_THREADS))
+    errors = vtkLMS3DRangeErrorFilter()
+    errors.SetRangeBias(_to_finite("range_bias", range_bias))
+    errors.SetRangeNoise(_to_bound("range_noise", range_noise))
+    errors.SetRangeResolution(_to_bound("range_resolution", range_resolution))
+    errors.SetNoiseSeed(_to_count("seed", seed, MINIMUM_SEED))
+    errors.SetNumberOfThreads(sensor.GetNumberOfThreads())
     _update(sensor, "cannot scan")
-    return _result(sensor)
+    if not (range_bias or range_noise or range_resolution):
+        return _result(sensor)
+    errors.SetInputConnection(sensor.GetOutputPort())
+    _update(errors, "cannot add errors to the ranges")
+    return _result(errors)
 
 
 def reconstruct(scan, *, maximum_error=0.01, depth_step=0.1):
@@ -105,8 +124,8 @@ def reconstruct(scan, *, maximum_error=0.01, depth_step=0.1):
     return from_vtk(mapping.GetOutput())
 
 
-def _result(sensor):
-    poly, image = sensor.GetOutput(), sensor.GetOutputDataObject(1)
+def _result(last):
+    poly, image = last.GetOutput(), last.GetOutputDataObject(1)
 
     def point_array(name):
         return vtk_to_numpy(poly.GetPointData().GetArray(name))
@@ -153,6 +172,13 @@ def _to_number(name, value):
         raise ValueError(f"{name} must be a number, not {value!r}") from None
 
 
+def _to_finite(name, value):
+    number = _to_number(name, value)
+    if not math.isfinite(number):
+        raise ValueError(f"{name} must be finite, not {value!r}")
+    return number
+
+
 def _to_bound(name, value):
     bound = _to_number(name, value)
     if not 0 <= bound < math.inf:
@@ -164,7 +190,7 @@ def _to_count(name, value, minimum=1, maximum=MAXIMUM_COUNT):
     try:
         count = operator.index(value)
     except TypeError:
-        count = -1
+        count = minimum - 1
     if not minimum <= count <= maximum:
         raise ValueError(f"{name} must be a whole number from {minimum} to {maximum}, not "
                          f"{value!r}")

@@ -4,10 +4,15 @@
 
 import time
 from dataclasses import dataclass, field
+from typing import Optional
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from . import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
+from . import (
+    vtkLMS3DRangeErrorFilter,
+    vtkLMS3DScanFilter,
+    vtkLMS3DSurfaceReconstructionFilter,
+)
 from .execution import update
 from .problems import Problem
 from .scene import Scene
@@ -18,7 +23,8 @@ class Simulation:
     """A sensor in a scene and the local map of what it sees.
 
     `sensor` and `reconstruction` are connected VTK filters: set the properties of sensor and map
-    there. `scan`, `range_image` and `map` are their outputs.
+    there. `scan`, `range_image` and `map` are their outputs. `errors` is None, or the filter between
+    them that `add_errors` made; then scan, range image and map have reported ranges.
     """
 
     scene: Scene
@@ -26,20 +32,36 @@ class Simulation:
     reconstruction: vtkLMS3DSurfaceReconstructionFilter = field(
         default_factory=vtkLMS3DSurfaceReconstructionFilter
     )
+    errors: Optional[vtkLMS3DRangeErrorFilter] = None
 
     def __post_init__(self):
         self.sensor.SetInputDataObject(self.scene.data)
         self.reconstruction.SetInputConnection(self.sensor.GetOutputPort())
 
+    def add_errors(self):
+        """Put a filter between sensor and map that adds errors to ranges, and return it."""
+        self.errors = vtkLMS3DRangeErrorFilter()
+        self.errors.SetInputConnection(self.sensor.GetOutputPort())
+        self.reconstruction.SetInputConnection(self.errors.GetOutputPort())
+        return self.errors
+
+    @property
+    def steps(self):
+        """What makes a scan: VTK filters, each with its label and the beginning of its errors."""
+        steps = [(self.sensor, "scanning", "cannot scan")]
+        if self.errors:
+            steps.append((self.errors, "adding errors", "cannot add errors to the ranges"))
+        return steps
+
     @property
     def scan(self):
         """The returns as vtkPolyData, one vertex each."""
-        return self.sensor.GetOutput()
+        return self._last.GetOutput()
 
     @property
     def range_image(self):
         """The grid of all ranges as vtkImageData (metres, NaN: no return)."""
-        return self.sensor.GetOutputDataObject(1)
+        return self._last.GetOutputDataObject(1)
 
     @property
     def map(self):
@@ -62,7 +84,8 @@ class Simulation:
 
     def run(self):
         """Scan; raises Problem if VTK reports an error or no beam returns."""
-        update(self.sensor, "scanning", "cannot scan")
+        for algorithm, label, failure in self.steps:
+            update(algorithm, label, failure)
         if self.returns == 0:
             raise Problem(self._no_return())
 
@@ -85,7 +108,14 @@ class Simulation:
                 times.append(time.perf_counter() - start)
         return min(times)
 
+    @property
+    def _last(self):
+        return self.errors or self.sensor
+
     def _no_return(self):
+        if self.sensor.GetOutput().GetNumberOfPoints() > 0:
+            return ("no range is above 0 after the errors of the device: choose a larger bias, or a "
+                    "smaller resolution")
         bounds = self.scene.surface.GetBounds()
         box = " x ".join(f"{a:.3g}..{b:.3g}" for a, b in zip(bounds[::2], bounds[1::2]))
         position = " ".join(f"{x:g}" for x in self.sensor.GetPosition())

@@ -30,7 +30,7 @@ class TrajectoryScan:
 
     def run(self, with_map=False):
         """Scan from each pose; yields its time when the simulation has its scan and map."""
-        works = [(self._simulation.sensor, "scanning", "cannot scan")]
+        works = self._simulation.steps
         if with_map:
             works.append(
                 (self._simulation.reconstruction, "mapping", "cannot build the local map"))

@@ -30,6 +30,9 @@ With --trajectory there is one scan for each pose, and with --map also one local
 is a .pvd file, which lists the files of all steps and their times; ParaView plays it. The poses
 are in the scene's coordinates, after --up-axis. Without the point array Orientation the sensor
 looks along the polyline; without a polyline its orientation is --orientation.
+
+The sensor is ideal. The errors of the device make its ranges what a real device reports: bias, then
+noise, then resolution. All results have these ranges. Each scan of a trajectory has its own noise.
 """
 EPILOG = """\
 examples:
@@ -39,6 +42,8 @@ examples:
   lms3d scan room.wrl --position 0.3 -0.2 1 -o - | gzip > points.csv.gz
   lms3d scan room.wrl --trajectory path.vtp -o scans.pvd --map maps.pvd
   lms3d scan room.wrl --position 0.3 -0.2 1 -o labelled.vtp --surface-attributes
+  lms3d scan room.wrl --position 0.3 -0.2 1 -o reported.vtp --range-noise 0.005 \\
+      --range-resolution 0.001 --seed 1 --map map.vtp --maximum-error 0.03
 """
 
 # The formats of points that keep all arrays.
@@ -49,6 +54,7 @@ def add_arguments(parser):
     """Add the options of this command."""
     scene_options.add_scene(parser)
     sensor_options.add_sensor(parser, position_needed=True, may_move=True)
+    sensor_options.add_errors(parser)
     results = parser.add_argument_group("results, at least one")
     results.add_argument("-o", "--output", metavar="FILE",
                          help="points: .vtp .ply .csv, or - for .csv on the standard output; with "
@@ -78,6 +84,7 @@ def run(options):
 def _scan(options):
     simulation = sensor_options.simulation(options)
     simulation.sensor.SetSurfaceAttributes(options.surface_attributes)
+    sensor_options.set_errors(simulation, options)
     print(f"scene    {simulation.scene}")
     if options.trajectory:
         _scan_trajectory(options, simulation)

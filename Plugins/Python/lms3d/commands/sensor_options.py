@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
 from ..problems import UsageProblem
-from ..properties import MAXIMUM_COUNT, MAXIMUM_THREADS, METHODS
+from ..properties import MAXIMUM_COUNT, MAXIMUM_THREADS, METHODS, MINIMUM_SEED
 from ..simulation import Simulation
 from . import scene_options
 
@@ -53,6 +53,15 @@ def count(text, maximum=MAXIMUM_COUNT):
 def thread_count(text):
     """A number of threads; 0 stands for all cores."""
     return 0 if int(text) == 0 else count(text, MAXIMUM_THREADS)
+
+
+def seed(text):
+    """The seed of random numbers: an int of VTK."""
+    value = int(text)
+    if not MINIMUM_SEED <= value <= MAXIMUM_COUNT:
+        raise argparse.ArgumentTypeError(
+            f"{text.strip()} is not within {MINIMUM_SEED} to {MAXIMUM_COUNT}")
+    return value
 
 
 def add_sensor(parser, position_needed, may_move=False, with_resolution=True):
@@ -120,6 +129,34 @@ def add_threads(group):
     group.add_argument("--threads", type=thread_count, metavar="N", default=0,
                        help="number of threads, up to 1024; the results are the same for any "
                        "number (default: 0, all cores)")
+
+
+def add_errors(parser):
+    """Add the errors of the device's ranges."""
+    group = parser.add_argument_group("errors of the device (default: none)")
+    group.add_argument("--range-bias", type=number, metavar="M", default=0.0,
+                       help="metres; added to every range (the data sheet of the LMS 200 allows "
+                       "-0.015 to 0.015)")
+    group.add_argument("--range-noise", type=bound, metavar="M", default=0.0,
+                       help="metres; one standard deviation of normally distributed noise along "
+                       "the beam (LMS 200: 0.005)")
+    group.add_argument("--range-resolution", type=bound, metavar="M", default=0.0,
+                       help="metres; ranges are rounded to the nearest multiple, after bias and "
+                       "noise (LMS 200: 0.001 or 0.01)")
+    group.add_argument("--seed", type=seed, metavar="N", default=0,
+                       help="number of the noise: the same seed gives the same noise, another "
+                       "seed other noise (default: 0)")
+
+
+def set_errors(simulation, options):
+    """Add the errors of the options to the simulation, if there are any."""
+    if options.range_bias or options.range_noise or options.range_resolution:
+        errors = simulation.add_errors()
+        errors.SetRangeBias(options.range_bias)
+        errors.SetRangeNoise(options.range_noise)
+        errors.SetRangeResolution(options.range_resolution)
+        errors.SetNoiseSeed(options.seed)
+        errors.SetNumberOfThreads(options.threads)
 
 
 def add_map(parser):
