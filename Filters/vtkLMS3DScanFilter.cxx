@@ -173,12 +173,8 @@ int vtkLMS3DScanFilter::RequestInformation(
   // RequestData reports bad properties. An extent needs good ones.
   if (lms3dFindSettingsError(settings).empty())
   {
-    // The pipeline passes the extent on through filters of the scan, to one that makes a new image.
-    for (int port = 0; port < 2; ++port)
-    {
-      lms3dDescribeRangeImage(this->AlphaRange, this->AlphaResolution, this->BetaRange,
-        this->BetaResolution, outputVector->GetInformationObject(port));
-    }
+    lms3dDescribeRangeImage(
+      this->AlphaRange, this->AlphaResolution, this->BetaRange, this->BetaResolution, outputVector);
   }
   return 1;
 }

@@ -8,6 +8,7 @@
 #include <vtkExtentTranslator.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -52,7 +53,7 @@ ImageFrame MakeFrame(const lms3dScanGeometry& geometry)
     { geometry.GetBetaAngles().front(), geometry.GetBetaStep(), geometry.GetNumberOfTurns() } };
 }
 
-void Describe(ImageFrame frame, vtkInformation* info)
+void Describe(const ImageFrame& frame, vtkInformation* info)
 {
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), frame.Extent, 6);
   info->Set(vtkDataObject::ORIGIN(), frame.Origin, 3);
@@ -62,12 +63,15 @@ void Describe(ImageFrame frame, vtkInformation* info)
 } // namespace
 
 void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
-  const double betaRange[2], int betaResolution, vtkInformation* info)
+  const double betaRange[2], int betaResolution, vtkInformationVector* outputs)
 {
-  Describe(
-    { { alphaRange[0], lms3dScanGeometry::GetStep(alphaRange, alphaResolution), alphaResolution },
-      { betaRange[0], lms3dScanGeometry::GetStep(betaRange, betaResolution), betaResolution } },
-    info);
+  const ImageFrame frame(
+    { alphaRange[0], lms3dScanGeometry::GetStep(alphaRange, alphaResolution), alphaResolution },
+    { betaRange[0], lms3dScanGeometry::GetStep(betaRange, betaResolution), betaResolution });
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    Describe(frame, outputs->GetInformationObject(port));
+  }
 }
 
 void lms3dDescribeRangeImage(const lms3dScanGeometry& geometry, vtkInformation* info)

@@ -13,6 +13,7 @@
 class vtkDoubleArray;
 class vtkImageData;
 class vtkInformation;
+class vtkInformationVector;
 
 /// One of the pieces into which VTK divides an image.
 struct lms3dImagePiece
@@ -22,12 +23,13 @@ struct lms3dImagePiece
   int GhostLevels;
 };
 
-/// Sets extent, origin, spacing (degrees) and scalar type in the information of the output. The
+/// Sets extent, origin, spacing (degrees) and scalar type in the information of all outputs: the
+/// pipeline passes the extent on from the scan to a filter that makes a new image of it. The
 /// resolutions must be at least 1.
 void lms3dDescribeRangeImage(const double alphaRange[2], int alphaResolution,
-  const double betaRange[2], int betaResolution, vtkInformation* info);
+  const double betaRange[2], int betaResolution, vtkInformationVector* outputs);
 
-/// Sets the same for the image of a scan that exists.
+/// Sets the same in the information of one output, for the image of a scan that exists.
 void lms3dDescribeRangeImage(const lms3dScanGeometry& geometry, vtkInformation* info);
 
 /// Fills the whole image, which then shares `ranges`: one value for each beam, ordered by turn,

@@ -25,84 +25,106 @@ std::int64_t CountBeams(const lms3dScanGeometry& geometry)
   return static_cast<std::int64_t>(geometry.GetNumberOfBeams()) * geometry.GetNumberOfTurns();
 }
 
-bool IsBad(const lms3dScanInput& scan, vtkIdType i, std::int64_t beams)
+/// The arrays of a scan. VTK's access to an array takes longer than a step of a loop.
+struct Returns
 {
-  const double range = scan.GetRanges()[i];
-  const int id = scan.GetBeamIds()[i];
-  return id < 0 || id >= beams || !(range > 0.0 && range <= std::numeric_limits<double>::max());
-}
+  explicit Returns(const lms3dScanInput& scan)
+    : Ranges(scan.GetRanges())
+    , Ids(scan.GetBeamIds())
+    , Count(scan.GetNumberOfReturns())
+  {
+  }
 
-/// What a pass over all returns finds out.
-struct Order
-{
-  std::atomic<bool> HasBad{ false };
-  std::atomic<bool> IsSorted{ true };
+  bool IsRange(vtkIdType i) const
+  {
+    const double range = this->Ranges[i];
+    return (range > 0.0) & (range <= std::numeric_limits<double>::max());
+  }
+
+  bool IsBad(vtkIdType i, std::int64_t beams) const
+  {
+    return !this->IsRange(i) || this->Ids[i] < 0 || this->Ids[i] >= beams;
+  }
+
+  const double* const Ranges;
+  const int* const Ids;
+  const vtkIdType Count;
 };
 
-void FindOrder(const lms3dScanInput& scan, std::int64_t beams, Order& order)
+// Returns whether all ranges are good and the beams increase.
+bool AreGoodAndSorted(const Returns& returns)
 {
-  const int* ids = scan.GetBeamIds();
-  tbb::parallel_for(Indices(0, scan.GetNumberOfReturns(), MinimumGrainSize),
+  std::atomic<bool> areGood{ true };
+  tbb::parallel_for(Indices(0, returns.Count, MinimumGrainSize),
     [&](const Indices& part)
     {
-      bool hasBad = false;
-      bool isSorted = true;
+      // Counts, because compilers vectorize a loop that does not stop early.
+      std::int64_t bad = 0;
+      const int* ids = returns.Ids;
       for (vtkIdType i = part.begin(); i < part.end(); ++i)
       {
-        hasBad |= IsBad(scan, i, beams);
-        isSorted &= i == 0 || ids[i - 1] < ids[i];
+        bad += returns.IsRange(i) ? 0 : 1;
       }
-      if (hasBad)
+      std::int32_t unsorted = 0;
+      for (vtkIdType i = std::max<vtkIdType>(1, part.begin()); i < part.end(); ++i)
       {
-        order.HasBad = true;
+        unsorted += ids[i - 1] < ids[i] ? 0 : 1;
       }
-      if (!isSorted)
+      if (bad > 0 || unsorted > 0)
       {
-        order.IsSorted = false;
+        areGood = false;
       }
     });
+  return areGood;
 }
 
-// Throws if a return is bad. Increasing beams cannot repeat.
-void CheckReturns(const lms3dScanInput& scan, std::int64_t beams)
+// Throws if a return is bad. Returns whether the beams increase. Increasing beams cannot repeat.
+bool CheckReturns(const Returns& returns, std::int64_t beams)
 {
-  Order order;
-  FindOrder(scan, beams, order);
-  if (!order.HasBad && order.IsSorted)
+  if (AreGoodAndSorted(returns) && returns.Ids[0] >= 0 && returns.Ids[returns.Count - 1] < beams)
   {
-    return;
+    return true;
   }
   std::vector<bool> isTaken(static_cast<std::size_t>(beams), false);
-  for (vtkIdType i = 0; i < scan.GetNumberOfReturns(); ++i)
+  for (vtkIdType i = 0; i < returns.Count; ++i)
   {
-    const int id = scan.GetBeamIds()[i];
-    if (IsBad(scan, i, beams) || isTaken[id])
+    const int id = returns.Ids[i];
+    if (returns.IsBad(i, beams) || isTaken[id])
     {
-      lms3dThrowBadReturn(i, scan.GetRanges()[i], id, beams);
+      lms3dThrowBadReturn(i, returns.Ranges[i], id, beams);
     }
     isTaken[id] = true;
   }
+  return false;
 }
 } // namespace
 
 void lms3dFillGrid(const lms3dScanInput& scan, const lms3dScanGeometry& geometry, double* grid)
 {
   const std::int64_t beams = CountBeams(geometry);
-  const vtkIdType count = scan.GetNumberOfReturns();
-  if (count > 0)
-  {
-    CheckReturns(scan, beams);
-  }
-  if (count < beams)
+  if (scan.GetNumberOfReturns() < beams)
   {
     std::fill_n(grid, beams, NAN);
   }
-  tbb::parallel_for(Indices(0, count, MinimumGrainSize),
+  if (scan.GetNumberOfReturns() == 0)
+  {
+    return;
+  }
+  const Returns returns(scan);
+  const bool areSorted = CheckReturns(returns, beams);
+  tbb::parallel_for(Indices(0, returns.Count, MinimumGrainSize),
     [&](const Indices& part)
     {
+      const int first = returns.Ids[part.begin()];
+      const vtkIdType size = static_cast<vtkIdType>(part.size());
+      if (areSorted && returns.Ids[part.end() - 1] - first == size - 1)
+      {
+        std::copy_n(returns.Ranges + part.begin(), size, grid + first);
+        return;
+      }
       for (vtkIdType i = part.begin(); i < part.end(); ++i)
       {
-        grid[scan.GetBeamIds()[i]] = scan.GetRanges()[i];
+        grid[returns.Ids[i]] = returns.Ranges[i];
       }
     });
 }

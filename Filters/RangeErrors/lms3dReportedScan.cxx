@@ -91,6 +91,17 @@ private:
   double* const Points;
 };
 
+// Compilers vectorize a count, and do not vectorize a loop that stops early.
+std::int64_t CountMissing(const double* ranges, vtkIdType count)
+{
+  std::int64_t missing = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    missing += ranges[i] == ranges[i] ? 0 : 1;
+  }
+  return missing;
+}
+
 // Single precision stays single precision.
 vtkSmartPointer<vtkDataArray> KeepType(vtkDoubleArray* values, vtkDataArray* original)
 {
@@ -150,10 +161,8 @@ void lms3dFillReportedScan(const lms3dScanInput& scan, const lms3dScanGeometry& 
   output->SetPoints(placed);
   output->GetPointData()->AddArray(KeepType(ranges, input->GetPointData()->GetArray("Range")));
 
-  const double* range = ranges->GetPointer(0);
-  const auto isLost = [](double x) { return std::isnan(x); };
-  if (std::any_of(range, range + count, isLost))
+  if (CountMissing(ranges->GetPointer(0), count) > 0)
   {
-    KeepReturns(range, output);
+    KeepReturns(ranges->GetPointer(0), output);
   }
 }
