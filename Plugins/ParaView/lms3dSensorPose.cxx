@@ -22,6 +22,13 @@ vtkBoundingBox lms3dGetSceneBounds(vtkSMProxy* scan)
 }
 
 //------------------------------------------------------------------------------
+vtkSMProxy* lms3dGetTrajectory(vtkSMProxy* sensor)
+{
+  vtkSMProperty* trajectory = sensor->GetProperty("Trajectory");
+  return trajectory ? vtkSMPropertyHelper(trajectory).GetAsProxy() : nullptr;
+}
+
+//------------------------------------------------------------------------------
 double lms3dGetHandleHalfWidth(vtkSMProxy* scan)
 {
   constexpr double share = 0.02; // of the scene's diagonal

@@ -16,6 +16,9 @@ class vtkTransform;
 /// The bounds of the input of a scan. Invalid without an input, and if the input has no data yet.
 vtkBoundingBox lms3dGetSceneBounds(vtkSMProxy* scan);
 
+/// The trajectory of a scan. Null for a sensor without this property, such as LMS3D Remote's.
+vtkSMProxy* lms3dGetTrajectory(vtkSMProxy* sensor);
+
 /// Half the width of the sensor's box, metres: large enough to be dragged in a hall, small enough not to
 /// hide a room.
 double lms3dGetHandleHalfWidth(vtkSMProxy* scan);

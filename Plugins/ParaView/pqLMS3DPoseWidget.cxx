@@ -142,8 +142,11 @@ void pqLMS3DPoseWidget::followPose()
 //------------------------------------------------------------------------------
 void pqLMS3DPoseWidget::followTrajectory()
 {
-  pqCoreUtilities::connect(this->proxy()->GetProperty("Trajectory"), vtkCommand::ModifiedEvent,
-    this, SLOT(updateWidgetVisibility()));
+  if (vtkSMProperty* trajectory = this->proxy()->GetProperty("Trajectory"))
+  {
+    pqCoreUtilities::connect(
+      trajectory, vtkCommand::ModifiedEvent, this, SLOT(updateWidgetVisibility()));
+  }
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   if (auto* scan = model->findItem<pqPipelineSource*>(this->proxy()))
   {
@@ -155,7 +158,7 @@ void pqLMS3DPoseWidget::followTrajectory()
 //------------------------------------------------------------------------------
 bool pqLMS3DPoseWidget::hasTrajectory() const
 {
-  return vtkSMPropertyHelper(this->proxy(), "Trajectory").GetAsProxy() != nullptr;
+  return lms3dGetTrajectory(this->proxy()) != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -209,7 +212,7 @@ void pqLMS3DPoseWidget::hideEvent(QHideEvent* event)
 // Also while the scan is not selected if the view shows its trajectory, so that one sees the sensor move.
 bool pqLMS3DPoseWidget::areAxesShown() const
 {
-  const vtkSMProxy* trajectory = vtkSMPropertyHelper(this->proxy(), "Trajectory").GetAsProxy();
+  const vtkSMProxy* trajectory = lms3dGetTrajectory(this->proxy());
   const bool isWanted = this->isVisible() ? this->WidgetVisibility : this->VisibleState;
   return this->isSceneShown() &&
     ((this->WidgetVisibility && this->isSelected()) ||

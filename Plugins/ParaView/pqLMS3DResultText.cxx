@@ -111,8 +111,7 @@ void pqLMS3DResultText::startup()
 //------------------------------------------------------------------------------
 void pqLMS3DResultText::shutdown()
 {
-  QObject::disconnect(
-    pqApplicationCore::instance()->getServerManagerModel(), nullptr, this, nullptr);
+  this->lms3dAutoStart::shutdown();
   this->Texts.clear();
 }
 

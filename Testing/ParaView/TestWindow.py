@@ -101,10 +101,35 @@ class TestMessages(WindowTest):
         self.assertEqual(messages.count("LMS3DScan1: no beam returned"), 1, messages)
         self.assertNotIn("ERR|", messages)
 
+    @unittest.skipUnless(HAS_REMOTE, "a build without CORBA")
+    def test_none_for_the_pose_of_a_server(self):
+        """The widget of the pose also serves LMS3D Remote, which has no trajectory."""
+        messages = self.play(
+            window.choose("menuSources", "LMS3D Server", "LMS3DRemote"),
+            window.type_property("LMS3DPose/translateX", 1),
+            window.expect(f"{window.PROPERTIES}/LMS3DPose/show3DWidget", "enabled", "true"),
+            window.DELETE)
+        self.assertNotRegex(messages, "NULL|[Ff]ailed to locate|nullptr")
+        self.assertNotIn("ERR|", messages)
+
     def test_a_text_that_is_no_vrml(self):
         text = self.home / "letter.wrl"
         text.write_text("Dear reader\n")
         self.check_one_error(self.play(window.open_file(text)), "not a VRML 2.0 (VRML97) file")
+
+
+class TestStartPose(WindowTest):
+    """Where the sensor of a new scan is."""
+
+    def test_half_of_the_height_of_a_low_scene(self):
+        low = self.home / "low.wrl"
+        low.write_text(
+            "#VRML V2.0 utf8\nTransform { translation 3 1 4 children Shape { geometry Box { size 2 4 1 } } }")
+        pose = f"{window.PROPERTIES}/LMS3DPose"
+        self.play(
+            window.open_file(low), window.add_filter("LMS3DScan"),
+            *[window.expect(f"{pose}/translate{axis}", "text", value)
+              for axis, value in zip("XYZ", ("3", "1", "4"))])
 
 
 class TestTrajectory(WindowTest):
@@ -129,6 +154,7 @@ class TestQuickSearch(WindowTest):
     def test_words_of_the_field(self):
         found = {f"{word} {part}": text for word in ("lidar", "laser", "range")
                  for part, text in (("map", "LMS3D Map Comparison"), ("scan", "LMS3D Scan"))}
+        found["laser surf"] = "LMS3D Surface Reconstruction"
         self.play(
             window.open_file(ROOM), window.choose("menuFilters", "Search...\tCtrl+Space"),
             *[window.expect_found(words, text) for words, text in found.items()],
