@@ -10,6 +10,7 @@ import tempfile
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 from lms3d.problems import Problem
@@ -71,6 +72,13 @@ def read_picture(path):
     reader.Update()
     width, height, _ = reader.GetOutput().GetDimensions()
     return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)
+
+
+def find_marker(renderer):
+    """The ball with the sensor's axes."""
+    props = renderer.GetViewProps()
+    return next(prop for prop in map(props.GetItemAsObject, range(props.GetNumberOfItems()))
+                if prop.IsA("vtkAssembly"))
 
 
 class TestWindow(unittest.TestCase):
@@ -153,6 +161,26 @@ class TestWindow(unittest.TestCase):
             server.process.send_signal(signal.SIGCONT)
             self.assert_place(scanner, viewer, (1.3, -0.2, 1.0))
             self.assertNotIn("on the way", viewer.text)
+
+    def test_a_place_without_returns(self):
+        """The marker is there, and the camera stays."""
+        with Server(*self.arguments):
+            scanner, viewer = self.open()
+            window = viewer.interactor.GetRenderWindow()
+            renderer = window.GetRenderers().GetFirstRenderer()
+            place = (1000, -0.2, 1)
+            viewer.set_pose(place, (0, 0, 0))
+            self.assert_place(scanner, viewer, place)
+            self.assert_soon(viewer, lambda: "0 returns" in viewer.text)
+            self.assertEqual(find_marker(renderer).GetPosition(), place)
+            before = renderer.GetActiveCamera().GetPosition()
+            # VTK passes exceptions of a key to this function. The scan from the start comes later.
+            with mock.patch("sys.excepthook") as problems:
+                self.press(viewer, "r")
+            problems.assert_not_called()
+            self.assertEqual(renderer.GetActiveCamera().GetPosition(), before)
+            self.assert_place(scanner, viewer, (0.3, -0.2, 1.0))
+            self.assertIn(f"{BEAMS:,} returns", viewer.text)
 
     def test_a_refused_pose_is_not_where_keys_go_on(self):
         with Server(*self.arguments, "--read-only"):

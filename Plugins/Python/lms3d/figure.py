@@ -96,8 +96,10 @@ class Figure:
         self._marker.SetOrientation(self._simulation.sensor.GetOrientation())
 
     def reset_camera(self):
-        """Show the whole scene, from a side that the sensor sees."""
+        """Show the whole scene, from a side that the sensor sees. Without points the camera stays."""
         surface = self._surface()
+        if surface.GetNumberOfPoints() == 0:
+            return
         direction = get_direction(surface.GetBounds(), self._marker.GetPosition())
         self._aspect = self._measure_aspect()
         frame(self.camera, _points(surface), direction, self._aspect)

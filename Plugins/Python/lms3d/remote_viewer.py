@@ -55,8 +55,7 @@ class RemoteViewer(Window):
     def refresh(self):
         """Draw the newest scan."""
         self._scanner.update()
-        if self._scanner.returns > 0:
-            self._figure.place_marker()
+        self._figure.place_marker()
         self.draw(self._scanner.pose(), self._scanner.returns, *self._describe_state())
 
     def pose(self):
