@@ -24,6 +24,23 @@ from command_line import COARSE, POSE, ROOM, CommandLineTest, run, write
 HUGE = ("--alpha-resolution", 10000, "--beta-resolution", 10000)
 LARGE = ("--alpha-resolution", 2000, "--beta-resolution", 2000)
 
+# The command line; Ctrl-C comes just after a new file was made.
+CREATING = """
+import builtins
+import signal
+import sys
+from lms3d import cli
+
+def make(path, mode="r", **options):
+    file = plain_open(path, mode, **options)
+    if mode == "xb":
+        signal.raise_signal(signal.SIGINT)
+    return file
+
+plain_open, builtins.open = open, make
+sys.exit(cli.main())
+"""
+
 # The command line, which prints "running" when its window handles events.
 WINDOW = """
 import sys
@@ -141,6 +158,15 @@ class TestInterrupt(CommandLineTest):
             with self.subTest(ending):
                 self.assert_interrupted("writing", "scan", ROOM, *POSE, *LARGE,
                                         "-o", self.folder / f"scan.{ending}")
+
+    def test_a_new_file(self):
+        """The file is removed even if it has no content yet."""
+        process = subprocess.run(
+            [sys.executable, "-c", CREATING, *map(str, ("scan", ROOM, *POSE, *COARSE)), "-o",
+             self.folder / "scan.vtp"], capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual((process.returncode, process.stderr.splitlines()[-1:]),
+                         (130, ["lms3d: error: interrupted"]))
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_writing_to_a_pipe_that_is_not_read(self):
         path = self.folder / "scan.ply"

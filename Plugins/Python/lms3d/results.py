@@ -151,12 +151,13 @@ class ResultFiles:
     def _temporary(self, path, shown):
         """A new file beside `path`, which gets this name."""
         temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
-        try:
-            file = open(temporary, "xb", buffering=0)
-        except FileExistsError:
-            raise Problem(f"cannot write {shown}: delete '{temporary}' first") from None
+        # Before the file is made, because Ctrl-C may come just after that.
         self._files.append((temporary, path, shown))
-        return file
+        try:
+            return open(temporary, "xb", buffering=0)
+        except FileExistsError:
+            self._files.pop()
+            raise Problem(f"cannot write {shown}: delete '{temporary}' first") from None
 
     def _publish(self):
         for temporary, path, shown in self._files:
