@@ -106,6 +106,38 @@ class ClientTest(unittest.TestCase):
         self.run_client("save", scan)
         self.assertIn(b'NumberOfPoints="%d"' % BEAMS, scan.read_bytes())
 
+    def test_ctrl_c_leaves_no_file(self):
+        """Not even while the client writes. A slow test may see the file too late."""
+        scan = self.folder / "scan.vtp"
+        self.assertTrue(any(self.interrupt_save(scan) for _ in range(50)))
+
+    def interrupt_save(self, scan):
+        """Whether Ctrl-C came while the temporary file was there."""
+        with subprocess.Popen([CLIENT, self.server.corbaloc, "save", scan]) as client:
+            temporary = self.folder / f".scan.{client.pid}.vtp"
+            while client.poll() is None and not temporary.exists():
+                pass
+            client.send_signal(signal.SIGINT)
+        self.assertIn(client.returncode, (0, -signal.SIGINT))
+        self.assertFalse(temporary.exists())
+        is_saved = scan.exists()
+        scan.unlink(missing_ok=True)
+        return client.returncode == -signal.SIGINT and not is_saved
+
+    def test_another_file_has_the_temporary_name(self):
+        """The client neither follows a link nor removes the file."""
+        other = self.folder / "other"
+        other.write_text("before")
+        # The shell's process becomes the client's.
+        script = 'ln -s other "$1/.scan.$$.vtp"; exec "$2" "$3" save "$1/scan.vtp"'
+        finished = subprocess.run(
+            ["sh", "-c", script, "sh", self.folder, CLIENT, self.server.corbaloc],
+            capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(finished.returncode, 1)
+        self.assertRegex(finished.stderr, r'cannot write ".*/\.scan\.\d+\.vtp": File exists')
+        self.assertEqual(other.read_text(), "before")
+        self.assertEqual(len(list(self.folder.iterdir())), 2)
+
     def test_failures(self):
         """A message and an exit code. Wrong arguments are reported without a server."""
         unused = "corbaloc:iiop:1.2@127.0.0.1:1/LMS3D"

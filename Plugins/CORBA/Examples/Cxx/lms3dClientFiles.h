@@ -16,8 +16,9 @@ class vtkPolyData;
 /// file. Call it before the work begins.
 void lms3dCheckFiles(const std::vector<std::string>& files);
 
-/// Writes a temporary file and renames it, so that `file` is complete or unchanged. Throws
-/// std::runtime_error if that fails.
+/// Writes a temporary file and renames it, so that `file` is complete or unchanged. Removes the
+/// temporary file if a signal ends the program, such as SIGINT by Ctrl-C. Not thread-safe. Throws
+/// std::runtime_error if it fails.
 void lms3dWriteFile(vtkPolyData* data, const std::string& file);
 
 #endif
