@@ -13,9 +13,9 @@ PLUGIN, URL = sys.argv[1:]
 simple.LoadPlugin(PLUGIN, remote=False, ns=globals())
 
 
-def report(proxy):
-    """Print what the proxy's output has."""
-    proxy.UpdatePipeline()
+def report(proxy, *time):
+    """Print what the proxy's output has, at a time of an animation or without one."""
+    proxy.UpdatePipeline(*time)
     fields = servermanager.Fetch(proxy).GetFieldData()
     print(fields.GetArray("ScanNumber").GetValue(0), fields.GetArray("SensorToWorld").GetValue(3),
           flush=True)
@@ -26,6 +26,11 @@ report(remote)
 for _ in range(3):
     remote.Refresh()
     report(remote)
+
+# A server has one time. An update with any time gives the newest scan.
+for time in (5.0, 1.0):
+    remote.Refresh()
+    report(remote, time)
 
 remote.Position = [1.25, 0.5, 1.5]
 remote.SendPose()

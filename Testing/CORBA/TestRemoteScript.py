@@ -27,9 +27,9 @@ class RemoteScriptTest(unittest.TestCase):
         self.assertEqual(finished.returncode, 0, finished.stderr)
         lines = [line.split() for line in finished.stdout.splitlines()]
         numbers = [int(number) for number, _ in lines]
-        self.assertEqual(len(numbers), 6)
+        self.assertEqual(len(numbers), 8)
         self.assertEqual(numbers, sorted(set(numbers)), "each Refresh() gives a newer scan")
-        self.assertEqual([float(x) for _, x in lines], 4 * [0.3] + 2 * [1.25])
+        self.assertEqual([float(x) for _, x in lines], 6 * [0.3] + 2 * [1.25])
 
     def test_pvpython(self):
         self.follow(os.environ["LMS3D_PVPYTHON"])
