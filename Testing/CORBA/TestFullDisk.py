@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clients whose standard output cannot be written, as on a full disk."""
+"""Programs whose standard output cannot be written, as on a full disk."""
 
 import subprocess
 import unittest
 
-from server_process import CLIENT, PAPER_CLIENT, Server
+from server_process import CLIENT, PAPER_CLIENT, SERVER, Server
 
 
 def run_on_full_disk(*arguments):
@@ -34,6 +34,8 @@ class FullDiskTest(unittest.TestCase):
 
     def test_help_reports_it(self):
         self.check(CLIENT, "--help")
+        self.check(SERVER, "--help")
+        self.check(SERVER, "--version")
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ import os
 import re
 import select
 import signal
+import socket
 import subprocess
 import tempfile
 import time
@@ -164,6 +165,20 @@ class LimitTest(unittest.TestCase):
                     select_scene(client)
             self.assertEqual(server.stop()[0], 0)
             self.check_limit(server.read_log(), "scenes", "a client selected the scene", total)
+
+    def test_broken_messages(self):
+        """The same for the ORB's lines."""
+        total = 150
+        request = giop.request(b"LMS3D", "fetch")
+        broken = request[:12] + b"\xff" * (len(request) - 12)
+        with Server("--rate", "1", "--no-map") as server:
+            host, port, _ = giop.parse_corbaloc(server.corbaloc)
+            for _ in range(total):
+                with socket.create_connection((host, port), 20) as connection:
+                    connection.sendall(broken)
+                    self.assertEqual(connection.recv(4), b"GIOP")
+            self.assertEqual(server.stop()[0], 0)
+            self.check_limit(server.read_log(), "omniORB", r"omniORB: \(\d+\) To endpoint", total)
 
     def test_problems_that_come_and_go(self):
         """A client selects a scene that can be scanned and one that cannot, in turn."""

@@ -7,7 +7,7 @@ import unittest
 
 import giop
 from raw_listener import Forwarder, subscribe
-from server_process import BEAMS, Server
+from server_process import BEAMS, Server, wait_until
 
 # Seconds until the server ends.
 MAXIMUM_SECONDS = 8
@@ -35,8 +35,9 @@ class ThreadLimitTest(unittest.TestCase):
         self.assertEqual(len(self.client.fetch()), 3 * BEAMS)
         self.forbid_threads()
         with Forwarder() as listener:
-            with self.assertRaisesRegex(giop.SystemException, "UNKNOWN"):
+            with self.assertRaisesRegex(giop.SystemException, "NO_RESOURCES"):
                 subscribe(self.client, listener.profile)
+        self.assertTrue(wait_until(lambda: "there is no thread for it" in self.server.read_log()))
         self.assertEqual(len(self.client.fetch()), 3 * BEAMS)
         code, seconds = self.server.stop()
         self.assertEqual(code, 0)

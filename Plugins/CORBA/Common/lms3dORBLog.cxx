@@ -9,6 +9,7 @@
 #include <omniORB4/linkHacks.h>
 
 #include <algorithm>
+#include <atomic>
 #include <sstream>
 
 // Without a reference the linker would drop the transport.
@@ -19,7 +20,7 @@ namespace
 // Global, because the ORB accepts only a plain function. The limit is never destroyed, because the ORB
 // may log until the process ends.
 void (*Log)(const std::string&) = nullptr;
-lms3dLogLimit* Limit = nullptr;
+std::atomic<lms3dLogLimit*> Limit = nullptr;
 bool IsTLSWanted = false;
 
 bool IsWanted(const std::string& line)
@@ -49,7 +50,7 @@ void LogText(const char* text)
   }
   else if (IsWanted(line))
   {
-    Limit->Write(lms3dMakePrintable(line));
+    Limit.load()->Write(lms3dMakePrintable(line));
   }
 }
 } // namespace
@@ -61,4 +62,12 @@ void lms3dSetORBLog(void (*log)(const std::string& line), const std::vector<std:
   IsTLSWanted = std::any_of(settings.begin(), settings.end(),
     [](const std::string& setting) { return setting.find("ssl") != std::string::npos; });
   omniORB::setLogFunction(LogText);
+}
+
+void lms3dFinishORBLog()
+{
+  if (lms3dLogLimit* const limit = Limit)
+  {
+    limit->Report();
+  }
 }

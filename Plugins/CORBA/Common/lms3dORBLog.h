@@ -20,4 +20,8 @@
  */
 void lms3dSetORBLog(void (*log)(const std::string& line), const std::vector<std::string>& settings);
 
+/// Logs how many lines of the ORB were left out since the last such line, if any. Call before
+/// lms3dFinishLog(). Does nothing before lms3dSetORBLog().
+void lms3dFinishORBLog();
+
 #endif

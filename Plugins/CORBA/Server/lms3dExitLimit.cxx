@@ -3,6 +3,7 @@
 #include "lms3dExitLimit.h"
 
 #include "Common/lms3dLog.h"
+#include "Common/lms3dORBLog.h"
 #include "Common/lms3dThreadWithoutSignals.h"
 
 #include <chrono>
@@ -51,6 +52,7 @@ void lms3dExitLimit::Run()
   if (!this->Changed.wait_for(lock, MaximumEnd, [this] { return this->Ended; }))
   {
     lms3dLog("ended; clients, listeners or the naming service did not answer in time");
+    lms3dFinishORBLog();
     lms3dFinishLog();
     std::_Exit(this->ExitCode);
   }

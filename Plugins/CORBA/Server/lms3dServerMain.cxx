@@ -150,12 +150,22 @@ std::string GetHint(const CORBA::SystemException& problem, const lms3dServerOpti
   return isEndpoint && options.TLSKey.empty() ? "; is the endpoint in use?" : "";
 }
 
+int Print(const std::string& text)
+{
+  std::cout << text << std::flush;
+  if (!std::cout)
+  {
+    std::cerr << "lms3d-server: the standard output cannot be written\n";
+    return ExitFailure;
+  }
+  return 0;
+}
+
 int Run(const lms3dServerOptions& options)
 {
   if (options.Help || options.Version)
   {
-    std::cout << (options.Help ? lms3dGetServerHelp() : std::string(lms3dVersion) + '\n');
-    return 0;
+    return Print(options.Help ? lms3dGetServerHelp() : std::string(lms3dVersion) + '\n');
   }
   lms3dCheckEndpointSources(options);
   try
@@ -194,6 +204,7 @@ int main(int argc, char* argv[])
   {
     std::cerr << "lms3d-server: " << problem.what() << '\n';
   }
+  lms3dFinishORBLog();
   lms3dFinishLog();
   return code;
 }

@@ -74,4 +74,8 @@ lms3dNameRegistration::~lms3dNameRegistration()
   {
     lms3dLog(std::string("the name stays in the naming service: ") + problem._name());
   }
+  catch (const omniORB::fatalException& problem)
+  {
+    lms3dLog(std::string("the name stays in the naming service: ") + problem.errmsg());
+  }
 }

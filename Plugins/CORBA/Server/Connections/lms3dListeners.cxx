@@ -9,6 +9,7 @@
 #include <chrono>
 #include <iterator>
 #include <random>
+#include <system_error>
 #include <utility>
 
 namespace
@@ -34,6 +35,22 @@ std::string GetAddress(LMS3D::ScanListener_ptr reference)
   const std::vector<std::string> addresses = lms3dGetAddresses(reference);
   RequireNetwork(addresses);
   return addresses.front();
+}
+
+// Its thread may be one more than the system gives.
+std::unique_ptr<lms3dListener> MakeListener(
+  LMS3D::ScanListener_ptr reference, const std::string& address)
+{
+  try
+  {
+    return std::make_unique<lms3dListener>(reference, address);
+  }
+  catch (const std::system_error& problem)
+  {
+    lms3dLog(lms3dLogKind::Listeners,
+      std::string("a subscription is refused: there is no thread for it: ") + problem.what());
+    throw CORBA::NO_RESOURCES(0, CORBA::COMPLETED_NO);
+  }
 }
 } // namespace
 
@@ -87,7 +104,7 @@ CORBA::ULong lms3dListeners::Add(LMS3D::ScanListener_ptr reference)
   }
   this->RequireRoom(address);
   const CORBA::ULong subscription = this->MakeNumber();
-  this->Listeners[subscription] = std::make_unique<lms3dListener>(reference, address);
+  this->Listeners[subscription] = MakeListener(reference, address);
   return subscription;
 }
 
