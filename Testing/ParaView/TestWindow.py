@@ -154,12 +154,18 @@ class TestQuickSearch(WindowTest):
     def test_words_of_the_field(self):
         found = {f"{word} {part}": text for word in ("lidar", "laser", "range")
                  for part, text in (("map", "LMS3D Map Comparison"), ("scan", "LMS3D Scan"))}
-        found["laser surf"] = "LMS3D Surface Reconstruction"
         self.play(
             window.open_file(ROOM), window.choose("menuFilters", "Search...\tCtrl+Space"),
             *[window.expect_found(words, text) for words, text in found.items()],
             window.press(window.SEARCH, window.ESCAPE),
             window.expect("menubar/menuFilters/LMS3D", "title", "LMS3D"))
+
+    def test_the_reconstruction_of_a_scan(self):
+        self.play(
+            window.open_file(ROOM), window.add_filter("LMS3DScan"), window.APPLY,
+            window.choose("menuFilters", "Search...\tCtrl+Space"),
+            window.expect_found("laser surface", "LMS3D Surface Reconstruction"),
+            window.press(window.SEARCH, window.ESCAPE))
 
 
 class TestPythonState(WindowTest):
