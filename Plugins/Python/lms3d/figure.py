@@ -98,12 +98,11 @@ class Figure:
     def reset_camera(self):
         """Show the whole scene, from a side that the sensor sees. Without points the camera stays."""
         surface = self._surface()
-        if surface.GetNumberOfPoints() == 0:
-            return
-        direction = get_direction(surface.GetBounds(), self._marker.GetPosition())
-        self._aspect = self._measure_aspect()
-        frame(self.camera, _points(surface), direction, self._aspect)
-        self._reset_clipping()
+        if surface.GetNumberOfPoints() > 0:
+            direction = get_direction(surface.GetBounds(), self._marker.GetPosition())
+            self._aspect = self._measure_aspect()
+            frame(self.camera, _points(surface), direction, self._aspect)
+            self._reset_clipping()
 
     def follow_size(self):
         """Keep the whole scene in view after the window's size has changed."""
