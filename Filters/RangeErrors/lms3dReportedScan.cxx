@@ -97,7 +97,7 @@ std::int64_t CountMissing(const double* ranges, vtkIdType count)
   std::int64_t missing = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    missing += ranges[i] == ranges[i] ? 0 : 1;
+    missing += std::isnan(ranges[i]) ? 1 : 0;
   }
   return missing;
 }

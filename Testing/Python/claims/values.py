@@ -104,9 +104,10 @@ def first(work, column, threads="1"):
     return get("F-speed-first", column, work=work, threads=threads)
 
 
-def kernels(name, scene):
-    """Return the time of Exact with an instruction set."""
-    return get("F-speed-kernels", "scan ms", kernels=name, scene=scene, method="Exact")
+def kernels(name, scene, method="Exact"):
+    """Return the time of a method with an instruction set, on one thread."""
+    return get("F-speed-kernels", "scan ms", kernels=name, scene=scene, method=method,
+               threads="1")
 
 
 def ratios(numerator, denominator, scenes):
