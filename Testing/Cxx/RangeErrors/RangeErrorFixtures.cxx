@@ -70,6 +70,38 @@ std::vector<double> GetRanges(vtkImageData* image)
   return ToVector(image->GetPointData()->GetArray("Range"));
 }
 
+void AddAllErrors(vtkLMS3DRangeErrorFilter* filter)
+{
+  filter->SetRangeBias(0.01);
+  filter->SetRangeNoise(0.005);
+  filter->SetRangeResolution(0.001);
+}
+
+void ExpectImageOfScan(vtkImageData* image, vtkPolyData* scan)
+{
+  const std::vector<double> grid = GetRanges(image);
+  const std::vector<double> ranges = GetRanges(scan);
+  std::vector<double> expected(grid.size(), NAN);
+  vtkDataArray* ids = scan->GetPointData()->GetArray("BeamId");
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+  {
+    expected[static_cast<std::size_t>(ids->GetTuple1(static_cast<vtkIdType>(i)))] = ranges[i];
+  }
+  for (std::size_t beam = 0; beam < grid.size(); ++beam)
+  {
+    ASSERT_TRUE(
+      grid[beam] == expected[beam] || (std::isnan(grid[beam]) && std::isnan(expected[beam])))
+      << beam;
+  }
+}
+
+void ExpectEmpty(vtkLMS3DRangeErrorFilter* filter)
+{
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(filter->GetRangeImage()->GetNumberOfPoints(), 0);
+}
+
 Moments::Moments(const std::vector<double>& values)
   : Count(static_cast<double>(values.size()))
   , Mean(std::accumulate(values.begin(), values.end(), 0.0) / Count)

@@ -45,6 +45,15 @@ vtkSmartPointer<vtkPolyData> CopyData(vtkPolyData* data);
 std::vector<double> GetRanges(vtkPolyData* scan);
 std::vector<double> GetRanges(vtkImageData* image);
 
+/// Turns on a bias, noise and a resolution.
+void AddAllErrors(vtkLMS3DRangeErrorFilter* filter);
+
+/// Fails the test if the image does not have the ranges of the scan's beams.
+void ExpectImageOfScan(vtkImageData* image, vtkPolyData* scan);
+
+/// Fails the test if an output has points or arrays.
+void ExpectEmpty(vtkLMS3DRangeErrorFilter* filter);
+
 struct Moments
 {
   explicit Moments(const std::vector<double>& values);
