@@ -25,18 +25,21 @@ namespace
 // Product with a triangle's corner, whose 1-norm is 1, 22 u: the side (18), the rounding of the triangle's
 // corner (1), the products (1) and the sums (2).
 //
-// If a tile is very thin, rounding can turn a side outwards. The product of the side and `inside` then is
-// at most 61 u: the side's error times 2, the length of `inside` (37), twice a corner's error and the sum
-// (18), and the roundings of the product (6). The other two corners are that near to the side's plane,
-// and since the factors of a tile's corners add up to at most 1.42, all directions in the tile are within
-// 87 u. In a tile of many beams and few turns the factors can be larger, but `inside` is shorter by as
-// much. Altogether 109 u. (This holds for tiles of up to 178 degrees from the first to the last beam. In
-// larger ones, a side at the first or last beam is 0 and separates nothing.)
+// If a tile is very thin, rounding can turn a side outwards. The product of the side and `inside`, the sum
+// of the two other corners, then is at most 18.5 l + 24 u, where l is the length of `inside`: the side's
+// error times l, twice a corner's error and the sum (18), and the roundings of the product (6). The same
+// holds for the sum of the products with these two corners. A direction in the tile is a sum of corners.
+// - Side at the first or last turn: the two other corners are an angle s apart, l is 2 cos(s / 2), and no
+//   factor exceeds 1 / l. So a direction lies at most 18.5 + 24 / l u outside: 86 u if l is at least 0.36.
+// - Side at the first or last beam: both other corners have the same product, at most 30.5 u. Their
+//   factors together are at most 1.42 / sin(s), where s is the angle between the middles of this side and
+//   of the opposite one, since the tile's turns span up to 90 degrees: 87 u if s is at most 150 degrees.
+// Altogether 109 u. A side for which l or s is beyond these limits is 0 and separates nothing.
 constexpr float SideError = 4.0f * lms3dNarrowError;
 
-// Twice the cosine of 178 degrees, rounded up: the product of a corner with the sum of the two corners on
-// the other side of a tile.
-constexpr float MaximumOpposite = -1.998f;
+// The square of the least length l above, and of the cosine of 150 degrees.
+constexpr float MinimumInside = 0.13f;
+constexpr float MaximumOpposite = 0.75f;
 
 using TileVector = float[3][Size];
 
@@ -52,18 +55,30 @@ void FillTileCorner(
   }
 }
 
-// `inside` is the sum of the two other corners.
+// Returns the factor that turns a side inwards, or 0 for a side that rounding may turn. `along` is the sum
+// of the side's corners, `inside` that of the two others.
+float GetSign(const float (&along)[3], const float (&inside)[3], float product)
+{
+  const float facing = along[0] * inside[0] + along[1] * inside[1] + along[2] * inside[2];
+  const float length = inside[0] * inside[0] + inside[1] * inside[1] + inside[2] * inside[2];
+  const float width = along[0] * along[0] + along[1] * along[1] + along[2] * along[2];
+  const bool isOpposite = (facing < 0.0f) & (facing * facing > MaximumOpposite * length * width);
+  const float sign = product < 0.0f ? -1.0f : 1.0f;
+  return (length < MinimumInside) | isOpposite ? 0.0f : sign;
+}
+
+// `others` is the sum of the two other corners.
 void FillTileSide(
-  const TileVector& p, const TileVector& q, const TileVector& inside, TileVector& side)
+  const TileVector& p, const TileVector& q, const TileVector& others, TileVector& side)
 {
   for (int i = 0; i < Size; ++i)
   {
     const float x = p[1][i] * q[2][i] - p[2][i] * q[1][i];
     const float y = p[2][i] * q[0][i] - p[0][i] * q[2][i];
     const float z = p[0][i] * q[1][i] - p[1][i] * q[0][i];
-    const float product = x * inside[0][i] + y * inside[1][i] + z * inside[2][i];
-    const float opposite = p[0][i] * inside[0][i] + p[1][i] * inside[1][i] + p[2][i] * inside[2][i];
-    const float sign = opposite < MaximumOpposite ? 0.0f : (product < 0.0f ? -1.0f : 1.0f);
+    const float inside[3] = { others[0][i], others[1][i], others[2][i] };
+    const float along[3] = { p[0][i] + q[0][i], p[1][i] + q[1][i], p[2][i] + q[2][i] };
+    const float sign = GetSign(along, inside, x * inside[0] + y * inside[1] + z * inside[2]);
     side[0][i] = sign * x;
     side[1][i] = sign * y;
     side[2][i] = sign * z;

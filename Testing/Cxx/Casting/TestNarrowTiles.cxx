@@ -56,6 +56,14 @@ struct Tile
     return { { -alpha, alpha }, { beta, beta + std::pow(10.0, random.Get(-1.0, 1.5)) }, 0 };
   }
 
+  // From a quarter of the sphere on, with narrow and with wide turns.
+  static Tile MakeWide(Random& random)
+  {
+    const double alpha = random.Get(45.0, 89.5);
+    const double beta = random.Get(0.0, 360.0);
+    return { { -alpha, alpha }, { beta, beta + std::pow(10.0, random.Get(-5.0, 1.95)) }, 0 };
+  }
+
   Vector GetDirection(Random& random) const
   {
     double share[2];
@@ -192,4 +200,16 @@ TEST(NarrowTiles, NearlyFromPoleToPoleAreDecidedRightly)
     JudgeTile(Tile::MakeNearlyFromPoleToPole(random), random, tally);
   }
   EXPECT_EQ(tally.Wrong, 0);
+}
+
+TEST(NarrowTiles, OfManyBeamsAreDecidedRightly)
+{
+  Random random(21);
+  TileTally tally;
+  for (std::size_t i = 0; i < 20000 / Fewer; ++i)
+  {
+    JudgeTile(Tile::MakeWide(random), random, tally);
+  }
+  EXPECT_EQ(tally.Wrong, 0);
+  EXPECT_GT(tally.Unmet, static_cast<std::int64_t>(1000 / Fewer));
 }
