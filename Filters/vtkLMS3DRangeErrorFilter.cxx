@@ -84,12 +84,24 @@ int vtkLMS3DRangeErrorFilter::RequestInformation(
   vtkMultiProcessController* controller = this->Internal->Controller;
   const lms3dProcesses processes(controller);
   lms3dUpdateInput(this, 0, processes.GetRank(), processes.GetCount());
-  if (vtkPolyData* scan = vtkPolyData::GetData(inputVector[0]))
+  vtkPolyData* scan = vtkPolyData::GetData(inputVector[0]);
+  if (!scan)
   {
-    if (const lms3dScanGeometry* geometry = this->Internal->Job.GetGeometry(scan, controller))
+    return 1;
+  }
+  const std::string error = lms3dRunAndGetError(
+    [&]
     {
-      lms3dDescribeRangeImage(*geometry, image);
-    }
+      if (const lms3dScanGeometry* geometry = this->Internal->Job.GetGeometry(scan, controller))
+      {
+        lms3dDescribeRangeImage(*geometry, image);
+      }
+    },
+    "There is not enough memory for the angles of the scan.");
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return 0;
   }
   return 1;
 }

@@ -55,7 +55,7 @@
  * Bad input and bad properties give an error that says what to do, the error code
  * vtkErrorCode::UserError, and empty outputs: a property that is not finite; a negative RangeNoise or
  * RangeResolution; a missing array; a pose or angle that is not finite; a range that is not a finite
- * number above 0; a BeamId outside of the grid or of two returns. The filter reports an error once,
+ * number above 0; a BeamId outside of the grid or of two returns of one process. The filter reports an error once,
  * until a property or the input changes. The outputs of a stopped update are empty, and the next
  * update runs again. A scan without returns gives a scan without returns and no error.
  *

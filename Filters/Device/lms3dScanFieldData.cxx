@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace
@@ -45,7 +46,9 @@ lms3dGridAngles lms3dGetGridAngles(vtkFieldData* data)
 {
   lms3dGridAngles angles = { GetFiniteNumbers(data, "AlphaAngles"),
     GetFiniteNumbers(data, "BetaAngles") };
-  return angles.Alpha.empty() || angles.Beta.empty() ? lms3dGridAngles() : angles;
+  const bool hasGrid = !angles.Alpha.empty() && !angles.Beta.empty() &&
+    angles.Alpha.size() <= std::numeric_limits<int>::max() / angles.Beta.size();
+  return hasGrid ? angles : lms3dGridAngles();
 }
 
 void lms3dAddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan)

@@ -21,7 +21,8 @@ struct lms3dGridAngles
   std::vector<double> Beta;
 };
 
-/// Returns AlphaAngles and BetaAngles, or empty ones if an array is missing, empty or not finite.
+/// Returns AlphaAngles and BetaAngles, or empty ones if an array is missing, empty or not finite, or if
+/// there are more than 2^31 - 1 beams.
 lms3dGridAngles lms3dGetGridAngles(vtkFieldData* data);
 
 /// Adds the arrays AlphaAngles, BetaAngles (degrees) and SensorToWorld, which the header of

@@ -4,8 +4,8 @@
  * @file
  * @brief Sixteen tiles of a scan's grid, and what a triangle does to each.
  *
- * A tile is a range of turns and beams: a block, a tile or a packet of lms3dTileGrid. All its beams lie in the cone of four directions, its corners:
- * the sides along turns are great circles. A side along beams is not: between two corners at the
+ * A tile is a range of turns and beams: a block, a tile or a packet of lms3dTileGrid. All its beams lie
+ * in the cone of four directions, its corners: the sides along turns are great circles. A side along beams is not: between two corners at the
  * elevation alpha, the great circle lies farther from the horizon than the beams. So a corner on the
  * side towards the horizon has the elevation atan(tan(alpha) cos(h)) instead, where h is half the angle
  * between the tile's turns; in the middle, the great circle then touches the beams.

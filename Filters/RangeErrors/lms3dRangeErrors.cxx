@@ -27,7 +27,7 @@ lms3dRangeErrorModel MakeModel(const lms3dRangeErrorSettings& settings)
   return model;
 }
 
-// Returns a text if the value is not a finite number of at least `minimum`.
+// Returns a text if the value is not finite, or is negative although `mayBeNegative` is false.
 std::string CheckLength(const char* name, double value, bool mayBeNegative)
 {
   std::ostringstream error;

@@ -196,6 +196,14 @@ def _writing(shown):
         raise Problem(f"cannot write {shown}: not enough memory") from error
 
 
+def sort_targets(targets):
+    """Sort (result, path) so that what ResultFiles writes at once comes last.
+
+    Nothing takes it back if a file cannot be written.
+    """
+    return sorted(targets, key=lambda target: target[1] == STREAM or _is_device(target[1]))
+
+
 def _is_device(path):
     """Whether a path names a device or a pipe, which no file may replace."""
     return Path(path).exists() and not Path(path).is_file()

@@ -32,7 +32,7 @@ class Simulation:
     reconstruction: vtkLMS3DSurfaceReconstructionFilter = field(
         default_factory=vtkLMS3DSurfaceReconstructionFilter
     )
-    errors: Optional[vtkLMS3DRangeErrorFilter] = None
+    errors: Optional[vtkLMS3DRangeErrorFilter] = field(default=None, init=False)
 
     def __post_init__(self):
         self.sensor.SetInputDataObject(self.scene.data)

@@ -5,7 +5,7 @@
 from .. import vtkLMS3DMapComparison
 from ..comparison import POSE_ARRAYS, compare, copy_pose, has_pose
 from ..problems import Problem, UsageProblem
-from ..results import ResultFiles, check_targets, reports
+from ..results import ResultFiles, check_targets, reports, sort_targets
 from ..scene import check_readable, read_data
 from ..simulation import Simulation
 from . import scene_options, sensor_options
@@ -90,7 +90,7 @@ def _compare(options):
     _print(comparison, scan)
     results = {"map with errors": comparison.map, "scene points": comparison.scene_points}
     with ResultFiles() as files:
-        for result, path in _targets(options):
+        for result, path in sort_targets(_targets(options)):
             files.save(results[result], path, result)
     for _, path in _targets(options):
         print(f"wrote    {path}")

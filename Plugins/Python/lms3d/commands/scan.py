@@ -8,7 +8,7 @@ from pathlib import Path
 from ..figure import Figure, check_display
 from ..messages import say
 from ..problems import Problem, UsageProblem
-from ..results import STREAM, ResultFiles, check_targets, reports
+from ..results import STREAM, ResultFiles, check_targets, reports, sort_targets
 from ..scene import check_readable, read_data
 from ..trajectory import Series, TrajectoryScan, check_names
 from . import picture_options, scene_options, sensor_options
@@ -168,8 +168,7 @@ def _write(options, simulation):
         "map": lambda: simulation.map,
         "picture": lambda: Figure(simulation, options.size, edges=options.edges).image(),
     }
-    # The standard output comes last: nothing takes it back if a file cannot be written.
-    targets = sorted(_targets(options), key=lambda target: target[1] == STREAM)
+    targets = sort_targets(_targets(options))
     with ResultFiles() as files:
         for result, path in targets:
             files.save(results[result](), path, result)
