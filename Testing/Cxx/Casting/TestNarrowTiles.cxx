@@ -175,16 +175,23 @@ void JudgeTile(const Tile& tile, Random& random, TileTally& tally)
     tally.Wrong += masks[0].Nearest && masks[1].Nearest && ranges[1] >= ranges[0] ? 1 : 0;
   }
 }
+
+// Judges tiles from `make`.
+TileTally JudgeTiles(Tile (*make)(Random&), std::size_t count, std::uint64_t seed)
+{
+  Random random(seed);
+  TileTally tally;
+  for (std::size_t i = 0; i < count / Fewer; ++i)
+  {
+    JudgeTile(make(random), random, tally);
+  }
+  return tally;
+}
 } // namespace
 
 TEST(NarrowTiles, AreDecidedRightly)
 {
-  Random random(18);
-  TileTally tally;
-  for (std::size_t i = 0; i < 20000 / Fewer; ++i)
-  {
-    JudgeTile(Tile::Make(random), random, tally);
-  }
+  const TileTally tally = JudgeTiles(&Tile::Make, 20000, 18);
   EXPECT_EQ(tally.Wrong, 0);
   EXPECT_GT(tally.Unmet, static_cast<std::int64_t>(2000 / Fewer));
   EXPECT_GT(tally.Covered, static_cast<std::int64_t>(500 / Fewer));
@@ -193,23 +200,13 @@ TEST(NarrowTiles, AreDecidedRightly)
 // The corners of such a tile are so near to the planes of its sides that rounding can turn a side.
 TEST(NarrowTiles, NearlyFromPoleToPoleAreDecidedRightly)
 {
-  Random random(20);
-  TileTally tally;
-  for (std::size_t i = 0; i < 10000 / Fewer; ++i)
-  {
-    JudgeTile(Tile::MakeNearlyFromPoleToPole(random), random, tally);
-  }
+  const TileTally tally = JudgeTiles(&Tile::MakeNearlyFromPoleToPole, 10000, 20);
   EXPECT_EQ(tally.Wrong, 0);
 }
 
 TEST(NarrowTiles, OfManyBeamsAreDecidedRightly)
 {
-  Random random(21);
-  TileTally tally;
-  for (std::size_t i = 0; i < 20000 / Fewer; ++i)
-  {
-    JudgeTile(Tile::MakeWide(random), random, tally);
-  }
+  const TileTally tally = JudgeTiles(&Tile::MakeWide, 20000, 21);
   EXPECT_EQ(tally.Wrong, 0);
   EXPECT_GT(tally.Unmet, static_cast<std::int64_t>(1000 / Fewer));
 }
