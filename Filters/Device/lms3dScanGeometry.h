@@ -18,6 +18,7 @@
 #define lms3dScanGeometry_h
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 /// Computes sine and cosine of an angle in degrees. They are exact at each multiple of 90, and
@@ -69,6 +70,13 @@ public:
 
   int GetNumberOfBeams() const { return static_cast<int>(this->AlphaAngles.size()); }
   int GetNumberOfTurns() const { return static_cast<int>(this->BetaAngles.size()); }
+
+  /// The size of the grid: the beams of all turns.
+  std::int64_t CountBeamsOfAllTurns() const
+  {
+    return static_cast<std::int64_t>(this->GetNumberOfBeams()) * this->GetNumberOfTurns();
+  }
+
   const std::vector<double>& GetAlphaAngles() const { return this->AlphaAngles; }
   const std::vector<double>& GetBetaAngles() const { return this->BetaAngles; }
 

@@ -20,11 +20,6 @@ constexpr vtkIdType MinimumGrainSize = 4096;
 
 using Indices = tbb::blocked_range<vtkIdType>;
 
-std::int64_t CountBeams(const lms3dScanGeometry& geometry)
-{
-  return static_cast<std::int64_t>(geometry.GetNumberOfBeams()) * geometry.GetNumberOfTurns();
-}
-
 /// The arrays of a scan. VTK's access to an array takes longer than a step of a loop.
 struct Returns
 {
@@ -101,7 +96,7 @@ bool CheckReturns(const Returns& returns, std::int64_t beams)
 
 void lms3dFillGrid(const lms3dScanInput& scan, const lms3dScanGeometry& geometry, double* grid)
 {
-  const std::int64_t beams = CountBeams(geometry);
+  const std::int64_t beams = geometry.CountBeamsOfAllTurns();
   if (scan.GetNumberOfReturns() < beams)
   {
     std::fill_n(grid, beams, NAN);

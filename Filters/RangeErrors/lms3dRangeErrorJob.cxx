@@ -99,8 +99,7 @@ bool lms3dRangeErrorJob::Run(const lms3dRangeErrorJobRequest& request)
       if (geometry)
       {
         CheckAngles(scan, *geometry);
-        const vtkIdType beams =
-          static_cast<vtkIdType>(geometry->GetNumberOfBeams()) * geometry->GetNumberOfTurns();
+        const vtkIdType beams = geometry->CountBeamsOfAllTurns();
         grid = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Range", beams);
         this->Threads.Run(request.NumberOfThreads,
           [&] { isStopped = !this->Report(request, scan, *geometry, grid->GetPointer(0)); });

@@ -18,14 +18,6 @@
 #include <cmath>
 #include <numeric>
 
-namespace
-{
-std::size_t CountBeams(const lms3dScanGeometry& geometry)
-{
-  return static_cast<std::size_t>(geometry.GetNumberOfBeams()) * geometry.GetNumberOfTurns();
-}
-} // namespace
-
 void lms3dScanOutput::Discard()
 {
   this->Ranges = nullptr;
@@ -47,7 +39,7 @@ void lms3dScanOutput::Allocate(std::size_t beams)
 bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
-  this->Allocate(CountBeams(geometry));
+  this->Allocate(static_cast<std::size_t>(geometry.CountBeamsOfAllTurns()));
   this->NearestTriangles = {};
   return lms3dScan(
     { caster, geometry, pose, limits, { this->Ranges->GetPointer(0), this->Triangles.data() } },
@@ -57,7 +49,7 @@ bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry
 bool lms3dScanOutput::CastPart(const lms3dRayCaster* caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
-  const std::size_t beams = CountBeams(geometry);
+  const auto beams = static_cast<std::size_t>(geometry.CountBeamsOfAllTurns());
   this->Allocate(beams);
   this->NearestRanges.assign(beams, lms3dBeamPacket::NoRange);
   this->NearestTriangles.assign(beams, lms3dBeamPacket::NoTriangle);

@@ -58,8 +58,7 @@ const std::int32_t* lms3dRangeGrid::GetReturnsOfTurn(int turn) const
 
 void lms3dRangeGrid::AssignReturns(const double* ranges, const int* beamIds, std::int64_t count)
 {
-  const std::int64_t beams =
-    static_cast<std::int64_t>(this->GetNumberOfBeams()) * this->GetNumberOfTurns();
+  const std::int64_t beams = this->Geometry->CountBeamsOfAllTurns();
   this->ReturnOfBeam.assign(beams, NoReturn);
   for (std::int64_t i = 0; i < count; ++i)
   {
