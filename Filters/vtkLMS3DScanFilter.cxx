@@ -35,6 +35,14 @@ static_assert(static_cast<int>(vtkLMS3DScanFilter::EXACT) == lms3dRayCaster::EXA
       lms3dRayCaster::STATIC_CELL_LOCATOR,
   "the property and the ray casters number the methods alike");
 
+static_assert(
+  static_cast<int>(vtkLMS3DScanFilter::YAWING) == static_cast<int>(lms3dMounting::Yawing) &&
+    static_cast<int>(vtkLMS3DScanFilter::YAWING_TOP) ==
+      static_cast<int>(lms3dMounting::YawingTop) &&
+    static_cast<int>(vtkLMS3DScanFilter::PITCHING) == static_cast<int>(lms3dMounting::Pitching) &&
+    static_cast<int>(vtkLMS3DScanFilter::ROLLING) == static_cast<int>(lms3dMounting::Rolling),
+  "the property and the platform number the mountings alike");
+
 struct vtkLMS3DScanFilter::Internals
 {
   static lms3dScanSettings GetSettings(const vtkLMS3DScanFilter* filter)
@@ -44,7 +52,20 @@ struct vtkLMS3DScanFilter::Internals
     return { vector(filter->Position), vector(filter->Orientation), range(filter->AlphaRange),
       filter->AlphaResolution, range(filter->BetaRange), filter->BetaResolution,
       { filter->MinimumRange, filter->MaximumRange }, filter->IntersectionMethod,
-      filter->NumberOfThreads, filter->SurfaceAttributes };
+      filter->NumberOfThreads, filter->SurfaceAttributes, GetDeviceSettings(filter) };
+  }
+
+  static lms3dDeviceSettings GetDeviceSettings(const vtkLMS3DScanFilter* filter)
+  {
+    const double* offset = filter->AxisOffset;
+    const char* reflectance = filter->ReflectanceArray;
+    return { { static_cast<lms3dMounting>(filter->Mounting), { offset[0], offset[1], offset[2] },
+               filter->TurnRate },
+      filter->MotionDuringScan,
+      { filter->BeamDiameter, filter->BeamDivergence, filter->BeamSamples, filter->PulseLength },
+      { filter->RangeAtTenPercent, reflectance ? reflectance : "" },
+      { filter->ComputeIncidence, filter->ComputeIntensity, filter->ComputeTime,
+        filter->ComputeStatus, filter->ComputePoses } };
   }
 
   // RequestData reports a bad trajectory.
@@ -75,7 +96,10 @@ vtkLMS3DScanFilter::vtkLMS3DScanFilter()
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
-vtkLMS3DScanFilter::~vtkLMS3DScanFilter() = default;
+vtkLMS3DScanFilter::~vtkLMS3DScanFilter()
+{
+  this->SetReflectanceArray(nullptr);
+}
 
 void vtkLMS3DScanFilter::SetController(vtkMultiProcessController* controller)
 {
@@ -114,6 +138,32 @@ void vtkLMS3DScanFilter::SetIntersectionMethod(int method)
     this->IntersectionMethod = method;
     this->Modified();
   }
+}
+
+void vtkLMS3DScanFilter::SetMounting(int mounting)
+{
+  if (!GetMountingName(mounting))
+  {
+    vtkErrorMacro("Mounting " << mounting << ": must be from " << YAWING << " (Yawing) to "
+                              << ROLLING << " (Rolling). It stays " << this->GetMountingAsString()
+                              << ".");
+  }
+  else if (this->Mounting != mounting)
+  {
+    this->Mounting = mounting;
+    this->Modified();
+  }
+}
+
+const char* vtkLMS3DScanFilter::GetMountingAsString() const
+{
+  return GetMountingName(this->Mounting);
+}
+
+const char* vtkLMS3DScanFilter::GetMountingName(int mounting)
+{
+  constexpr const char* Names[] = { "Yawing", "YawingTop", "Pitching", "Rolling" };
+  return mounting >= YAWING && mounting <= ROLLING ? Names[mounting] : nullptr;
 }
 
 const char* vtkLMS3DScanFilter::GetIntersectionMethodAsString() const
@@ -246,6 +296,24 @@ void vtkLMS3DScanFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IntersectionMethod: " << this->GetIntersectionMethodAsString() << '\n';
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << '\n';
   os << indent << "SurfaceAttributes: " << this->SurfaceAttributes << '\n';
+  os << indent << "Mounting: " << this->GetMountingAsString() << '\n';
+  os << indent << "AxisOffset: ";
+  vector(this->AxisOffset);
+  os << indent << "TurnRate: " << this->TurnRate << '\n';
+  os << indent << "MotionDuringScan: " << this->MotionDuringScan << '\n';
+  os << indent << "BeamDiameter: " << this->BeamDiameter << '\n';
+  os << indent << "BeamDivergence: " << this->BeamDivergence << '\n';
+  os << indent << "BeamSamples: " << this->BeamSamples << '\n';
+  os << indent << "PulseLength: " << this->PulseLength << '\n';
+  os << indent << "RangeAtTenPercent: " << this->RangeAtTenPercent << '\n';
+  os << indent
+     << "ReflectanceArray: " << (this->ReflectanceArray ? this->ReflectanceArray : "(none)")
+     << '\n';
+  os << indent << "ComputeIncidence: " << this->ComputeIncidence << '\n';
+  os << indent << "ComputeIntensity: " << this->ComputeIntensity << '\n';
+  os << indent << "ComputeTime: " << this->ComputeTime << '\n';
+  os << indent << "ComputeStatus: " << this->ComputeStatus << '\n';
+  os << indent << "ComputePoses: " << this->ComputePoses << '\n';
   os << indent << "Controller: " << this->GetController() << '\n';
   os << indent << "BuildTime: " << this->GetBuildTime() << '\n';
 }

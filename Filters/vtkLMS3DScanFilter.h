@@ -13,9 +13,10 @@
  *
  *     d(alpha, beta) = (cos(alpha) cos(beta), -cos(alpha) sin(beta), sin(alpha))
  *
- * (section 2.1 of the paper). Beta turns clockwise, seen from above. The sensor is ideal: a beam
- * has no width, and a range has no noise. (vtkLMS3DRangeErrorFilter adds the errors of a real
- * device.) Units are metres and degrees.
+ * (section 2.1 of the paper). Beta turns clockwise, seen from above. (See Mounting for other supports.)
+ * By default the sensor is ideal: a beam has no width, every surface returns it, and the sensor rests
+ * during a scan. Each effect of a real device is a property. (vtkLMS3DRangeErrorFilter adds the errors of
+ * ranges.) Units are metres, degrees and seconds.
  *
  * @par Input 0, the scene
  * A vtkPolyData, any other data set, or a composite of data sets. The filter scans polygons and
@@ -342,6 +343,215 @@ public:
   vtkBooleanMacro(SurfaceAttributes, bool);
   ///@}
 
+  /**
+   * How the fan is mounted, and which axis the platform turns (Wulf and Wagner, "Fast 3D scanning methods
+   * for laser measurement systems", 2003). x points forward, y to the left, z up. Beta turns the fan
+   * clockwise, seen from the tip of the axis.
+   *
+   * YAWING: the fan is vertical, the axis is z through both ends of the fan. While beta is 0, alpha is the
+   * elevation above x. A full circle of beta measures each direction once.
+   *
+   * YAWING_TOP: the fan is vertical, the axis is z through its middle: alpha 0 points up, and, while beta
+   * is 0, alpha 90 points along x. Beta from 0 to 180 measures the upper half space once.
+   *
+   * PITCHING: the fan is level while beta is 0, the axis is y through both ends: alpha 0 points along x,
+   * and alpha 90 along y. A positive beta lifts the fan. Beta from -90 to 90 measures the half space in
+   * front of the sensor once.
+   *
+   * ROLLING: the fan is level while beta is 0, the axis is x through its middle: alpha 0 points along x,
+   * and alpha 90 along y. A positive beta lowers the left end. Beta from 0 to 180 measures the half space
+   * in front of the sensor once.
+   */
+  enum Mountings
+  {
+    YAWING = 0,
+    YAWING_TOP = 1,
+    PITCHING = 2,
+    ROLLING = 3
+  };
+
+  ///@{
+  /**
+   * The mounting, one of Mountings. Another value is an error (vtkErrorMacro) and changes nothing. The
+   * default is YAWING, the mounting of the founding paper.
+   */
+  virtual void SetMounting(int mounting);
+  vtkGetMacro(Mounting, int);
+  void SetMountingToYawing() { this->SetMounting(YAWING); }
+  void SetMountingToYawingTop() { this->SetMounting(YAWING_TOP); }
+  void SetMountingToPitching() { this->SetMounting(PITCHING); }
+  void SetMountingToRolling() { this->SetMounting(ROLLING); }
+  const char* GetMountingAsString() const;
+  ///@}
+
+  /**
+   * The name of a mounting as in the setters above ("YawingTop"). Returns null if `mounting` is not one.
+   */
+  static const char* GetMountingName(int mounting);
+
+  ///@{
+  /**
+   * The centre of the mirror, where beams start, relative to the sensor's position: metres along the
+   * sensor's x, y and z axes while beta is 0. It turns with the platform. Finite, each coordinate from
+   * -1e18 to 1e18. The default is (0, 0, 0): the mirror is on the axis.
+   */
+  vtkSetVector3Macro(AxisOffset, double);
+  vtkGetVector3Macro(AxisOffset, double);
+  ///@}
+
+  ///@{
+  /**
+   * How fast the platform turns while the mirror sweeps a fan, degrees a second. A beam that leaves at
+   * the time t after the first of its fan has the platform angle of its turn plus TurnRate t. Any finite
+   * number. The default is 0: the platform stands still during each fan. (37.5 turns by 1 degree in a fan
+   * in steps of half a degree.)
+   */
+  vtkSetMacro(TurnRate, double);
+  vtkGetMacro(TurnRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the sensor moves along its trajectory during the scan. On: each beam leaves from the pose at
+   * its own time, which is the time of the scan plus that of the beam (ComputeTime). Positions are
+   * interpolated linearly, orientations by slerp; after the last time of the trajectory the sensor rests.
+   * Points and SensorToWorld stay those of a sensor that rests at the pose at the scan's time, which is
+   * what a device without odometry reports: the scan is skewed. The field data `TurnToWorld` has the pose
+   * at the start of each turn, and ComputePoses adds that of each beam. Without a trajectory it does
+   * nothing. The default is off.
+   */
+  vtkSetMacro(MotionDuringScan, bool);
+  vtkGetMacro(MotionDuringScan, bool);
+  vtkBooleanMacro(MotionDuringScan, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The diameter of the beam where it leaves the mirror, metres. Finite, at least 0. It has an effect only
+   * if BeamSamples exceeds 1. The default is 0. (LMS 200: 0.012, technical description page 114.)
+   */
+  vtkSetMacro(BeamDiameter, double);
+  vtkGetMacro(BeamDiameter, double);
+  ///@}
+
+  ///@{
+  /**
+   * By how much the diameter of the beam grows, metres for each metre of range, so about radians. From 0 to
+   * 1. It has an effect only if BeamSamples exceeds 1. The default is 0. (LMS 200: 0.0044.)
+   */
+  vtkSetMacro(BeamDivergence, double);
+  vtkGetMacro(BeamDivergence, double);
+  ///@}
+
+  ///@{
+  /**
+   * The number of rays that stand for a beam: one along its axis, the others in rings of 6, 12, 18 and so on
+   * within its cone, each for the same part of the area. From 1 to 1000. 7, 19, 37 and so on complete a
+   * ring. The range of a ray is measured along the beam's axis. The default is 1: a beam without width.
+   */
+  vtkSetMacro(BeamSamples, int);
+  vtkGetMacro(BeamSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * The length of the pulse, metres. Rays of a beam whose ranges exceed that of the nearest by at most this
+   * give one echo, whose range is their mean (a mixed pixel). Rays beyond form further echoes in the same
+   * way. The beam has the range of the echo with the most rays; of equal ones, of the nearest. Finite, at
+   * least 0. The default is 1 (LMS 200: about 1, technical description page 111).
+   */
+  vtkSetMacro(PulseLength, double);
+  vtkGetMacro(PulseLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * The range r at which the device still sees a surface that reflects 10 percent, metres. A beam gives no
+   * return if reflectance times the cosine of the incidence is below
+   * max(0.018, 0.1 (range / r)^2). Finite, at least 0; 0, the default, sees every surface. (LMS 200: 10,
+   * technical description pages 7 and 33.)
+   */
+  vtkSetMacro(RangeAtTenPercent, double);
+  vtkGetMacro(RangeAtTenPercent, double);
+  ///@}
+
+  ///@{
+  /**
+   * The name of the scene's cell array with the reflectance of each cell: one component, 0.1 for 10
+   * percent; retroreflectors exceed 1. An array of three or four components of unsigned char, such as
+   * `Color` of a VRML scene, stands for its luminance, from 0 to 1. A scene without this array is an error.
+   * The default is none: every surface has the reflectance 1. It has an effect only with
+   * RangeAtTenPercent or ComputeIntensity.
+   */
+  vtkSetStringMacro(ReflectanceArray);
+  vtkGetStringMacro(ReflectanceArray);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the scan has the point array `Incidence` (float32, degrees): the angle between the beam and the
+   * normal of the surface, 0 to 90. The default is off. (SurfaceAttributes has it, too.)
+   */
+  vtkSetMacro(ComputeIncidence, bool);
+  vtkGetMacro(ComputeIncidence, bool);
+  vtkBooleanMacro(ComputeIncidence, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the scan has the point array `Intensity` (float32): reflectance times the cosine of the
+   * incidence. The default is off.
+   */
+  vtkSetMacro(ComputeIntensity, bool);
+  vtkGetMacro(ComputeIntensity, bool);
+  vtkBooleanMacro(ComputeIntensity, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the scan has the point array `Time` (float64, seconds): when the beam left. It starts at the
+   * time of the scan's pose, or at 0 without a trajectory. The mirror turns 75 times a second; a fan in
+   * steps of 1/n degree takes n turns of it, and its beams are interlaced (whole degrees first; SICK's
+   * telegram listing, pages 19 and 127). The default is off.
+   */
+  vtkSetMacro(ComputeTime, bool);
+  vtkGetMacro(ComputeTime, bool);
+  vtkBooleanMacro(ComputeTime, bool);
+  ///@}
+
+  /**
+   * Why a beam gave a return, or none.
+   */
+  enum BeamStatus
+  {
+    RETURN = 0,
+    NOTHING_MET = 1,
+    BEYOND_RANGE = 2,
+    TOO_WEAK = 3,
+    TOO_NEAR = 4
+  };
+
+  ///@{
+  /**
+   * Whether the outputs have the array `Status` (unsigned char, one of BeamStatus, for each beam of the
+   * grid): point data of the range image, and field data of the scan. The default is off.
+   */
+  vtkSetMacro(ComputeStatus, bool);
+  vtkGetMacro(ComputeStatus, bool);
+  vtkBooleanMacro(ComputeStatus, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the scan has, for each return, the pose of the sensor when the beam left: the point arrays
+   * `SensorPosition` (float64, 3 components, metres) and `SensorOrientation` (float64, 4 components, a
+   * quaternion w x y z). The default is off.
+   */
+  vtkSetMacro(ComputePoses, bool);
+  vtkGetMacro(ComputePoses, bool);
+  vtkBooleanMacro(ComputePoses, bool);
+  ///@}
+
   ///@{
   /**
    * The trajectory, input 1: a vtkPolyData whose points are the poses of the sensor, as the class
@@ -400,6 +610,21 @@ private:
   int IntersectionMethod = EXACT;
   int NumberOfThreads = 0;
   bool SurfaceAttributes = false;
+  int Mounting = YAWING;
+  double AxisOffset[3] = { 0.0, 0.0, 0.0 };
+  double TurnRate = 0.0;
+  bool MotionDuringScan = false;
+  double BeamDiameter = 0.0;
+  double BeamDivergence = 0.0;
+  int BeamSamples = 1;
+  double PulseLength = 1.0;
+  double RangeAtTenPercent = 0.0;
+  char* ReflectanceArray = nullptr;
+  bool ComputeIncidence = false;
+  bool ComputeIntensity = false;
+  bool ComputeTime = false;
+  bool ComputeStatus = false;
+  bool ComputePoses = false;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -25,8 +25,12 @@ struct lms3dGridAngles
 /// there are more than 2^31 - 1 beams.
 lms3dGridAngles lms3dGetGridAngles(vtkFieldData* data);
 
-/// Adds the arrays AlphaAngles, BetaAngles (degrees) and SensorToWorld, which the header of
-/// vtkLMS3DScanFilter documents.
+/// Returns the platform that the arrays Mounting, AxisOffset and TurnRate describe, each with its default
+/// if it is missing. Throws std::runtime_error, with a text for the user, if one is bad.
+lms3dPlatform lms3dGetPlatform(vtkFieldData* data);
+
+/// Adds the arrays AlphaAngles, BetaAngles (degrees) and SensorToWorld, and those of the platform that
+/// differ from their defaults, which the header of vtkLMS3DScanFilter documents.
 void lms3dAddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan);
 
 #endif

@@ -107,17 +107,19 @@ lms3dPose lms3dPose::FromOrientation(const double position[3], const double orie
   return pose;
 }
 
-lms3dScanGeometry::lms3dScanGeometry(
-  const double alphaRange[2], int alphaResolution, const double betaRange[2], int betaResolution)
-  : AlphaAngles(EqualSteps(alphaRange, alphaResolution))
+lms3dScanGeometry::lms3dScanGeometry(const double alphaRange[2], int alphaResolution,
+  const double betaRange[2], int betaResolution, const lms3dPlatform& platform)
+  : Platform(platform)
+  , AlphaAngles(EqualSteps(alphaRange, alphaResolution))
   , BetaAngles(EqualSteps(betaRange, betaResolution))
 {
   this->FillTables();
 }
 
 lms3dScanGeometry::lms3dScanGeometry(
-  std::vector<double> alphaAngles, std::vector<double> betaAngles)
-  : AlphaAngles(std::move(alphaAngles))
+  std::vector<double> alphaAngles, std::vector<double> betaAngles, const lms3dPlatform& platform)
+  : Platform(platform)
+  , AlphaAngles(std::move(alphaAngles))
   , BetaAngles(std::move(betaAngles))
 {
   this->FillTables();
@@ -131,6 +133,10 @@ double lms3dScanGeometry::GetStep(const double range[2], int resolution)
 void lms3dScanGeometry::FillTables()
 {
   SinesAndCosines(this->AlphaAngles, this->AlphaSines, this->AlphaCosines);
+  if (this->Platform.IsFanAlongAxis())
+  {
+    std::swap(this->AlphaSines, this->AlphaCosines);
+  }
   SinesAndCosines(this->BetaAngles, this->BetaSines, this->BetaCosines);
 }
 
@@ -158,20 +164,22 @@ bool lms3dScanGeometry::IsMirrored() const
 
 bool lms3dScanGeometry::IsPole(int beam) const
 {
-  return std::abs(this->AlphaAngles[beam]) == 90.0;
+  return std::abs(this->AlphaAngles[beam]) == (this->Platform.IsFanAlongAxis() ? 0.0 : 90.0);
 }
 
 lms3dBeamDirections::lms3dBeamDirections(const lms3dScanGeometry& geometry, const lms3dPose& pose)
   : Geometry(geometry)
   , FanAxes(geometry.GetNumberOfTurns())
-  , Up(pose.Axes[2])
+  , Up(lms3dGetPlatformAxes(geometry.GetPlatform().Mounting, pose.Axes)[2])
 {
+  const std::array<lms3dVector, 3> axes =
+    lms3dGetPlatformAxes(geometry.GetPlatform().Mounting, pose.Axes);
   for (int turn = 0; turn < geometry.GetNumberOfTurns(); ++turn)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->FanAxes[turn][axis] = geometry.GetBetaCosine(turn) * pose.Axes[0][axis] -
-        geometry.GetBetaSine(turn) * pose.Axes[1][axis];
+      this->FanAxes[turn][axis] =
+        geometry.GetBetaCosine(turn) * axes[0][axis] - geometry.GetBetaSine(turn) * axes[1][axis];
     }
   }
 }

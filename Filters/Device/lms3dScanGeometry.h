@@ -13,9 +13,12 @@
  *
  * which is the paper's M = Mz(beta) My(alpha) applied to the column vector (1, 0, 0). Beta turns
  * clockwise, seen from above. Alpha is an elevation, although the paper calls it "horizontal".
+ * lms3dPlatform.h adds the other ways to mount the fan.
  */
 #ifndef lms3dScanGeometry_h
 #define lms3dScanGeometry_h
+
+#include "Device/lms3dPlatform.h"
 
 #include <array>
 #include <cstdint>
@@ -58,11 +61,12 @@ public:
    * of beta, which would repeat its start. A resolution of 1 gives only the start of the range.
    * Resolutions must be at least 1.
    */
-  lms3dScanGeometry(
-    const double alphaRange[2], int alphaResolution, const double betaRange[2], int betaResolution);
+  lms3dScanGeometry(const double alphaRange[2], int alphaResolution, const double betaRange[2],
+    int betaResolution, const lms3dPlatform& platform = {});
 
   /// Takes the angles of an existing scan, degrees. Both must have at least one.
-  lms3dScanGeometry(std::vector<double> alphaAngles, std::vector<double> betaAngles);
+  lms3dScanGeometry(std::vector<double> alphaAngles, std::vector<double> betaAngles,
+    const lms3dPlatform& platform = {});
 
   /// Returns the step of a range as the first constructor divides it, degrees; 0 for a resolution
   /// of 1.
@@ -77,6 +81,8 @@ public:
     return static_cast<std::int64_t>(this->GetNumberOfBeams()) * this->GetNumberOfTurns();
   }
 
+  const lms3dPlatform& GetPlatform() const { return this->Platform; }
+
   const std::vector<double>& GetAlphaAngles() const { return this->AlphaAngles; }
   const std::vector<double>& GetBetaAngles() const { return this->BetaAngles; }
 
@@ -90,15 +96,16 @@ public:
   /// Returns whether the turn after the last would repeat the first.
   bool IsClosed() const;
 
-  /// Returns whether exactly one of elevations and platform angles decreases, so that the grid is a
-  /// mirror image.
+  /// Returns whether exactly one of alpha and beta decreases, so that the grid is a mirror image. Not for
+  /// fans along the axis: their two halves are mirror images of one another.
   bool IsMirrored() const;
 
   /// Returns whether the beam points along the platform's axis, so that it is the same in every
   /// turn.
   bool IsPole(int beam) const;
 
-  /// One value for each beam.
+  /// Sine and cosine of the elevation above the platform's plane (lms3dPlatform.h), one value for each
+  /// beam.
   const std::vector<double>& GetAlphaSines() const { return this->AlphaSines; }
   const std::vector<double>& GetAlphaCosines() const { return this->AlphaCosines; }
 
@@ -110,6 +117,7 @@ public:
 private:
   void FillTables();
 
+  lms3dPlatform Platform;
   std::vector<double> AlphaAngles;
   std::vector<double> AlphaSines;
   std::vector<double> AlphaCosines;
@@ -119,9 +127,9 @@ private:
 };
 
 /**
- * The directions of a sensor's beams in world coordinates, of length 1 up to rounding. A direction
- * is the horizontal axis of the turn's fan times the cosine of the elevation, plus the upward axis
- * times its sine.
+ * The directions of a sensor's beams in world coordinates, of length 1 up to rounding, for a platform
+ * that stands still during each fan. A direction is the axis F of the turn's frame (lms3dPlatform.h)
+ * times the cosine of the elevation, plus the platform's axis A, "up", times its sine.
  */
 class lms3dBeamDirections
 {

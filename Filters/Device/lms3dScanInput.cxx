@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Device/lms3dScanInput.h"
 
+#include "Device/lms3dScanFieldData.h"
+
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -130,6 +132,7 @@ lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
   this->BetaAngles = TakeAngles(scan->GetFieldData(), "BetaAngles");
   this->SensorToWorld = Take<vtkDoubleArray>(scan->GetFieldData(), "SensorToWorld", 16);
   CheckFinite(this->SensorToWorld, "SensorToWorld");
+  this->Platform = lms3dGetPlatform(scan->GetFieldData());
   this->Points = As<vtkDoubleArray>(scan->GetPoints()->GetData());
   const std::int64_t beams = static_cast<std::int64_t>(this->AlphaAngles->GetNumberOfValues()) *
     this->BetaAngles->GetNumberOfValues();
@@ -163,7 +166,7 @@ void lms3dScanInput::CheckPoints() const
 
 lms3dScanGeometry lms3dScanInput::GetGeometry() const
 {
-  return { ToVector(this->AlphaAngles), ToVector(this->BetaAngles) };
+  return { ToVector(this->AlphaAngles), ToVector(this->BetaAngles), this->Platform };
 }
 
 lms3dPose lms3dScanInput::GetPose() const
@@ -181,7 +184,8 @@ lms3dPose lms3dScanInput::GetPose() const
 bool lms3dScanInput::HasAngles(const lms3dScanGeometry& geometry) const
 {
   return AreEqual(this->AlphaAngles, geometry.GetAlphaAngles()) &&
-    AreEqual(this->BetaAngles, geometry.GetBetaAngles());
+    AreEqual(this->BetaAngles, geometry.GetBetaAngles()) &&
+    this->Platform == geometry.GetPlatform();
 }
 
 std::array<double, 3> lms3dScanInput::GetSensorPosition() const

@@ -55,7 +55,7 @@ public:
 
   lms3dPose GetPose() const;
 
-  /// Returns whether the angles of the scan and of `geometry` are equal to the bit.
+  /// Returns whether the angles and the platform of the scan and of `geometry` are equal to the bit.
   bool HasAngles(const lms3dScanGeometry& geometry) const;
 
   /// World coordinates, metres.
@@ -71,6 +71,7 @@ private:
   vtkSmartPointer<vtkDoubleArray> AlphaAngles;
   vtkSmartPointer<vtkDoubleArray> BetaAngles;
   vtkSmartPointer<vtkDoubleArray> SensorToWorld;
+  lms3dPlatform Platform;
 };
 
 #endif

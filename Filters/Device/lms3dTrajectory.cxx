@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Device/lms3dTrajectory.h"
 
+#include "Device/lms3dPoseInterpolation.h"
 #include "Device/lms3dScanChecks.h"
 #include "Geometry/lms3dVector.h"
 
@@ -129,11 +130,7 @@ std::array<lms3dVector, 3> GetAxes(std::array<double, 4> q, vtkIdType point)
   }
   // Squares of the largest finite numbers would be infinite.
   std::transform(q.begin(), q.end(), q.begin(), [largest](double x) { return x / largest; });
-  const auto [w, x, y, z] = q;
-  const double s = 2.0 / (w * w + x * x + y * y + z * z);
-  return { lms3dVector{ 1.0 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y) },
-    lms3dVector{ s * (x * y - w * z), 1.0 - s * (x * x + z * z), s * (y * z + w * x) },
-    lms3dVector{ s * (x * z + w * y), s * (y * z - w * x), 1.0 - s * (x * x + y * y) } };
+  return lms3dToAxes(q);
 }
 
 // The x axis points along the tangent, and the y axis is level. If x is vertical, y is the last
@@ -193,4 +190,16 @@ int lms3dTrajectory::FindStep(double time) const
 {
   const auto later = std::upper_bound(this->Times.begin(), this->Times.end(), time);
   return std::max(0, static_cast<int>(later - this->Times.begin()) - 1);
+}
+
+lms3dPose lms3dTrajectory::Interpolate(double time) const
+{
+  const int last = static_cast<int>(this->Times.size()) - 1;
+  const int step = this->FindStep(time);
+  if (step == last || time <= this->Times[step])
+  {
+    return this->Poses[step];
+  }
+  const double share = (time - this->Times[step]) / (this->Times[step + 1] - this->Times[step]);
+  return lms3dInterpolate(this->Poses[step], this->Poses[step + 1], share);
 }

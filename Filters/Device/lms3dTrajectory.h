@@ -34,6 +34,10 @@ public:
 
   const lms3dPose& GetPose(int step) const { return this->Poses[step]; }
 
+  /// Returns the pose at any time: positions are interpolated linearly, orientations by slerp (Shoemake
+  /// 1985) on the shorter way. Before the first time and after the last it is the first and the last pose.
+  lms3dPose Interpolate(double time) const;
+
 private:
   std::vector<double> Times;
   std::vector<lms3dPose> Poses;

@@ -14,10 +14,12 @@ const lms3dScanGeometry& lms3dScanSensor::GetGeometry(const lms3dScanSettings& s
   const Angles angles = { settings.AlphaRange[0], settings.AlphaRange[1],
     static_cast<double>(settings.AlphaResolution), settings.BetaRange[0], settings.BetaRange[1],
     static_cast<double>(settings.BetaResolution) };
-  if (!this->Geometry || angles != this->GeometryAngles)
+  const lms3dPlatform& platform = settings.Device.Platform;
+  if (!this->Geometry || angles != this->GeometryAngles ||
+    !(platform == this->Geometry->GetPlatform()))
   {
     this->Geometry = std::make_unique<lms3dScanGeometry>(settings.AlphaRange.data(),
-      settings.AlphaResolution, settings.BetaRange.data(), settings.BetaResolution);
+      settings.AlphaResolution, settings.BetaRange.data(), settings.BetaResolution, platform);
     this->GeometryAngles = angles;
   }
   return *this->Geometry;

@@ -12,5 +12,9 @@ std::string lms3dFindSettingsError(const lms3dScanSettings& settings)
     error = lms3dFindAngleError(settings.AlphaRange.data(), settings.AlphaResolution,
       settings.BetaRange.data(), settings.BetaResolution);
   }
-  return error.empty() ? lms3dFindLimitError(settings.Limits) : error;
+  if (error.empty())
+  {
+    error = lms3dFindLimitError(settings.Limits);
+  }
+  return error.empty() ? lms3dFindDeviceError(settings.Device) : error;
 }

@@ -9,6 +9,7 @@
 
 #include "Device/lms3dScanGeometry.h"
 #include "Geometry/lms3dVector.h"
+#include "Scan/lms3dDeviceSettings.h"
 
 #include <array>
 #include <string>
@@ -32,6 +33,8 @@ struct lms3dScanSettings
 
   /// Whether the scan says what each return has hit.
   bool SurfaceAttributes;
+
+  lms3dDeviceSettings Device;
 };
 
 /// Returns a text for the user about the first bad property, empty if all are good.

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Where the beams of a resting sensor start and point, in world coordinates, for any platform.
+ */
+#ifndef lms3dBeams_h
+#define lms3dBeams_h
+
+#include "Device/lms3dFan.h"
+#include "Device/lms3dScanGeometry.h"
+#include "Geometry/lms3dVector.h"
+
+/// For a platform that is centred and stepped, directions are those of lms3dBeamDirections to the bit.
+class lms3dBeams
+{
+public:
+  /// The geometry must outlive the object.
+  lms3dBeams(const lms3dScanGeometry& geometry, const lms3dPose& pose);
+
+  lms3dVector GetOrigin(int turn, int beam) const;
+
+  lms3dVector GetDirection(int turn, int beam) const;
+
+private:
+  lms3dVector ToWorld(int turn, const lms3dVector& inTurnFrame) const;
+
+  const lms3dBeamDirections Directions;
+  const lms3dFan Fan;
+  const lms3dVector Position;
+  const bool IsCentredAndStepped;
+};
+
+#endif
