@@ -217,11 +217,11 @@ class CasterTest(unittest.TestCase):
 
 
 class ScanTest(unittest.TestCase):
-    """What the texts say of tables F as a whole."""
+    """What the texts say of tables S as a whole."""
 
     def test_no_beam_is_wrong_and_exact_does_not_err(self):
         for part, scenes in (("scenes", 8), ("scan", 4), ("methods", 2)):
-            rows = [row for row in TABLES[f"F-speed-{part}"] if row["method"] != "raw packets"]
+            rows = [row for row in TABLES[f"S-speed-{part}"] if row["method"] != "raw packets"]
             self.assertEqual(len({row["scene"] for row in rows}), scenes, part)
             for row in rows:
                 self.assertEqual((row["misses"], row["false hits"]), ("0", "0"), row)
@@ -230,7 +230,7 @@ class ScanTest(unittest.TestCase):
 
     def test_raw_packets_are_the_unit(self):
         for part in ("scenes", "scan", "methods"):
-            for row in TABLES[f"F-speed-{part}"]:
+            for row in TABLES[f"S-speed-{part}"]:
                 if row["method"] == "raw packets":
                     self.assertEqual(row["x raw"], "1.00", row)
 

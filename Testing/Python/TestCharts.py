@@ -11,7 +11,7 @@ from pathlib import Path
 from claims.values import ACCURACY, CHARTS, PERFORMANCE, ROOT, README, summaries, tables
 
 PICTURES = tuple(summaries.PAGES)
-PAGES = (*PICTURES, "F-speed")
+PAGES = (*PICTURES, "S-speed")
 
 
 def read(name):
@@ -42,7 +42,7 @@ class PageTest(unittest.TestCase):
             self.assertIn(f"(charts/{name}.md)", read(ACCURACY))
             for ending in ("png", "csv"):
                 self.assertGreater((CHARTS / f"{name}.{ending}").stat().st_size, 1000)
-        self.assertIn("(charts/F-speed.md)", read(PERFORMANCE))
+        self.assertIn("(charts/S-speed.md)", read(PERFORMANCE))
 
     def test_each_page_names_the_machine_and_its_tables(self):
         for name in PAGES:
@@ -81,19 +81,19 @@ class RenewalTest(unittest.TestCase):
         for name, part, column in (
                 ("A-casting", "", "ns/beam"), ("B-mapping", "", "ms"),
                 ("D-growth", "", "time exponent"), ("E-sampling", "", "triangles"),
-                ("F-speed", "-scenes", "scan ms")):
+                ("S-speed", "-scenes", "scan ms")):
             self.change(name + part, column, "7654.3")
             self.assertRegex(summaries.make_page(self.folder, name), r"7,?654", name)
 
     def test_the_speed_page_says_if_the_machine_was_not_quiet(self):
         words = "The machine was not quiet: other processes took up to 42 % of the cores' time."
         for share, is_quiet in (("3", True), ("42", False), ("-", True)):
-            self.change("F-speed-methods", "others %", share)
-            page = summaries.make_page(self.folder, "F-speed")
+            self.change("S-speed-methods", "others %", share)
+            page = summaries.make_page(self.folder, "S-speed")
             self.assertEqual(words not in page, is_quiet, share)
 
     def test_the_readme_follows_its_table(self):
-        self.change("F-speed-scan", "scan ms", "98.76")
+        self.change("S-speed-scan", "scan ms", "98.76")
         self.assertIn("| 98.76 |", summaries.insert_table(read(README), self.folder))
 
     def test_a_readme_without_markers_is_refused(self):

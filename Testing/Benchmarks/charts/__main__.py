@@ -14,6 +14,7 @@ import tempfile
 import time
 
 import casting
+import device
 import drawing
 import growth
 import mapping
@@ -26,7 +27,8 @@ from places import CHART_FOLDER, ROOT
 
 # Each has LETTER, NAME, SUMMARY, measure(quick, csv_file), which writes the table, and
 # draw(table, machine), which makes the picture of the table, or None.
-CHARTS = {chart.LETTER: chart for chart in (casting, mapping, stability, growth, sampling, speed)}
+CHARTS = {chart.LETTER: chart for chart in (casting, mapping, stability, growth, sampling, device,
+                                          speed)}
 
 
 class ChartProblem(Exception):

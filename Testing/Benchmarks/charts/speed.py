@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables F, without a picture: the times of scans, of building and of reading."""
+"""Tables S, without a picture: the times of scans, of building and of reading."""
 
 import os
 import subprocess
@@ -9,7 +9,7 @@ import tables
 from places import BENCHMARK
 from speed_tables import TITLE
 
-LETTER = "F"
+LETTER = "S"
 NAME = "speed"
 SUMMARY = TITLE[0].lower() + TITLE[1:] + "; no picture"
 

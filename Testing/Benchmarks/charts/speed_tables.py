@@ -4,8 +4,8 @@
 
 from tables import BEAMS, find, name_scene, read, select, to_error, to_markdown, to_number, unique
 
-NAME = "F-speed"
-TITLE = "Tables F: speed and memory of a scan"
+NAME = "S-speed"
+TITLE = "Tables S: speed and memory of a scan"
 METHODS = ("raw packets", "Exact", "Fast")
 QUIET = 3  # per cent that other processes may take; lms3dBenchmark has the same limit
 

@@ -10,7 +10,7 @@ from places import HERE
 from tables import (BEAMS, find, name_scene, read, select, to_error, to_markdown, to_number,
                     to_percent, unique)
 
-BEGIN, END = "<!-- table: begin (./run chart F writes it) -->", "<!-- table: end -->"
+BEGIN, END = "<!-- table: begin (./run chart S writes it) -->", "<!-- table: end -->"
 
 
 def _pivot(rows, row_keys, column_key, get_cell):
@@ -162,6 +162,23 @@ def _make_sampling_tables(table):
                    to_markdown(["step, degrees", *names], cells))
 
 
+# --- Chart F --------------------------------------------------------------------------------------
+
+DEVICE_RANGES = ("changed %", "median mm", "95% mm", "max mm", "lost %")
+DEVICE_MAPS = ("triangles", "map to scene mean mm", "map to scene 95% mm", "scene to map mean mm",
+               "complete %", "free space m2")
+
+
+def _make_device_tables(table):
+    for heading, columns in (("Ranges against the ideal ones", DEVICE_RANGES),
+                             ("The map against the scene", DEVICE_MAPS),
+                             ("Time of a scan", ("ms", "x ideal"))):
+        yield heading, to_markdown(
+            ["effect", "value", *columns],
+            [[row["effect"], row["value"], *(to_number(row[key]) for key in columns)]
+             for row in table], words=2)
+
+
 # --- Pages ----------------------------------------------------------------------------------------
 
 PAGES = {
@@ -170,6 +187,7 @@ PAGES = {
     "C-stability": ("Chart C: where methods fail", _make_stability_tables),
     "D-growth": ("Chart D: how time and memory grow", _make_growth_tables),
     "E-sampling": ("Chart E: how fine a scan has to be", _make_sampling_tables),
+    "F-device": ("Chart F: what a real device does", _make_device_tables),
 }
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables F: scans, building and reading; and what performance.md and the README say of maps."""
+"""Tables S: scans, building and reading; and what performance.md and the README say of maps."""
 
 from claims.values import (PERFORMANCE, QUADRICS, README, TABLES, Claim, bounded, first, grid,
                            kernels, local_map, make_spread, ratios, scan)
@@ -79,7 +79,7 @@ def make_method_claims():
 
 def make_claims():
     """Everything that is not about maps."""
-    reading = [float(row["x numbers"]) for row in TABLES["F-speed-read"]
+    reading = [float(row["x numbers"]) for row in TABLES["S-speed-read"]
                if row["what is read"] == "vtkVRMLImporterSource"]
     updates = {method: [first(f"first update with {method}", "x boxes low", threads)
                         for threads in "12"] for method in METHODS}

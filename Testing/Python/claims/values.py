@@ -95,18 +95,18 @@ def sample(scene, step, bound, column="complete"):
 
 
 def scan(scene, method, column="scan ms", threads="1", part="scenes"):
-    """Return a number of tables F."""
-    return get(f"F-speed-{part}", column, scene=scene, method=method, threads=threads)
+    """Return a number of tables S."""
+    return get(f"S-speed-{part}", column, scene=scene, method=method, threads=threads)
 
 
 def first(work, column, threads="1"):
     """Return a number of the first scan."""
-    return get("F-speed-first", column, work=work, threads=threads)
+    return get("S-speed-first", column, work=work, threads=threads)
 
 
 def kernels(name, scene, method="Exact"):
     """Return the time of a method with an instruction set, on one thread."""
-    return get("F-speed-kernels", "scan ms", kernels=name, scene=scene, method=method,
+    return get("S-speed-kernels", "scan ms", kernels=name, scene=scene, method=method,
                threads="1")
 
 
