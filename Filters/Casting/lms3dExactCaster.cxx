@@ -44,7 +44,7 @@ public:
 
   bool IsEmpty(const lms3dPacketRectangle& rectangle) const override
   {
-    return lms3dIsOutside(this->Cone, this->Grid, rectangle);
+    return this->Grid.FanAxes && lms3dIsOutside(this->Cone, this->Grid, rectangle);
   }
 
   void FindNearest(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const override
