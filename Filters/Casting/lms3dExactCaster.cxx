@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dEmbreeCandidates.h"
 #include "Casting/lms3dExactView.h"
+#include "Casting/lms3dFreeRangeRefinement.h"
 #include "Casting/lms3dGridCone.h"
 #include "Casting/lms3dRangeRefinement.h"
 #include "Casting/lms3dRayCaster.h"
@@ -105,6 +106,16 @@ public:
     const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const override
   {
     this->Refinement.Refine(origin, packets, count);
+  }
+
+  void FindNearestFree(double maximumRange, lms3dFreePacket* packets, int count) const override
+  {
+    this->Candidates.CastFree(maximumRange, packets, count);
+  }
+
+  void RefineRangesFree(lms3dFreePacket* packets, int count) const override
+  {
+    lms3dRefineFreeRanges(this->GetMesh(), packets, count);
   }
 
 private:

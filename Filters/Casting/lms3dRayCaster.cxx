@@ -4,6 +4,7 @@
 
 #include "Casting/lms3dBitMask.h"
 #include "Casting/lms3dBuildStopped.h"
+#include "Kernels/lms3dPacketKernels.h"
 
 #include <iterator>
 #include <limits>
@@ -106,6 +107,7 @@ void lms3dRayCaster::FindNearestFree(double maximumRange, lms3dFreePacket* packe
 {
   for (int i = 0; i < count; ++i)
   {
+    lms3dGetPacketKernels().Free.NarrowDirections(packets[i]);
     CastOneByOne(maximumRange, packets[i],
       [this](const lms3dRayOrigin& origin, lms3dBeamPacket& packet)
       {
@@ -121,14 +123,7 @@ void lms3dRayCaster::RefineRangesFree(lms3dFreePacket* packets, int count) const
   {
     CastOneByOne(std::numeric_limits<double>::infinity(), packets[i],
       [this](const lms3dRayOrigin& origin, lms3dBeamPacket& packet)
-      {
-        for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
-        {
-          const bool isActive = lms3dHasBit(packet.Active, beam);
-          packet.Triangle[beam] = isActive ? packet.Triangle[beam] : lms3dBeamPacket::NoTriangle;
-        }
-        this->RefineRanges(origin, &packet, 1);
-      });
+      { this->RefineRanges(origin, &packet, 1); });
   }
 }
 
