@@ -63,6 +63,7 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
       lms3dGetStepProgress(request.Progress, BuildShare, 1.0), points, image };
     isDone = processes.IsParallel() ? this->CastInParallel(scan) : this->CastAlone(scan);
     this->Output.Discard();
+    this->Detection.Discard();
     if (request.Settings.SurfaceAttributes)
     {
       points->GetPointData()->SetActiveNormals("Normals");
@@ -117,6 +118,7 @@ bool lms3dScanJob::Build(const lms3dScanJobRequest& request, bool isParallel)
     request.Warn(skipped);
   }
   this->SkippedCells = skipped;
+  this->Detection.ReadReflectances(request.Settings, this->Scene, request.Scene);
   return request.Progress(BuildShare);
 }
 
@@ -125,20 +127,19 @@ bool lms3dScanJob::CastAlone(const Scan& scan)
   const lms3dRayCaster* caster = this->Scene.GetCaster();
   lms3dCheckScene(caster != nullptr, this->Scene.GetPart(), this->Scene.GetSkippedCells());
   this->WarnIfIncomplete(this->Scene.GetPart(), scan);
-  const lms3dScanSettings& settings = scan.Request.Settings;
-  bool isDone = false;
-  this->Threads.Run(settings.NumberOfThreads,
+  if (!this->Cast(scan) || !this->Detect(scan, 0))
+  {
+    return false;
+  }
+  this->Threads.Run(scan.Request.Settings.NumberOfThreads,
     [&]
     {
-      isDone = this->Output.Cast(*caster, scan.Geometry, scan.Pose, settings.Limits, scan.Progress);
-      if (isDone)
-      {
-        this->Output.FillScan(&caster->GetMesh(), scan.Geometry, scan.Pose, scan.Points);
-        this->Output.FillRangeImage(scan.Geometry, scan.Image);
-        this->AddSurfaceAttributes(scan, scan.Points->GetPointData());
-      }
+      this->Output.FillScan(&caster->GetMesh(), scan.Geometry, scan.Pose, scan.Points);
+      this->Output.FillRangeImage(scan.Geometry, scan.Image);
+      this->AddSurfaceAttributes(scan, scan.Points->GetPointData());
     });
-  return isDone;
+  this->Detection.AddStatus(scan.Geometry, scan.Points, scan.Image);
+  return true;
 }
 
 // In the following functions, collective calls stay outside of Threads.Run: MPI need not allow calls from
@@ -153,31 +154,42 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
   {
     this->WarnIfIncomplete(cells.Whole, scan);
   }
-  if (!this->CastPart(scan))
+  if (!this->Cast(scan))
   {
     return false;
   }
   this->Output.ReduceToNearest(processes, caster, cells.First);
+  if (!this->Detect(scan, cells.First))
+  {
+    return false;
+  }
   this->FillOutputsInParallel(scan);
   return true;
 }
 
-// Returns false, in all processes, if the work was stopped in one of them.
-bool lms3dScanJob::CastPart(const Scan& scan)
+// Returns false, in all processes, if the work was stopped in one of them. So does Detect.
+bool lms3dScanJob::Cast(const Scan& scan)
 {
   const lms3dScanSettings& settings = scan.Request.Settings;
-  bool isStopped = false;
-  scan.Processes.RunCollectively(
-    [&]
-    {
-      this->Threads.Run(settings.NumberOfThreads,
-        [&]
-        {
-          isStopped = !this->Output.CastPart(
-            this->Scene.GetCaster(), scan.Geometry, scan.Pose, settings.Limits, scan.Progress);
-        });
-    });
-  return !scan.Processes.AnyOf(isStopped);
+  const lms3dRayCaster* caster = this->Scene.GetCaster();
+  const lms3dProgress progress = lms3dDetection::GetCastProgress(scan.Progress, settings);
+  bool isDone = false;
+  const auto cast = [&]
+  {
+    isDone = scan.Processes.IsParallel()
+      ? this->Output.CastPart(caster, scan.Geometry, scan.Pose, settings.Limits, progress)
+      : this->Output.Cast(*caster, scan.Geometry, scan.Pose, settings.Limits, progress);
+  };
+  scan.Processes.RunCollectively([&] { this->Threads.Run(settings.NumberOfThreads, cast); });
+  return !scan.Processes.AnyOf(!isDone);
+}
+
+bool lms3dScanJob::Detect(const Scan& scan, std::int64_t firstCell)
+{
+  return this->Detection.Run(
+    { scan.Request.Settings, this->Scene.GetCaster(), scan.Geometry, scan.Pose, scan.Processes,
+      scan.Request.Controller, firstCell, this->Threads, scan.Progress },
+    this->Output);
 }
 
 void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
@@ -196,8 +208,10 @@ void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
         run([&] { this->Output.FillScan(nullptr, scan.Geometry, scan.Pose, scan.Points); });
       }
       this->Output.FillRangeImagePiece(scan.Geometry, piece, scan.Image);
+      this->Detection.AddStatus(
+        scan.Geometry, processes.IsFirst() ? scan.Points : nullptr, scan.Image);
     });
-  if (settings.SurfaceAttributes)
+  if (lms3dSurfaceArrays(settings).AreAny())
   {
     vtkNew<vtkFieldData> own;
     processes.RunCollectively([&] { run([&] { this->AddSurfaceAttributes(scan, own); }); });
@@ -209,11 +223,12 @@ void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
 void lms3dScanJob::AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) const
 {
   const lms3dRayCaster* caster = this->Scene.GetCaster();
-  if (scan.Request.Settings.SurfaceAttributes && caster)
+  const lms3dSurfaceArrays wanted(scan.Request.Settings);
+  if (wanted.AreAny() && caster)
   {
-    lms3dAddSurfaceAttributes(
-      { caster->GetMesh(), scan.Geometry, scan.Pose, this->Output.GetOwnTriangles() },
-      scan.Request.Scene, this->Scene.GetPart().HasGlobalIds, data);
+    lms3dAddSurfaceAttributes({ { caster->GetMesh(), this->Detection.GetReflectances() },
+                                scan.Geometry, scan.Pose, this->Output.GetOwnTriangles() },
+      wanted, scan.Request.Scene, this->Scene.GetPart().HasGlobalIds, data);
   }
 }
 

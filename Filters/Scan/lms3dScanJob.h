@@ -11,6 +11,7 @@
 #include "Pipeline/lms3dProgress.h"
 #include "Pipeline/lms3dThreads.h"
 #include "Scan/lms3dBuiltScene.h"
+#include "Scan/lms3dDetection.h"
 #include "Scan/lms3dProcesses.h"
 #include "Scan/lms3dScanOutput.h"
 #include "Scan/lms3dScanSensor.h"
@@ -18,6 +19,7 @@
 
 #include <vtkType.h>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -84,7 +86,8 @@ private:
   bool Build(const lms3dScanJobRequest& request, bool isParallel);
   bool CastAlone(const Scan& scan);
   bool CastInParallel(const Scan& scan);
-  bool CastPart(const Scan& scan);
+  bool Cast(const Scan& scan);
+  bool Detect(const Scan& scan, std::int64_t firstCell);
   void FillOutputsInParallel(const Scan& scan);
   void AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) const;
   void WarnIfIncomplete(const lms3dScenePart& scene, const Scan& scan);
@@ -92,6 +95,7 @@ private:
   lms3dBuiltScene Scene;
   lms3dThreads Threads;
   lms3dScanOutput Output;
+  lms3dDetection Detection;
 
   lms3dScanSensor Sensor;
 
