@@ -27,16 +27,17 @@
  *
  * @par Output 1, the range image
  * The range image of output 0, as in vtkLMS3DScanFilter: `Range` (float64, metres) for all beams, NaN
- * without a return. vtkLMS3DScanFilter publishes the extent of the image before it scans. An input
- * without a published extent, such as a scan from a file, is updated already when a consumer requests
- * information.
+ * without a return. If the input has the field data `Status` (vtkLMS3DScanFilter::ComputeStatus), the
+ * image has it as point data. vtkLMS3DScanFilter publishes the extent of the image before it scans. An
+ * input without a published extent, such as a scan from a file, is updated already when a consumer
+ * requests information.
  *
  * @par Beams without a return
  * A beam without a return stays without one. A device counts steps of distance, and 0 stands for no
  * measurement. So a beam gives no return if its reported range would be 0 or less (or would overflow):
- * it is removed from output 0 and NaN in output 1. The filter does not check the limits of ranges
- * again. If returns are removed, output 0 has one new vertex for each remaining return, and no cell
- * data.
+ * it is removed from output 0 and NaN in output 1, and its `Status`, if there is one, is TOO_NEAR in
+ * both outputs. The filter does not check the limits of ranges again. If returns are removed, output 0
+ * has one new vertex for each remaining return, and no cell data.
  *
  * @par Random numbers
  * An error depends only on NoiseSeed, the time of the scan, and the turn and number of the beam, so it

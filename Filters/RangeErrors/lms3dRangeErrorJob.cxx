@@ -7,7 +7,9 @@
 #include "Pipeline/lms3dPooledArray.h"
 #include "RangeErrors/lms3dIdealGrid.h"
 #include "RangeErrors/lms3dReportedScan.h"
+#include "RangeErrors/lms3dReportedStatus.h"
 #include "RangeErrors/lms3dSharedGrid.h"
+#include "Scan/lms3dBeamStatus.h"
 #include "Scan/lms3dProcesses.h"
 
 #include <vtkDataObject.h>
@@ -21,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -67,6 +70,17 @@ void FillImage(const lms3dRangeErrorJobRequest& request, const lms3dProcesses& p
     lms3dFillRangeImage(geometry, grid, image);
   }
 }
+
+void AddStatus(const lms3dRangeErrorJobRequest& request, const lms3dReportedStatus& status,
+  const lms3dScanGeometry& geometry)
+{
+  const auto merged = status.Merge(
+    request.Controller, geometry.CountBeamsOfAllTurns(), vtkPolyData::GetData(request.Outputs, 0));
+  if (merged)
+  {
+    lms3dAddStatus(merged, geometry.GetNumberOfBeams(), vtkImageData::GetData(request.Outputs, 1));
+  }
+}
 } // namespace
 
 const lms3dScanGeometry* lms3dRangeErrorJob::GetGeometry(
@@ -91,6 +105,7 @@ bool lms3dRangeErrorJob::Run(const lms3dRangeErrorJobRequest& request)
   const lms3dProcesses processes(request.Controller);
   const lms3dScanGeometry* geometry = this->GetGeometry(request.Scan, request.Controller);
   vtkSmartPointer<vtkDoubleArray> grid;
+  std::optional<lms3dReportedStatus> status;
   bool isStopped = false;
   processes.RunCollectively(
     [&]
@@ -103,6 +118,7 @@ bool lms3dRangeErrorJob::Run(const lms3dRangeErrorJobRequest& request)
         grid = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Range", beams);
         this->Threads.Run(request.NumberOfThreads,
           [&] { isStopped = !this->Report(request, scan, *geometry, grid->GetPointer(0)); });
+        status.emplace(scan, request.Scan, grid->GetPointer(0), beams, request.Controller);
       }
     });
   if (processes.AnyOf(isStopped))
@@ -114,6 +130,7 @@ bool lms3dRangeErrorJob::Run(const lms3dRangeErrorJobRequest& request)
     lms3dMergeGrids(
       request.Controller, static_cast<std::size_t>(grid->GetNumberOfValues()), grid->GetPointer(0));
     FillImage(request, processes, *geometry, grid);
+    AddStatus(request, *status, *geometry);
   }
   this->Pool.FreeUnused();
   return true;

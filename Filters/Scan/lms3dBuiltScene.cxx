@@ -21,7 +21,7 @@ namespace
 constexpr double CollectShare = 0.3;
 
 // The MTime of a composite does not include the MTimes of its blocks.
-vtkMTimeType GetSceneTime(vtkDataObject* scene)
+vtkMTimeType ComputeSceneTime(vtkDataObject* scene)
 {
   vtkMTimeType time = scene->GetMTime();
   if (vtkDataObjectTree* tree = vtkDataObjectTree::SafeDownCast(scene))
@@ -61,7 +61,7 @@ bool AreSame(const lms3dTriangleMesh& a, const lms3dTriangleMesh& b)
 
 bool lms3dBuiltScene::Update(vtkDataObject* scene, int method, const lms3dProgress& progress)
 {
-  const vtkMTimeType time = GetSceneTime(scene);
+  const vtkMTimeType time = ComputeSceneTime(scene);
   const bool isSameMethod = this->Method == method;
   if (this->Scene == scene && this->SceneTime == time && isSameMethod)
   {

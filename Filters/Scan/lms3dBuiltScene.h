@@ -47,6 +47,9 @@ public:
   /// Returns the time when a ray caster was last built, 0 before the first.
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
 
+  /// Returns the MTime of the scene, with all of its data sets, at the last complete Update.
+  vtkMTimeType GetSceneTime() const { return this->SceneTime; }
+
 private:
   void Describe(const lms3dSceneTriangles& triangles);
   bool Build(lms3dSceneTriangles triangles, int method, const lms3dProgress& progress);

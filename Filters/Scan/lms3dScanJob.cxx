@@ -77,6 +77,7 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
       lms3dGetStepProgress(request.Progress, BuildShare, 1.0), points, image };
     isDone = processes.IsParallel() ? this->CastInParallel(scan) : this->CastAlone(scan);
     this->Output.Discard();
+    this->Detection.Discard();
     if (request.Settings.SurfaceAttributes)
     {
       points->GetPointData()->SetActiveNormals("Normals");
@@ -138,6 +139,7 @@ bool lms3dScanJob::Build(const lms3dScanJobRequest& request, bool isParallel)
     request.Warn(skipped);
   }
   this->SkippedCells = skipped;
+  this->Detection.ReadReflectances(request.Settings, this->Scene, request.Scene);
   return request.Progress(BuildShare);
 }
 
@@ -146,7 +148,7 @@ bool lms3dScanJob::CastAlone(const Scan& scan)
   const lms3dRayCaster* caster = this->Scene.GetCaster();
   lms3dCheckScene(caster != nullptr, this->Scene.GetPart(), this->Scene.GetSkippedCells());
   this->WarnIfIncomplete(this->Scene.GetPart(), scan);
-  if (!this->Cast(scan, 0))
+  if (!this->CastAndDetect(scan, 0))
   {
     return false;
   }
@@ -158,6 +160,7 @@ bool lms3dScanJob::CastAlone(const Scan& scan)
       this->AddSurfaceAttributes(scan, scan.Points->GetPointData());
       AddPoses(scan);
     });
+  this->Detection.AddStatus(scan.Geometry, scan.Points, scan.Image);
   return true;
 }
 
@@ -173,7 +176,7 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
   {
     this->WarnIfIncomplete(cells.Whole, scan);
   }
-  if (!this->Cast(scan, cells.First))
+  if (!this->CastAndDetect(scan, cells.First))
   {
     return false;
   }
@@ -182,17 +185,20 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
 }
 
 // Returns false, in all processes, if the work was stopped in one of them.
-bool lms3dScanJob::Cast(const Scan& scan, std::int64_t firstCell)
+bool lms3dScanJob::CastAndDetect(const Scan& scan, std::int64_t firstCell)
 {
   const lms3dScanSettings& settings = scan.Request.Settings;
   const lms3dFootprint& footprint = settings.Device.Footprint;
   const bool isPlain =
     settings.Device.Platform.IsCentredAndStepped() && !scan.Motion && !footprint.HasWidth();
-  const auto beams = isPlain ? nullptr : std::make_unique<lms3dMovingBeams>(scan.MakeBeams());
-  return lms3dCastBeams(
-    { this->Scene.GetCaster(), firstCell, scan.Geometry, scan.Pose, beams.get(), footprint,
-      settings.Limits, scan.Processes, this->Threads, settings.NumberOfThreads, scan.Progress },
-    this->Output);
+  const lms3dMovingBeams beams = scan.MakeBeams();
+  const lms3dProgress progress = lms3dDetection::GetCastProgress(scan.Progress, settings);
+  const lms3dBeamCastRequest cast = { this->Scene.GetCaster(), firstCell, scan.Geometry, scan.Pose,
+    isPlain ? nullptr : &beams, footprint, settings.Limits, scan.Processes, this->Threads,
+    settings.NumberOfThreads, progress };
+  return lms3dCastBeams(cast, this->Output) &&
+    this->Detection.Run(
+      { settings, cast, beams, scan.Request.Controller, scan.Progress }, this->Output);
 }
 
 void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
@@ -216,8 +222,10 @@ void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
           });
       }
       this->Output.FillRangeImagePiece(scan.Geometry, piece, scan.Image);
+      this->Detection.AddStatus(
+        scan.Geometry, processes.IsFirst() ? scan.Points : nullptr, scan.Image);
     });
-  if (settings.SurfaceAttributes)
+  if (lms3dSurfaceArrays(settings).AreAny())
   {
     vtkNew<vtkFieldData> own;
     processes.RunCollectively([&] { run([&] { this->AddSurfaceAttributes(scan, own); }); });
@@ -229,11 +237,13 @@ void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
 void lms3dScanJob::AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) const
 {
   const lms3dRayCaster* caster = this->Scene.GetCaster();
-  if (scan.Request.Settings.SurfaceAttributes && caster)
+  const lms3dSurfaceArrays wanted(scan.Request.Settings);
+  if (wanted.AreAny() && caster)
   {
-    lms3dAddSurfaceAttributes(
-      { caster->GetMesh(), scan.Geometry, scan.Pose, this->Output.GetOwnTriangles() },
-      scan.Request.Scene, this->Scene.GetPart().HasGlobalIds, data);
+    const lms3dMovingBeams beams = scan.MakeBeams();
+    lms3dAddSurfaceAttributes({ { caster->GetMesh(), this->Detection.GetReflectances() }, beams,
+                                this->Output.GetOwnTriangles() },
+      wanted, scan.Request.Scene, this->Scene.GetPart().HasGlobalIds, data);
   }
 }
 

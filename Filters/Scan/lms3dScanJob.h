@@ -12,6 +12,7 @@
 #include "Pipeline/lms3dProgress.h"
 #include "Pipeline/lms3dThreads.h"
 #include "Scan/lms3dBuiltScene.h"
+#include "Scan/lms3dDetection.h"
 #include "Scan/lms3dProcesses.h"
 #include "Scan/lms3dScanOutput.h"
 #include "Scan/lms3dScanSensor.h"
@@ -87,7 +88,7 @@ private:
   bool Build(const lms3dScanJobRequest& request, bool isParallel);
   bool CastAlone(const Scan& scan);
   bool CastInParallel(const Scan& scan);
-  bool Cast(const Scan& scan, std::int64_t firstCell);
+  bool CastAndDetect(const Scan& scan, std::int64_t firstCell);
   void FillOutputsInParallel(const Scan& scan);
   static void AddPoses(const Scan& scan);
   void AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) const;
@@ -96,6 +97,7 @@ private:
   lms3dBuiltScene Scene;
   lms3dThreads Threads;
   lms3dScanOutput Output;
+  lms3dDetection Detection;
 
   lms3dScanSensor Sensor;
 

@@ -111,6 +111,26 @@ void lms3dScanOutput::ReduceToNearest(
     processes, caster, firstCell, this->Ranges->GetPointer(0), this->Triangles.data());
 }
 
+bool lms3dScanOutput::HasMissingReturns() const
+{
+  return std::any_of(this->Triangles.begin(), this->Triangles.end(),
+    [](std::int32_t triangle) { return triangle == lms3dBeamPacket::NoTriangle; });
+}
+
+void lms3dScanOutput::RemoveReturns(const std::vector<unsigned char>& isRemoved)
+{
+  double* ranges = this->Ranges->GetPointer(0);
+  for (std::size_t i = 0; i < isRemoved.size(); ++i)
+  {
+    ranges[i] = isRemoved[i] ? NAN : ranges[i];
+    this->Triangles[i] = isRemoved[i] ? lms3dBeamPacket::NoTriangle : this->Triangles[i];
+  }
+  for (std::size_t i = 0; i < this->Part.Triangles.size(); ++i)
+  {
+    this->Part.Triangles[i] = isRemoved[i] ? lms3dBeamPacket::NoTriangle : this->Part.Triangles[i];
+  }
+}
+
 std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& geometry) const
 {
   const int beams = geometry.GetNumberOfBeams();

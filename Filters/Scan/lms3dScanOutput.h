@@ -67,6 +67,15 @@ public:
     return this->Part.Triangles.empty() ? this->Triangles : this->Part.Triangles;
   }
 
+  /// Returns the range of each beam, metres, NaN without a return. Valid until FillRangeImage or Discard.
+  const double* GetRanges() const { return this->Ranges->GetPointer(0); }
+
+  /// Returns whether some beams have no return.
+  bool HasMissingReturns() const;
+
+  /// Removes the returns of the beams for which `isRemoved` is not 0. It has a value for each beam.
+  void RemoveReturns(const std::vector<unsigned char>& isRemoved);
+
   /// Fills output 0, which must be empty. `mesh` is that of the caster, or null after
   /// ReduceToNearest.
   void FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry,

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/lms3dSurfaceAttributes.h"
 
-#include "Casting/lms3dTriangle.h"
-#include "Geometry/lms3dAngle.h"
 #include "Geometry/lms3dVector.h"
 #include "Kernels/lms3dBeamPacket.h"
-#include "Kernels/lms3dPacketKernels.h"
 #include "Pipeline/lms3dArray.h"
+#include "Scan/lms3dSurfaceNormals.h"
 #include "Scene/lms3dJoinedArrays.h"
 #include "Scene/lms3dSceneCellData.h"
 
@@ -28,7 +26,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -36,6 +33,9 @@
 namespace
 {
 const char* const BeamIds = "BeamId";
+
+// The smallest part of a loop over returns that a thread takes.
+constexpr std::size_t MinimumGrainSize = 4096;
 
 // The beams that count, as BeamId numbers them.
 std::vector<int> GetBeams(const lms3dHitTriangles& triangles)
@@ -51,78 +51,69 @@ std::vector<int> GetBeams(const lms3dHitTriangles& triangles)
   return beams;
 }
 
-/// The unit normals of triangles, towards the sensor. Keeps the last one, because neighbouring beams
-/// hit the same triangle.
-class SensorFacingNormals
+/// The arrays of the hits; null if they are not wanted.
+struct HitArrays
 {
-public:
-  SensorFacingNormals(const lms3dTriangleMesh& mesh, const lms3dVector& position)
-    : Mesh(mesh)
-    , Position(position)
-  {
-  }
-
-  const lms3dVector& Get(std::int32_t triangle)
-  {
-    if (triangle != this->Triangle)
-    {
-      this->Triangle = triangle;
-      this->Normal = this->Compute(lms3dGetCorners(this->Mesh, triangle));
-    }
-    return this->Normal;
-  }
-
-private:
-  // Double precision would lose the normals of needles.
-  lms3dVector Compute(const lms3dCorners& corners) const
-  {
-    const double* position = this->Position.data();
-    const lms3dDoubleDoublePlane plane =
-      lms3dGetPacketKernels().MakeDoubleDoublePlane(corners.data(), position);
-    const lms3dVector normal =
-      lms3dNormalize({ plane.Normal[0].High, plane.Normal[1].High, plane.Normal[2].High });
-    return lms3dGetSide(corners, position) < 0 ? lms3dScale(normal, -1.0) : normal;
-  }
-
-  const lms3dTriangleMesh& Mesh;
-  const lms3dVector& Position;
-  std::int32_t Triangle = lms3dBeamPacket::NoTriangle;
-  lms3dVector Normal{};
+  float* Normals;
+  float* Incidence;
+  float* Intensity;
 };
 
-// An arc cosine would lose half of the digits near 0.
-double GetIncidence(const lms3dVector& direction, const lms3dVector& normal)
+// Returns null if the array is not wanted.
+float* AddFloats(
+  bool isWanted, const char* name, std::size_t count, int components, vtkFieldData* data)
 {
-  return lms3dDegreesPerRadian *
-    std::atan2(
-      lms3dGetLength(lms3dCross(direction, normal)), std::abs(lms3dDot(direction, normal)));
+  if (!isWanted)
+  {
+    return nullptr;
+  }
+  const auto array = lms3dMakeArray<vtkFloatArray>(name, count, components);
+  data->AddArray(array);
+  return array->GetPointer(0);
 }
 
-void AddNormals(const lms3dSurfaceHits& hits, const std::vector<int>& beams, vtkFieldData* data)
+void FillHit(const lms3dSurfaceHits& hits, int beam, std::size_t i, lms3dSurfaceNormals& normals,
+  const HitArrays& arrays)
 {
-  const std::size_t count = beams.size();
-  const auto normals = lms3dMakeArray<vtkFloatArray>("Normals", count, 3);
-  const auto incidences = lms3dMakeArray<vtkFloatArray>("Incidence", count);
-  float* normalOf = normals->GetPointer(0);
-  float* incidenceOf = incidences->GetPointer(0);
-  const lms3dBeamDirections directions(hits.Geometry, hits.Pose);
-  const int beamsOfTurn = hits.Geometry.GetNumberOfBeams();
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
+  const int beams = hits.Beams.GetGeometry().GetNumberOfBeams();
+  const int turn = beam / beams;
+  const int beamOfTurn = beam % beams;
+  const std::int32_t triangle = hits.Triangles[beam];
+  const lms3dVector& normal = normals.Get(triangle);
+  if (arrays.Normals)
+  {
+    const lms3dVector facing = normals.GetFacing(triangle, hits.Beams.GetOrigin(turn, beamOfTurn));
+    std::transform(facing.begin(), facing.end(), arrays.Normals + 3 * i,
+      [](double x) { return static_cast<float>(x); });
+  }
+  const lms3dVector direction = hits.Beams.GetDirection(turn, beamOfTurn);
+  if (arrays.Incidence)
+  {
+    arrays.Incidence[i] = static_cast<float>(lms3dGetIncidence(direction, normal));
+  }
+  if (arrays.Intensity)
+  {
+    arrays.Intensity[i] = static_cast<float>(
+      hits.Surface.GetReflectance(triangle) * lms3dGetIncidenceCosine(direction, normal));
+  }
+}
+
+void AddHitArrays(const lms3dSurfaceHits& hits, const lms3dSurfaceArrays& wanted,
+  const std::vector<int>& beamIds, vtkFieldData* data)
+{
+  const std::size_t count = beamIds.size();
+  const HitArrays arrays = { AddFloats(wanted.Attributes, "Normals", count, 3, data),
+    AddFloats(wanted.Attributes || wanted.Incidence, "Incidence", count, 1, data),
+    AddFloats(wanted.Intensity, "Intensity", count, 1, data) };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, MinimumGrainSize),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
-      SensorFacingNormals facing(hits.Mesh, hits.Pose.Position);
+      lms3dSurfaceNormals normals(hits.Surface.Mesh);
       for (std::size_t i = range.begin(); i < range.end(); ++i)
       {
-        const int beam = beams[i];
-        const lms3dVector& normal = facing.Get(hits.Triangles[beam]);
-        std::transform(normal.begin(), normal.end(), normalOf + 3 * i,
-          [](double x) { return static_cast<float>(x); });
-        incidenceOf[i] = static_cast<float>(
-          GetIncidence(directions.GetDirection(beam / beamsOfTurn, beam % beamsOfTurn), normal));
+        FillHit(hits, beamIds[i], i, normals, arrays);
       }
     });
-  data->AddArray(normals);
-  data->AddArray(incidences);
 }
 
 // VTK sends the types vtkIdType and long long as 32 bits and as vtkTypeInt64.
@@ -221,15 +212,18 @@ void JoinTables(const Tables& tables, vtkPolyData* scan)
 }
 } // namespace
 
-void lms3dAddSurfaceAttributes(
-  const lms3dSurfaceHits& hits, vtkDataObject* scene, bool hasGlobalIds, vtkFieldData* data)
+void lms3dAddSurfaceAttributes(const lms3dSurfaceHits& hits, const lms3dSurfaceArrays& wanted,
+  vtkDataObject* scene, bool hasGlobalIds, vtkFieldData* data)
 {
   const std::vector<int> beams = GetBeams(hits.Triangles);
-  AddNormals(hits, beams, data);
-  std::vector<vtkIdType> cells(beams.size());
-  std::transform(beams.begin(), beams.end(), cells.begin(),
-    [&hits](int beam) { return hits.Mesh.GetCell(hits.Triangles[beam]); });
-  lms3dCopyCellData(scene, hasGlobalIds, std::move(cells), data);
+  AddHitArrays(hits, wanted, beams, data);
+  if (wanted.Attributes)
+  {
+    std::vector<vtkIdType> cells(beams.size());
+    std::transform(beams.begin(), beams.end(), cells.begin(),
+      [&hits](int beam) { return hits.Surface.Mesh.GetCell(hits.Triangles[beam]); });
+    lms3dCopyCellData(scene, hasGlobalIds, std::move(cells), data);
+  }
 }
 
 void lms3dGatherSurfaceAttributes(const lms3dProcesses& processes,

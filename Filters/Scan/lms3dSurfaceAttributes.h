@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What the returns of a scan have hit: normals, incidence and cell data, as
+ * @brief What the returns of a scan have hit: normals, incidence, intensity and cell data, as
  * vtkLMS3DScanFilter documents them.
  */
 #ifndef lms3dSurfaceAttributes_h
 #define lms3dSurfaceAttributes_h
 
-#include "Device/lms3dScanGeometry.h"
 #include "Geometry/lms3dTriangleMesh.h"
+#include "Scan/lms3dMovingBeams.h"
 #include "Scan/lms3dProcesses.h"
+#include "Scan/lms3dScanSettings.h"
 
 #include <cstdint>
 #include <vector>
@@ -23,20 +24,52 @@ class vtkPolyData;
 /// lms3dBeamPacket::NoTriangle for beams without a return from this process's part.
 using lms3dHitTriangles = std::vector<std::int32_t>;
 
+/// The surface of a scene, or of one process's part of it. References must outlive it.
+struct lms3dReflectingSurface
+{
+  double GetReflectance(std::int32_t triangle) const
+  {
+    return this->Reflectances.empty() ? 1.0 : this->Reflectances[triangle];
+  }
+
+  const lms3dTriangleMesh& Mesh;
+
+  /// One for each triangle; empty if all are 1.
+  const std::vector<double>& Reflectances;
+};
+
 /// The hits of a scan. References must outlive it.
 struct lms3dSurfaceHits
 {
-  const lms3dTriangleMesh& Mesh;
-  const lms3dScanGeometry& Geometry;
-  const lms3dPose& Pose;
+  const lms3dReflectingSurface Surface;
+  const lms3dMovingBeams& Beams;
   const lms3dHitTriangles& Triangles;
 };
 
-/// Adds Normals, Incidence and the cell arrays of the scene to `data`, one tuple for each beam with
-/// a triangle. `hasGlobalIds` says whether the cells of the mesh are global ids. Uses the threads of the
-/// calling TBB arena.
-void lms3dAddSurfaceAttributes(
-  const lms3dSurfaceHits& hits, vtkDataObject* scene, bool hasGlobalIds, vtkFieldData* data);
+/// Which arrays describe the hits of a scan.
+struct lms3dSurfaceArrays
+{
+  explicit lms3dSurfaceArrays(const lms3dScanSettings& settings)
+    : Attributes(settings.SurfaceAttributes)
+    , Incidence(settings.Device.Arrays.Incidence)
+    , Intensity(settings.Device.Arrays.Intensity)
+  {
+  }
+
+  bool AreAny() const { return this->Attributes || this->Incidence || this->Intensity; }
+
+  /// Normals, Incidence and the cell arrays of the scene.
+  const bool Attributes;
+
+  const bool Incidence;
+  const bool Intensity;
+};
+
+/// Adds the wanted ones of Normals, Incidence, Intensity and the cell arrays of the scene to `data`, in
+/// this order, one tuple for each beam with a triangle. `hasGlobalIds` says whether the cells of the mesh
+/// are global ids. Uses the threads of the calling TBB arena.
+void lms3dAddSurfaceAttributes(const lms3dSurfaceHits& hits, const lms3dSurfaceArrays& wanted,
+  vtkDataObject* scene, bool hasGlobalIds, vtkFieldData* data);
 
 /// Adds the attributes of all processes to the first process's `scan`. In each process, `attributes`
 /// has a tuple for each beam with a triangle in `triangles`. If a beam has a triangle in several

@@ -20,15 +20,6 @@
 
 namespace
 {
-std::vector<vtkDataSet*> GetLeavesWithCells(vtkDataObject* scene)
-{
-  std::vector<vtkDataSet*> leaves = lms3dGetLeaves(scene);
-  leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
-                 [](vtkDataSet* leaf) { return !leaf || leaf->GetNumberOfCells() == 0; }),
-    leaves.end());
-  return leaves;
-}
-
 lms3dTupleSource MakeSource(vtkDataSet* leaf)
 {
   vtkNew<vtkCellData> arrays;
@@ -52,9 +43,9 @@ vtkSmartPointer<vtkIdTypeArray> GetGlobalIds(vtkDataSet* leaf)
   numbers->DeepCopy(ids);
   return numbers.Get();
 }
+} // namespace
 
-// Replaces global ids by consecutive numbers.
-void ReplaceGlobalIds(const std::vector<vtkDataSet*>& leaves, std::vector<vtkIdType>& cells)
+void lms3dReplaceGlobalIds(const std::vector<vtkDataSet*>& leaves, std::vector<vtkIdType>& cells)
 {
   std::unordered_map<vtkIdType, vtkIdType> numbers;
   for (vtkIdType cell : cells)
@@ -80,12 +71,11 @@ void ReplaceGlobalIds(const std::vector<vtkDataSet*>& leaves, std::vector<vtkIdT
     cell = numbers[cell];
   }
 }
-} // namespace
 
 void lms3dCopyCellData(
   vtkDataObject* scene, bool hasGlobalIds, std::vector<vtkIdType> cells, vtkFieldData* data)
 {
-  const std::vector<vtkDataSet*> leaves = GetLeavesWithCells(scene);
+  const std::vector<vtkDataSet*> leaves = lms3dGetLeavesWithCells(scene);
   std::vector<lms3dTupleSource> sources;
   std::vector<vtkIdType> firstCells;
   vtkIdType firstCell = 0;
@@ -97,7 +87,7 @@ void lms3dCopyCellData(
   }
   if (hasGlobalIds)
   {
-    ReplaceGlobalIds(leaves, cells);
+    lms3dReplaceGlobalIds(leaves, cells);
   }
   for (std::size_t i = 0; i < cells.size(); ++i)
   {

@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkDataSet;
 class vtkFieldData;
 
 /**
@@ -23,5 +24,9 @@ class vtkFieldData;
  */
 void lms3dCopyCellData(
   vtkDataObject* scene, bool hasGlobalIds, std::vector<vtkIdType> cells, vtkFieldData* data);
+
+/// Replaces global ids by the consecutive numbers of the cells over all `leaves`, which have cells and
+/// global ids. If several cells have an id, the first one counts.
+void lms3dReplaceGlobalIds(const std::vector<vtkDataSet*>& leaves, std::vector<vtkIdType>& cells);
 
 #endif

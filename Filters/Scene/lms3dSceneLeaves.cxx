@@ -7,6 +7,8 @@
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
+
 std::vector<vtkDataSet*> lms3dGetLeaves(vtkDataObject* scene)
 {
   vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(scene);
@@ -20,5 +22,14 @@ std::vector<vtkDataSet*> lms3dGetLeaves(vtkDataObject* scene)
   {
     leaves.push_back(vtkDataSet::SafeDownCast(it->GetCurrentDataObject()));
   }
+  return leaves;
+}
+
+std::vector<vtkDataSet*> lms3dGetLeavesWithCells(vtkDataObject* scene)
+{
+  std::vector<vtkDataSet*> leaves = lms3dGetLeaves(scene);
+  leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
+                 [](vtkDataSet* leaf) { return !leaf || leaf->GetNumberOfCells() == 0; }),
+    leaves.end());
   return leaves;
 }

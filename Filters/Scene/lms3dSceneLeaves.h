@@ -16,4 +16,7 @@ class vtkDataSet;
 /// itself. Leaves that are not data sets are null.
 std::vector<vtkDataSet*> lms3dGetLeaves(vtkDataObject* scene);
 
+/// Returns the leaves that have cells, in the same order.
+std::vector<vtkDataSet*> lms3dGetLeavesWithCells(vtkDataObject* scene);
+
 #endif

@@ -66,7 +66,8 @@ def contents(scan):
               for array in map(points.GetPointData().GetArray,
                                range(points.GetPointData().GetNumberOfArrays()))}
     arrays["Points"] = vtk_to_numpy(points.GetPoints().GetData())
-    return arrays
+    status = points.GetFieldData().GetArray("Status")
+    return {**arrays, **({"Status": vtk_to_numpy(status)} if status else {})}
 
 
 def contents_of_map(local_map):
@@ -79,13 +80,15 @@ def contents_of_map(local_map):
 
 
 def save_image(scan, name):
-    """Save this process's part of the range image, and its place in the whole."""
+    """Save this process's part of the arrays of the range image, and its place in the whole."""
     image = algorithm(scan).GetOutputDataObject(1)
     if image.GetNumberOfPoints():
         first_beam, last_beam, first_turn, last_turn = image.GetExtent()[:4]
-        rows = vtk_to_numpy(image.GetPointData().GetArray("Range"))
-        np.savez(JOB.parent / f"{name}.image.{PROCESS}", first=(first_turn, first_beam),
-                 rows=rows.reshape(last_turn - first_turn + 1, last_beam - first_beam + 1))
+        arrays = image.GetPointData()
+        for array in map(arrays.GetArray, range(arrays.GetNumberOfArrays())):
+            rows = vtk_to_numpy(array).reshape(last_turn - first_turn + 1, last_beam - first_beam + 1)
+            np.savez(JOB.parent / f"{name}.{array.GetName()}.{PROCESS}",
+                     first=(first_turn, first_beam), rows=rows)
 
 
 def run(case):

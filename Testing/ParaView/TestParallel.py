@@ -33,11 +33,18 @@ SCRIPT = Path(__file__).with_name("ParallelScan.py")
 # Otherwise the first one runs it and drives the others.
 RUNS = {"1": (1, True), "2": (2, True), "4": (4, True), "driven": (2, False)}
 
+# Returns that are too weak, and why beams gave none.
+WEAK = {"RangeAtTenPercent": 2.5, "ReflectanceArray": "Color", "ComputeIncidence": 1,
+        "ComputeIntensity": 1, "ComputeStatus": 1}
+
 COARSE = {"AlphaResolution": 37, "BetaResolution": 36}
 
 # A scan with beams that have no return, and the errors of its ranges.
 NEAR = {"Position": [0.3, -0.2, 1.0], "MinimumRange": 2.0, "MaximumRange": 4.0}
 ERRORS = {"RangeBias": 0.01, "RangeNoise": 0.005, "RangeResolution": 0.001, "NoiseSeed": 7}
+
+# Errors that remove returns.
+NEARER = {**ERRORS, "RangeBias": -2.5}
 
 # Sensors and methods by name. Each scans a scene on one process and a spread scene.
 SCANS = {
@@ -45,6 +52,11 @@ SCANS = {
     "near": (ROOM, NEAR),
     # From the middle, beams hit the ball's vertices and edges, and the squares' corners.
     "lattice": ("lattice.vtp", {"Position": [0.0, 0.0, 0.0]}),
+    "weak": (ROOM, {**NEAR, **WEAK}),
+    "weak and labelled": (ROOM, {**NEAR, **WEAK, "SurfaceAttributes": 1, **COARSE}),
+    # A beam that meets a limit exactly, and vertices and edges.
+    "status": ("lattice.vtp", {"Position": [0.0, 0.0, 0.0], "MinimumRange": 1.0, "MaximumRange": 2.5,
+                               "ComputeStatus": 1}),
     "labelled": (ROOM, {"Position": [0.3, -0.2, 1.0], "SurfaceAttributes": 1, **COARSE}),
     "paper": (ROOM, {"Position": [0.0, 0.0, 1.0], "IntersectionMethod": 2, **COARSE}),
     "textbook": ("lattice.vtp", {"Position": [0.0, 0.0, 0.0], "IntersectionMethod": 3, **COARSE}),
@@ -80,6 +92,11 @@ def serial(scene, properties, errors=None):
     beams, turns, _ = scan.GetRangeImage().GetDimensions()
     image = vtk_to_numpy(scan.GetRangeImage().GetPointData().GetArray("Range"))
     arrays["Image"] = image.reshape(turns, beams)
+    status = scan.GetOutput().GetFieldData().GetArray("Status")
+    if status:
+        arrays["Status"] = vtk_to_numpy(status)
+        image = vtk_to_numpy(scan.GetRangeImage().GetPointData().GetArray("Status"))
+        arrays["StatusImage"] = image.reshape(turns, beams)
     surface = local_map.GetOutput()
     arrays["Map"] = vtk_to_numpy(surface.GetPoints().GetData())
     arrays["MapTriangles"] = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
@@ -148,6 +165,8 @@ class TestParallel(unittest.TestCase):
                        "spread": spread, "properties": properties}
         room = {"scene": str(ROOM), "spread": SPREADS[-1], "properties": {}}
         yield {**room, "name": "reported", "properties": NEAR, "errors": ERRORS}
+        yield {**room, "name": "reported status", "properties": {**NEAR, **WEAK}, "errors": NEARER}
+        yield {**room, "name": "uncoloured", "properties": {**WEAK, "ReflectanceArray": "Colour"}}
         yield {**room, "name": "journey", "trajectory": str(cls.folder / "journey.vtp"), "time": 1}
         yield {**room, "name": "lost", "trajectory": str(cls.folder / "bad.vtp")}
         # From far above, no beam returns. The labelled cells are in all processes, or in the first alone.
@@ -166,9 +185,11 @@ class TestParallel(unittest.TestCase):
         for run, (_, is_symmetric) in RUNS.items():
             with self.subTest(name, run=run), np.load(self.folder / run / f"{name}.npz") as scan:
                 # The script does not see the part of a driven process.
-                image = (self.image(name, run, expected["Image"].shape) if is_symmetric
-                         else expected["Image"])
-                found = {**scan, "Image": image}
+                images = {image: (self.image(f"{name}.{kind}", run, expected[image].shape)
+                                  if is_symmetric else expected[image])
+                          for image, kind in (("Image", "Range"), ("StatusImage", "Status"))
+                          if image in expected}
+                found = {**scan, **images}
                 # The filters that spread a scene add this cell array, and the scan passes it on.
                 found.pop("vtkOriginalCellIds", None)
                 self.assertEqual(set(found), set(expected))
@@ -178,7 +199,7 @@ class TestParallel(unittest.TestCase):
     def image(self, name, run, shape):
         """The range image of a case, assembled from the parts of all processes."""
         whole = np.full(shape, -1.0)
-        for part in (self.folder / run).glob(f"{name}.image.*.npz"):
+        for part in (self.folder / run).glob(f"{name}.*.npz"):
             with np.load(part) as found:
                 (turn, beam), rows = found["first"], found["rows"]
                 whole[turn:turn + rows.shape[0], beam:beam + rows.shape[1]] = rows
@@ -230,10 +251,14 @@ class TestParallel(unittest.TestCase):
     def test_errors_of_ranges_are_the_same(self):
         self.assert_same("reported", ROOM, NEAR, ERRORS)
 
+    def test_status_of_reported_ranges_is_the_same(self):
+        self.assert_same("reported status", ROOM, {**NEAR, **WEAK}, NEARER)
+
     def test_all_processes_report_errors_and_go_on(self):
         words_of = {"lost": "The trajectory has its point 0", "empty": "The scene has no polygons",
                     "volume": "The scene has volume cells on several processes",
-                    "missing": "The scene has no polygons"}
+                    "missing": "The scene has no polygons",
+                    "uncoloured": 'ReflectanceArray is "Colour", but the scene has no such'}
         for name, words in words_of.items():
             for run, (count, _) in RUNS.items():
                 if name in ("volume", "missing") and count == 1:
