@@ -10,8 +10,9 @@
 #include <array>
 #include <cstddef>
 
-/// The arrays belong to the caller. The direction of a beam is the fan's axis in its turn times the
-/// cosine of its elevation, plus the upward axis times the sine.
+/// The arrays belong to the caller. If there are FanAxes, the direction of a beam is the fan's axis in its
+/// turn times the cosine of its elevation, plus the upward axis times the sine. Otherwise the beams have
+/// any directions, neighbours similar ones, and only the numbers of turns and beams count.
 struct lms3dBeamGrid
 {
   /// A packet has this number of turns and beams, so that it is nearly square in angle at the horizon
@@ -30,17 +31,17 @@ struct lms3dBeamGrid
   int Turns;
   int Beams;
 
-  /// One value for each turn: unit vectors in world coordinates. They turn by TurnStep degrees, not
-  /// negative, from one to the next.
-  const std::array<double, 3>* FanAxes;
-  double TurnStep;
+  /// Null, or one value for each turn: unit vectors in world coordinates. They turn by TurnStep degrees,
+  /// not negative, from one to the next.
+  const std::array<double, 3>* FanAxes = nullptr;
+  double TurnStep = 0.0;
 
   /// One value for each beam. Elevations increase and lie within -90 to 90 degrees.
-  const double* Cosines;
-  const double* Sines;
+  const double* Cosines = nullptr;
+  const double* Sines = nullptr;
 
   /// A unit vector in world coordinates.
-  std::array<double, 3> Up;
+  std::array<double, 3> Up = {};
 };
 
 #endif

@@ -7,6 +7,7 @@
 #ifndef lms3dBruteForceCaster_h
 #define lms3dBruteForceCaster_h
 
+#include "Casting/lms3dBitMask.h"
 #include "Casting/lms3dPacketBeams.h"
 #include "Casting/lms3dRayCaster.h"
 #include "Casting/lms3dTriangle.h"
@@ -55,6 +56,10 @@ private:
   {
     for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
     {
+      if (!lms3dHasBit(packet.Active, beam))
+      {
+        continue;
+      }
       const double range = test.GetRange(lms3dGetDirection(packet, beam));
       if (range > 0.0 && range <= maximumRange && range < packet.Range[beam])
       {

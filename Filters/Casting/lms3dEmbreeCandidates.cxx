@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dEmbreeCandidates.h"
 
+#include "Casting/lms3dEmbreeFreeRays.h"
 #include "Casting/lms3dEmbreeRays.h"
 #include "Casting/lms3dEmbreeTree.h"
+#include "Casting/lms3dExactFreeTest.h"
 #include "Casting/lms3dOutlyingTriangles.h"
+#include "Casting/lms3dPacketBeams.h"
 
 #include <algorithm>
 #include <iterator>
@@ -20,6 +23,14 @@ namespace
 // rays start within a few diagonals.
 constexpr float BoxMargin = 4e-6f;
 
+/// A cast of beams that start at points of their own.
+struct FreeCast
+{
+  const lms3dExactFreeTest* Test;
+  const lms3dEmbreeFreeRays* Rays;
+  lms3dFreePacket* Packet;
+};
+
 /// What Embree passes to the callback of a candidate.
 struct Query
 {
@@ -28,6 +39,9 @@ struct Query
   const lms3dExactView* View;
   const lms3dEmbreeRays* Rays;
   lms3dPacketSearch Search;
+
+  /// Null if all beams have one origin. Otherwise only this and the context are used.
+  const FreeCast* Free = nullptr;
 };
 static_assert(std::is_standard_layout_v<Query>, "a query starts with its context");
 
@@ -107,6 +121,11 @@ struct lms3dEmbreeCandidates::Internals
   {
     const Internals* self = static_cast<const Internals*>(args->geometryUserPtr);
     Query* query = reinterpret_cast<Query*>(args->context);
+    if (query->Free)
+    {
+      self->TestFreeCandidate(args, *query->Free);
+      return;
+    }
     lms3dPacketSearch& search = query->Search;
     const lms3dRayRange rays = GetRays(args);
     const std::uint32_t beams = search.Packet->Active & GetBeams(rays);
@@ -114,6 +133,18 @@ struct lms3dEmbreeCandidates::Internals
     if (changed != 0)
     {
       query->Rays->Clip(search.Hits, changed, args->geomID, rays);
+    }
+  }
+
+  void TestFreeCandidate(const RTCIntersectFunctionNArguments* args, const FreeCast& cast) const
+  {
+    const lms3dRayRange rays = GetRays(args);
+    const std::uint32_t beams = cast.Packet->Active & GetBeams(rays);
+    const std::uint32_t changed =
+      cast.Test->Test(this->GetTriangle(args->primID), beams, *cast.Packet);
+    if (changed != 0)
+    {
+      cast.Rays->Clip(*cast.Packet, changed, args->geomID, rays);
     }
   }
 
@@ -129,6 +160,16 @@ struct lms3dEmbreeCandidates::Internals
     for (std::uint32_t triangle : this->Outliers)
     {
       changed |= view.Test(triangle, search.Packet->Active, search);
+    }
+    return changed;
+  }
+
+  std::uint32_t TestOutliers(const lms3dExactFreeTest& test, lms3dFreePacket& packet) const
+  {
+    std::uint32_t changed = 0;
+    for (std::uint32_t triangle : this->Outliers)
+    {
+      changed |= test.Test(triangle, packet.Active, packet);
     }
     return changed;
   }
@@ -188,6 +229,31 @@ void lms3dEmbreeCandidates::Cast(
       if (known != 0)
       {
         rays.Clip(query.Search.Hits, known);
+      }
+      rays.Intersect(active, query.Context);
+    }
+  }
+}
+
+void lms3dEmbreeCandidates::CastFree(double maximumRange, lms3dFreePacket* packets, int count) const
+{
+  const lms3dExactFreeTest test(this->Internal->Mesh, maximumRange);
+  lms3dEmbreeFreeRays rays(this->Internal->Tree, maximumRange);
+  FreeCast cast = { &test, &rays, nullptr };
+  Query query;
+  query.Free = &cast;
+  for (int i = 0; i < count; ++i)
+  {
+    lms3dFreePacket& packet = packets[i];
+    cast.Packet = &packet;
+    lms3dSetTriangle(lms3dBeamPacket::NoTriangle, packet);
+    const std::uint32_t known = this->Internal->TestOutliers(test, packet);
+    const std::uint32_t active = rays.Prepare(packet);
+    if (active != 0)
+    {
+      if (known != 0)
+      {
+        rays.Clip(packet, known);
       }
       rays.Intersect(active, query.Context);
     }

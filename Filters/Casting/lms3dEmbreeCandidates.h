@@ -32,6 +32,10 @@ public:
   /// mesh, with the unit of this object. Several threads may call this at once.
   void Cast(const lms3dExactView& view, lms3dBeamPacket* packets, int count) const;
 
+  /// The same for beams that start at points of their own. Fills Triangle, and Range as
+  /// lms3dExactFreeTest does.
+  void CastFree(double maximumRange, lms3dFreePacket* packets, int count) const;
+
   /// Returns the diagonal of the scene without its outliers, metres.
   double GetUnit() const;
 

@@ -10,17 +10,11 @@
 #ifndef lms3dEmbreeRays_h
 #define lms3dEmbreeRays_h
 
-#include "Casting/lms3dEmbreeTree.h"
+#include "Casting/lms3dEmbreeRayPacket.h"
 #include "Kernels/lms3dBeamPacket.h"
 #include "Kernels/lms3dPacketKernels.h"
 
 #include <cstdint>
-
-#if LMS3D_EMBREE_MAJOR >= 4
-using lms3dEmbreeContext = RTCRayQueryContext;
-#else
-using lms3dEmbreeContext = RTCIntersectContext;
-#endif
 
 /// Serves one packet after the other, all with the same origin. Keeps references to `tree` and
 /// `origin`, which must outlive the object.
@@ -44,17 +38,19 @@ public:
   ///@}
 
   /// Finds the nearest hits of some beams. The context is passed on to callbacks.
-  void Intersect(std::uint32_t beams, lms3dEmbreeContext& context);
+  void Intersect(std::uint32_t beams, lms3dEmbreeContext& context)
+  {
+    this->Packet.Intersect(beams, context);
+  }
 
   /// Copies the triangles that were hit to the packet.
-  void StoreTriangles(lms3dBeamPacket& packet) const;
+  void StoreTriangles(lms3dBeamPacket& packet) const { this->Packet.StoreTriangles(packet); }
 
 private:
-  float GetTFar(double range) const;
   void ShiftOrigins(const lms3dBeamPacket& packet);
 
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
-  const lms3dEmbreeTree& Tree;
+  lms3dEmbreeRayPacket Packet;
   const lms3dRayOrigin& Origin;
 
   /// The directions in which the scene lies.
@@ -69,7 +65,6 @@ private:
 
   /// The beams whose rays start near enough to the scene.
   std::uint32_t Near = 0;
-  RTCRayHit16 RayHit;
 };
 
 #endif

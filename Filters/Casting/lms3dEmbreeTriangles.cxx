@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dEmbreeTriangles.h"
 
+#include "Casting/lms3dEmbreeFreeRays.h"
 #include "Casting/lms3dEmbreeRays.h"
 #include "Casting/lms3dEmbreeTree.h"
 #include "Casting/lms3dPacketBeams.h"
@@ -30,6 +31,23 @@ lms3dEmbreeHandle<RTCGeometry> MakeGeometry(
   }
   return geometry;
 }
+
+template <typename Rays, typename Packet>
+void FindTriangles(Rays& rays, Packet* packets, int count)
+{
+  lms3dEmbreeContext context;
+  for (int i = 0; i < count; ++i)
+  {
+    Packet& packet = packets[i];
+    lms3dSetTriangle(lms3dBeamPacket::NoTriangle, packet);
+    const std::uint32_t active = rays.Prepare(packet);
+    if (active != 0)
+    {
+      rays.Intersect(active, context);
+      rays.StoreTriangles(packet);
+    }
+  }
+}
 } // namespace
 
 lms3dEmbreeTriangles::lms3dEmbreeTriangles(
@@ -46,16 +64,11 @@ void lms3dEmbreeTriangles::Cast(
   const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const
 {
   lms3dEmbreeRays rays(*this->Tree, origin, packets[0]);
-  lms3dEmbreeContext context;
-  for (int i = 0; i < count; ++i)
-  {
-    lms3dBeamPacket& packet = packets[i];
-    lms3dSetTriangle(lms3dBeamPacket::NoTriangle, packet);
-    const std::uint32_t active = rays.Prepare(packet);
-    if (active != 0)
-    {
-      rays.Intersect(active, context);
-      rays.StoreTriangles(packet);
-    }
-  }
+  FindTriangles(rays, packets, count);
+}
+
+void lms3dEmbreeTriangles::CastFree(double maximumRange, lms3dFreePacket* packets, int count) const
+{
+  lms3dEmbreeFreeRays rays(*this->Tree, maximumRange);
+  FindTriangles(rays, packets, count);
 }

@@ -32,6 +32,9 @@ public:
   /// threads may call this at once.
   void Cast(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
 
+  /// The same for beams that start at points of their own.
+  void CastFree(double maximumRange, lms3dFreePacket* packets, int count) const;
+
   const lms3dEmbreeTree& GetTree() const { return *this->Tree; }
 
 private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dEmbreeCandidates.h"
 #include "Casting/lms3dExactView.h"
+#include "Casting/lms3dFreeRangeRefinement.h"
 #include "Casting/lms3dGridCone.h"
 #include "Casting/lms3dRangeRefinement.h"
 #include "Casting/lms3dRayCaster.h"
@@ -44,7 +45,7 @@ public:
 
   bool IsEmpty(const lms3dPacketRectangle& rectangle) const override
   {
-    return lms3dIsOutside(this->Cone, this->Grid, rectangle);
+    return this->Grid.FanAxes && lms3dIsOutside(this->Cone, this->Grid, rectangle);
   }
 
   void FindNearest(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const override
@@ -105,6 +106,16 @@ public:
     const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const override
   {
     this->Refinement.Refine(origin, packets, count);
+  }
+
+  void FindNearestFree(double maximumRange, lms3dFreePacket* packets, int count) const override
+  {
+    this->Candidates.CastFree(maximumRange, packets, count);
+  }
+
+  void RefineRangesFree(lms3dFreePacket* packets, int count) const override
+  {
+    lms3dRefineFreeRanges(this->GetMesh(), packets, count);
   }
 
 private:

@@ -131,9 +131,8 @@ std::uint32_t lms3dExactView::UpdateUncertain(const lms3dCorners& corners, std::
   for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
   {
     const double range = ranges[beam];
-    const bool isNearer = range < packet.Range[beam] ||
-      (range == packet.Range[beam] && triangle < packet.Triangle[beam]);
-    if (lms3dHasBit(beams, beam) && range > 0.0 && range <= this->Origin.MaximumRange && isNearer &&
+    if (lms3dHasBit(beams, beam) && range > 0.0 && range <= this->Origin.MaximumRange &&
+      lms3dIsNearerHit(range, triangle, packet, beam) &&
       (!lms3dHasBit(needInsideTest, beam) || IsInside(corners, this->Origin, beam, packet)))
     {
       packet.Range[beam] = range;
@@ -154,11 +153,7 @@ void lms3dExactView::FindRanges(std::uint32_t beams, lms3dBeamPacket& packet) co
   while (beams != 0)
   {
     const std::int32_t triangle = packet.Triangle[lms3dGetFirstBit(beams)];
-    std::uint32_t same = 0;
-    for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
-    {
-      same |= packet.Triangle[beam] == triangle ? beams & (1u << beam) : 0u;
-    }
+    const std::uint32_t same = lms3dFindBeams(triangle, beams, packet);
     this->FindRanges(triangle, same, packet);
     beams &= ~same;
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dEmbreeTriangles.h"
+#include "Casting/lms3dFreeRangeRefinement.h"
 #include "Casting/lms3dRangeRefinement.h"
 #include "Casting/lms3dRayCaster.h"
 #include "Casting/lms3dTriangle.h"
@@ -30,6 +31,17 @@ public:
   {
     this->Triangles.Cast(origin, packets, count);
     lms3dRefineRangesInDouble(this->GetMesh(), origin, packets, count);
+  }
+
+  void FindNearestFree(double maximumRange, lms3dFreePacket* packets, int count) const override
+  {
+    this->Triangles.CastFree(maximumRange, packets, count);
+    lms3dRefineFreeRangesInDouble(this->GetMesh(), maximumRange, packets, count);
+  }
+
+  void RefineRangesFree(lms3dFreePacket*, int) const override
+  {
+    // The ranges of FindNearestFree are final.
   }
 
 private:

@@ -2,43 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dRangeRefinement.h"
 
-#include "Casting/lms3dBitMask.h"
+#include "Casting/lms3dHitRanges.h"
+#include "Casting/lms3dPlaneCache.h"
 #include "Casting/lms3dTriangle.h"
 #include "Kernels/lms3dPacketKernels.h"
 
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <array>
 
 namespace
 {
-/// Keeps the planes of recent triangles, because neighbouring packets hit the same ones.
-template <typename Plane, int NumberOfEntries>
-class PlaneCache
-{
-public:
-  PlaneCache() { this->Clear(); }
-
-  void Clear() { this->Triangles.fill(lms3dBeamPacket::NoTriangle); }
-
-  template <typename Make>
-  const Plane& Get(std::int32_t triangle, const Make& make)
-  {
-    const std::int32_t entry = triangle % NumberOfEntries;
-    if (this->Triangles[entry] != triangle)
-    {
-      this->Triangles[entry] = triangle;
-      this->Planes[entry] = make(triangle);
-    }
-    return this->Planes[entry];
-  }
-
-private:
-  std::array<std::int32_t, NumberOfEntries> Triangles;
-  std::array<Plane, NumberOfEntries> Planes;
-};
-
 // Enough for the packets of one call, and for a whole scan of a small scene.
 constexpr int EntriesOfCall = 64;
 constexpr int EntriesOfScan = 1024;
@@ -94,7 +68,7 @@ private:
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dTriangleMesh& Mesh;
   double Origin[3] = { 0.0, 0.0, 0.0 };
-  PlaneCache<Plane, EntriesOfScan> Planes;
+  lms3dPlaneCache<Plane, EntriesOfScan> Planes;
 };
 
 /// The same in double precision. Planes that double precision cannot represent well are computed with
@@ -136,33 +110,15 @@ private:
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dTriangleMesh& Mesh;
   const double* Origin;
-  PlaneCache<lms3dDoublePlane, EntriesOfCall> Planes;
+  lms3dPlaneCache<lms3dDoublePlane, EntriesOfCall> Planes;
 };
-
-template <typename Intersector>
-void StoreHits(Intersector& intersector, double maximumRange, lms3dBeamPacket* packets, int count)
-{
-  const lms3dPacketKernels& kernels = lms3dGetPacketKernels();
-  for (int i = 0; i < count; ++i)
-  {
-    lms3dBeamPacket& packet = packets[i];
-    std::uint32_t remaining = kernels.FindHits(packet);
-    while (remaining != 0)
-    {
-      const std::int32_t triangle = packet.Triangle[lms3dGetFirstBit(remaining)];
-      double ranges[lms3dBeamPacket::Size];
-      intersector.Intersect(triangle, packet, ranges);
-      remaining &= ~kernels.StoreRanges(ranges, triangle, maximumRange, packet);
-    }
-  }
-}
 } // namespace
 
 void lms3dRefineRangesInDouble(
   const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count)
 {
   DoubleIntersector intersector(mesh, origin);
-  StoreHits(intersector, origin.MaximumRange, packets, count);
+  lms3dStoreHitRanges(intersector, origin.MaximumRange, packets, count);
 }
 
 struct lms3dRangeRefinement::Internals
@@ -183,5 +139,5 @@ void lms3dRangeRefinement::Refine(
 {
   DoubleDoubleIntersector& intersector = this->Internal->Intersectors.local();
   intersector.SetOrigin(origin);
-  StoreHits(intersector, origin.MaximumRange, packets, count);
+  lms3dStoreHitRanges(intersector, origin.MaximumRange, packets, count);
 }

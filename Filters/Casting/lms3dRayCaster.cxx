@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dRayCaster.h"
 
+#include "Casting/lms3dBitMask.h"
 #include "Casting/lms3dBuildStopped.h"
+#include "Kernels/lms3dPacketKernels.h"
 
 #include <iterator>
+#include <limits>
 
 using lms3dNewRayCaster = std::unique_ptr<lms3dRayCaster>(
   lms3dTriangleMesh mesh, const lms3dProgress& progress);
@@ -55,6 +58,26 @@ private:
   const lms3dRayCaster& Caster;
   const lms3dRayOrigin Origin;
 };
+
+/// Calls `cast` with a packet of one active beam for each active beam of a packet, and keeps the results.
+template <typename Function>
+void CastOneByOne(double maximumRange, lms3dFreePacket& packet, const Function& cast)
+{
+  for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
+  {
+    if (lms3dHasBit(packet.Active, beam))
+    {
+      const lms3dRayOrigin origin = {
+        { packet.Origin[0][beam], packet.Origin[1][beam], packet.Origin[2][beam] }, maximumRange
+      };
+      lms3dBeamPacket alone = packet;
+      alone.Active = 1u << beam;
+      cast(origin, alone);
+      packet.Range[beam] = alone.Range[beam];
+      packet.Triangle[beam] = alone.Triangle[beam];
+    }
+  }
+}
 } // namespace
 
 std::unique_ptr<lms3dRayCaster> lms3dRayCaster::New(
@@ -78,6 +101,30 @@ void lms3dRayCaster::RefineRanges(const lms3dRayOrigin&, lms3dBeamPacket*, int) 
 void lms3dRayCaster::ComputeRanges(const lms3dRayOrigin&, lms3dBeamPacket*, int) const
 {
   // FindNearest has set them.
+}
+
+void lms3dRayCaster::FindNearestFree(double maximumRange, lms3dFreePacket* packets, int count) const
+{
+  for (int i = 0; i < count; ++i)
+  {
+    lms3dGetPacketKernels().Free.NarrowDirections(packets[i]);
+    CastOneByOne(maximumRange, packets[i],
+      [this](const lms3dRayOrigin& origin, lms3dBeamPacket& packet)
+      {
+        this->FindNearest(origin, &packet, 1);
+        this->ComputeRanges(origin, &packet, 1);
+      });
+  }
+}
+
+void lms3dRayCaster::RefineRangesFree(lms3dFreePacket* packets, int count) const
+{
+  for (int i = 0; i < count; ++i)
+  {
+    CastOneByOne(std::numeric_limits<double>::infinity(), packets[i],
+      [this](const lms3dRayOrigin& origin, lms3dBeamPacket& packet)
+      { this->RefineRanges(origin, &packet, 1); });
+  }
 }
 
 std::unique_ptr<lms3dGridCaster> lms3dRayCaster::NewGridCaster(

@@ -83,6 +83,29 @@ public:
   virtual void ComputeRanges(
     const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
 
+  /**
+   * Casts the active beams of some packets whose beams start at points of their own. Fills Range and
+   * Triangle like Cast, which gives each beam the same result at its own start. Several threads may call
+   * this at once. FAST may choose another triangle than Cast does where single precision does not tell two
+   * apart.
+   */
+  void CastFree(double maximumRange, lms3dFreePacket* packets, int count) const
+  {
+    this->FindNearestFree(maximumRange, packets, count);
+    this->RefineRangesFree(packets, count);
+  }
+
+  ///@{
+  /**
+   * The two steps of CastFree. FindNearestFree needs Origin, Direction and Active alone, and
+   * overwrites NarrowDirection. It sets Range to the range by which it compared, NoRange for beams without a
+   * hit. RefineRangesFree computes the ranges of the triangles with all digits, as RefineRanges does; no
+   * range is then above the maximum of the first step. By default both treat each beam on its own.
+   */
+  virtual void FindNearestFree(double maximumRange, lms3dFreePacket* packets, int count) const;
+  virtual void RefineRangesFree(lms3dFreePacket* packets, int count) const;
+  ///@}
+
   /// Returns an object whose FindNearest serves one scan, and gives the same results as this one's. The
   /// caster and the arrays of the grid must outlive it. Uses the threads of the calling TBB arena.
   virtual std::unique_ptr<lms3dGridCaster> NewGridCaster(

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Casting/lms3dBitMask.h"
+#include "Casting/lms3dPacketBeams.h"
 #include "Casting/lms3dRayCaster.h"
 #include "Casting/lms3dTriangle.h"
 
@@ -52,9 +54,13 @@ public:
     vtkNew<vtkGenericCell> cell;
     for (int i = 0; i < count; ++i)
     {
+      lms3dSetTriangle(lms3dBeamPacket::NoTriangle, packets[i]);
       for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
       {
-        this->CastBeam(origin.Position, length, beam, packets[i], cell);
+        if (lms3dHasBit(packets[i].Active, beam))
+        {
+          this->CastBeam(origin.Position, length, beam, packets[i], cell);
+        }
       }
     }
   }

@@ -44,7 +44,7 @@ struct lms3dTileSearch::PacketsOfTile
 
 bool lms3dTileSearch::IsSuitable(const lms3dBeamGrid& grid, std::size_t triangles)
 {
-  return triangles <= MaximumTriangles && triangles <= grid.CountPackets() &&
+  return grid.FanAxes && triangles <= MaximumTriangles && triangles <= grid.CountPackets() &&
     lms3dTileGrid::CanDivide(grid);
 }
 

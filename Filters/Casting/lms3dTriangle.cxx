@@ -65,9 +65,30 @@ double SumOfMagnitudes(const Difference& p)
   return std::abs(p[0].High) + std::abs(p[1].High) + std::abs(p[2].High);
 }
 
-// Relative to the triangle's size or distance. If the sensor is nearer to a plane, the 31 digits of the
-// plane's offset leave too few digits of the range.
-constexpr double NearPlane = 1e-12;
+/// A plane near to where beams start.
+class NearPlane
+{
+public:
+  NearPlane(const lms3dCorners& corners, const double origin[3])
+    : P(Subtract(corners[1], corners[0]))
+    , Q(Subtract(corners[2], corners[0]))
+    , Offset(GetDeterminant(Subtract(corners[0], origin), this->P, this->Q).GetValue())
+  {
+  }
+
+  /// Returns the range of a beam.
+  double Intersect(const double direction[3]) const
+  {
+    return this->Offset == 0.0
+      ? 0.0
+      : this->Offset / GetDeterminant(direction, this->P, this->Q).GetValue();
+  }
+
+private:
+  const Difference P;
+  const Difference Q;
+  const double Offset;
+};
 
 // A rounded determinant that exceeds this share of the size of its terms is not 0.
 constexpr double RoundingOfDeterminant = 1e-14;
@@ -155,19 +176,21 @@ bool lms3dIsNearPlane(
   const double a = SumOfMagnitudes(Subtract(corners[0], origin));
   const double p = SumOfMagnitudes(Subtract(corners[1], corners[0]));
   const double q = SumOfMagnitudes(Subtract(corners[2], corners[0]));
-  return std::abs(plane.Offset.High) <= NearPlane * std::max({ a, p, q }) * p * q;
+  return std::abs(plane.Offset.High) <= lms3dNearPlane * std::max({ a, p, q }) * p * q;
+}
+
+double lms3dIntersectNearPlane(
+  const lms3dCorners& corners, const double origin[3], const double direction[3])
+{
+  return NearPlane(corners, origin).Intersect(direction);
 }
 
 void lms3dIntersectNearPlane(const lms3dCorners& corners, const double origin[3],
   const lms3dBeamPacket& packet, double* ranges)
 {
-  const Difference a = Subtract(corners[0], origin);
-  const Difference p = Subtract(corners[1], corners[0]);
-  const Difference q = Subtract(corners[2], corners[0]);
-  const double offset = GetDeterminant(a, p, q).GetValue();
+  const NearPlane plane(corners, origin);
   for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
   {
-    const lms3dVector direction = lms3dGetDirection(packet, beam);
-    ranges[beam] = offset == 0.0 ? 0.0 : offset / GetDeterminant(direction.data(), p, q).GetValue();
+    ranges[beam] = plane.Intersect(lms3dGetDirection(packet, beam).data());
   }
 }

@@ -60,9 +60,13 @@ inline bool lms3dIsEdgeOn(const lms3dCorners& corners, const double origin[3])
 bool lms3dIsNearPlane(
   const lms3dCorners& corners, const double origin[3], const lms3dDoubleDoublePlane& plane);
 
-/// Computes the ranges of all beams of a packet in such a plane, metres: two exact determinants, each
-/// rounded once, and their quotient.
+///@{
+/// Computes the range of a beam in such a plane, or of all beams of a packet, metres: two exact
+/// determinants, each rounded once, and their quotient.
+double lms3dIntersectNearPlane(
+  const lms3dCorners& corners, const double origin[3], const double direction[3]);
 void lms3dIntersectNearPlane(const lms3dCorners& corners, const double origin[3],
   const lms3dBeamPacket& packet, double* ranges);
+///@}
 
 #endif

@@ -10,24 +10,21 @@ lms3dBeams::lms3dBeams(const lms3dScanGeometry& geometry, const lms3dPose& pose)
 {
 }
 
-lms3dVector lms3dBeams::ToWorld(int turn, const lms3dVector& inTurnFrame) const
+lms3dTurnFrame lms3dBeams::GetFrame(int turn) const
 {
   const lms3dVector& fan = this->Directions.GetFanAxis(turn);
   const lms3dVector& axis = this->Directions.GetUp();
-  const lms3dVector side = lms3dCross(axis, fan);
-  return lms3dAdd(lms3dScale(fan, inTurnFrame[0]),
-    lms3dAdd(lms3dScale(side, inTurnFrame[1]), lms3dScale(axis, inTurnFrame[2])));
+  return { this->Position, fan, lms3dCross(axis, fan), axis };
 }
 
 lms3dVector lms3dBeams::GetOrigin(int turn, int beam) const
 {
-  return this->IsCentredAndStepped
-    ? this->Position
-    : lms3dAdd(this->Position, this->ToWorld(turn, this->Fan.Origins[beam]));
+  return this->IsCentredAndStepped ? this->Position
+                                   : this->GetFrame(turn).ToPoint(this->Fan.Origins[beam]);
 }
 
 lms3dVector lms3dBeams::GetDirection(int turn, int beam) const
 {
   return this->IsCentredAndStepped ? this->Directions.GetDirection(turn, beam)
-                                   : this->ToWorld(turn, this->Fan.Directions[beam]);
+                                   : this->GetFrame(turn).ToWorld(this->Fan.Directions[beam]);
 }

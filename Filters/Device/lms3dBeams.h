@@ -9,6 +9,7 @@
 
 #include "Device/lms3dFan.h"
 #include "Device/lms3dScanGeometry.h"
+#include "Device/lms3dTurnFrame.h"
 #include "Geometry/lms3dVector.h"
 
 /// For a platform that is centred and stepped, directions are those of lms3dBeamDirections to the bit.
@@ -22,9 +23,12 @@ public:
 
   lms3dVector GetDirection(int turn, int beam) const;
 
-private:
-  lms3dVector ToWorld(int turn, const lms3dVector& inTurnFrame) const;
+  /// Returns the frame at the start of a turn. GetFan has the beams in such a frame.
+  lms3dTurnFrame GetFrame(int turn) const;
 
+  const lms3dFan& GetFan() const { return this->Fan; }
+
+private:
   const lms3dBeamDirections Directions;
   const lms3dFan Fan;
   const lms3dVector Position;

@@ -31,24 +31,6 @@ lms3dQuaternion Combine(
   return Normalize(sum);
 }
 
-lms3dQuaternion Slerp(const lms3dQuaternion& from, lms3dQuaternion to, double share)
-{
-  double cosine = 0.0;
-  for (std::size_t i = 0; i < to.size(); ++i)
-  {
-    cosine += from[i] * to[i];
-  }
-  if (cosine < 0.0)
-  {
-    // The opposite quaternion is the same rotation.
-    std::transform(to.begin(), to.end(), to.begin(), [](double x) { return -x; });
-    cosine = -cosine;
-  }
-  const double angle = std::acos(std::min(cosine, 1.0));
-  return angle < SmallAngle
-    ? Combine(from, 1.0 - share, to, share)
-    : Combine(from, std::sin((1.0 - share) * angle), to, std::sin(share * angle));
-}
 } // namespace
 
 lms3dQuaternion lms3dToQuaternion(const std::array<std::array<double, 3>, 3>& axes)
@@ -89,10 +71,51 @@ std::array<std::array<double, 3>, 3> lms3dToAxes(const lms3dQuaternion& quaterni
     lms3dVector{ s * (x * z + w * y), s * (y * z - w * x), 1.0 - s * (x * x + y * y) } };
 }
 
+lms3dPoseSegment::lms3dPoseSegment(const lms3dPose& from, const lms3dPose& to)
+  : From(from)
+  , To(to)
+  , First(lms3dToQuaternion(from.Axes))
+  , Last(lms3dToQuaternion(to.Axes))
+{
+  double cosine = 0.0;
+  for (std::size_t i = 0; i < this->First.size(); ++i)
+  {
+    cosine += this->First[i] * this->Last[i];
+  }
+  if (cosine < 0.0)
+  {
+    // The opposite quaternion is the same rotation.
+    std::transform(
+      this->Last.begin(), this->Last.end(), this->Last.begin(), [](double x) { return -x; });
+    cosine = -cosine;
+  }
+  this->Angle = std::acos(std::min(cosine, 1.0));
+}
+
+lms3dQuaternion lms3dPoseSegment::Slerp(double share) const
+{
+  return this->Angle < SmallAngle ? Combine(this->First, 1.0 - share, this->Last, share)
+                                  : Combine(this->First, std::sin((1.0 - share) * this->Angle),
+                                      this->Last, std::sin(share * this->Angle));
+}
+
+lms3dPose lms3dPoseSegment::Interpolate(double share) const
+{
+  lms3dPose pose = this->From;
+  for (std::size_t axis = 0; axis < pose.Position.size(); ++axis)
+  {
+    const double from = this->From.Position[axis];
+    const double to = this->To.Position[axis];
+    pose.Position[axis] = from == to ? from : from * (1.0 - share) + to * share;
+  }
+  if (this->From.Axes != this->To.Axes)
+  {
+    pose.Axes = lms3dToAxes(this->Slerp(share));
+  }
+  return pose;
+}
+
 lms3dPose lms3dInterpolate(const lms3dPose& from, const lms3dPose& to, double share)
 {
-  lms3dPose pose;
-  pose.Position = lms3dAdd(lms3dScale(from.Position, 1.0 - share), lms3dScale(to.Position, share));
-  pose.Axes = lms3dToAxes(Slerp(lms3dToQuaternion(from.Axes), lms3dToQuaternion(to.Axes), share));
-  return pose;
+  return lms3dPoseSegment(from, to).Interpolate(share);
 }

@@ -21,8 +21,31 @@ lms3dQuaternion lms3dToQuaternion(const std::array<std::array<double, 3>, 3>& ax
 /// must be finite.
 std::array<std::array<double, 3>, 3> lms3dToAxes(const lms3dQuaternion& quaternion);
 
-/// Returns the pose at a share of the way, 0 to 1: the position on the straight line, the orientation by
-/// slerp (Shoemake 1985) on the shorter way.
+/// The way from one pose to another. Computes once what all poses between the two share.
+class lms3dPoseSegment
+{
+public:
+  lms3dPoseSegment(const lms3dPose& from, const lms3dPose& to);
+
+  /// Returns the pose at a share of the way, 0 to 1: the position on the straight line, the orientation
+  /// by slerp (Shoemake 1985) on the shorter way. Coordinates, and an orientation, that both ends have in
+  /// common are kept to the bit.
+  lms3dPose Interpolate(double share) const;
+
+private:
+  lms3dQuaternion Slerp(double share) const;
+
+  lms3dPose From;
+  lms3dPose To;
+
+  /// The orientations, on the same side of the four-dimensional sphere, and the angle between them,
+  /// radians.
+  lms3dQuaternion First;
+  lms3dQuaternion Last;
+  double Angle;
+};
+
+/// Returns the pose of lms3dPoseSegment at a share of the way.
 lms3dPose lms3dInterpolate(const lms3dPose& from, const lms3dPose& to, double share);
 
 #endif

@@ -117,10 +117,8 @@ lms3dGridAngles lms3dGetGridAngles(vtkFieldData* data)
   return hasGrid ? angles : lms3dGridAngles();
 }
 
-void lms3dAddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan)
+std::array<double, 16> lms3dToMatrix(const lms3dPose& pose)
 {
-  const std::vector<double>& alpha = geometry.GetAlphaAngles();
-  const std::vector<double>& beta = geometry.GetBetaAngles();
   std::array<double, 16> matrix{};
   for (int row = 0; row < 3; ++row)
   {
@@ -131,6 +129,14 @@ void lms3dAddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose,
     matrix[4 * row + 3] = pose.Position[row];
   }
   matrix[15] = 1.0;
+  return matrix;
+}
+
+void lms3dAddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan)
+{
+  const std::vector<double>& alpha = geometry.GetAlphaAngles();
+  const std::vector<double>& beta = geometry.GetBetaAngles();
+  const std::array<double, 16> matrix = lms3dToMatrix(pose);
   vtkFieldData* fieldData = scan->GetFieldData();
   AddDoubles(fieldData, "AlphaAngles", alpha.data(), static_cast<vtkIdType>(alpha.size()));
   AddDoubles(fieldData, "BetaAngles", beta.data(), static_cast<vtkIdType>(beta.size()));

@@ -9,6 +9,7 @@
 
 #include "Device/lms3dScanGeometry.h"
 
+#include <array>
 #include <vector>
 
 class vtkFieldData;
@@ -29,6 +30,9 @@ lms3dGridAngles lms3dGetGridAngles(vtkFieldData* data);
 /// Returns the platform that the arrays Mounting, AxisOffset and TurnRate describe, each with its default
 /// if it is missing. Throws std::runtime_error, with a text for the user, if one is bad.
 lms3dPlatform lms3dGetPlatform(vtkFieldData* data);
+
+/// Returns the matrix from the sensor frame to the world, row-major.
+std::array<double, 16> lms3dToMatrix(const lms3dPose& pose);
 
 /// Adds the arrays AlphaAngles, BetaAngles (degrees) and SensorToWorld, and those of the platform that
 /// differ from their defaults, which the header of vtkLMS3DScanFilter documents.

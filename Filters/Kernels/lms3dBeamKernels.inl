@@ -16,6 +16,12 @@ namespace
 // component's sign, but replaces reciprocals of components below 1e-18 by a positive number.
 constexpr double MinimumComponent = 1e-15;
 
+// Rounds a component of a direction to single precision.
+float Narrow(double component)
+{
+  return static_cast<float>(Magnitude(component) < MinimumComponent ? 0.0 : component);
+}
+
 void GenerateDirections(
   const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamPacket& packet)
 {
@@ -26,8 +32,7 @@ void GenerateDirections(
       const double component =
         elevations.Cosine[i] * axes.Horizontal[axis][i] + elevations.Sine[i] * axes.Up[axis];
       packet.Direction[axis][i] = component;
-      packet.NarrowDirection[axis][i] =
-        static_cast<float>(Magnitude(component) < MinimumComponent ? 0.0 : component);
+      packet.NarrowDirection[axis][i] = Narrow(component);
     }
   }
 }
@@ -42,22 +47,36 @@ std::uint32_t FindInCone(const lms3dCone& cone, const lms3dBeamPacket& packet)
   return within.GetBits();
 }
 
-// Far from the scene, the origin and the ray offset nearly cancel; twice the digits of a double keep
-// the difference.
+// Returns one coordinate of where a ray starts. Far from the scene, the origin and the ray offset nearly
+// cancel; twice the digits of a double keep the difference.
+[[gnu::always_inline]] inline double ShiftOrigin(const lms3dShiftedOrigin& origin, double direction)
+{
+  const Pair fromCenter = lms3dTwoDifference(origin.Origin, origin.Center);
+  return Add(fromCenter, Multiply(origin.RayOffset, direction)).High / origin.Unit;
+}
+
 std::uint32_t ShiftOrigins(
   const lms3dShiftedOrigin& origin, const double* directions, float* origins)
 {
-  const Pair fromCenter = lms3dTwoDifference(origin.Origin, origin.Center);
   Mask near;
   for (int i = 0; i < Size; ++i)
   {
-    const Pair shifted = Add(fromCenter, Multiply(origin.RayOffset, directions[i]));
-    const double position = shifted.High / origin.Unit;
+    const double position = ShiftOrigin(origin, directions[i]);
     const bool isNear = Magnitude(position) <= origin.MaximumDistance;
     origins[i] = static_cast<float>(isNear ? position : 0.0);
     near.Set(i, isNear);
   }
   return near.GetBits();
+}
+
+// Ends a ray at `tfar` if that is nearer, and sets its geometry.
+[[gnu::always_inline]] inline void EndRay(
+  bool isChanged, float tfar, unsigned int geometry, const lms3dRayRange& rays, int i)
+{
+  // False if an extreme scale makes tfar no number.
+  const bool isShorter = isChanged & (tfar < rays.TFar[i]);
+  rays.TFar[i] = isShorter ? Maximum(0.0f, tfar) : rays.TFar[i];
+  rays.Geometry[i] = isChanged ? geometry : rays.Geometry[i];
 }
 
 // The error bound of a hit is larger than all rounding here, and than what Embree loses by the single
@@ -71,11 +90,7 @@ void ClipRays(const lms3dNarrowHits& hits, std::uint32_t changed, float rayOffse
   for (int i = 0; i < rays.Count; ++i)
   {
     const bool isChanged = (bits >> i) & 1u;
-    const float tfar = 1.0f / (inverse[i] - error[i]) - rayOffset;
-    // False if an extreme scale makes tfar no number.
-    const bool isShorter = isChanged & (tfar < rays.TFar[i]);
-    rays.TFar[i] = isShorter ? Maximum(0.0f, tfar) : rays.TFar[i];
-    rays.Geometry[i] = isChanged ? geometry : rays.Geometry[i];
+    EndRay(isChanged, 1.0f / (inverse[i] - error[i]) - rayOffset, geometry, rays, i);
   }
 }
 

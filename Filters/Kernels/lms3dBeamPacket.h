@@ -36,6 +36,14 @@ struct lms3dBeamPacket
   std::uint32_t Active;
 };
 
+/// Beams with a start of their own each. The caller sets Origin, Direction and Active; a cast
+/// overwrites the other arrays. Beams that are not active may be copies of others.
+struct lms3dFreePacket : lms3dBeamPacket
+{
+  /// x, y and z of each beam's start in world coordinates, metres.
+  alignas(64) double Origin[3][Size];
+};
+
 /// Where the beams of a scan start, in world coordinates, and the largest range that counts, both in
 /// metres. MaximumRange is above 0 and may be infinite.
 struct lms3dRayOrigin

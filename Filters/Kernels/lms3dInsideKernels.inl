@@ -64,7 +64,8 @@ struct Limits
 };
 
 template <typename Real>
-Limits<Real> FindLimits(const Edge<Real>* edges, const Real (&direction)[3][Size], int i)
+[[gnu::always_inline]] inline Limits<Real> FindLimits(
+  const Edge<Real>* edges, const Real (&direction)[3][Size], int i)
 {
   Real low[3], high[3];
   for (int e = 0; e < 3; ++e)
@@ -75,6 +76,18 @@ Limits<Real> FindLimits(const Edge<Real>* edges, const Real (&direction)[3][Size
   }
   return { Minimum(Minimum(low[0], low[1]), low[2]), Maximum(Maximum(low[0], low[1]), low[2]),
     Minimum(Minimum(high[0], high[1]), high[2]), Maximum(Maximum(high[0], high[1]), high[2]) };
+}
+
+template <typename Real>
+bool IsHit(const Limits<Real>& limits)
+{
+  return (limits.MinimumLow > Real(0)) | (limits.MaximumHigh < Real(0));
+}
+
+template <typename Real>
+bool IsMiss(const Limits<Real>& limits)
+{
+  return (limits.MaximumLow > Real(0)) & (limits.MinimumHigh < Real(0));
 }
 
 // Returns true if single precision proves that all beams in `beams` pass outside. This rejects most
@@ -99,10 +112,22 @@ bool AllMiss(
   Mask missed;
   for (int i = 0; i < Size; ++i)
   {
-    const Limits<float> limits = FindLimits(edges, packet.NarrowDirection, i);
-    missed.Set(i, (limits.MaximumLow > 0.0f) & (limits.MinimumHigh < 0.0f));
+    missed.Set(i, IsMiss(FindLimits(edges, packet.NarrowDirection, i)));
   }
   return (beams & ~missed.GetBits()) == 0;
+}
+
+// Computes the edges opposite to corner 0, 1 and 2.
+[[gnu::always_inline]] inline void MakeEdges(
+  const lms3dSensorFrameTriangle& triangle, Edge<double>* edges)
+{
+  const double(&corner)[3][3] = triangle.Corner;
+  const double a = SumOfMagnitudes(corner[0]);
+  const double b = SumOfMagnitudes(corner[1]);
+  const double c = SumOfMagnitudes(corner[2]);
+  edges[0] = MakeEdge(corner[1], corner[2], DoubleEdgeError * b * c + DoubleUnderflow);
+  edges[1] = MakeEdge(corner[2], corner[0], DoubleEdgeError * c * a + DoubleUnderflow);
+  edges[2] = MakeEdge(corner[0], corner[1], DoubleEdgeError * a * b + DoubleUnderflow);
 }
 
 lms3dHitMasks Classify(
@@ -112,28 +137,20 @@ lms3dHitMasks Classify(
   {
     return { 0, 0 };
   }
-  const double(&corner)[3][3] = triangle.Corner;
-  const double a = SumOfMagnitudes(corner[0]);
-  const double b = SumOfMagnitudes(corner[1]);
-  const double c = SumOfMagnitudes(corner[2]);
-  const Edge<double> edges[3] = { MakeEdge(corner[1], corner[2],
-                                    DoubleEdgeError * b * c + DoubleUnderflow),
-    MakeEdge(corner[2], corner[0], DoubleEdgeError * c * a + DoubleUnderflow),
-    MakeEdge(corner[0], corner[1], DoubleEdgeError * a * b + DoubleUnderflow) };
+  Edge<double> edges[3];
+  MakeEdges(triangle, edges);
   Mask hits;
   Mask uncertain;
   for (int i = 0; i < Size; ++i)
   {
     const Limits<double> limits = FindLimits(edges, packet.Direction, i);
-    const bool isHit = (limits.MinimumLow > 0.0) | (limits.MaximumHigh < 0.0);
-    const bool isMiss = (limits.MaximumLow > 0.0) & (limits.MinimumHigh < 0.0);
-    hits.Set(i, isHit);
-    uncertain.Set(i, !(isHit | isMiss));
+    hits.Set(i, IsHit(limits));
+    uncertain.Set(i, !(IsHit(limits) | IsMiss(limits)));
   }
   return { hits.GetBits() & beams, uncertain.GetBits() & beams };
 }
 
-lms3dDoublePlane MakeDoublePlane(const lms3dSensorFrameTriangle& triangle)
+[[gnu::always_inline]] inline lms3dDoublePlane MakePlane(const lms3dSensorFrameTriangle& triangle)
 {
   const double(&a)[3] = triangle.Corner[0];
   double p[3], q[3];
@@ -149,6 +166,52 @@ lms3dDoublePlane MakeDoublePlane(const lms3dSensorFrameTriangle& triangle)
     Magnitude(offset) > minimumSlope * SumOfMagnitudes(a) };
 }
 
+lms3dDoublePlane MakeDoublePlane(const lms3dSensorFrameTriangle& triangle)
+{
+  return MakePlane(triangle);
+}
+
+/// RefineRanges computes the final range with more digits. Within its error of the maximum range, those
+/// digits already decide whether the hit counts.
+struct RangeLimits
+{
+  explicit RangeLimits(double maximumRange)
+    : Certain(maximumRange * (1.0 - LimitMargin))
+    , Possible(maximumRange * (1.0 + LimitMargin))
+  {
+  }
+
+  double Certain;
+  double Possible;
+};
+
+// Returns whether beam i has a nearer hit at a range.
+[[gnu::always_inline]] inline bool IsNearer(double range, std::int32_t triangle,
+  const RangeLimits& limits, const lms3dBeamPacket& packet, int i)
+{
+  const bool isTie = (range == packet.Range[i]) & (triangle < packet.Triangle[i]);
+  return (range > 0.0) & (range <= limits.Certain) & ((range < packet.Range[i]) | isTie);
+}
+
+// Returns whether a range needs more digits, in a plane that is well conditioned.
+[[gnu::always_inline]] inline bool IsBad(
+  double range, double slope, const lms3dDoublePlane& plane, const RangeLimits& limits)
+{
+  const bool isAtLimit = (range > limits.Certain) & (range <= limits.Possible);
+  return isAtLimit | !(Magnitude(slope) > plane.MinimumSlope);
+}
+
+[[gnu::always_inline]] inline void StoreNearest(
+  const double* ranges, std::int32_t triangle, std::uint32_t changed, lms3dBeamPacket& packet)
+{
+  for (int i = 0; i < Size; ++i)
+  {
+    const bool isChanged = (changed >> i) & 1u;
+    packet.Range[i] = isChanged ? ranges[i] : packet.Range[i];
+    packet.Triangle[i] = isChanged ? triangle : packet.Triangle[i];
+  }
+}
+
 std::uint32_t UpdateNearest(const lms3dSensorFrameTriangle& corners, std::int32_t triangle,
   std::uint32_t hits, double maximumRange, lms3dBeamPacket& packet, std::uint32_t& uncertain)
 {
@@ -159,10 +222,7 @@ std::uint32_t UpdateNearest(const lms3dSensorFrameTriangle& corners, std::int32_
     return 0;
   }
 
-  // RefineRanges computes the final range with more digits. Within its error of the maximum range,
-  // those digits already decide whether the hit counts.
-  const double certainMaximum = maximumRange * (1.0 - LimitMargin);
-  const double possibleMaximum = maximumRange * (1.0 + LimitMargin);
+  const RangeLimits limits(maximumRange);
   Mask bad;
   Mask nearer;
   alignas(64) double ranges[Size];
@@ -171,19 +231,12 @@ std::uint32_t UpdateNearest(const lms3dSensorFrameTriangle& corners, std::int32_
     const double slope = Dot(packet.Direction, i, plane.Normal);
     const double range = plane.Offset / slope;
     ranges[i] = range;
-    const bool isTie = (range == packet.Range[i]) & (triangle < packet.Triangle[i]);
-    nearer.Set(i, (range > 0.0) & (range <= certainMaximum) & ((range < packet.Range[i]) | isTie));
-    const bool isAtLimit = (range > certainMaximum) & (range <= possibleMaximum);
-    bad.Set(i, isAtLimit | !(Magnitude(slope) > plane.MinimumSlope));
+    nearer.Set(i, IsNearer(range, triangle, limits, packet, i));
+    bad.Set(i, IsBad(range, slope, plane, limits));
   }
   uncertain |= hits & bad.GetBits();
   const std::uint32_t changed = hits & nearer.GetBits() & ~bad.GetBits();
-  for (int i = 0; i < Size; ++i)
-  {
-    const bool isChanged = (changed >> i) & 1u;
-    packet.Range[i] = isChanged ? ranges[i] : packet.Range[i];
-    packet.Triangle[i] = isChanged ? triangle : packet.Triangle[i];
-  }
+  StoreNearest(ranges, triangle, changed, packet);
   return changed;
 }
 } // namespace

@@ -17,6 +17,7 @@
 
 #include "Geometry/lms3dTwoSum.h"
 #include "Kernels/lms3dBeamPacket.h"
+#include "Kernels/lms3dFreeKernels.h"
 #include "Kernels/lms3dNarrowTriangle.h"
 #include "Kernels/lms3dNormalStrip.h"
 #include "Kernels/lms3dRangeErrorRow.h"
@@ -225,6 +226,8 @@ struct lms3dPacketKernels
   /// and finite.
   void (*ReportRanges)(
     const lms3dRangeErrorModel& model, const double* deviates, int count, double* ranges);
+
+  lms3dFreeKernels Free;
 };
 
 /// Returns the kernels of the processor's widest instruction set, or of a narrower one that the

@@ -12,6 +12,7 @@
 #define lms3dPacketKernels_inl
 
 #include "Kernels/lms3dBeamKernels.inl"
+#include "Kernels/lms3dFreeKernels.inl"
 #include "Kernels/lms3dInsideKernels.inl"
 #include "Kernels/lms3dNarrowKernels.inl"
 #include "Kernels/lms3dNormalKernels.inl"
@@ -19,11 +20,19 @@
 #include "Kernels/lms3dRangeKernels.inl"
 #include "Kernels/lms3dTileKernels.inl"
 
+// In the order of lms3dFreeKernels.
+#define LMS3D_FREE_KERNELS                                                                   \
+  NarrowDirections, LocateStarts, ShiftStarts, ClipFreeRays, UpdateFree, IntersectFreePlane, \
+    IntersectFreeDoublePlane
+
 // In the order of lms3dPacketKernels.
 #define LMS3D_PACKET_KERNELS                                                                  \
   GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, MakeNarrowTriangle,  \
     UpdateNarrow, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles, FindHits,           \
     MakeDoubleDoublePlane, MakeDoublePlane, IntersectDoubleDoublePlane, IntersectDoublePlane, \
-    StoreRanges, ApplyMinimumRange, Locate, AddStrip, DrawNormals, ReportRanges
+    StoreRanges, ApplyMinimumRange, Locate, AddStrip, DrawNormals, ReportRanges,              \
+  {                                                                                           \
+    LMS3D_FREE_KERNELS                                                                        \
+  }
 
 #endif

@@ -33,32 +33,39 @@ lms3dDoubleDoublePlane MakeDoubleDoublePlane(const double* const* corners, const
   return plane;
 }
 
+// Returns offset / normal.direction of beam i, with one rounding.
+[[gnu::always_inline]] inline double Intersect(
+  const Pair* normal, const Pair& offset, const double (&directions)[3][Size], int i)
+{
+  // The dot product normal.direction; `error` sums the rounding errors of its products and sums
+  // (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005).
+  double slope = 0.0;
+  double error = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double direction = directions[axis][i];
+    const Pair product = Multiply(normal[axis].High, direction);
+    const Pair sum = lms3dTwoSum(slope, product.High);
+    slope = sum.High;
+    error += sum.Low + (product.Low + normal[axis].Low * direction);
+  }
+  // At grazing incidence the error is not small compared with the slope.
+  const Pair whole = lms3dTwoSum(slope, error);
+  // The quotient, corrected by the remainder of the division.
+  const double quotient = offset.High / whole.High;
+  const Pair back = Multiply(quotient, whole.High);
+  const double remainder =
+    ((offset.High - back.High) - back.Low) + (offset.Low - quotient * whole.Low);
+  return quotient + remainder / whole.High;
+}
+
 void IntersectDoubleDoublePlane(
   const lms3dDoubleDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges)
 {
   alignas(64) double measured[Size];
   for (int i = 0; i < Size; ++i)
   {
-    // The dot product Normal.direction; `error` sums the rounding errors of its products and sums
-    // (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005).
-    double slope = 0.0;
-    double error = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double direction = packet.Direction[axis][i];
-      const Pair product = Multiply(plane.Normal[axis].High, direction);
-      const Pair sum = lms3dTwoSum(slope, product.High);
-      slope = sum.High;
-      error += sum.Low + (product.Low + plane.Normal[axis].Low * direction);
-    }
-    // At grazing incidence the error is not small compared with the slope.
-    const Pair whole = lms3dTwoSum(slope, error);
-    // The quotient, corrected by the remainder of the division.
-    const double quotient = plane.Offset.High / whole.High;
-    const Pair back = Multiply(quotient, whole.High);
-    const double remainder =
-      ((plane.Offset.High - back.High) - back.Low) + (plane.Offset.Low - quotient * whole.Low);
-    measured[i] = quotient + remainder / whole.High;
+    measured[i] = Intersect(plane.Normal, plane.Offset, packet.Direction, i);
   }
   for (int i = 0; i < Size; ++i)
   {

@@ -179,6 +179,17 @@ void lms3dProcesses::Broadcast(lms3dPose& pose, double& time) const
   time = values[12];
 }
 
+void lms3dProcesses::Broadcast(std::vector<double>& numbers) const
+{
+  if (this->IsParallel())
+  {
+    vtkIdType count = static_cast<vtkIdType>(numbers.size());
+    this->Controller->Broadcast(&count, 1, 0);
+    this->RunCollectively([&] { numbers.resize(static_cast<std::size_t>(count)); });
+    this->Controller->Broadcast(numbers.data(), count, 0);
+  }
+}
+
 void lms3dProcesses::Broadcast(vtkMultiProcessStream& stream) const
 {
   if (this->IsParallel())

@@ -65,6 +65,9 @@ public:
   /// Replaces the pose and the time in all processes by the first process's.
   void Broadcast(lms3dPose& pose, double& time) const;
 
+  /// Replaces the numbers in all processes by the first process's.
+  void Broadcast(std::vector<double>& numbers) const;
+
   /// Replaces the stream in all processes by the first process's.
   void Broadcast(vtkMultiProcessStream& stream) const;
 

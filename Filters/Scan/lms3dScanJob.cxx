@@ -3,7 +3,10 @@
 #include "Scan/lms3dScanJob.h"
 
 #include "Pipeline/lms3dPipelineRequests.h"
+#include "Scan/lms3dBeamCasting.h"
 #include "Scan/lms3dEmptyArrays.h"
+#include "Scan/lms3dMovingBeams.h"
+#include "Scan/lms3dPoseArrays.h"
 #include "Scan/lms3dSurfaceAttributes.h"
 
 #include <vtkDataObject.h>
@@ -17,7 +20,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <cmath>
-#include <cstdint>
+#include <vector>
 
 namespace
 {
@@ -43,9 +46,18 @@ struct lms3dScanJob::Scan
   const lms3dProcesses& Processes;
   const lms3dScanGeometry& Geometry;
   const lms3dPose& Pose;
+
+  /// Null if the sensor rests during the scan, which starts at StartTime, seconds.
+  const lms3dMotion* const Motion;
+  const double StartTime;
   const lms3dProgress Progress;
   vtkPolyData* const Points;
   vtkImageData* const Image;
+
+  lms3dMovingBeams MakeBeams() const
+  {
+    return { this->Geometry, this->Pose, this->Motion, this->StartTime };
+  }
 };
 
 bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
@@ -53,13 +65,15 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
   const lms3dProcesses processes(request.Controller);
   lms3dPose pose;
   double time = NAN;
-  const bool isPrepared = this->Prepare(request, processes, pose, time);
+  std::unique_ptr<lms3dMotion> motion;
+  const bool isPrepared = this->Prepare(request, processes, pose, time, motion);
   vtkPolyData* points = vtkPolyData::GetData(request.Outputs, 0);
   vtkImageData* image = vtkImageData::GetData(request.Outputs, 1);
   bool isDone = false;
   if (isPrepared)
   {
     const Scan scan = { request, processes, this->Sensor.GetGeometry(request.Settings), pose,
+      motion.get(), std::isnan(time) ? 0.0 : time,
       lms3dGetStepProgress(request.Progress, BuildShare, 1.0), points, image };
     isDone = processes.IsParallel() ? this->CastInParallel(scan) : this->CastAlone(scan);
     this->Output.Discard();
@@ -77,10 +91,10 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
   return isDone;
 }
 
-// Finds the pose, its time and the tables of angles, and builds the scene. Returns false, in all
+// Finds the pose, its time, the motion and the tables of angles, and builds the scene. Returns false, in all
 // processes, if the build was stopped in one of them.
 bool lms3dScanJob::Prepare(const lms3dScanJobRequest& request, const lms3dProcesses& processes,
-  lms3dPose& pose, double& time)
+  lms3dPose& pose, double& time, std::unique_ptr<lms3dMotion>& motion)
 {
   bool isBuilt = false;
   processes.RunCollectively(
@@ -90,11 +104,18 @@ bool lms3dScanJob::Prepare(const lms3dScanJobRequest& request, const lms3dProces
       {
         pose = this->Sensor.GetPose(
           request.Settings, request.Trajectory, *request.RequestedOutput, time);
+        motion = this->Sensor.GetMotion(request.Settings, request.Trajectory, time);
       }
       this->Sensor.GetGeometry(request.Settings);
       isBuilt = this->Build(request, processes.IsParallel());
     });
   processes.Broadcast(pose, time);
+  if (request.Settings.Device.MotionDuringScan && processes.IsParallel())
+  {
+    std::vector<double> numbers = motion ? motion->ToNumbers() : std::vector<double>();
+    processes.Broadcast(numbers);
+    motion = numbers.empty() ? nullptr : std::make_unique<lms3dMotion>(numbers);
+  }
   return !processes.AnyOf(!isBuilt);
 }
 
@@ -125,20 +146,19 @@ bool lms3dScanJob::CastAlone(const Scan& scan)
   const lms3dRayCaster* caster = this->Scene.GetCaster();
   lms3dCheckScene(caster != nullptr, this->Scene.GetPart(), this->Scene.GetSkippedCells());
   this->WarnIfIncomplete(this->Scene.GetPart(), scan);
-  const lms3dScanSettings& settings = scan.Request.Settings;
-  bool isDone = false;
-  this->Threads.Run(settings.NumberOfThreads,
+  if (!this->Cast(scan, 0))
+  {
+    return false;
+  }
+  this->Threads.Run(scan.Request.Settings.NumberOfThreads,
     [&]
     {
-      isDone = this->Output.Cast(*caster, scan.Geometry, scan.Pose, settings.Limits, scan.Progress);
-      if (isDone)
-      {
-        this->Output.FillScan(&caster->GetMesh(), scan.Geometry, scan.Pose, scan.Points);
-        this->Output.FillRangeImage(scan.Geometry, scan.Image);
-        this->AddSurfaceAttributes(scan, scan.Points->GetPointData());
-      }
+      this->Output.FillScan(&caster->GetMesh(), scan.Geometry, scan.Pose, scan.Points);
+      this->Output.FillRangeImage(scan.Geometry, scan.Image);
+      this->AddSurfaceAttributes(scan, scan.Points->GetPointData());
+      AddPoses(scan);
     });
-  return isDone;
+  return true;
 }
 
 // In the following functions, collective calls stay outside of Threads.Run: MPI need not allow calls from
@@ -153,31 +173,26 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
   {
     this->WarnIfIncomplete(cells.Whole, scan);
   }
-  if (!this->CastPart(scan))
+  if (!this->Cast(scan, cells.First))
   {
     return false;
   }
-  this->Output.ReduceToNearest(processes, caster, cells.First);
   this->FillOutputsInParallel(scan);
   return true;
 }
 
 // Returns false, in all processes, if the work was stopped in one of them.
-bool lms3dScanJob::CastPart(const Scan& scan)
+bool lms3dScanJob::Cast(const Scan& scan, std::int64_t firstCell)
 {
   const lms3dScanSettings& settings = scan.Request.Settings;
-  bool isStopped = false;
-  scan.Processes.RunCollectively(
-    [&]
-    {
-      this->Threads.Run(settings.NumberOfThreads,
-        [&]
-        {
-          isStopped = !this->Output.CastPart(
-            this->Scene.GetCaster(), scan.Geometry, scan.Pose, settings.Limits, scan.Progress);
-        });
-    });
-  return !scan.Processes.AnyOf(isStopped);
+  const lms3dFootprint& footprint = settings.Device.Footprint;
+  const bool isPlain =
+    settings.Device.Platform.IsCentredAndStepped() && !scan.Motion && !footprint.HasWidth();
+  const auto beams = isPlain ? nullptr : std::make_unique<lms3dMovingBeams>(scan.MakeBeams());
+  return lms3dCastBeams(
+    { this->Scene.GetCaster(), firstCell, scan.Geometry, scan.Pose, beams.get(), footprint,
+      settings.Limits, scan.Processes, this->Threads, settings.NumberOfThreads, scan.Progress },
+    this->Output);
 }
 
 void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
@@ -193,7 +208,12 @@ void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
     {
       if (processes.IsFirst())
       {
-        run([&] { this->Output.FillScan(nullptr, scan.Geometry, scan.Pose, scan.Points); });
+        run(
+          [&]
+          {
+            this->Output.FillScan(nullptr, scan.Geometry, scan.Pose, scan.Points);
+            AddPoses(scan);
+          });
       }
       this->Output.FillRangeImagePiece(scan.Geometry, piece, scan.Image);
     });
@@ -214,6 +234,21 @@ void lms3dScanJob::AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) co
     lms3dAddSurfaceAttributes(
       { caster->GetMesh(), scan.Geometry, scan.Pose, this->Output.GetOwnTriangles() },
       scan.Request.Scene, this->Scene.GetPart().HasGlobalIds, data);
+  }
+}
+
+void lms3dScanJob::AddPoses(const Scan& scan)
+{
+  const lms3dDeviceSettings& device = scan.Request.Settings.Device;
+  const bool hasTurnPoses = device.MotionDuringScan && scan.Request.Trajectory;
+  if (device.Arrays.Time || device.Arrays.Poses || hasTurnPoses)
+  {
+    const lms3dMovingBeams beams = scan.MakeBeams();
+    lms3dAddPoseArrays(beams, device.Arrays, scan.Points);
+    if (hasTurnPoses)
+    {
+      lms3dAddTurnPoses(beams, scan.Points);
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #ifndef lms3dScanJob_h
 #define lms3dScanJob_h
 
+#include "Device/lms3dMotion.h"
 #include "Device/lms3dScanGeometry.h"
 #include "Pipeline/lms3dProgress.h"
 #include "Pipeline/lms3dThreads.h"
@@ -18,7 +19,9 @@
 
 #include <vtkType.h>
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
 class vtkDataObject;
@@ -80,12 +83,13 @@ private:
   struct Scan;
 
   bool Prepare(const lms3dScanJobRequest& request, const lms3dProcesses& processes, lms3dPose& pose,
-    double& time);
+    double& time, std::unique_ptr<lms3dMotion>& motion);
   bool Build(const lms3dScanJobRequest& request, bool isParallel);
   bool CastAlone(const Scan& scan);
   bool CastInParallel(const Scan& scan);
-  bool CastPart(const Scan& scan);
+  bool Cast(const Scan& scan, std::int64_t firstCell);
   void FillOutputsInParallel(const Scan& scan);
+  static void AddPoses(const Scan& scan);
   void AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) const;
   void WarnIfIncomplete(const lms3dScenePart& scene, const Scan& scan);
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/lms3dScanOutput.h"
 
+#include "Device/lms3dBeams.h"
 #include "Device/lms3dReturns.h"
 #include "Pipeline/lms3dPooledArray.h"
 #include "Scan/lms3dProcesses.h"
+#include "Scan/lms3dRayScanner.h"
 #include "Scan/lms3dTurnReturns.h"
 
 #include <vtkIdTypeArray.h>
@@ -16,13 +18,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 void lms3dScanOutput::Discard()
 {
   this->Ranges = nullptr;
-  this->NearestTriangles = {};
-  this->Cells = {};
+  this->Part = {};
   this->Pool.FreeUnused();
 }
 
@@ -34,13 +36,19 @@ void lms3dScanOutput::Allocate(std::size_t beams)
     this->Triangles = {};
   }
   this->Triangles.resize(beams);
+  this->Part = {};
+}
+
+void lms3dScanOutput::AllocatePart(std::size_t beams)
+{
+  this->Allocate(beams);
+  this->Part.Allocate(beams);
 }
 
 bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
   this->Allocate(static_cast<std::size_t>(geometry.CountBeamsOfAllTurns()));
-  this->NearestTriangles = {};
   return lms3dScan(
     { caster, geometry, pose, limits, { this->Ranges->GetPointer(0), this->Triangles.data() } },
     progress);
@@ -49,49 +57,58 @@ bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry
 bool lms3dScanOutput::CastPart(const lms3dRayCaster* caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
-  const auto beams = static_cast<std::size_t>(geometry.CountBeamsOfAllTurns());
-  this->Allocate(beams);
-  this->NearestRanges.assign(beams, lms3dBeamPacket::NoRange);
-  this->NearestTriangles.assign(beams, lms3dBeamPacket::NoTriangle);
-  this->Cells.resize(beams);
+  this->AllocatePart(static_cast<std::size_t>(geometry.CountBeamsOfAllTurns()));
   if (!caster)
   {
-    std::fill_n(this->Ranges->GetPointer(0), beams, NAN);
+    this->SetNoReturn();
     return true;
   }
   return lms3dScan(
     { *caster, geometry, pose, limits, { this->Ranges->GetPointer(0), this->Triangles.data() },
-      { this->NearestRanges.data(), this->NearestTriangles.data() } },
+      this->Part.GetNearest() },
     progress);
+}
+
+bool lms3dScanOutput::CastRays(const lms3dRayCaster* caster, const lms3dMovingBeams& beams,
+  const lms3dRangeLimits& limits, bool isPart, const lms3dProgress& progress)
+{
+  const lms3dScanGeometry& geometry = beams.GetGeometry();
+  const lms3dMixedBeams hits = this->AllocateMixed(geometry.CountBeamsOfAllTurns(), isPart);
+  if (!caster)
+  {
+    this->SetNoReturn();
+    return true;
+  }
+  const std::vector<lms3dRayFan> fans(1, lms3dRayFan(beams.GetFan()));
+  return lms3dScanRays({ *caster, beams, fans, limits, 0, geometry.GetNumberOfTurns(), hits.Returns,
+                         this->Part.GetNearest() },
+    progress);
+}
+
+lms3dMixedBeams lms3dScanOutput::AllocateMixed(std::int64_t beams, bool isPart)
+{
+  if (isPart)
+  {
+    this->AllocatePart(static_cast<std::size_t>(beams));
+  }
+  else
+  {
+    this->Allocate(static_cast<std::size_t>(beams));
+  }
+  return { { this->Ranges->GetPointer(0), this->Triangles.data() },
+    isPart ? this->Part.Triangles.data() : nullptr, isPart ? this->Part.Cells.data() : nullptr };
+}
+
+void lms3dScanOutput::SetNoReturn()
+{
+  std::fill_n(this->Ranges->GetPointer(0), this->Triangles.size(), NAN);
 }
 
 void lms3dScanOutput::ReduceToNearest(
   const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell)
 {
-  const std::size_t beams = this->Triangles.size();
-  const auto getOwnCell = [this, caster, firstCell](std::size_t beam)
-  {
-    const std::int32_t triangle = this->NearestTriangles[beam];
-    return triangle == lms3dBeamPacket::NoTriangle
-      ? lms3dProcesses::NoCell
-      : firstCell + caster->GetMesh().GetCell(triangle);
-  };
-  for (std::size_t i = 0; i < beams; ++i)
-  {
-    this->Cells[i] = getOwnCell(i);
-  }
-  double* ranges = this->Ranges->GetPointer(0);
-  processes.ReduceToNearest(this->NearestRanges, this->Cells, ranges);
-  for (std::size_t i = 0; i < beams; ++i)
-  {
-    const bool isReturn = !std::isnan(ranges[i]);
-    this->Triangles[i] = isReturn ? 0 : lms3dBeamPacket::NoTriangle;
-    if (!isReturn || getOwnCell(i) != this->Cells[i])
-    {
-      this->NearestTriangles[i] = lms3dBeamPacket::NoTriangle;
-    }
-  }
-  this->NearestRanges = {};
+  this->Part.ReduceToNearest(
+    processes, caster, firstCell, this->Ranges->GetPointer(0), this->Triangles.data());
 }
 
 std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& geometry) const
@@ -124,6 +141,9 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeo
   const auto cellIds = lms3dMakeArray<vtkIdTypeArray>(this->Pool, "CellId", count);
   vtkIdType* cellId = cellIds->GetPointer(0);
   const lms3dBeamDirections directions(geometry, pose);
+  const std::unique_ptr<const lms3dBeams> beams = geometry.GetPlatform().IsCentredAndStepped()
+    ? nullptr
+    : std::make_unique<lms3dBeams>(geometry, pose);
   tbb::parallel_for(0, geometry.GetNumberOfTurns(),
     [&](int turn)
     {
@@ -131,9 +151,9 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeo
       if (returnsOfTurn > 0)
       {
         const std::size_t beam = static_cast<std::size_t>(turn) * geometry.GetNumberOfBeams();
-        const lms3dTurn source = { geometry, directions, pose.Position, turn,
+        const lms3dTurn source = { geometry, directions, beams.get(), pose.Position, turn,
           this->Ranges->GetPointer(static_cast<vtkIdType>(beam)), this->Triangles.data() + beam,
-          mesh, mesh ? nullptr : this->Cells.data() + beam };
+          mesh, mesh ? nullptr : this->Part.Cells.data() + beam };
         source.Fill(first[turn], returnsOfTurn, returns, cellId);
       }
     });

@@ -9,7 +9,10 @@
 
 #include "Device/lms3dRangeImage.h"
 #include "Pipeline/lms3dMemoryPool.h"
+#include "Scan/lms3dMovingBeams.h"
+#include "Scan/lms3dPartHits.h"
 #include "Scan/lms3dScanner.h"
+#include "Scan/lms3dWideBeams.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkSmartPointer.h>
@@ -45,6 +48,13 @@ public:
   bool CastPart(const lms3dRayCaster* caster, const lms3dScanGeometry& geometry,
     const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress);
 
+  /// Does what Cast does, or, if `isPart`, what CastPart does, for beams that start and point anywhere.
+  bool CastRays(const lms3dRayCaster* caster, const lms3dMovingBeams& beams,
+    const lms3dRangeLimits& limits, bool isPart, const lms3dProgress& progress);
+
+  /// Makes room for the hits of beams with a width. The caller fills all.
+  lms3dMixedBeams AllocateMixed(std::int64_t beams, bool isPart);
+
   /// Replaces the results of CastPart by the nearest of all processes. The triangles of this part
   /// belong to cells that are numbered from `firstCell`. Collective.
   void ReduceToNearest(
@@ -54,7 +64,7 @@ public:
   /// other beams, and for beams that hit another process's part. Valid until Discard.
   const std::vector<std::int32_t>& GetOwnTriangles() const
   {
-    return this->NearestTriangles.empty() ? this->Triangles : this->NearestTriangles;
+    return this->Part.Triangles.empty() ? this->Triangles : this->Part.Triangles;
   }
 
   /// Fills output 0, which must be empty. `mesh` is that of the caster, or null after
@@ -73,6 +83,8 @@ private:
   /// Returns the slot of the first return of each turn, and the number of returns at the end.
   std::vector<std::size_t> CountReturns(const lms3dScanGeometry& geometry) const;
   void Allocate(std::size_t beams);
+  void AllocatePart(std::size_t beams);
+  void SetNoReturn();
 
   lms3dMemoryPool Pool;
 
@@ -82,13 +94,8 @@ private:
   /// lms3dBeamPacket::NoTriangle without a return. After ReduceToNearest 0 stands for any triangle.
   std::vector<std::int32_t> Triangles;
 
-  ///@{
-  /// Used only with several processes: what CastPart found for each beam, before limits applied,
-  /// and the cell of the nearest hit. ReduceToNearest removes triangles that gave no return.
-  std::vector<double> NearestRanges;
-  std::vector<std::int32_t> NearestTriangles;
-  std::vector<vtkIdType> Cells;
-  ///@}
+  /// Used only with several processes.
+  lms3dPartHits Part;
 };
 
 #endif

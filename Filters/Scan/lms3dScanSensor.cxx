@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/lms3dScanSensor.h"
 
+#include "Device/lms3dFan.h"
+
 #include <vtkInformation.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <cmath>
+#include <utility>
 
 // Tables of sines and cosines are computed for new angles only.
 const lms3dScanGeometry& lms3dScanSensor::GetGeometry(const lms3dScanSettings& settings)
@@ -55,4 +58,18 @@ lms3dPose lms3dScanSensor::GetPose(
     : 0;
   time = poses.GetTimes()[step];
   return poses.GetPose(step);
+}
+
+std::unique_ptr<lms3dMotion> lms3dScanSensor::GetMotion(
+  const lms3dScanSettings& settings, vtkPolyData* trajectory, double time)
+{
+  if (!trajectory || !settings.Device.MotionDuringScan)
+  {
+    return nullptr;
+  }
+  const lms3dScanGeometry& geometry = this->GetGeometry(settings);
+  const double end = time + geometry.GetNumberOfTurns() * lms3dGetFanPeriod(geometry);
+  auto motion =
+    std::make_unique<lms3dMotion>(this->GetTrajectory(trajectory, settings.Orientation), time, end);
+  return motion->IsAtRest() ? nullptr : std::move(motion);
 }

@@ -7,6 +7,7 @@
 #ifndef lms3dScanSensor_h
 #define lms3dScanSensor_h
 
+#include "Device/lms3dMotion.h"
 #include "Device/lms3dScanGeometry.h"
 #include "Device/lms3dTrajectory.h"
 #include "Scan/lms3dScanSettings.h"
@@ -35,6 +36,11 @@ public:
   /// that `output` requests, or the first. Sets `time` to the time of that pose, NaN without a trajectory.
   lms3dPose GetPose(const lms3dScanSettings& settings, vtkPolyData* trajectory,
     vtkInformation& output, double& time);
+
+  /// Returns how the sensor moves during the scan that starts at `time`; null if it rests, because
+  /// `trajectory` is null, the settings say so, or the trajectory rests.
+  std::unique_ptr<lms3dMotion> GetMotion(
+    const lms3dScanSettings& settings, vtkPolyData* trajectory, double time);
 
 private:
   /// First and last elevation (degrees) and their number, and the same of the turns.

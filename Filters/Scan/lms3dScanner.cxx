@@ -12,18 +12,14 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <vector>
 
 namespace
 {
-constexpr int Side = lms3dBeamGrid::Side;
-static_assert(Side * Side == lms3dBeamPacket::Size, "a packet is square");
+constexpr int Side = lms3dPacketGrid::Side;
 
-/// Beam Side * i + j of a packet belongs to its turn i and elevation j. Beyond the end of the grid a
-/// packet repeats the last turn or beam, inactive, so that it stays coherent.
 class Scan
 {
 public:
@@ -36,10 +32,8 @@ public:
       request.Limits.Maximum }
     , Turns(request.Geometry.GetNumberOfTurns())
     , Beams(request.Geometry.GetNumberOfBeams())
-    , GridCaster(request.Caster.NewGridCaster(this->Origin,
-        { this->Turns, this->Beams, &this->Directions.GetFanAxis(0), request.Geometry.GetBetaStep(),
-          request.Geometry.GetAlphaCosines().data(), request.Geometry.GetAlphaSines().data(),
-          this->Directions.GetUp() }))
+    , Grid{ this->Turns, this->Beams }
+    , GridCaster(request.Caster.NewGridCaster(this->Origin, this->MakeGrid()))
   {
   }
 
@@ -76,6 +70,19 @@ private:
       this->Kernels.ApplyMinimumRange(this->Request.Limits.Minimum, packets[i]);
     }
     this->Store(rectangle, packets, this->Request.Returns);
+  }
+
+  // In fans along the axis, elevations decrease from 180 degrees.
+  lms3dBeamGrid MakeGrid() const
+  {
+    const lms3dScanGeometry& geometry = this->Request.Geometry;
+    if (geometry.GetPlatform().IsFanAlongAxis())
+    {
+      return { this->Turns, this->Beams };
+    }
+    return { this->Turns, this->Beams, &this->Directions.GetFanAxis(0), geometry.GetBetaStep(),
+      geometry.GetAlphaCosines().data(), geometry.GetAlphaSines().data(),
+      this->Directions.GetUp() };
   }
 
   static std::vector<lms3dElevations> MakeElevations(const lms3dScanGeometry& geometry)
@@ -135,28 +142,12 @@ private:
     {
       const int firstTurn = rectangle.FirstTurn + row * Side;
       const lms3dFanAxes axes = this->MakeAxes(firstTurn);
-      const int turns = std::min(Side, this->Turns - firstTurn);
       for (int i = 0; i < rectangle.Columns; ++i, ++packets)
       {
         this->Kernels.GenerateDirections(this->Elevations[firstColumn + i], axes, *packets);
-        packets->Active = GetActive(turns, this->CountBeams(firstColumn + i));
+        packets->Active = this->Grid.GetActive(firstTurn, rectangle.FirstBeam + i * Side);
       }
     }
-  }
-
-  int CountBeams(std::size_t column) const
-  {
-    return std::min(Side, this->Beams - static_cast<int>(column) * Side);
-  }
-
-  static std::uint32_t GetActive(int turns, int beams)
-  {
-    std::uint32_t active = 0;
-    for (int turn = 0; turn < turns; ++turn)
-    {
-      active |= ((1u << beams) - 1u) << (Side * turn);
-    }
-    return active;
   }
 
   void StoreNothing(const lms3dPacketRectangle& rectangle) const
@@ -189,31 +180,9 @@ private:
     {
       for (int column = 0; column < rectangle.Columns; ++column, ++packets)
       {
-        this->Store(
+        this->Grid.Store(
           rectangle.FirstTurn + row * Side, rectangle.FirstBeam + column * Side, *packets, hits);
       }
-    }
-  }
-
-  void Store(
-    int firstTurn, int firstBeam, const lms3dBeamPacket& packet, const lms3dBeamHits& hits) const
-  {
-    const int turns = std::min(Side, this->Turns - firstTurn);
-    const int beams = std::min(Side, this->Beams - firstBeam);
-    std::size_t slot = static_cast<std::size_t>(firstTurn) * this->Beams + firstBeam;
-    for (int turn = 0; turn < turns; ++turn, slot += this->Beams)
-    {
-      const double* range = packet.Range + Side * turn;
-      const std::int32_t* triangle = packet.Triangle + Side * turn;
-      if (beams == Side)
-      {
-        // Without a call, unlike std::copy_n.
-        std::memcpy(hits.Ranges + slot, range, Side * sizeof(*range));
-        std::memcpy(hits.Triangles + slot, triangle, Side * sizeof(*triangle));
-        continue;
-      }
-      std::copy_n(range, beams, hits.Ranges + slot);
-      std::copy_n(triangle, beams, hits.Triangles + slot);
     }
   }
 
@@ -224,6 +193,7 @@ private:
   const lms3dRayOrigin Origin;
   const int Turns;
   const int Beams;
+  const lms3dPacketGrid Grid;
   const std::unique_ptr<const lms3dGridCaster> GridCaster;
 };
 } // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Casts all beams of a scan.
+ * @brief Casts all beams of a scan whose beams start at one point and form a product of turns and elevations.
  */
 #ifndef lms3dScanner_h
 #define lms3dScanner_h
@@ -10,18 +10,7 @@
 #include "Casting/lms3dRayCaster.h"
 #include "Device/lms3dScanGeometry.h"
 #include "Pipeline/lms3dProgress.h"
-
-#include <cstdint>
-
-/// A hit for each beam of a scan, ordered by turn, then by beam. The arrays belong to the caller.
-struct lms3dBeamHits
-{
-  /// Metres.
-  double* Ranges;
-
-  /// Indices into the caster's mesh, lms3dBeamPacket::NoTriangle if there is no hit.
-  std::int32_t* Triangles;
-};
+#include "Scan/lms3dPacketGrid.h"
 
 /// What to scan, and where the results go. All references and arrays must outlive the scan.
 struct lms3dScanRequest
@@ -45,7 +34,7 @@ struct lms3dScanRequest
 };
 
 /**
- * Casts all beams of a scan. Uses the threads of the calling TBB arena; the results do not depend on
+ * Casts all beams of a scan. The platform must be centred and stepped (lms3dPlatform.h). Uses the threads of the calling TBB arena; the results do not depend on
  * their number. Returns false if `progress`, which must not be empty, stopped the scan; the results
  * are then undefined.
  */

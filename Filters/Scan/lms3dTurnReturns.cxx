@@ -136,13 +136,35 @@ void FillHits(const lms3dTurn& turn, const std::vector<int>& hits, std::size_t s
   }
   Locate(turn, count, slot, returns, cosines.data(), sines.data());
 }
+
+// For beams that start anywhere, and at any angles of the platform.
+void FillAnywhere(const lms3dTurn& turn, const std::vector<int>& hits, std::size_t slot,
+  const lms3dReturns& returns, vtkIdType* cellIds)
+{
+  const int count = static_cast<int>(hits.size());
+  FillArrays(turn, count, slot, returns, cellIds, [&hits](int i) { return hits[i]; });
+  const lms3dTurnFrame frame = turn.Beams->GetFrame(turn.Number);
+  const lms3dFan& fan = turn.Beams->GetFan();
+  const double beta = turn.Geometry.GetBetaAngles()[turn.Number];
+  for (int i = 0; i < count; ++i)
+  {
+    const lms3dVector point = lms3dAdd(frame.ToPoint(fan.Origins[hits[i]]),
+      lms3dScale(frame.ToWorld(fan.Directions[hits[i]]), turn.Ranges[hits[i]]));
+    std::copy(point.begin(), point.end(), returns.Point + 3 * (slot + i));
+    returns.Beta[slot + i] = static_cast<float>(beta + fan.TurnedAngles[hits[i]]);
+  }
+}
 } // namespace
 
 void lms3dTurn::Fill(
   std::size_t slot, int count, const lms3dReturns& returns, vtkIdType* cellIds) const
 {
   const int beams = this->Geometry.GetNumberOfBeams();
-  if (count == beams)
+  if (this->Beams)
+  {
+    FillAnywhere(*this, GetHits(this->Triangles, beams), slot, returns, cellIds);
+  }
+  else if (count == beams)
   {
     FillRun(*this, 0, count, slot, returns, cellIds);
   }

@@ -7,6 +7,7 @@
 #ifndef lms3dTurnReturns_h
 #define lms3dTurnReturns_h
 
+#include "Device/lms3dBeams.h"
 #include "Device/lms3dReturns.h"
 #include "Device/lms3dScanGeometry.h"
 #include "Geometry/lms3dTriangleMesh.h"
@@ -27,6 +28,9 @@ struct lms3dTurn
 
   const lms3dScanGeometry& Geometry;
   const lms3dBeamDirections& Directions;
+
+  /// Null if the platform is centred and stepped (lms3dPlatform.h).
+  const lms3dBeams* Beams;
 
   /// The sensor's position in world coordinates, metres.
   const std::array<double, 3>& Position;

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Keeps the planes of recent triangles, because neighbouring packets hit the same ones.
+ */
+#ifndef lms3dPlaneCache_h
+#define lms3dPlaneCache_h
+
+#include "Kernels/lms3dBeamPacket.h"
+
+#include <array>
+#include <cstdint>
+
+template <typename Plane, int NumberOfEntries>
+class lms3dPlaneCache
+{
+public:
+  lms3dPlaneCache() { this->Clear(); }
+
+  void Clear() { this->Triangles.fill(lms3dBeamPacket::NoTriangle); }
+
+  /// Returns the plane of a triangle. `make` computes it if it is not kept.
+  template <typename Make>
+  const Plane& Get(std::int32_t triangle, const Make& make)
+  {
+    const std::int32_t entry = triangle % NumberOfEntries;
+    if (this->Triangles[entry] != triangle)
+    {
+      this->Triangles[entry] = triangle;
+      this->Planes[entry] = make(triangle);
+    }
+    return this->Planes[entry];
+  }
+
+private:
+  std::array<std::int32_t, NumberOfEntries> Triangles;
+  std::array<Plane, NumberOfEntries> Planes;
+};
+
+#endif
