@@ -20,7 +20,14 @@
  * - 0, the map: a vtkPolyData with polygons or strips;
  * - 1, the scene: any input that vtkLMS3DScanFilter accepts, in the same coordinates;
  * - 2, the scan that the map was made from. It is optional if the map carries the scan's field data
- *   `SensorToWorld`, `AlphaAngles` and `BetaAngles`, as maps of our filter do.
+ *   `SensorToWorld`, `AlphaAngles` and `BetaAngles`, and, if not default, `Mounting`, `AxisOffset` and
+ *   `TurnRate`, as maps of our filter do.
+ *
+ * The comparison understands all mountings of vtkLMS3DScanFilter. With an AxisOffset, visibility, ranges
+ * and the side of a triangle count from the mirror's centre at the platform angle whose beam leads to the
+ * point. If two angles do, on either side of the axis, a point is visible if either beam sees it. With a
+ * TurnRate, the ends of an open scan, where the interlaced beams of a fan begin and end one after the
+ * other, are not covered.
  *
  * Output 0 is the map with two more arrays: the point data `Error` (float64, metres), the distance of
  * each vertex from the scene, and the cell data `LargestError`, the largest distance among a cell's

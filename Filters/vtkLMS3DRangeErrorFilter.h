@@ -12,7 +12,7 @@
  * 2. A normally distributed error with the standard deviation RangeNoise is added.
  * 3. The result is rounded to the nearest multiple of RangeResolution.
  *
- * All errors act along the beam; directions have no errors. By default all errors are off.
+ * All errors act along the beam; starts and directions have no errors. By default all errors are off.
  *
  * @par Input
  * A scan: the first output of vtkLMS3DScanFilter, with the point data `Range` and `BeamId`, and the
@@ -21,7 +21,9 @@
  *
  * @par Output 0, the scan
  * The input with reported ranges in `Range` (metres), and with points at these ranges on the beams:
- * the sensor's position plus range times direction, rounded as vtkLMS3DScanFilter rounds it. Points and
+ * where the beam starts, which is the sensor's position unless the scan has an AxisOffset, plus range times
+ * direction, rounded as vtkLMS3DScanFilter rounds it. Beams belong to a resting sensor with the scan's
+ * Mounting, AxisOffset and TurnRate. Points and
  * ranges in single precision stay in single precision. All other arrays are the input's. If all errors are
  * off, the output is the input to the bit, and shares its arrays.
  *

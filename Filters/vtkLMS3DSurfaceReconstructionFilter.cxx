@@ -6,6 +6,8 @@
 #include "LocalMap/Bounded/lms3dBoundedMesher.h"
 #include "LocalMap/Bounded/lms3dBoundedOutput.h"
 #include "LocalMap/Grid/lms3dGridMap.h"
+#include "LocalMap/Grid/lms3dMapGeometry.h"
+#include "LocalMap/Grid/lms3dMapScan.h"
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 #include "LocalMap/Grid/lms3dRangeJoins.h"
 #include "Pipeline/lms3dAlgorithmProgress.h"
@@ -55,11 +57,11 @@ struct vtkLMS3DSurfaceReconstructionFilter::Internals
 
 private:
   /// Makes tables of sines and cosines for new angles only.
-  const lms3dScanGeometry& GetGeometry(const lms3dScanInput& scan)
+  const lms3dMapGeometry& GetGeometry(const lms3dScanInput& scan)
   {
-    if (!this->Geometry || !scan.HasAngles(*this->Geometry))
+    if (!this->Geometry || !scan.HasAngles(this->Geometry->GetScanned()))
     {
-      this->Geometry = std::make_unique<lms3dScanGeometry>(scan.GetGeometry());
+      this->Geometry = std::make_unique<lms3dMapGeometry>(scan.GetGeometry());
     }
     return *this->Geometry;
   }
@@ -67,16 +69,22 @@ private:
   lms3dRangeGrid Grid;
   lms3dRangeJoins Joins;
   lms3dGridMap GridMap;
-  std::unique_ptr<lms3dScanGeometry> Geometry;
+  std::unique_ptr<lms3dMapGeometry> Geometry;
 };
 
 void vtkLMS3DSurfaceReconstructionFilter::Internals::MakeMap(const lms3dScanInput& scan,
   double maximumError, double depthStep, const lms3dProgress& progress, vtkPolyData* map)
 {
   scan.CheckPoints();
+  const lms3dMapGeometry& geometry = this->GetGeometry(scan);
+  const lms3dMapScan mapScan(scan, geometry);
+  if (mapScan.GetNumberOfReturns() == 0)
+  {
+    return;
+  }
   this->Grid.Build(
-    this->GetGeometry(scan), scan.GetRanges(), scan.GetBeamIds(), scan.GetNumberOfReturns());
-  this->Joins.Find(this->Grid, depthStep);
+    geometry.GetGrid(), mapScan.GetRanges(), mapScan.GetBeamIds(), mapScan.GetNumberOfReturns());
+  this->Joins.Find(this->Grid, depthStep, &geometry);
   if (!progress(GridShare))
   {
     return;
@@ -85,15 +93,15 @@ void vtkLMS3DSurfaceReconstructionFilter::Internals::MakeMap(const lms3dScanInpu
   { return progress(GridShare + done * (1.0 - GridShare)); };
   if (maximumError > 0.0)
   {
-    lms3dBoundedMesher mesher(this->Grid, this->Joins, maximumError);
+    lms3dBoundedMesher mesher(this->Grid, this->Joins, maximumError, &geometry);
     if (const std::optional<lms3dBoundedMap> bounded = mesher.MakeMap(progressOfRest))
     {
-      lms3dFillBoundedOutput(scan, *bounded, map);
+      lms3dFillBoundedOutput(mapScan, *bounded, map);
     }
   }
   else
   {
-    this->GridMap.Fill(scan, this->Grid, this->Joins, progressOfRest, map);
+    this->GridMap.Fill(mapScan, this->Grid, this->Joins, progressOfRest, map);
   }
 }
 

@@ -36,13 +36,34 @@
  * Returns are never joined across a beam without a return, or across 180 degrees or more. (A return that
  * lies by chance in the plane of nearer returns cannot be distinguished from their surface.)
  *
+ * @par Mountings, and mirrors beside the axis
+ * The filter understands every Mounting, AxisOffset and TurnRate of vtkLMS3DScanFilter. MaximumError holds
+ * for all of them.
+ *
+ * - Yawing and Pitching: the grid of the map has the turns and beams of the scan.
+ * - YawingTop and Rolling: each half of the fan becomes a turn of its own, with a pole at alpha 0. The
+ *   surface closes around the axis if there is a beam at alpha 0 and if the step of beta divides 180
+ *   degrees; otherwise there is a slit at the first turn. Turns at 180 degrees or more from the first one
+ *   measure the same directions again. The map leaves them out, and MaximumError does not count for them.
+ *   (So choose a BetaRange of 0 to 180.)
+ * - AxisOffset: depth steps compare ranges from where the beams start, and a beam of the error check starts
+ *   there as well. "Towards the sensor", and `Range` of the map, mean the point of the platform's axis at the
+ *   height of the mirror's centre. A mirror beside the axis sees neither pole, so the surface has a hole
+ *   there, about as large as the offset. If the mirror lies behind the axis, beams near the pole pass
+ *   the axis, and measure what other turns measure as well: these returns get facets, unless they lie within
+ *   MaximumError of the map, and in the plain grid, they are points without triangles.
+ * - TurnRate: neighbours in a fan are compared at one platform angle, so interlaced fans do not tear
+ *   the surface into strips.
+ *
+ * The points of a scan with MotionDuringScan assume a resting sensor, and so does the map.
+ *
  * The input needs the point data `Range` and `BeamId`, and the field data `AlphaAngles`, `BetaAngles` and
- * `SensorToWorld` of the scan. Returns may have been removed or moved. Each beam may have at most one
+ * `SensorToWorld` of the scan, and, if not default, `Mounting`, `AxisOffset` and `TurnRate`. Returns may have been removed or moved. Each beam may have at most one
  * return. With a MaximumError above 0, a return lies on its beam at its `Range`; the coordinates of the
  * points are not used. A scan of one turn or of one beam has no cells, so its plain grid has no triangles.
  *
  * The output is a vtkPolyData of triangles that face the sensor, in world coordinates, metres. It has the
- * point data `Range` (float64, metres) and `Normals` (float32, unit vectors towards the sensor). The plain
+ * point data `Range` (float64, metres from the sensor) and `Normals` (float32, unit vectors towards the sensor). The plain
  * grid has normals at its points, the means of the adjacent triangles' normals; a bounded map has normals
  * of its triangles. The points of the plain grid are the returns, with one for each pole; a point without
  * triangles has the direction to the sensor as its normal. A bounded map has these arrays as well:
@@ -50,7 +71,8 @@
  * - cell data `PatchId` (int32): the patch of the triangle; a facet is a patch of its own. It is -1 for
  *   triangles that join two patches along an offset within one surface, and for the plain grid.
  * - field data `NumberOfPatches`, `NumberOfReturns`, and its parts `NumberOfReturnsOnPatches`,
- *   `NumberOfReturnsOnGrid` (of the plain grid) and `NumberOfReturnsOnFacets`.
+ *   `NumberOfReturnsOnGrid` (of the plain grid) and `NumberOfReturnsOnFacets`. A scan of YawingTop or
+ *   Rolling over 180 degrees or more has `NumberOfReturnsOnRepeatedTurns` as well.
  * - field data `LargestDeviation` (float64, metres): the largest distance from a return to the triangle
  *   that its beam hits.
  *

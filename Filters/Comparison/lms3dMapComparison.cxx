@@ -54,20 +54,66 @@ std::vector<double> GetDistances(const std::vector<lms3dNearest>& nearest)
   return distances;
 }
 
+// Returns the range at which a beam towards each point hits the scene, metres.
+std::vector<double> GetRanges(const lms3dSurfaceQuery& scene, const lms3dSensorView& view, int way,
+  const lms3dSurfaceQuery::Points& points, const lms3dProgress& progress)
+{
+  if (view.GetNumberOfWays() == 1)
+  {
+    return scene.GetRangesTowards(view.GetPosition(), points, progress);
+  }
+  lms3dSurfaceQuery::Points starts;
+  starts.reserve(points.size());
+  for (const lms3dVector& point : points)
+  {
+    starts.push_back(view.GetStart(point, way));
+  }
+  return scene.GetRangesTowards(starts, points, progress);
+}
+
+// Visits each way on which beams lead to the points, with the ranges at which they hit the scene.
+template <typename Visitor>
+void ForEachWay(const lms3dSurfaceQuery& scene, const lms3dSensorView& view,
+  const lms3dSurfaceQuery::Points& points, const lms3dProgress& progress, const Visitor& visit)
+{
+  const int ways = view.GetNumberOfWays();
+  for (int way = 0; way < ways; ++way)
+  {
+    const lms3dProgress part = lms3dGetStepProgress(
+      progress, static_cast<double>(way) / ways, static_cast<double>(way + 1) / ways);
+    visit(way, GetRanges(scene, view, way, points, part));
+  }
+}
+
+// Where the sensor stands for the beam that leads to a point.
+lms3dVector GetSensor(const lms3dSensorView& view, const lms3dVector& point)
+{
+  const bool isSecond = view.GetNumberOfWays() == 2 && !view.Covers(point) && view.Covers(point, 1);
+  return view.GetStart(point, isSecond ? 1 : 0);
+}
+
 // Returns the samples of the scene that the sensor sees.
 lms3dSurfaceQuery::Points GetVisible(const lms3dSurfaceQuery& scene, const lms3dSensorView& view,
   std::int64_t count, const lms3dProgress& progress)
 {
   const lms3dSurfaceSamples samples(scene.GetMesh(), count);
-  const std::vector<double> ranges =
-    scene.GetRangesTowards(view.GetPosition(), samples.Points, progress);
-  lms3dSurfaceQuery::Points visible;
-  for (std::size_t i = 0; i < ranges.size(); ++i)
-  {
-    const lms3dVector& point = samples.Points[i];
-    if (view.Covers(point) && ranges[i] >= VisibleShareOfRange * view.GetRange(point))
+  std::vector<bool> isVisible(samples.Points.size(), false);
+  ForEachWay(scene, view, samples.Points, progress,
+    [&](int way, const std::vector<double>& ranges)
     {
-      visible.push_back(point);
+      for (std::size_t i = 0; i < ranges.size(); ++i)
+      {
+        const lms3dVector& point = samples.Points[i];
+        isVisible[i] = isVisible[i] ||
+          (view.Covers(point, way) && ranges[i] >= VisibleShareOfRange * view.GetRange(point, way));
+      }
+    });
+  lms3dSurfaceQuery::Points visible;
+  for (std::size_t i = 0; i < isVisible.size(); ++i)
+  {
+    if (isVisible[i])
+    {
+      visible.push_back(samples.Points[i]);
     }
   }
   return visible;
@@ -91,18 +137,26 @@ lms3dMapErrors::lms3dMapErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQ
 {
   const std::vector<lms3dNearest> nearest =
     scene.FindNearest(this->Samples.Points, lms3dGetStepProgress(progress, 0.0, 0.8));
-  const std::vector<double> ranges = scene.GetRangesTowards(
-    view.GetPosition(), this->Samples.Points, lms3dGetStepProgress(progress, 0.8, 1.0));
+  std::vector<bool> isInFront(nearest.size(), false);
+  ForEachWay(scene, view, this->Samples.Points, lms3dGetStepProgress(progress, 0.8, 1.0),
+    [&](int way, const std::vector<double>& ranges)
+    {
+      for (std::size_t i = 0; i < ranges.size(); ++i)
+      {
+        const lms3dVector& point = this->Samples.Points[i];
+        isInFront[i] = isInFront[i] ||
+          (view.Covers(point, way) && view.GetRange(point, way) + tolerance < ranges[i]);
+      }
+    });
   this->Distances = GetDistances(nearest);
   this->Angles.resize(nearest.size());
   std::size_t samplesInFreeSpace = 0;
   for (std::size_t i = 0; i < nearest.size(); ++i)
   {
     this->Angles[i] = GetNormalError(lms3dGetCorners(map.GetMesh(), this->Samples.Triangles[i]),
-      lms3dGetCorners(scene.GetMesh(), nearest[i].Triangle), view.GetPosition());
-    const lms3dVector& point = this->Samples.Points[i];
-    const bool isInFront = view.Covers(point) && view.GetRange(point) + tolerance < ranges[i];
-    samplesInFreeSpace += isInFront && nearest[i].Distance > tolerance ? 1 : 0;
+      lms3dGetCorners(scene.GetMesh(), nearest[i].Triangle),
+      GetSensor(view, this->Samples.Points[i]));
+    samplesInFreeSpace += isInFront[i] && nearest[i].Distance > tolerance ? 1 : 0;
   }
   this->ShareInFreeSpace = GetShare(samplesInFreeSpace, nearest.size());
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Comparison/lms3dSensorView.h"
 
+#include "Device/lms3dFan.h"
+#include "Device/lms3dScanFieldData.h"
 #include "Geometry/lms3dAngle.h"
 
 #include <vtkDataArray.h>
@@ -44,6 +46,9 @@ std::vector<double> GetNumbers(vtkFieldData* data, const char* name)
 
 lms3dSensorView::lms3dSensorView(vtkFieldData* data, const lms3dRangeLimits& limits)
   : Limits(limits)
+  , Platform(lms3dGetPlatform(data))
+  , Offset(lms3dToPlatformAxes(this->Platform.Mounting, this->Platform.AxisOffset))
+  , IsCentred(this->Platform.AxisOffset == lms3dVector{ 0.0, 0.0, 0.0 })
 {
   const std::vector<double> matrix = GetNumbers(data, "SensorToWorld");
   if (matrix.size() != 16)
@@ -59,37 +64,105 @@ lms3dSensorView::lms3dSensorView(vtkFieldData* data, const lms3dRangeLimits& lim
     }
     this->Position[row] = matrix[4 * row + 3];
   }
-  const lms3dScanGeometry geometry(GetNumbers(data, "AlphaAngles"), GetNumbers(data, "BetaAngles"));
-  const auto alphas =
-    std::minmax(geometry.GetAlphaAngles().front(), geometry.GetAlphaAngles().back());
+  this->Axes = lms3dGetPlatformAxes(this->Platform.Mounting, this->Axes);
+  const lms3dScanGeometry geometry(
+    GetNumbers(data, "AlphaAngles"), GetNumbers(data, "BetaAngles"), this->Platform);
+  const std::vector<double>& alpha = geometry.GetAlphaAngles();
+  const auto alphas = std::minmax(alpha.front(), alpha.back());
   const auto betas = std::minmax(geometry.GetBetaAngles().front(), geometry.GetBetaAngles().back());
   this->LowestAlpha = alphas.first;
   this->HighestAlpha = alphas.second;
+  this->FirstAlpha = alpha.front();
   this->FirstBeta = betas.first;
-  this->BetaExtent = geometry.IsClosed() ? FullCircle : betas.second - betas.first;
+  this->IsClosed = geometry.IsClosed();
+  this->BetaExtent = this->IsClosed ? FullCircle : betas.second - betas.first;
+  // The half fan of the first turn on the other side of the axis follows the last turn.
+  const double halfCircle = std::abs(geometry.GetBetaStep()) * geometry.GetNumberOfTurns();
+  if (this->Platform.IsFanAlongAxis() && lms3dIsFullCircle(2.0 * halfCircle) &&
+    std::abs(alphas.first + alphas.second) <= BorderTolerance)
+  {
+    this->BetaExtent = halfCircle;
+  }
+  const double turnedByMirrorTurn = this->Platform.TurnRate / lms3dMirrorRate;
+  this->TurnedByFan = turnedByMirrorTurn * (lms3dCountMirrorTurns(geometry) - 1);
+  this->TurnedByDegree = turnedByMirrorTurn / FullCircle;
 }
 
-double lms3dSensorView::GetRange(const lms3dVector& point) const
+// On the level of the platform, a beam runs at the distance Offset[1] beside the axis. It passes the point
+// either before or behind its nearest place to the axis.
+lms3dSensorView::Beam lms3dSensorView::FindBeam(const lms3dVector& point, int way) const
 {
-  const lms3dVector beam = lms3dSubtract(point, this->Position);
-  return std::hypot(beam[0], beam[1], beam[2]);
+  const lms3dVector to = lms3dSubtract(point, this->Position);
+  const double x = lms3dDot(this->Axes[0], to);
+  const double y = lms3dDot(this->Axes[1], to);
+  const double z = lms3dDot(this->Axes[2], to);
+  if (this->IsCentred)
+  {
+    return { std::hypot(x, y), z, -lms3dDegreesPerRadian * std::atan2(y, x), true };
+  }
+  const double aside = this->Offset[1];
+  const double square = x * x + y * y - aside * aside;
+  const double ahead = std::sqrt(std::max(0.0, square)) * (way == 0 ? 1.0 : -1.0);
+  return { ahead - this->Offset[0], z - this->Offset[2],
+    lms3dDegreesPerRadian * std::atan2(x * aside - y * ahead, x * ahead + y * aside),
+    square >= 0.0 };
 }
 
-bool lms3dSensorView::Covers(const lms3dVector& point) const
+double lms3dSensorView::GetRange(const lms3dVector& point, int way) const
 {
-  const double range = this->GetRange(point);
-  if (!(range > 0.0 && range >= this->Limits.Minimum && range <= this->Limits.Maximum))
+  if (this->IsCentred)
+  {
+    const lms3dVector beam = lms3dSubtract(point, this->Position);
+    return std::hypot(beam[0], beam[1], beam[2]);
+  }
+  const Beam beam = this->FindBeam(point, way);
+  return std::hypot(beam.Forward, beam.Along);
+}
+
+lms3dVector lms3dSensorView::GetStart(const lms3dVector& point, int way) const
+{
+  const Beam beam = this->FindBeam(point, way);
+  if (this->IsCentred || !beam.Exists)
+  {
+    return this->Position;
+  }
+  double sine, cosine;
+  lms3dSinCosDegrees(beam.Beta, sine, cosine);
+  const lms3dVector fan =
+    lms3dSubtract(lms3dScale(this->Axes[0], cosine), lms3dScale(this->Axes[1], sine));
+  return lms3dSubtract(
+    point, lms3dAdd(lms3dScale(fan, beam.Forward), lms3dScale(this->Axes[2], beam.Along)));
+}
+
+bool lms3dSensorView::Covers(const lms3dVector& point, int way) const
+{
+  const double range = this->GetRange(point, way);
+  const Beam beam = this->FindBeam(point, way);
+  if (!(beam.Exists && range > 0.0 && range >= this->Limits.Minimum &&
+        range <= this->Limits.Maximum))
   {
     return false;
   }
-  const lms3dVector beam = lms3dSubtract(point, this->Position);
-  const double x = lms3dDot(this->Axes[0], beam);
-  const double y = lms3dDot(this->Axes[1], beam);
-  const double z = lms3dDot(this->Axes[2], beam);
-  const double alpha = lms3dDegreesPerRadian * std::atan2(z, std::hypot(x, y));
-  const double beta = -lms3dDegreesPerRadian * std::atan2(y, x);
-  const double turn = beta - this->FirstBeta + BorderTolerance;
+  if (!this->Platform.IsFanAlongAxis())
+  {
+    return this->CoversAngles(
+      lms3dDegreesPerRadian * std::atan2(beam.Along, beam.Forward), beam.Beta);
+  }
+  // The half of the fan on the other side of the axis reaches the same point half a circle later. Beams
+  // of the axis itself belong to both halves.
+  const double alpha = lms3dDegreesPerRadian * std::atan2(beam.Forward, beam.Along);
+  return this->CoversAngles(alpha, beam.Beta) ||
+    (this->IsCentred && this->CoversAngles(-alpha, beam.Beta + 0.5 * FullCircle));
+}
+
+bool lms3dSensorView::CoversAngles(double alpha, double beta) const
+{
+  const double swept = this->TurnedByDegree * std::abs(alpha - this->FirstAlpha);
+  const double begun = std::max(0.0, this->TurnedByFan);
+  const double extent =
+    this->IsClosed ? FullCircle : this->BetaExtent - std::abs(this->TurnedByFan);
+  const double turn = beta - this->FirstBeta - swept - begun + BorderTolerance;
   return alpha >= this->LowestAlpha - BorderTolerance &&
     alpha <= this->HighestAlpha + BorderTolerance &&
-    turn - FullCircle * std::floor(turn / FullCircle) <= this->BetaExtent + 2.0 * BorderTolerance;
+    turn - FullCircle * std::floor(turn / FullCircle) <= extent + 2.0 * BorderTolerance;
 }

@@ -156,6 +156,23 @@ std::vector<double> lms3dSurfaceQuery::GetRangesTowards(
   return ranges;
 }
 
+std::vector<double> lms3dSurfaceQuery::GetRangesTowards(
+  const Points& origins, const Points& points, const lms3dProgress& progress) const
+{
+  std::vector<double> ranges(points.size());
+  RunInBlocks(points.size(), progress,
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const lms3dRayOrigin origin = { { origins[i][0], origins[i][1], origins[i][2] },
+          std::numeric_limits<double>::infinity() };
+        this->CastTowards(origin, &points[i], 1, &ranges[i]);
+      }
+    });
+  return ranges;
+}
+
 void lms3dSurfaceQuery::CastTowards(
   const lms3dRayOrigin& origin, const lms3dVector* points, int count, double* ranges) const
 {

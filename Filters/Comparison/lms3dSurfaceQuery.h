@@ -50,6 +50,10 @@ public:
   std::vector<double> GetRangesTowards(
     const lms3dVector& origin, const Points& points, const lms3dProgress& progress) const;
 
+  /// The same for beams with an origin each.
+  std::vector<double> GetRangesTowards(
+    const Points& origins, const Points& points, const lms3dProgress& progress) const;
+
 private:
   lms3dNearest FindNearest(const lms3dVector& point, std::uint32_t guess) const;
   void CastTowards(

@@ -103,9 +103,17 @@ lms3dPlatform lms3dGetPlatform(vtkFieldData* data)
 lms3dGridAngles lms3dGetGridAngles(vtkFieldData* data)
 {
   lms3dGridAngles angles = { GetFiniteNumbers(data, "AlphaAngles"),
-    GetFiniteNumbers(data, "BetaAngles") };
+    GetFiniteNumbers(data, "BetaAngles"), {} };
   const bool hasGrid = !angles.Alpha.empty() && !angles.Beta.empty() &&
     angles.Alpha.size() <= std::numeric_limits<int>::max() / angles.Beta.size();
+  try
+  {
+    angles.Platform = lms3dGetPlatform(data);
+  }
+  catch (const std::runtime_error&)
+  {
+    return {};
+  }
   return hasGrid ? angles : lms3dGridAngles();
 }
 

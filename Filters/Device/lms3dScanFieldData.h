@@ -15,15 +15,16 @@
 class vtkFieldData;
 class vtkPolyData;
 
-/// The axes of the grid of beams, degrees. Both are empty if a scan was stopped.
+/// The axes of the grid of beams, degrees, and the platform. The axes are empty if a scan was stopped.
 struct lms3dGridAngles
 {
   std::vector<double> Alpha;
   std::vector<double> Beta;
+  lms3dPlatform Platform;
 };
 
-/// Returns AlphaAngles and BetaAngles, or empty ones if an array is missing, empty or not finite, or if
-/// there are more than 2^31 - 1 beams.
+/// Returns AlphaAngles, BetaAngles and the platform. The axes are empty if one of them is missing, empty or
+/// not finite, if there are more than 2^31 - 1 beams, or if lms3dGetPlatform() would throw.
 lms3dGridAngles lms3dGetGridAngles(vtkFieldData* data);
 
 /// Returns the platform that the arrays Mounting, AxisOffset and TurnRate describe, each with its default

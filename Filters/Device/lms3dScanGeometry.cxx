@@ -164,7 +164,10 @@ bool lms3dScanGeometry::IsMirrored() const
 
 bool lms3dScanGeometry::IsPole(int beam) const
 {
-  return std::abs(this->AlphaAngles[beam]) == (this->Platform.IsFanAlongAxis() ? 0.0 : 90.0);
+  const lms3dVector offset =
+    lms3dToPlatformAxes(this->Platform.Mounting, this->Platform.AxisOffset);
+  return std::abs(this->AlphaAngles[beam]) == (this->Platform.IsFanAlongAxis() ? 0.0 : 90.0) &&
+    offset[0] == 0.0 && offset[1] == 0.0;
 }
 
 lms3dBeamDirections::lms3dBeamDirections(const lms3dScanGeometry& geometry, const lms3dPose& pose)

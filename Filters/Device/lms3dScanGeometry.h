@@ -100,8 +100,7 @@ public:
   /// fans along the axis: their two halves are mirror images of one another.
   bool IsMirrored() const;
 
-  /// Returns whether the beam points along the platform's axis, so that it is the same in every
-  /// turn.
+  /// Returns whether the beam lies on the platform's axis, so that it is the same in every turn.
   bool IsPole(int beam) const;
 
   /// Sine and cosine of the elevation above the platform's plane (lms3dPlatform.h), one value for each

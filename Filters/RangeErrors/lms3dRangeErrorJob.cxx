@@ -49,8 +49,9 @@ void CheckAngles(const lms3dScanInput& scan, const lms3dScanGeometry& geometry)
 {
   if (scan.GetNumberOfReturns() > 0 && !scan.HasAngles(geometry))
   {
-    throw std::runtime_error("The processes have returns of scans with different angles. Connect "
-                             "one scan, the first output of vtkLMS3DScanFilter.");
+    throw std::runtime_error(
+      "The processes have returns of scans with different angles or "
+      "platforms. Connect one scan, the first output of vtkLMS3DScanFilter.");
   }
 }
 
@@ -92,10 +93,11 @@ const lms3dScanGeometry* lms3dRangeErrorJob::GetGeometry(
     return nullptr;
   }
   if (!this->Geometry || this->Geometry->GetAlphaAngles() != angles.Alpha ||
-    this->Geometry->GetBetaAngles() != angles.Beta)
+    this->Geometry->GetBetaAngles() != angles.Beta ||
+    !(this->Geometry->GetPlatform() == angles.Platform))
   {
-    this->Geometry =
-      std::make_unique<lms3dScanGeometry>(std::move(angles.Alpha), std::move(angles.Beta));
+    this->Geometry = std::make_unique<lms3dScanGeometry>(
+      std::move(angles.Alpha), std::move(angles.Beta), angles.Platform);
   }
   return this->Geometry.get();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RangeErrors/lms3dReportedScan.h"
 
+#include "Device/lms3dBeams.h"
 #include "Kernels/lms3dPacketKernels.h"
 #include "Pipeline/lms3dPooledArray.h"
 
@@ -37,6 +38,7 @@ public:
     , Geometry(geometry)
     , Pose(scan.GetPose())
     , Directions(geometry, this->Pose)
+    , Beams(geometry, this->Pose)
     , Grid(grid)
     , Ranges(ranges)
     , Points(points)
@@ -75,6 +77,11 @@ private:
     const int beam = id % this->Geometry.GetNumberOfBeams();
     const vtkIdType count = last - first;
     std::copy_n(this->Grid + id, count, this->Ranges + first);
+    if (!this->Geometry.GetPlatform().IsCentredAndStepped())
+    {
+      this->PlaceOffAxis(first, last, turn, beam);
+      return;
+    }
     const lms3dReturnsOfTurn run = { this->Geometry.GetAlphaCosines().data() + beam,
       this->Geometry.GetAlphaSines().data() + beam, this->Ranges + first, static_cast<int>(count),
       this->Directions.GetFanAxis(turn).data(), this->Directions.GetUp().data(),
@@ -82,10 +89,22 @@ private:
     lms3dGetPacketKernels().Locate(run, this->Points + 3 * first);
   }
 
+  // Places a run whose beams start beside the axis, or at different platform angles.
+  void PlaceOffAxis(vtkIdType first, vtkIdType last, int turn, int beam) const
+  {
+    for (vtkIdType i = first; i < last; ++i, ++beam)
+    {
+      const lms3dVector point = lms3dAdd(this->Beams.GetOrigin(turn, beam),
+        lms3dScale(this->Beams.GetDirection(turn, beam), this->Ranges[i]));
+      std::copy(point.begin(), point.end(), this->Points + 3 * i);
+    }
+  }
+
   const int* const Ids;
   const lms3dScanGeometry& Geometry;
   const lms3dPose Pose;
   const lms3dBeamDirections Directions;
+  const lms3dBeams Beams;
   const double* const Grid;
   double* const Ranges;
   double* const Points;

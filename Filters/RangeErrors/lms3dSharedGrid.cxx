@@ -26,6 +26,16 @@ void Broadcast(vtkMultiProcessController* controller, int root, std::vector<doub
   numbers.resize(static_cast<std::size_t>(count));
   controller->Broadcast(numbers.data(), count, root);
 }
+
+void Broadcast(vtkMultiProcessController* controller, int root, lms3dPlatform& platform)
+{
+  const auto& [x, y, z] = platform.AxisOffset;
+  std::vector<double> numbers = { static_cast<double>(platform.Mounting), x, y, z,
+    platform.TurnRate };
+  Broadcast(controller, root, numbers);
+  platform = { static_cast<lms3dMounting>(static_cast<int>(numbers[0])),
+    { numbers[1], numbers[2], numbers[3] }, numbers[4] };
+}
 } // namespace
 
 lms3dGridAngles lms3dShareAngles(const lms3dGridAngles& mine, vtkMultiProcessController* controller)
@@ -45,6 +55,7 @@ lms3dGridAngles lms3dShareAngles(const lms3dGridAngles& mine, vtkMultiProcessCon
   lms3dGridAngles angles = mine;
   Broadcast(controller, root, angles.Alpha);
   Broadcast(controller, root, angles.Beta);
+  Broadcast(controller, root, angles.Platform);
   return angles;
 }
 

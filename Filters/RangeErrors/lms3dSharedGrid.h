@@ -16,7 +16,7 @@
 
 class vtkMultiProcessController;
 
-/// Returns the angles of the first process that has any, in all processes.
+/// Returns the angles and the platform of the first process that has angles, in all processes.
 lms3dGridAngles lms3dShareAngles(
   const lms3dGridAngles& mine, vtkMultiProcessController* controller);
 

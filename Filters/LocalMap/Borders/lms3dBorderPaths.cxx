@@ -38,7 +38,7 @@ std::vector<lms3dMinimumLinkPath::Gate> lms3dBorderPaths::GetPathGates(const Cha
     const Gates::Gate& gate = this->Gates.GetGate(edge);
     const bool isTurned = edge % 2 == 1;
     gates.push_back({ this->Sphere.GetDirection(gate.Ends[isTurned ? 1 : 0]),
-      this->Sphere.GetDirection(gate.Ends[isTurned ? 0 : 1]), isTurned ? 1.0 - gate.High : gate.Low,
+      this->BorderRanges.GetDirectionBeyond(edge), isTurned ? 1.0 - gate.High : gate.Low,
       isTurned ? 1.0 - gate.Low : gate.High, isTurned ? 1.0 - gate.Best : gate.Best });
     if (gate.Kind == Gates::DepthStep)
     {

@@ -45,10 +45,19 @@ lms3dBorderRanges::lms3dBorderRanges(
 {
 }
 
+lms3dVector lms3dBorderRanges::GetDirectionBeyond(int edge) const
+{
+  const GridIndex own = this->Gates.GetOwner(edge);
+  const GridIndex other = this->Gates.GetOwner(Gates::GetTwin(edge));
+  return this->Gates.GetGate(edge).Kind == Gates::DepthStep
+    ? this->Sphere.GetDirectionBeside(own, other)
+    : this->Sphere.GetDirection(other);
+}
+
 lms3dVector lms3dBorderRanges::GetPointInGate(int edge, double at) const
 {
   const lms3dVector own = this->Sphere.GetDirection(this->Gates.GetOwner(edge));
-  const lms3dVector other = this->Sphere.GetDirection(this->Gates.GetOwner(Gates::GetTwin(edge)));
+  const lms3dVector other = this->GetDirectionBeyond(edge);
   return lms3dAdd(lms3dScale(own, 1.0 - at), lms3dScale(other, at));
 }
 
@@ -61,7 +70,7 @@ double lms3dBorderRanges::GetExtension(int edge, double maximum) const
 {
   const GridIndex own = this->Gates.GetOwner(edge);
   const lms3dVector from = this->Sphere.GetDirection(own);
-  const lms3dVector to = this->Sphere.GetDirection(this->Gates.GetOwner(Gates::GetTwin(edge)));
+  const lms3dVector to = this->GetDirectionBeyond(edge);
   const lms3dPlane& plane = this->GetPlane(own);
   const double here = plane.GetInverseRange(from);
   const double there = plane.GetInverseRange(to);
@@ -160,6 +169,22 @@ lms3dMapVertex lms3dBorderRanges::GetVertexInCell(
   return { point.Unit, interval.Clamp(point.Mean) };
 }
 
+// The direction of a corner. Beside a depth step, corners without the junction's patches count at the range
+// of one with them.
+lms3dVector lms3dBorderRanges::GetDirectionInCell(const Cell& cell, int corners, int corner) const
+{
+  if ((corners >> corner & 1) || this->Sphere.IsRegular() || this->Gates.IsContinuous(cell))
+  {
+    return this->Sphere.GetDirection(cell.Corners[corner]);
+  }
+  int own = 0;
+  while (!(corners >> own & 1))
+  {
+    ++own;
+  }
+  return this->Sphere.GetDirectionBeside(cell.Corners[own], cell.Corners[corner]);
+}
+
 lms3dBorderRanges::CellPoint lms3dBorderRanges::GetPointInCell(
   const Cell& cell, int corners, const Weights& weights) const
 {
@@ -167,7 +192,7 @@ lms3dBorderRanges::CellPoint lms3dBorderRanges::GetPointInCell(
   lms3dVector sum = { 0.0, 0.0, 0.0 };
   for (int i = 0; i < 4; ++i)
   {
-    sum = lms3dAdd(sum, lms3dScale(this->Sphere.GetDirection(cell.Corners[i]), weights[i]));
+    sum = lms3dAdd(sum, lms3dScale(this->GetDirectionInCell(cell, corners, i), weights[i]));
   }
   point.Unit = GetUnit(sum);
   std::array<std::int32_t, 4> labels = { -1, -1, -1, -1 };

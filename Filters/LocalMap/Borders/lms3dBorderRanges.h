@@ -45,6 +45,10 @@ public:
   /// way to the other end, at most `maximum`.
   double GetExtension(int edge, double maximum) const;
 
+  /// The direction of the other end of an edge's gate. At a depth step, the other end counts at the range
+  /// of the edge's owner.
+  lms3dVector GetDirectionBeyond(int edge) const;
+
   /// The vertex in the gate of an edge, for the edge's patch. `at` is the share of the way from the
   /// owner to the other end.
   lms3dMapVertex GetVertexInGate(int edge, double at) const;
@@ -67,6 +71,7 @@ private:
   lms3dVector GetPointInGate(int edge, double at) const;
   double GetInverseAtCrease(int edge, double at, const lms3dVector& unit) const;
   const lms3dPlane& GetPlane(GridIndex index) const;
+  lms3dVector GetDirectionInCell(const Cell& cell, int corners, int corner) const;
   CellPoint GetPointInCell(const Cell& cell, int corners, const Weights& weights) const;
   double InterpolateInCell(const Cell& cell, const Weights& weights) const;
   bool AreSameSurface(double inverse, double other) const;

@@ -15,11 +15,35 @@ namespace
 // radians.
 constexpr double FacetShare = 0.25;
 constexpr double MaximumAngle = 0.2;
+// The largest share of its length that a vector along the axis has beside it.
+constexpr double AxisTolerance = 1e-12;
 // Radians by which a beam may pass outside of a triangle that it hits.
 constexpr double BeamMargin = 1e-6;
 
+// To the point of a neighbour's ray at the same range, as the sensor sees it.
+double GetAngleToNeighborOnRays(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index)
+{
+  const double range = sphere.GetRangeOnBeam(index);
+  const lms3dVector point = sphere.GetPointOnRay(index, range);
+  double nearest = MaximumAngle * lms3dGetLength(point);
+  for (int side = lms3dBeamSphere::Up; side <= lms3dBeamSphere::Left; ++side)
+  {
+    if (sphere.HasNeighbor(index, side) &&
+      !(sphere.IsPoleRow(sphere.GetRow(index)) && side % 2 == 1))
+    {
+      const lms3dVector other = sphere.GetPointOnRay(sphere.GetNeighbor(index, side), range);
+      nearest = std::min(nearest, lms3dGetLength(lms3dSubtract(other, point)));
+    }
+  }
+  return nearest / lms3dGetLength(point);
+}
+
 double GetAngleToNeighbor(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index)
 {
+  if (!sphere.IsRegular())
+  {
+    return GetAngleToNeighborOnRays(sphere, index);
+  }
   const int row = sphere.GetRow(index);
   const lms3dVector direction = sphere.GetDirection(index);
   double smallest = MaximumAngle;
@@ -40,12 +64,33 @@ double GetAngleToNeighbor(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIn
 void lms3dBoundedMap::AddFacet(
   const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range)
 {
-  const lms3dVector direction = sphere.GetDirection(index);
+  if (!sphere.IsRegular())
+  {
+    this->AddFacet(
+      lms3dScale(sphere.GetDirection(index), range), GetAngleToNeighbor(sphere, index));
+    return;
+  }
   const std::array<double, 2>& horizontal = sphere.GetHorizontal(sphere.GetColumn(index));
+  this->AddFacet(sphere.GetDirection(index), { horizontal[1], -horizontal[0], 0.0 }, range,
+    GetAngleToNeighbor(sphere, index));
+}
+
+void lms3dBoundedMap::AddFacet(const lms3dVector& point, double angle)
+{
+  const double range = lms3dGetLength(point);
+  const double level = std::hypot(point[0], point[1]);
+  const lms3dVector right = level > AxisTolerance * range
+    ? lms3dVector{ point[1] / level, -point[0] / level, 0.0 }
+    : lms3dVector{ 0.0, -1.0, 0.0 };
+  this->AddFacet(lms3dScale(point, 1.0 / range), right, range, angle);
+}
+
+void lms3dBoundedMap::AddFacet(
+  const lms3dVector& direction, const lms3dVector& right, double range, double angle)
+{
   // As the sensor sees them.
-  const lms3dVector right = { horizontal[1], -horizontal[0], 0.0 };
   const lms3dVector up = lms3dCross(right, direction);
-  const double radius = range * FacetShare * GetAngleToNeighbor(sphere, index);
+  const double radius = range * FacetShare * angle;
   constexpr double Corners[3][2] = { { -0.8660254037844386, -0.5 }, { 0.8660254037844386, -0.5 },
     { 0.0, 1.0 } };
   const std::int32_t first = static_cast<std::int32_t>(this->Points.size());

@@ -41,12 +41,19 @@ struct lms3dBoundedMap
    */
   void AddFacet(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range);
 
+  /// The same around a point that is not the origin. `angle`, radians, is that to the nearest neighbour as
+  /// the sensor sees it.
+  void AddFacet(const lms3dVector& point, double angle);
+
   /// The distance, metres, from a point to the nearest triangle that the beam through the point hits;
   /// infinite if it hits none. Looks at all triangles.
   double GetDeviation(const lms3dVector& point) const;
 
   /// Whether the sensor sees a triangle's corners counter-clockwise.
   bool IsFacing(const std::array<std::int32_t, 3>& triangle) const;
+
+  /// Adds a facet. `direction` and `right` have length 1 and a right angle between them.
+  void AddFacet(const lms3dVector& direction, const lms3dVector& right, double range, double angle);
 
   /// Removes the points that belong to no triangle and renumbers the others.
   void RemoveUnusedPoints();

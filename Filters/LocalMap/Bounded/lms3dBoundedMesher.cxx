@@ -10,7 +10,11 @@
 #include "LocalMap/Patches/lms3dPatchRelabeler.h"
 #include "LocalMap/Patches/lms3dRangeNoise.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 
 namespace
 {
@@ -28,6 +32,9 @@ constexpr double SmallScan = 256.0;
 constexpr double PatchesDone = 0.4;
 // The number of attempts in which patches may give up a few returns instead of being split.
 constexpr int ReleasingAttempts = 8;
+// The size of a facet beyond the axis, where neighbours are close together: as if a neighbour were that far
+// away, radians.
+constexpr double AngleBeyondAxis = 1e-3;
 
 double GetLargestRange(const lms3dRangeGrid& grid)
 {
@@ -41,12 +48,12 @@ double GetLargestRange(const lms3dRangeGrid& grid)
 }
 } // namespace
 
-lms3dBoundedMesher::lms3dBoundedMesher(
-  const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, double maximumError)
+lms3dBoundedMesher::lms3dBoundedMesher(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
+  double maximumError, const lms3dMapGeometry* geometry)
   : Grid(grid)
   , Joins(joins)
   , MaximumError(std::min(maximumError, GetLargestRange(grid)))
-  , Sphere(grid, joins)
+  , Sphere(grid, joins, geometry)
   , Noise(lms3dEstimateNoise(this->Sphere))
 {
 }
@@ -82,6 +89,7 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakeMap(const lms3dProgress& 
       map->LargestDeviation = std::max(map->LargestDeviation, map->GetDeviation(point));
     }
     this->CountPoles(*map);
+    this->AddReturnsBeyondAxis(*map);
   }
   return map;
 }
@@ -95,6 +103,33 @@ void lms3dBoundedMesher::CountPoles(lms3dBoundedMap& map) const
   for (const std::vector<double>& ranges : this->Grid.GetRangesOfPoles())
   {
     count += static_cast<std::int64_t>(ranges.size()) - (ranges.empty() ? 0 : 1);
+  }
+}
+
+// Adds a facet for each return beyond the axis, unless it lies within the bound of a patch.
+void lms3dBoundedMesher::AddReturnsBeyondAxis(lms3dBoundedMap& map) const
+{
+  const std::vector<lms3dBeamSphere::ReturnBeyondAxis>& returns =
+    this->Sphere.GetReturnsBeyondAxis();
+  std::vector<double> deviations(returns.size(), std::numeric_limits<double>::infinity());
+  const auto getPoint = [&](std::size_t i)
+  { return this->Sphere.GetPointOnRay(returns[i].Index, returns[i].RangeOnBeam); };
+  if (map.ReturnsOnPatches > 0)
+  {
+    tbb::parallel_for(std::size_t(0), returns.size(),
+      [&](std::size_t i) { deviations[i] = map.GetDeviation(getPoint(i)); });
+  }
+  for (std::size_t i = 0; i < returns.size(); ++i)
+  {
+    if (deviations[i] <= this->MaximumError)
+    {
+      map.LargestDeviation = std::max(map.LargestDeviation, deviations[i]);
+      ++map.ReturnsOnPatches;
+      continue;
+    }
+    const lms3dVector point = getPoint(i);
+    map.AddFacet(point, AngleBeyondAxis);
+    ++map.ReturnsOnFacets;
   }
 }
 

@@ -29,9 +29,10 @@ class lms3dBoundedMesher
 {
 public:
   /// Keeps references to the grid, which must have at least one return, and to its joins.
-  /// `maximumError` is the bound, metres, above 0. Throws std::runtime_error as lms3dBeamSphere does.
+  /// `maximumError` is the bound, metres, above 0. Without a `geometry`, beams are regular. Throws std::runtime_error as lms3dBeamSphere does.
   /// Uses the threads of the calling TBB arena.
-  lms3dBoundedMesher(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, double maximumError);
+  lms3dBoundedMesher(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, double maximumError,
+    const lms3dMapGeometry* geometry = nullptr);
 
   /// Makes the map. To be called once. There is none if `progress` returned false. Uses the threads of
   /// the calling TBB arena.
@@ -45,6 +46,7 @@ private:
   bool AreTooMany(const std::vector<int>& members) const;
   void AddFacets(const lms3dPatches& patches, lms3dBoundedMap& map) const;
   void CountPoles(lms3dBoundedMap& map) const;
+  void AddReturnsBeyondAxis(lms3dBoundedMap& map) const;
 
   const lms3dRangeGrid& Grid;
   const lms3dRangeJoins& Joins;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dBoundedOutput.h"
 
-#include "Device/lms3dScanInput.h"
 #include "Geometry/lms3dTriangleDistance.h"
+#include "LocalMap/Grid/lms3dMapScan.h"
 #include "Pipeline/lms3dArray.h"
 
 #include <vtkCellArray.h>
@@ -104,16 +104,22 @@ void AddField(vtkPolyData* map, const char* name, T value)
 } // namespace
 
 void lms3dFillBoundedOutput(
-  const lms3dScanInput& scan, const lms3dBoundedMap& bounded, vtkPolyData* map)
+  const lms3dMapScan& scan, const lms3dBoundedMap& bounded, vtkPolyData* map)
 {
-  const double* matrix = scan.GetSensorToWorld();
+  const double* matrix = scan.GetMapToWorld();
   FillPoints(bounded, matrix, map);
   FillTriangles(bounded, map);
   FillNormals(bounded, matrix, map);
   AddField<vtkIntArray>(map, "NumberOfPatches", bounded.NumberOfPatches);
-  AddField<vtkIdTypeArray>(map, "NumberOfReturns", scan.GetNumberOfReturns());
+  AddField<vtkIdTypeArray>(
+    map, "NumberOfReturns", scan.GetNumberOfReturns() + scan.GetNumberOfRepeatedReturns());
   AddField<vtkIdTypeArray>(map, "NumberOfReturnsOnPatches", bounded.ReturnsOnPatches);
   AddField<vtkIdTypeArray>(map, "NumberOfReturnsOnFacets", bounded.ReturnsOnFacets);
   AddField<vtkIdTypeArray>(map, "NumberOfReturnsOnGrid", bounded.ReturnsOnGrid);
+  if (scan.GetNumberOfRepeatedReturns() > 0)
+  {
+    AddField<vtkIdTypeArray>(
+      map, "NumberOfReturnsOnRepeatedTurns", scan.GetNumberOfRepeatedReturns());
+  }
   AddField<vtkDoubleArray>(map, "LargestDeviation", bounded.LargestDeviation);
 }

@@ -9,12 +9,12 @@
 
 #include "LocalMap/Bounded/lms3dBoundedMap.h"
 
-class lms3dScanInput;
+class lms3dMapScan;
 class vtkPolyData;
 
 /// Fills the arrays that the public header of vtkLMS3DSurfaceReconstructionFilter lists for a bounded map.
 /// Points are in world coordinates, metres. `map` must be empty.
 void lms3dFillBoundedOutput(
-  const lms3dScanInput& scan, const lms3dBoundedMap& bounded, vtkPolyData* map);
+  const lms3dMapScan& scan, const lms3dBoundedMap& bounded, vtkPolyData* map);
 
 #endif

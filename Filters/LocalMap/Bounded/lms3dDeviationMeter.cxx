@@ -70,18 +70,16 @@ void lms3dDeviationMeter::Measure(
   const lms3dTriangleRasterizer beams(this->Sphere, a, b, c, Margin);
   const auto measure = [&](int column, int first, int last)
   {
-    const lms3dColumnPlane inColumn(beams.GetPlane(), this->Sphere, column);
+    const lms3dTriangleRasterizer::ColumnRanges hits(beams, column);
     const GridIndex start = this->Sphere.GetIndex(column, 0);
     for (int row = first; row <= last; ++row)
     {
       const GridIndex index = start + row;
-      const double range = this->Sphere.GetRange(index);
-      const double inverse =
-        inColumn.GetInverseRange(this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]);
       if (this->Patches.Labels[index] == part.Patch && !this->Sphere.IsPoleRow(row) &&
-        !(std::abs(range - 1.0 / inverse) <= threshold))
+        !(std::abs(this->Sphere.GetRangeOnBeam(index) - hits.GetRange(row)) <= threshold))
       {
-        const lms3dVector point = lms3dScale(this->Sphere.GetDirection(index), range);
+        const lms3dVector point =
+          lms3dScale(this->Sphere.GetDirection(index), this->Sphere.GetRange(index));
         distances.emplace_back(index, lms3dGetDistance(point, a.Position, b.Position, c.Position));
       }
     }

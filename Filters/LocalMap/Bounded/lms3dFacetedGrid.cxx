@@ -8,10 +8,15 @@
 #include <algorithm>
 #include <utility>
 
-// The grid index of each vertex.
+namespace
+{
+constexpr lms3dBeamSphere::GridIndex NoIndex = -1;
+} // namespace
+
+// The grid index of each vertex, or NoIndex for a return beyond the axis.
 std::vector<lms3dFacetedGrid::GridIndex> lms3dFacetedGrid::FindIndices() const
 {
-  std::vector<GridIndex> indices(this->Grid.GetReturns().size());
+  std::vector<GridIndex> indices(this->Grid.GetReturns().size(), NoIndex);
   for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
     const int turn = this->Sphere.GetTurn(index);
@@ -80,15 +85,16 @@ lms3dBoundedMap lms3dFacetedGrid::MakeMap() const
   map.Points.reserve(indices.size());
   for (GridIndex index : indices)
   {
-    map.Points.push_back(
-      lms3dScale(this->Sphere.GetDirection(index), this->Sphere.GetRange(index)));
+    map.Points.push_back(index == NoIndex
+        ? lms3dVector{ 0.0, 0.0, 0.0 }
+        : lms3dScale(this->Sphere.GetDirection(index), this->Sphere.GetRange(index)));
   }
   const std::vector<bool> isUsed = this->AddTriangles(map);
   map.PatchIds.assign(map.Triangles.size(), lms3dBoundedMap::NoPatch);
   map.ReturnsOnGrid = std::count(isUsed.begin(), isUsed.end(), true);
   for (std::size_t vertex = 0; vertex < isUsed.size(); ++vertex)
   {
-    if (!isUsed[vertex])
+    if (!isUsed[vertex] && indices[vertex] != NoIndex)
     {
       map.AddFacet(this->Sphere, indices[vertex], this->Sphere.GetRange(indices[vertex]));
       ++map.ReturnsOnFacets;

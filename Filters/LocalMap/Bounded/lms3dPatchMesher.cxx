@@ -170,17 +170,15 @@ bool lms3dPatchMesher::CheckTriangle(Work& work, int triangle)
   const lms3dTriangleRasterizer beams(this->Sphere, work.Triangulation.GetVertex(corners[0]),
     work.Triangulation.GetVertex(corners[1]), work.Triangulation.GetVertex(corners[2]));
   bool areOwn = true;
-  beams.ForEachColumn(
-    [&](int column, int first, int last) {
-      areOwn = areOwn && this->CheckBeams(work, triangle, beams.GetPlane(), column, first, last);
-    });
+  beams.ForEachColumn([&](int column, int first, int last)
+    { areOwn = areOwn && this->CheckBeams(work, triangle, beams, column, first, last); });
   return areOwn;
 }
 
 bool lms3dPatchMesher::CheckBeams(
-  Work& work, int triangle, const lms3dPlane& plane, int column, int first, int last)
+  Work& work, int triangle, const lms3dTriangleRasterizer& beams, int column, int first, int last)
 {
-  const lms3dColumnPlane inColumn(plane, this->Sphere, column);
+  const lms3dTriangleRasterizer::ColumnRanges ranges(beams, column);
   const GridIndex start = this->Sphere.GetIndex(column, 0);
   double largest = work.Triangles[triangle].Deviation;
   for (int row = first; row <= last; ++row)
@@ -199,17 +197,16 @@ bool lms3dPatchMesher::CheckBeams(
       this->States[index] = IsCovered;
       ++work.Covered;
     }
-    const double inverse =
-      inColumn.GetInverseRange(this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]);
+    const double hit = ranges.GetRange(row);
     const double deviation =
-      std::abs(this->Sphere.GetRange(index) - 1.0 / inverse) + this->Sphere.GetPoleHalfSpread(row);
+      std::abs(this->Sphere.GetRangeOnBeam(index) - hit) + this->Sphere.GetPoleHalfSpread(row);
     if (deviation <= this->MaximumError)
     {
       largest = std::max(largest, deviation);
     }
     else if (this->States[index] != IsVertex)
     {
-      work.AddViolation({ index, triangle, 1.0 / inverse, deviation });
+      work.AddViolation({ index, triangle, hit, deviation });
     }
   }
   work.Triangles[triangle].Deviation = largest;
@@ -229,7 +226,8 @@ bool lms3dPatchMesher::InsertBeams(Work& work)
     const double range = this->Sphere.GetRange(violation.Beam);
     const double halfSpread = this->Sphere.GetPoleHalfSpread(this->Sphere.GetRow(violation.Beam));
     const double lift = std::max(0.0, this->MaximumLift - halfSpread);
-    const double lifted = violation.Range > range ? range + lift : range - lift;
+    const double lifted =
+      violation.Range > this->Sphere.GetRangeOnBeam(violation.Beam) ? range + lift : range - lift;
     const bool isLiftable = lifted > 0.0 && violation.Range > 0.0;
     if (!work.Triangulation.Insert(
           { this->Sphere.GetDirection(violation.Beam), 1.0 / (isLiftable ? lifted : range) },

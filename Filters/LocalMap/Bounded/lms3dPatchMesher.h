@@ -64,8 +64,8 @@ private:
   bool Refine(Work& work);
   bool Check(Work& work);
   bool CheckTriangle(Work& work, int triangle);
-  bool CheckBeams(
-    Work& work, int triangle, const lms3dPlane& plane, int column, int first, int last);
+  bool CheckBeams(Work& work, int triangle, const lms3dTriangleRasterizer& beams, int column,
+    int first, int last);
   bool InsertBeams(Work& work);
   std::vector<GridIndex> FindUncovered(int patch) const;
 

@@ -33,19 +33,78 @@ lms3dTriangleRasterizer::lms3dTriangleRasterizer(const lms3dBeamSphere& sphere,
   const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c,
   double margin)
   : Sphere(sphere)
+  , Edges(MakeEdges(a.Position, b.Position, c.Position))
+  , Corners{ a.Position, b.Position, c.Position }
+  , Margin(margin)
 {
-  this->Edges[0] = lms3dCross(b.Position, a.Position);
-  this->Edges[1] = lms3dCross(c.Position, b.Position);
-  this->Edges[2] = lms3dCross(a.Position, c.Position);
   for (int i = 0; i < 3; ++i)
   {
     this->Margins[i] = margin > 0.0 ? margin * lms3dGetLength(this->Edges[i]) : 0.0;
   }
   // The sum of the edges' normals is the normal of the triangle.
   const lms3dVector normal = lms3dAdd(lms3dAdd(this->Edges[0], this->Edges[1]), this->Edges[2]);
+  this->Normal = normal;
   const double offset = lms3dDot(normal, a.Position);
   this->Plane = { { normal[0] / offset, normal[1] / offset, normal[2] / offset } };
   this->FindColumns(a, b, c);
+}
+
+lms3dTriangleRasterizer::Edges3 lms3dTriangleRasterizer::MakeEdges(
+  const lms3dVector& a, const lms3dVector& b, const lms3dVector& c)
+{
+  return { lms3dCross(b, a), lms3dCross(c, b), lms3dCross(a, c) };
+}
+
+bool lms3dTriangleRasterizer::IsHitByRay(lms3dBeamSphere::GridIndex index) const
+{
+  const lms3dMapRay& ray = this->Sphere.GetRays()[index];
+  const bool isFromOrigin = ray.Origin == lms3dVector{ 0.0, 0.0, 0.0 };
+  const Edges3 edges = isFromOrigin
+    ? this->Edges
+    : MakeEdges(lms3dSubtract(this->Corners[0], ray.Origin),
+        lms3dSubtract(this->Corners[1], ray.Origin), lms3dSubtract(this->Corners[2], ray.Origin));
+  return std::all_of(edges.begin(), edges.end(),
+           [&](const lms3dVector& edge)
+           {
+             const double side = lms3dDot(edge, ray.Direction);
+             return side >= 0.0 ||
+               (this->Margin > 0.0 && side >= -this->Margin * lms3dGetLength(edge));
+           }) &&
+    this->GetRangeOnRay(index) > 0.0;
+}
+
+double lms3dTriangleRasterizer::GetRangeOnRay(lms3dBeamSphere::GridIndex index) const
+{
+  const lms3dMapRay& ray = this->Sphere.GetRays()[index];
+  return lms3dDot(this->Normal, lms3dSubtract(this->Corners[0], ray.Origin)) /
+    lms3dDot(this->Normal, ray.Direction);
+}
+
+// The distance of an edge from the axis.
+double lms3dTriangleRasterizer::GetDistanceFromAxis(const lms3dVector& a, const lms3dVector& b)
+{
+  const double x = b[0] - a[0];
+  const double y = b[1] - a[1];
+  const double square = x * x + y * y;
+  const double share = square > 0.0 ? std::clamp(-(a[0] * x + a[1] * y) / square, 0.0, 1.0) : 0.0;
+  return std::hypot(a[0] + share * x, a[1] + share * y);
+}
+
+// The largest angle about the axis between a point of the triangle and the column of the beam that hits it.
+double lms3dTriangleRasterizer::GetParallax(
+  const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c) const
+{
+  if (this->Sphere.IsRegular())
+  {
+    return 0.0;
+  }
+  const double offset = this->Sphere.GetRays().GetLargestOffset();
+  const double nearest = std::min({ GetDistanceFromAxis(a.Position, b.Position),
+    GetDistanceFromAxis(b.Position, c.Position), GetDistanceFromAxis(c.Position, a.Position) });
+  return this->Sphere.GetRays().GetLargestTurn() +
+    (offset < nearest  ? std::asin(offset / nearest)
+        : offset > 0.0 ? lms3dPi
+                       : 0.0);
 }
 
 void lms3dTriangleRasterizer::FindColumns(
@@ -59,16 +118,21 @@ void lms3dTriangleRasterizer::FindColumns(
   const double bc = GetAngleBetween(b.Azimuth, c.Azimuth);
   const double ca = GetAngleBetween(c.Azimuth, a.Azimuth);
   const double longest = std::max({ std::abs(ab), std::abs(bc), std::abs(ca) });
+  const double tolerance = AzimuthTolerance + this->GetParallax(a, b, c);
   // The triangle may contain a pole: all columns.
   if (a.IsPole || b.IsPole || c.IsPole || std::abs(ab + bc + ca) > lms3dPi ||
     longest > lms3dPi - AzimuthTolerance)
   {
     return;
   }
-  double low = a.Azimuth + std::min({ 0.0, ab, ab + bc }) - AzimuthTolerance;
   const double width = std::max({ 0.0, ab, ab + bc }) - std::min({ 0.0, ab, ab + bc });
+  if (width + 2.0 * tolerance >= 2.0 * lms3dPi)
+  {
+    return;
+  }
+  double low = a.Azimuth + std::min({ 0.0, ab, ab + bc }) - tolerance;
   low -= 2.0 * lms3dPi * std::floor((low - azimuths.front()) / (2.0 * lms3dPi));
-  const double high = low + width + 2.0 * AzimuthTolerance;
+  const double high = low + width + 2.0 * tolerance;
   const auto first = std::lower_bound(azimuths.begin(), azimuths.end(), low);
   const auto last = std::upper_bound(first, azimuths.end(), high);
   const auto wrapped = std::upper_bound(azimuths.begin(), first, high - 2.0 * lms3dPi);

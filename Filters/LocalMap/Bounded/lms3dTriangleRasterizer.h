@@ -10,6 +10,8 @@
 #include "LocalMap/Patches/lms3dBeamSphere.h"
 #include "LocalMap/Patches/lms3dPlane.h"
 
+#include <array>
+
 /// A corner of a triangle, with what all triangles at it share.
 struct lms3dTriangleCorner
 {
@@ -29,6 +31,9 @@ struct lms3dTriangleCorner
  * one edge to where it crosses another. Triangles that share an edge compute the same numbers for it,
  * so no beam falls between them; a beam on a shared edge hits both.
  *
+ * If beams are not regular, each beam is tested by itself, from where it starts. Triangles that share an edge
+ * compute the same numbers then, too.
+ *
  * The triangle must face the sensor and lie within a half-space in front of it.
  */
 class lms3dTriangleRasterizer
@@ -39,8 +44,29 @@ public:
   lms3dTriangleRasterizer(const lms3dBeamSphere& sphere, const lms3dTriangleCorner& a,
     const lms3dTriangleCorner& b, const lms3dTriangleCorner& c, double margin = 0.0);
 
-  /// The plane of the triangle.
-  const lms3dPlane& GetPlane() const { return this->Plane; }
+  /// The range at which the beam of a row, in one column, meets the plane of the triangle, from the start of
+  /// the beam, metres.
+  class ColumnRanges
+  {
+  public:
+    ColumnRanges(const lms3dTriangleRasterizer& triangle, int column)
+      : Triangle(triangle)
+      , Plane(triangle.Plane, triangle.Sphere, column)
+      , Start(triangle.Sphere.GetIndex(column, 0))
+    {
+    }
+
+    double GetRange(int row) const
+    {
+      return this->Triangle.Sphere.IsRegular() ? 1.0 / this->Plane.GetInverseRange(row)
+                                               : this->Triangle.GetRangeOnRay(this->Start + row);
+    }
+
+  private:
+    const lms3dTriangleRasterizer& Triangle;
+    const lms3dColumnPlane Plane;
+    const lms3dBeamSphere::GridIndex Start;
+  };
 
   /// Calls visit(column, firstRow, lastRow), rows included, for each column with beams that hit.
   template <typename Visitor>
@@ -51,7 +77,11 @@ public:
     for (int i = 0; i < this->NumberOfColumns; ++i)
     {
       int firstRow, lastRow;
-      if (this->FindRows(column, firstRow, lastRow))
+      if (!this->Sphere.IsRegular())
+      {
+        this->ForEachRay(column, visit);
+      }
+      else if (this->FindRows(column, firstRow, lastRow))
       {
         visit(column, firstRow, lastRow);
       }
@@ -60,6 +90,28 @@ public:
   }
 
 private:
+  using Edges3 = std::array<lms3dVector, 3>;
+
+  static Edges3 MakeEdges(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c);
+  static double GetDistanceFromAxis(const lms3dVector& a, const lms3dVector& b);
+
+  template <typename Visitor>
+  void ForEachRay(int column, const Visitor& visit) const
+  {
+    const lms3dBeamSphere::GridIndex start = this->Sphere.GetIndex(column, 0);
+    for (int row = 0; row < this->Sphere.GetNumberOfRows(); ++row)
+    {
+      if (this->IsHitByRay(start + row))
+      {
+        visit(column, row, row);
+      }
+    }
+  }
+
+  bool IsHitByRay(lms3dBeamSphere::GridIndex index) const;
+  double GetRangeOnRay(lms3dBeamSphere::GridIndex index) const;
+  double GetParallax(
+    const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c) const;
   void FindColumns(
     const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c);
   bool FindRows(int column, int& first, int& last) const;
@@ -67,9 +119,13 @@ private:
   const lms3dBeamSphere& Sphere;
   lms3dPlane Plane;
   /// Normals of the planes through the sensor and an edge. Beams inside lie on their positive sides.
-  lms3dVector Edges[3];
+  Edges3 Edges;
+  /// The corners, and a normal towards the origin, of any length.
+  Edges3 Corners;
+  lms3dVector Normal;
   /// How far below 0 the product of an edge and a beam of length 1 may be.
   double Margins[3];
+  double Margin;
   int FirstColumn;
   int NumberOfColumns;
 };

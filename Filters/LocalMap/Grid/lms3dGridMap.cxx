@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Grid/lms3dGridMap.h"
 
-#include "Device/lms3dScanInput.h"
 #include "LocalMap/Grid/lms3dGridNormals.h"
+#include "LocalMap/Grid/lms3dMapScan.h"
 #include "Pipeline/lms3dPooledArray.h"
 
 #include <vtkCellArray.h>
@@ -118,13 +118,13 @@ int CheckNumber(std::int64_t triangles)
 }
 } // namespace
 
-void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
+void lms3dGridMap::Fill(const lms3dMapScan& scan, const lms3dRangeGrid& grid,
   const lms3dRangeJoins& joins, const lms3dProgress& progress, vtkPolyData* map)
 {
   const vtkIdType vertices = static_cast<vtkIdType>(grid.GetReturns().size());
   const auto coordinates = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Points", vertices, 3);
   const auto ranges = lms3dMakeArray<vtkDoubleArray>(this->Pool, "Range", vertices);
-  const VertexArrays out = { scan.GetPoints(), scan.GetRanges(), coordinates->GetPointer(0),
+  const VertexArrays out = { scan.GetPoints(), scan.GetDistances(), coordinates->GetPointer(0),
     ranges->GetPointer(0) };
   this->Points.SetShape(grid);
   tbb::parallel_for(
@@ -141,8 +141,7 @@ void lms3dGridMap::Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid,
     return;
   }
   const auto normals = lms3dMakeArray<vtkFloatArray>(this->Pool, "Normals", vertices, 3);
-  lms3dFillNormals(
-    grid, this->Mesher, this->Points, scan.GetSensorPosition(), normals->GetPointer(0));
+  lms3dFillNormals(grid, this->Mesher, this->Points, scan.GetOrigin(), normals->GetPointer(0));
 
   vtkNew<vtkPoints> mapPoints;
   mapPoints->SetData(coordinates);

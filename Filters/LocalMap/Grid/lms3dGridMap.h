@@ -13,7 +13,7 @@
 
 #include <vtkSmartPointer.h>
 
-class lms3dScanInput;
+class lms3dMapScan;
 class vtkCellArray;
 class vtkPolyData;
 
@@ -28,7 +28,7 @@ public:
    * of the scan. Throws std::runtime_error, with a message for the user, if there are too many triangles
    * for 32-bit cells.
    */
-  void Fill(const lms3dScanInput& scan, const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
+  void Fill(const lms3dMapScan& scan, const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
     const lms3dProgress& progress, vtkPolyData* map);
 
 private:

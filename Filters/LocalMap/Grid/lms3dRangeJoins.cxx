@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Grid/lms3dRangeJoins.h"
 
+#include "LocalMap/Grid/lms3dSteadyFans.h"
 #include "LocalMap/Grid/lms3dTurnClassifier.h"
 
 #include <tbb/parallel_for.h>
@@ -31,9 +32,9 @@ struct TurnJoins
   }
 };
 
-void ClassifyFan(const lms3dRangeGrid& grid, const lms3dDepthStep& step, TurnJoins& found)
+void ClassifyFan(
+  const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step, TurnJoins& found)
 {
-  const double* ranges = grid.GetRanges(found.Turn);
   for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
   {
     found.Add(beam, lms3dRangeJoins::AlongFan, step.Classify(ranges + beam));
@@ -55,8 +56,10 @@ void ClassifyTurn(
 }
 } // namespace
 
-void lms3dRangeJoins::Find(const lms3dRangeGrid& grid, double depthStep)
+void lms3dRangeJoins::Find(
+  const lms3dRangeGrid& grid, double depthStep, const lms3dMapGeometry* mapGeometry)
 {
+  const bool areFansSteady = !mapGeometry || !mapGeometry->GetTurnedSteps(0);
   const lms3dScanGeometry& geometry = grid.GetGeometry();
   const lms3dDepthStep fanStep(depthStep, geometry.GetAlphaStep());
   const lms3dDepthStep turnStep(depthStep, geometry.GetBetaStep());
@@ -72,12 +75,71 @@ void lms3dRangeJoins::Find(const lms3dRangeGrid& grid, double depthStep)
       found.UncertainJoins.clear();
       if (grid.HasReturns(turn))
       {
-        ClassifyFan(grid, fanStep, found);
+        if (areFansSteady)
+        {
+          ClassifyFan(grid, grid.GetRanges(turn), fanStep, found);
+        }
         ClassifyTurn(grid, lms3dTurnClassifier(grid, turn, turnStep, tilts), found);
       }
     });
+  if (!areFansSteady)
+  {
+    this->FindAlongSteadyFans(grid, fanStep, *mapGeometry);
+  }
   this->ResolveUncertainJoins(grid);
+  if (mapGeometry && mapGeometry->GetDistanceFromAxis() > 0.0)
+  {
+    this->SeparateBeyondAxis(grid, *mapGeometry);
+  }
   this->Flags.FillHalo(grid.IsClosed());
+}
+
+// To be called after all turns are joined: reads the joins along them.
+void lms3dRangeJoins::FindAlongSteadyFans(
+  const lms3dRangeGrid& grid, const lms3dDepthStep& step, const lms3dMapGeometry& geometry)
+{
+  // Halos of two beams on either side.
+  std::vector<double> ranges(static_cast<std::size_t>(grid.GetNumberOfBeams()) + 4);
+  const lms3dSteadyFans fans(grid, geometry, this->Flags);
+  for (int turn = 0; turn < grid.GetNumberOfTurns(); ++turn)
+  {
+    if (grid.HasReturns(turn))
+    {
+      fans.Fill(turn, ranges.data() + 2);
+      TurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn] };
+      ClassifyFan(grid, ranges.data() + 2, step, found);
+    }
+  }
+}
+
+void lms3dRangeJoins::SeparateBeyondAxis(
+  const lms3dRangeGrid& grid, const lms3dMapGeometry& geometry)
+{
+  for (int turn = 0; turn < grid.GetNumberOfTurns(); ++turn)
+  {
+    for (int beam = 0; beam < grid.GetNumberOfBeams(); ++beam)
+    {
+      if (grid.HasReturn(turn, beam) &&
+        geometry.IsBeyondAxis(turn, beam, grid.GetRange(turn, beam)))
+      {
+        this->Separate(grid, turn, beam);
+      }
+    }
+  }
+}
+
+void lms3dRangeJoins::Separate(const lms3dRangeGrid& grid, int turn, int beam)
+{
+  const auto clear = [this](int row, int column, Flag flag)
+  { this->Flags.GetRow(row)[column] &= static_cast<std::uint8_t>(~flag); };
+  const int turns = grid.GetNumberOfTurns();
+  clear(turn, beam, AlongFan);
+  clear(turn, beam, AlongTurn);
+  clear((turn + turns - 1) % turns, beam, AlongTurn);
+  if (beam > 0)
+  {
+    clear(turn, beam - 1, AlongFan);
+  }
 }
 
 // Joins all uncertain neighbours first, then separates those beside a gap, one after the other. Any order

@@ -8,6 +8,7 @@
 #define lms3dRangeJoins_h
 
 #include "LocalMap/Grid/lms3dDepthStep.h"
+#include "LocalMap/Grid/lms3dMapGeometry.h"
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 
 #include <cstdint>
@@ -19,7 +20,9 @@
  * around them: the three other sides of both adjacent cells are joined. So the silhouette of an object,
  * which ends at a certain depth step, is not joined.
  *
- * The entries of a pole are one vertex and not joined from turn to turn. The halo of the grid can be read
+ * The entries of a pole are one vertex and not joined from turn to turn. Ranges count from where the beams
+ * start. If the platform turns during a fan, neighbours in the fan are compared at one platform angle
+ * (lms3dSteadyFans). Returns beyond the axis (lms3dMapGeometry) are not joined with any other. The halo of the grid can be read
  * as well (lms3dPaddedGrid).
  */
 class lms3dRangeJoins
@@ -34,8 +37,9 @@ public:
   };
 
   /// Finds all joins. `depthStep` is metres, at least 0. Reuses the memory. Uses the threads of the
-  /// calling TBB arena.
-  void Find(const lms3dRangeGrid& grid, double depthStep);
+  /// calling TBB arena. Without a `geometry`, beams are regular.
+  void Find(
+    const lms3dRangeGrid& grid, double depthStep, const lms3dMapGeometry* geometry = nullptr);
 
   /// The flags for each beam of a turn.
   const std::uint8_t* GetRow(int turn) const { return this->Flags.GetRow(turn); }
@@ -49,6 +53,10 @@ public:
   };
 
 private:
+  void FindAlongSteadyFans(
+    const lms3dRangeGrid& grid, const lms3dDepthStep& step, const lms3dMapGeometry& geometry);
+  void SeparateBeyondAxis(const lms3dRangeGrid& grid, const lms3dMapGeometry& geometry);
+  void Separate(const lms3dRangeGrid& grid, int turn, int beam);
   void ResolveUncertainJoins(const lms3dRangeGrid& grid);
   bool DropBesideGap(const lms3dRangeGrid& grid, const UncertainJoin& join);
   bool IsWholeAround(const lms3dRangeGrid& grid, const UncertainJoin& join) const;

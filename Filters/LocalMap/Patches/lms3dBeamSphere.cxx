@@ -17,16 +17,21 @@ namespace
 {
 // The step around a single beam, which has no step of its own, degrees.
 constexpr double DefaultStep = 1.0;
+// The range at which a beam counts if no neighbour has a return, metres.
+constexpr double DefaultRange = 1000.0;
 } // namespace
 
-lms3dBeamSphere::lms3dBeamSphere(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins)
+lms3dBeamSphere::lms3dBeamSphere(
+  const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, const lms3dMapGeometry* mapGeometry)
 {
   const lms3dScanGeometry& geometry = grid.GetGeometry();
+  const bool isRegular = !mapGeometry || mapGeometry->IsRegular();
   double alphaStep = std::abs(geometry.GetAlphaStep());
   double betaStep = std::abs(geometry.GetBetaStep());
   alphaStep = alphaStep > 0.0 ? alphaStep : (betaStep > 0.0 ? betaStep : DefaultStep);
   betaStep = betaStep > 0.0 ? betaStep : alphaStep;
-  this->MakeRows(geometry.GetAlphaAngles(), alphaStep);
+  this->MakeRows(
+    geometry.GetAlphaAngles(), alphaStep, isRegular || mapGeometry->GetDistanceFromAxis() == 0.0);
   this->MakeColumns(geometry.GetBetaAngles(), betaStep, grid.IsClosed());
   CheckSize(static_cast<std::int64_t>(this->RowLines.size()),
     static_cast<std::int64_t>(this->ColumnLines.size()));
@@ -34,6 +39,10 @@ lms3dBeamSphere::lms3dBeamSphere(const lms3dRangeGrid& grid, const lms3dRangeJoi
   this->Columns = static_cast<int>(this->ColumnLines.size());
   this->LastColumn = this->Rows * (this->Columns - 1);
   this->Fill(grid);
+  if (!isRegular)
+  {
+    this->FollowRays(*mapGeometry);
+  }
   this->Join(grid, joins);
 }
 
@@ -48,9 +57,9 @@ void lms3dBeamSphere::CheckSize(std::int64_t rows, std::int64_t columns)
   }
 }
 
-void lms3dBeamSphere::MakeRows(const std::vector<double>& angles, double step)
+void lms3dBeamSphere::MakeRows(const std::vector<double>& angles, double step, bool arePoles)
 {
-  const std::vector<lms3dGridLine> lines = lms3dMakeRowLines(angles, step);
+  const std::vector<lms3dGridLine> lines = lms3dMakeRowLines(angles, step, arePoles);
   // The halo surrounds rows that are not poles.
   this->LowestIsPole = lines.front().ScanIndex >= 0;
   this->HighestIsPole = lines.back().ScanIndex >= 0;
@@ -109,11 +118,60 @@ int lms3dBeamSphere::FillColumn(const lms3dRangeGrid& grid, int column)
   return returns;
 }
 
+// Replaces ranges along beams by distances from the origin.
+void lms3dBeamSphere::FollowRays(const lms3dMapGeometry& geometry)
+{
+  this->Rays = std::make_unique<lms3dBeamRays>(geometry, this->RowLines, this->ColumnLines);
+  this->InterlacedRows = geometry.GetInterlacedBeams();
+  this->RangesOnBeams = this->Ranges;
+  this->Directions.resize(this->Ranges.size());
+  for (GridIndex index = 0; index < this->GetSize(); ++index)
+  {
+    const double range = this->Ranges[index];
+    const lms3dVector point = this->GetPointOnRay(index, range);
+    const double distance = lms3dGetLength(point);
+    const bool isPole = this->IsPoleRow(this->GetRow(index));
+    const bool isBeyond = range > 0.0 && !isPole &&
+      (distance == 0.0 || geometry.IsBeyondAxis(this->GetTurn(index), this->GetBeam(index), range));
+    if (isBeyond)
+    {
+      this->ReturnsBeyondAxis.push_back({ index, range });
+      this->RangesOnBeams[index] = 0.0;
+      --this->Returns;
+    }
+    this->Ranges[index] = range > 0.0 && !isBeyond ? distance : 0.0;
+    this->Directions[index] = lms3dNormalize(point);
+  }
+  this->PointAtNeighbors();
+}
+
+// Without a return, the direction of a beam depends on how far it goes.
+void lms3dBeamSphere::PointAtNeighbors()
+{
+  for (GridIndex index = 0; index < this->GetSize(); ++index)
+  {
+    double range = this->RangesOnBeams[index];
+    for (int side = Up; side <= Left && range == 0.0; ++side)
+    {
+      range =
+        this->HasNeighbor(index, side) ? this->RangesOnBeams[this->GetNeighbor(index, side)] : 0.0;
+    }
+    if (this->Ranges[index] == 0.0)
+    {
+      this->Directions[index] = this->GetDirectionAt(index, range > 0.0 ? range : DefaultRange);
+    }
+  }
+}
+
 void lms3dBeamSphere::SetPole(int row, double nearest, double farthest)
 {
   for (int column = 0; column < this->Columns; ++column)
   {
     this->Ranges[this->GetIndex(column, row)] = 0.5 * (nearest + farthest);
+    if (this->Rays)
+    {
+      this->RangesOnBeams[this->GetIndex(column, row)] = 0.5 * (nearest + farthest);
+    }
   }
   this->PoleHalfSpreads[row] = 0.5 * (farthest - nearest);
 }

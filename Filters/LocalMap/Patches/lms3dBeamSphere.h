@@ -10,15 +10,17 @@
 #include "Geometry/lms3dVector.h"
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 #include "LocalMap/Grid/lms3dRangeJoins.h"
+#include "LocalMap/Patches/lms3dBeamRays.h"
 #include "LocalMap/Patches/lms3dGridLines.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 /**
  * Rows have growing elevations and columns growing platform angles, whichever way the device turned.
- * Directions are in the sensor frame (lms3dScanGeometry.h), ranges in metres, angles in radians.
+ * Directions are in the frame of the map (lms3dMapGeometry), ranges in metres, angles in radians.
  *
  * Where the scan ends, a halo of directions without returns continues it. Therefore
  *
@@ -30,6 +32,10 @@
  * the same return.
  *
  * A GridIndex numbers the entries column by column, each from the lowest row to the highest.
+ *
+ * Beams that are not regular (lms3dMapGeometry) keep their places in the grid, but start and point anywhere.
+ * Range and direction of such an entry are those of its return, seen from the origin of the frame. Its beam
+ * itself is a ray. Returns beyond the axis have no place: their entries have no return.
  */
 class lms3dBeamSphere
 {
@@ -55,8 +61,10 @@ public:
    * Copies what it needs. Uses the threads of the calling TBB arena. Throws std::runtime_error, with a
    * message for the user, if the angles are not strictly monotonic, if elevations exceed 90 degrees, if
    * platform angles span a full circle or more without being closed, or if the grid would be too large.
+   * Without a `geometry`, beams are regular.
    */
-  lms3dBeamSphere(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins);
+  lms3dBeamSphere(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
+    const lms3dMapGeometry* geometry = nullptr);
 
   /// Throws std::runtime_error, with a message for the user, if a grid of these numbers of rows and
   /// columns has more than MaximumSize entries.
@@ -146,13 +154,60 @@ public:
   /// the row's sine times the z axis.
   const std::array<double, 2>& GetHorizontal(int column) const { return this->Horizontals[column]; }
 
-  /// A unit vector.
+  /// A unit vector. Without a return, beams that are not regular have the direction of the point at the
+  /// range of a neighbour.
   lms3dVector GetDirection(GridIndex index) const
   {
+    if (this->Rays)
+    {
+      return this->Directions[index];
+    }
     const std::array<double, 2>& horizontal = this->Horizontals[this->GetColumn(index)];
     const int row = this->GetRow(index);
     return { this->Cosines[row] * horizontal[0], this->Cosines[row] * horizontal[1],
       this->Sines[row] };
+  }
+
+  ///@{
+  /// Whether all beams start at the origin, at the elevation of their row and the angle of their column.
+  /// If not, the ray of each beam.
+  bool IsRegular() const { return !this->Rays; }
+  const lms3dBeamRays& GetRays() const { return *this->Rays; }
+  ///@}
+
+  /// The range from the start of the beam, metres; 0 without a return.
+  double GetRangeOnBeam(GridIndex index) const
+  {
+    return this->Rays ? this->RangesOnBeams[index] : this->Ranges[index];
+  }
+
+  /// The direction of the point where the beam `other` would meet a surface at the range of `own`, which
+  /// has a return.
+  lms3dVector GetDirectionBeside(GridIndex own, GridIndex other) const
+  {
+    return this->Rays ? this->GetDirectionAt(other, this->RangesOnBeams[own])
+                      : this->GetDirection(other);
+  }
+
+  /// The point on a beam at a range from the start of the beam. Beams must not be regular.
+  lms3dVector GetPointOnRay(GridIndex index, double range) const
+  {
+    const lms3dMapRay& ray = (*this->Rays)[index];
+    return lms3dAdd(ray.Origin, lms3dScale(ray.Direction, range));
+  }
+
+  /// In a column, rows that many apart were measured in the same turn of the mirror.
+  int GetInterlacedRows() const { return this->InterlacedRows; }
+
+  /// A return beyond the axis.
+  struct ReturnBeyondAxis
+  {
+    GridIndex Index;
+    double RangeOnBeam;
+  };
+  const std::vector<ReturnBeyondAxis>& GetReturnsBeyondAxis() const
+  {
+    return this->ReturnsBeyondAxis;
   }
 
 private:
@@ -162,10 +217,16 @@ private:
     JoinedRight = 2
   };
 
-  void MakeRows(const std::vector<double>& angles, double step);
+  void MakeRows(const std::vector<double>& angles, double step, bool arePoles);
   void MakeColumns(const std::vector<double>& angles, double step, bool isClosed);
   void Fill(const lms3dRangeGrid& grid);
   int FillColumn(const lms3dRangeGrid& grid, int column);
+  void FollowRays(const lms3dMapGeometry& geometry);
+  void PointAtNeighbors();
+  lms3dVector GetDirectionAt(GridIndex index, double range) const
+  {
+    return lms3dNormalize(this->GetPointOnRay(index, range));
+  }
   void Join(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins);
   void JoinUp(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, int column);
   void JoinRight(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, int column);
@@ -186,6 +247,12 @@ private:
   std::vector<std::array<double, 2>> Horizontals;
   std::vector<double> Ranges;
   std::vector<double> PoleHalfSpreads;
+  /// Null if beams are regular; then the arrays after it are empty.
+  std::unique_ptr<lms3dBeamRays> Rays;
+  std::vector<lms3dVector> Directions;
+  std::vector<double> RangesOnBeams;
+  std::vector<ReturnBeyondAxis> ReturnsBeyondAxis;
+  int InterlacedRows = 1;
   std::vector<std::uint8_t> Joins;
 };
 

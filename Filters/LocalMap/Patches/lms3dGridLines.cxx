@@ -78,7 +78,8 @@ Lines FillGaps(const Lines& lines, double step)
 }
 } // namespace
 
-std::vector<lms3dGridLine> lms3dMakeRowLines(const std::vector<double>& angles, double step)
+std::vector<lms3dGridLine> lms3dMakeRowLines(
+  const std::vector<double>& angles, double step, bool arePoles)
 {
   const double haloStep = std::min(step, MaximumGap / 2);
   Lines lines = SortAngles(angles, "AlphaAngles");
@@ -87,11 +88,11 @@ std::vector<lms3dGridLine> lms3dMakeRowLines(const std::vector<double>& angles, 
     throw std::runtime_error(
       DescribeRange(lines, "AlphaAngles") + "; elevations from -90 to 90 degrees are expected.");
   }
-  if (lines.front().Angle != -Pole)
+  if (!arePoles || lines.front().Angle != -Pole)
   {
     lines.insert(lines.begin(), { std::max(-Pole, lines.front().Angle - haloStep), -1 });
   }
-  if (lines.back().Angle != Pole)
+  if (!arePoles || lines.back().Angle != Pole)
   {
     lines.push_back({ std::min(Pole, lines.back().Angle + haloStep), -1 });
   }

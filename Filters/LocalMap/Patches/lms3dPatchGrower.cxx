@@ -141,9 +141,8 @@ lms3dPatches::Span lms3dPatchGrower::FloodSpan(GridIndex seed, const lms3dColumn
   {
     const int row = index - column;
     return this->IsFree(index) &&
-      lms3dIsWithinTolerance(this->Sphere.GetRange(index),
-        plane.GetInverseRange(this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]),
-        this->Tolerance);
+      lms3dIsWithinTolerance(
+        this->Sphere.GetRange(index), plane.GetInverseRange(row), this->Tolerance);
   };
   Span span = { seed, seed };
   while (span.First > column && this->Sphere.IsJoined(span.First - 1, lms3dBeamSphere::Up) &&
@@ -177,10 +176,8 @@ void lms3dPatchGrower::QueueNeighbors(const Span& span, int side, const lms3dPla
     const GridIndex next = index + offset;
     const bool isOpen = this->IsFree(next) &&
       this->Sphere.IsJoined(index + joinOffset, lms3dBeamSphere::Right) &&
-      lms3dIsWithinTolerance(this->Sphere.GetRange(next),
-        inColumn.GetInverseRange(
-          this->Sphere.GetCosines()[next - start], this->Sphere.GetSines()[next - start]),
-        this->Tolerance);
+      lms3dIsWithinTolerance(
+        this->Sphere.GetRange(next), inColumn.GetInverseRange(next - start), this->Tolerance);
     if (isOpen && !(isRun && this->Sphere.IsJoined(next - 1, lms3dBeamSphere::Up)))
     {
       this->Queue.push_back(next);

@@ -121,10 +121,8 @@ bool lms3dPatchMerger::Explains(const lms3dPlane& plane, const lms3dPatches::Pat
       for (GridIndex index = span.First; index <= span.Last; ++index)
       {
         const int row = index - start;
-        if (!lms3dIsWithinTolerance(this->Sphere.GetRange(index),
-              inColumn.GetInverseRange(
-                this->Sphere.GetCosines()[row], this->Sphere.GetSines()[row]),
-              this->Tolerance))
+        if (!lms3dIsWithinTolerance(
+              this->Sphere.GetRange(index), inColumn.GetInverseRange(row), this->Tolerance))
         {
           return false;
         }

@@ -30,8 +30,32 @@ lms3dVector Solve(const std::array<double, 6>& m, const lms3dVector& right)
 }
 } // namespace
 
+void lms3dPlaneFit::AddPoint(const lms3dVector& point)
+{
+  const auto& [x, y, z] = point;
+  const std::array<double, 6> products = { x * x, x * y, x * z, y * y, y * z, z * z };
+  this->Count += 1.0;
+  this->Sum = lms3dAdd(this->Sum, point);
+  for (int i = 0; i < 6; ++i)
+  {
+    this->Products[i] += products[i];
+  }
+}
+
 void lms3dPlaneFit::Add(const lms3dBeamSphere& sphere, int column, int firstRow, int lastRow)
 {
+  if (!sphere.IsRegular())
+  {
+    for (int row = firstRow; row <= lastRow; ++row)
+    {
+      const lms3dBeamSphere::GridIndex index = sphere.GetIndex(column, row);
+      if (!sphere.IsPoleCopy(index))
+      {
+        this->AddPoint(lms3dScale(sphere.GetDirection(index), sphere.GetRange(index)));
+      }
+    }
+    return;
+  }
   const double* ranges = sphere.GetRanges() + sphere.GetIndex(column, 0);
   // In the plane of the column, a return has two coordinates.
   double sumX = 0.0;

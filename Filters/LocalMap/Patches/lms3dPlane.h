@@ -28,25 +28,39 @@ struct lms3dPlane
   }
 };
 
-/// A plane restricted to one column of lms3dBeamSphere, where it has two coordinates: evaluating a beam
-/// takes two products.
-struct lms3dColumnPlane
+/// A plane restricted to one column of lms3dBeamSphere. There it has two coordinates if beams are regular:
+/// evaluating a beam takes two products.
+class lms3dColumnPlane
 {
+public:
+  /// Keeps references.
   lms3dColumnPlane(const lms3dPlane& plane, const lms3dBeamSphere& sphere, int column)
-    : Horizontal(
+    : Plane(plane)
+    , Sphere(sphere)
+    , Start(sphere.GetIndex(column, 0))
+    , IsRegular(sphere.IsRegular())
+    , Horizontal(
         plane.Q[0] * sphere.GetHorizontal(column)[0] + plane.Q[1] * sphere.GetHorizontal(column)[1])
     , Vertical(plane.Q[2])
   {
   }
 
-  /// 1/metre, for the cosine and sine of a row's elevation.
-  double GetInverseRange(double cosine, double sine) const
+  /// The inverse of the distance from the origin, 1/metre, in the direction of the entry in a row.
+  double GetInverseRange(int row) const
   {
-    return this->Horizontal * cosine + this->Vertical * sine;
+    return this->IsRegular
+      ? this->Horizontal * this->Sphere.GetCosines()[row] +
+        this->Vertical * this->Sphere.GetSines()[row]
+      : this->Plane.GetInverseRange(this->Sphere.GetDirection(this->Start + row));
   }
 
-  double Horizontal;
-  double Vertical;
+private:
+  const lms3dPlane& Plane;
+  const lms3dBeamSphere& Sphere;
+  const lms3dBeamSphere::GridIndex Start;
+  const bool IsRegular;
+  const double Horizontal;
+  const double Vertical;
 };
 
 /// Whether a return at `range` lies within a tolerance, metres along its beam, of a plane that the beam
@@ -80,6 +94,8 @@ public:
   lms3dPlane GetPlane() const;
 
 private:
+  void AddPoint(const lms3dVector& point);
+
   double Count = 0.0;
   lms3dVector Sum = { 0.0, 0.0, 0.0 };
   /// The sums of xx, xy, xz, yy, yz, zz.

@@ -33,6 +33,29 @@ void AppendResiduals(const lms3dBeamSphere& sphere, int column, std::vector<doub
     }
   }
 }
+// The same along the beams' own rays, among rows that were measured in one turn of the mirror: these start
+// together and lie in one plane.
+void AppendResidualsOnRays(
+  const lms3dBeamSphere& sphere, int column, std::vector<double>& residuals)
+{
+  const int step = sphere.GetInterlacedRows();
+  for (int row = step; row + step < sphere.GetNumberOfRows(); ++row)
+  {
+    const lms3dBeamSphere::GridIndex index = sphere.GetIndex(column, row);
+    const double below = sphere.GetRangeOnBeam(index - step);
+    const double range = sphere.GetRangeOnBeam(index);
+    const double above = sphere.GetRangeOnBeam(index + step);
+    if (below > 0.0 && range > 0.0 && above > 0.0)
+    {
+      const lms3dBeamRays& rays = sphere.GetRays();
+      const double cosine = 0.5 *
+        lms3dDot(rays[index].Direction,
+          lms3dAdd(rays[index - step].Direction, rays[index + step].Direction));
+      residuals.push_back(
+        std::abs(1.0 / below + 1.0 / above - 2.0 * cosine / range) * range * range);
+    }
+  }
+}
 } // namespace
 
 double lms3dEstimateNoise(const lms3dBeamSphere& sphere)
@@ -40,7 +63,8 @@ double lms3dEstimateNoise(const lms3dBeamSphere& sphere)
   std::vector<double> residuals;
   for (int column = 0; column < sphere.GetNumberOfColumns(); column += Stride)
   {
-    AppendResiduals(sphere, column, residuals);
+    sphere.IsRegular() ? AppendResiduals(sphere, column, residuals)
+                       : AppendResidualsOnRays(sphere, column, residuals);
   }
   if (residuals.empty())
   {

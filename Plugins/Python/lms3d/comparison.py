@@ -9,6 +9,8 @@ from . import vtkLMS3DMapComparison
 from .execution import update
 
 POSE_ARRAYS = ("SensorToWorld", "AlphaAngles", "BetaAngles")
+# A scan has these arrays only if they differ from their defaults.
+PLATFORM_ARRAYS = ("Mounting", "AxisOffset", "TurnRate")
 
 
 class Errors(NamedTuple):
@@ -88,6 +90,8 @@ def has_pose(data):
 
 
 def copy_pose(scan, local_map):
-    """Copy the sensor's pose and angles from a scan to a map."""
-    for name in POSE_ARRAYS:
-        local_map.GetFieldData().AddArray(scan.GetFieldData().GetArray(name))
+    """Copy the sensor's pose, angles and platform from a scan to a map."""
+    for name in POSE_ARRAYS + PLATFORM_ARRAYS:
+        local_map.GetFieldData().RemoveArray(name)
+        if scan.GetFieldData().HasArray(name):
+            local_map.GetFieldData().AddArray(scan.GetFieldData().GetArray(name))
