@@ -10,6 +10,9 @@ from .execution import update
 
 POSE_ARRAYS = ("SensorToWorld", "AlphaAngles", "BetaAngles")
 
+# What a scan has if its platform is not the default one.
+_PLATFORM_ARRAYS = ("Mounting", "AxisOffset", "TurnRate", "TurnToWorld")
+
 
 class Errors(NamedTuple):
     """A summary of errors, in metres or degrees."""
@@ -88,6 +91,6 @@ def has_pose(data):
 
 
 def copy_pose(scan, local_map):
-    """Copy the sensor's pose and angles from a scan to a map."""
-    for name in POSE_ARRAYS:
+    """Copy the sensor's pose, angles and platform from a scan to a map."""
+    for name in filter(scan.GetFieldData().HasArray, POSE_ARRAYS + _PLATFORM_ARRAYS):
         local_map.GetFieldData().AddArray(scan.GetFieldData().GetArray(name))

@@ -109,9 +109,9 @@ TYPED_TEST(TestLMS3DDevices, AnUnknownDeviceIsAnErrorAndChangesNothing)
   {
     vtkNew<TypeParam> filter;
     filter->SetDeviceToLMS291();
-    const std::string before = Print(filter.Get());
     vtkNew<vtkTest::ErrorObserver> observer;
     filter->AddObserver(vtkCommand::ErrorEvent, observer);
+    const std::string before = Print(filter.Get());
     filter->SetDevice(device);
     EXPECT_NE(
       observer->GetErrorMessage().find("Device " + std::to_string(device)), std::string::npos)

@@ -11,7 +11,7 @@ from ..problems import Problem
 from ..results import ResultFiles
 from ..scene import UP_AXES, read_scene
 from ..simulation import Simulation
-from . import sensor_options
+from . import values
 
 NAME = "demo"
 SUMMARY = "scan the room and the teapot of the paper; write all results"
@@ -58,7 +58,7 @@ def add_arguments(parser):
     parser.add_argument("--data", metavar="DIR",
                         help="folder of room.wrl and teapot.wrl (default: the environment variable "
                         "LMS3D_DATA_DIR, else the folder installed with LMS3D)")
-    parser.add_argument("--maximum-error", type=sensor_options.bound, metavar="M",
+    parser.add_argument("--maximum-error", type=values.bound, metavar="M",
                         help="bound on the distance of every return from its map, metres; 0 makes "
                         f"every return a vertex (default: {ROOM.maximum_error:g} for the room, "
                         f"{TEAPOT.maximum_error:g} for the teapot)")
