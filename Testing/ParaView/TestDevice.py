@@ -17,8 +17,8 @@ ROOM = Path(os.environ["LMS3D_DATA_DIR"]) / "room.wrl"
 CHOICE = f"{PROPERTIES}/LMS3DDevice/device"
 MAXIMUM_RANGE = f"{PROPERTIES}/MaximumRange/1pqDoubleLineEdit0"
 RESET = [("propertiesDock/propertiesPanel/Reset", "activate", "")]
-UNDO = [("MainControlsToolbar/actionEditUndo", "activate", "")]
-ADVANCED = [("propertiesDock/propertiesPanel/advancedButton", "activate", "")]
+UNDO = window.choose("menu_Edit", "actionEditUndo")
+ADVANCED = "propertiesDock/propertiesPanel/SearchBox/AdvancedButton"
 
 IDEAL = {"MaximumRange": 80, "BeamDiameter": 0, "BeamDivergence": 0, "BeamSamples": 1,
          "PulseLength": 1, "RangeAtTenPercent": 0}
@@ -71,10 +71,11 @@ class TestDevice(WindowTest):
 
     def test_advanced_fields_show_the_values(self):
         field = f"{PROPERTIES}/LMS3DDevice/BeamSamples"
-        self.play(open_room(), window.expect(field, "visible", "false"), ADVANCED,
+        self.play(open_room(), window.expect(field, "visible", "false"),
+                  [(ADVANCED, "set_boolean", "true")],
                   window.expect(field, "visible", "true"), choose("LMS291"),
                   window.expect(f"{PROPERTIES}/LMS3DDevice/BeamDiameter/1pqDoubleLineEdit0", "text",
-                                "0.016"), ADVANCED)
+                                "0.016"), [(ADVANCED, "set_boolean", "false")])
 
     def test_reset_and_undo_take_it_back(self):
         self.play(open_room(), window.APPLY, choose("LMS291"), RESET, expect_device("Ideal"),

@@ -72,8 +72,8 @@ def scan(mesh, position=None, *, orientation=(0.0, 0.0, 0.0), alpha_range=(-90.0
         (times, positions) or (times, positions, orientations as quaternions w x y z).
     start_time: when the scan starts; by default at the first pose. Without motion, the scan is from
         the last pose that is not later.
-    motion_during_scan: whether each beam leaves from the pose at its own time. The points are those
-        of a sensor at rest, so they are skewed; `undistort` corrects them if poses is True.
+    motion_during_scan: whether each beam leaves from the pose at its own time. The points are where
+        a sensor at rest would put them, so they are skewed; `undistort` corrects them if poses is True.
     incidence, intensity, time, status, poses: whether the Scan has these fields.
 
     Raises ValueError if an argument is invalid or the mesh has no polygons.
