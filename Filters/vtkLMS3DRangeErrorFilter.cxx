@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLMS3DRangeErrorFilter.h"
 
+#include "Device/lms3dDevices.h"
 #include "Device/lms3dRangeImage.h"
 #include "Pipeline/lms3dAlgorithmProgress.h"
 #include "Pipeline/lms3dErrorReport.h"
@@ -58,6 +59,46 @@ vtkMultiProcessController* vtkLMS3DRangeErrorFilter::GetController() const
 vtkImageData* vtkLMS3DRangeErrorFilter::GetRangeImage()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+void vtkLMS3DRangeErrorFilter::SetDevice(int device)
+{
+  const lms3dDevice* values = lms3dGetDevice(device);
+  if (!values)
+  {
+    vtkErrorMacro("Device " << device << ": must be from " << IDEAL << " (" << GetDeviceName(IDEAL)
+                            << ") to " << LMS291 << " (" << GetDeviceName(LMS291)
+                            << "). Nothing changes.");
+    return;
+  }
+  this->SetRangeBias(values->RangeBias);
+  this->SetRangeNoise(values->RangeNoise);
+  this->SetRangeResolution(values->RangeResolution);
+}
+
+int vtkLMS3DRangeErrorFilter::GetDevice() const
+{
+  return lms3dFindDevice(
+    [this](const lms3dDevice& device)
+    {
+      return this->RangeBias == device.RangeBias && this->RangeNoise == device.RangeNoise &&
+        this->RangeResolution == device.RangeResolution;
+    });
+}
+
+int vtkLMS3DRangeErrorFilter::GetNumberOfDevices()
+{
+  return lms3dGetNumberOfDevices();
+}
+
+const char* vtkLMS3DRangeErrorFilter::GetDeviceName(int device)
+{
+  return lms3dGetDeviceName(device);
+}
+
+double vtkLMS3DRangeErrorFilter::GetDeviceValue(int device, const char* property)
+{
+  return lms3dGetDeviceValue(device, property ? property : "");
 }
 
 int vtkLMS3DRangeErrorFilter::FillOutputPortInformation(int port, vtkInformation* info)
@@ -156,6 +197,7 @@ int vtkLMS3DRangeErrorFilter::RequestData(
 void vtkLMS3DRangeErrorFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Device: " << this->GetDevice() << '\n';
   os << indent << "RangeBias: " << this->RangeBias << '\n';
   os << indent << "RangeNoise: " << this->RangeNoise << '\n';
   os << indent << "RangeResolution: " << this->RangeResolution << '\n';

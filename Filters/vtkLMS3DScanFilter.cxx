@@ -296,6 +296,7 @@ void vtkLMS3DScanFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IntersectionMethod: " << this->GetIntersectionMethodAsString() << '\n';
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << '\n';
   os << indent << "SurfaceAttributes: " << this->SurfaceAttributes << '\n';
+  os << indent << "Device: " << this->GetDevice() << '\n';
   os << indent << "Mounting: " << this->GetMountingAsString() << '\n';
   os << indent << "AxisOffset: ";
   vector(this->AxisOffset);

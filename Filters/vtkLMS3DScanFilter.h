@@ -425,6 +425,50 @@ public:
   vtkBooleanMacro(MotionDuringScan, bool);
   ///@}
 
+  /**
+   * The devices that SetDevice can choose. Documentation/guide.md lists their values, with sources.
+   *
+   * IDEAL: the defaults of all properties.
+   * LMS200: a SICK LMS 200 that measures in millimetres, up to 8 m.
+   * LMS200_CENTIMETRES: the same device in centimetres, up to 80 m.
+   * LMS291: a SICK LMS 291, for outdoor use, in centimetres, up to 80 m. Its beam is wider.
+   */
+  enum Devices
+  {
+    IDEAL = 0,
+    LMS200 = 1,
+    LMS200_CENTIMETRES = 2,
+    LMS291 = 3
+  };
+
+  ///@{
+  /**
+   * SetDevice sets MaximumRange, BeamDiameter, BeamDivergence, BeamSamples, PulseLength and
+   * RangeAtTenPercent to the values of one of Devices. Each can be changed afterwards. Another number is an
+   * error (vtkErrorMacro) and changes nothing. Pose, angles and platform belong to the rig and stay.
+   * (vtkLMS3DRangeErrorFilter has the errors of ranges of the same devices.) GetDevice returns the first
+   * device that has the present values of these properties, -1 if there is none. The default is IDEAL.
+   */
+  virtual void SetDevice(int device);
+  int GetDevice() const;
+  void SetDeviceToIdeal() { this->SetDevice(IDEAL); }
+  void SetDeviceToLMS200() { this->SetDevice(LMS200); }
+  void SetDeviceToLMS200Centimetres() { this->SetDevice(LMS200_CENTIMETRES); }
+  void SetDeviceToLMS291() { this->SetDevice(LMS291); }
+  ///@}
+
+  ///@{
+  /**
+   * For user interfaces that list all devices: their number; the name of a device ("Ideal", "LMS200-mm",
+   * "LMS200-cm", "LMS291"), null if there is none; and the value that a device gives to a property of
+   * vtkLMS3DScanFilter or vtkLMS3DRangeErrorFilter, NaN if there is no such device or if devices do not
+   * set this property.
+   */
+  static int GetNumberOfDevices();
+  static const char* GetDeviceName(int device);
+  static double GetDeviceValue(int device, const char* property);
+  ///@}
+
   ///@{
   /**
    * The diameter of the beam where it leaves the mirror, metres. Finite, at least 0. It has an effect only

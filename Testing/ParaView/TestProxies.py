@@ -122,9 +122,14 @@ class TestProxies(unittest.TestCase):
             for group in groups
         }
         self.assertEqual(grouped, {
+            "Device": ["BeamDiameter", "BeamDivergence", "BeamSamples", "PulseLength",
+                       "RangeAtTenPercent", "ReflectanceArray"],
             "Pose": ["Position", "Orientation"],
             "Angles (degrees)": ["AlphaRange", "AlphaResolution", "BetaRange", "BetaResolution"],
             "Range (metres)": ["MinimumRange", "MaximumRange"],
+            "Platform": ["Mounting", "AxisOffset", "TurnRate", "MotionDuringScan"],
+            "Additional arrays": ["ComputeIncidence", "ComputeIntensity", "ComputeTime",
+                                  "ComputeStatus", "ComputePoses", "SurfaceAttributes"],
             "Method": ["IntersectionMethod", "NumberOfThreads"],
         })
 
@@ -164,6 +169,23 @@ class TestProxies(unittest.TestCase):
         filter_ = lms3d.vtkLMS3DScanFilter
         self.assertEqual(shown, {i: filter_.GetIntersectionMethodName(i)
                                  for i in range(filter_.GetNumberOfIntersectionMethods())})
+
+    def test_mountings_match_the_filter(self):
+        listed = LMS3DScan().SMProxy.GetProperty("Mounting").FindDomain("vtkSMEnumerationDomain")
+        for i in range(listed.GetNumberOfEntries()):
+            self.assertEqual(listed.GetEntryText(i).replace(" ", ""),
+                             lms3d.vtkLMS3DScanFilter.GetMountingName(listed.GetEntryValue(i)))
+        self.assertIsNone(
+            lms3d.vtkLMS3DScanFilter.GetMountingName(listed.GetNumberOfEntries()))
+
+    def test_every_device_reaches_the_filters(self):
+        for make in (LMS3DScan, LMS3DRangeError):
+            proxy = make()
+            for name, number in reversed(lms3d.DEVICES.items()):
+                with self.subTest(make.__name__, device=name):
+                    lms3d.set_device(proxy, name)
+                    proxy.SMProxy.UpdateVTKObjects()
+                    self.assertEqual(algorithm(proxy).GetDevice(), number)
 
     def test_defaults_match_the_filters(self):
         for make in constructors():

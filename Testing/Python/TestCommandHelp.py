@@ -65,7 +65,7 @@ class TestView(CommandLineTest):
 
 
 class TestDemo(CommandLineTest):
-    """Both figures of the paper."""
+    """Both figures of the paper, and the picture of a real device's errors."""
 
     def test_files_and_table(self):
         words = self.done("demo", "--data", DATA, "--output", self.folder / "demo")
@@ -78,11 +78,25 @@ class TestDemo(CommandLineTest):
             self.assertEqual(row[2], f"{image.GetNumberOfPoints():,}")
             self.assertEqual(row[3], f"{scan.GetNumberOfPoints():,}")
             self.assertEqual(row[5], f"{local_map.GetNumberOfPolys():,}")
-        for name in ("figure5_room.png", "figure6_teapot.png"):
+        for name in ("figure5_room.png", "figure6_teapot.png", "device_room.png"):
             self.assertEqual(pixels(self.folder / "demo" / name).shape, (620, 1600, 3))
             self.assertIn(name, words)
-        self.assertEqual(len(list((self.folder / "demo").iterdir())), 8)
+        self.assertEqual(len(list((self.folder / "demo").iterdir())), 10)
         self.assertIn("z is up", words)
+        self.check_reported(words)
+
+    def check_reported(self, words):
+        """The reported scan has the errors of an LMS 200."""
+        ideal, reported = (read(vtkXMLPolyDataReader(), self.folder / "demo" / f"room_{name}.vtp")
+                           for name in ("scan", "reported"))
+        beams, error = array(reported, "BeamId"), array(reported, "RangeError")
+        ranges = np.full(361 * 360, np.nan)
+        ranges[array(ideal, "BeamId")] = array(ideal, "Range")
+        np.testing.assert_array_equal(error, array(reported, "Range") - ranges[beams])
+        millimetres = 1000 * array(reported, "Range")
+        np.testing.assert_allclose(millimetres, np.round(millimetres), atol=1e-9)
+        self.assertTrue(0.003 < np.nanmedian(abs(error)) < 0.004)  # 0.67 standard deviations
+        self.assertIn(f"lms200-mm: {len(error):,} returns", words)
 
 
 if __name__ == "__main__":

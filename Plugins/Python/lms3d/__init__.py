@@ -10,6 +10,8 @@ Scan a mesh (metres; angles are in degrees, z is up) and look at the ranges, a n
     print(scan.ranges.shape, scan.points.shape)
 
 `scan` also accepts a vtkPolyData, and `reconstruct` makes a local map of triangles from a scan.
+`scan(..., device="lms200-mm")` measures as an LMS 200 does, and `undistort` corrects the scan of a
+sensor that moved meanwhile.
 
 The classes are ordinary VTK algorithms: vtkVRMLImporterSource reads a scene, vtkLMS3DScanFilter
 scans it, vtkLMS3DRangeErrorFilter gives the scan the errors of a real device,
@@ -33,7 +35,10 @@ try:
 
     from .vtkLMS3DFilters import *  # noqa: F401,F403
     from .vtkLMS3DReaders import *  # noqa: F401,F403
+    from .device import set_device  # noqa: F401
     from .mesh import Mesh  # noqa: F401
+    from .motion import undistort  # noqa: F401
+    from .properties import DEVICES  # noqa: F401
     from .scanning import Scan, reconstruct, scan  # noqa: F401
 except ImportError as error:
     raise ImportError(_loading.explain(error), name=error.name, path=error.path) from error

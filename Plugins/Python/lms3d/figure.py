@@ -13,10 +13,8 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 the implementation of the cl
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
-from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
-    vtkAssembly,
     vtkCamera,
     vtkLight,
     vtkPolyDataMapper,
@@ -26,6 +24,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from .camera import frame, get_direction, reframe
+from .marker import make_marker
 from .messages import VTKMessages
 from .problems import Problem
 
@@ -36,8 +35,6 @@ _BLUE = (0.44, 0.64, 0.96)
 _BLUE_EDGES = (0.20, 0.35, 0.66)
 _GREEN = (0.42, 0.80, 0.42)
 _GREEN_EDGES = (0.14, 0.42, 0.16)
-_RED = (0.85, 0.10, 0.10)
-_AXES = ((0.85, 0.10, 0.10), (0.10, 0.50, 0.10), (0.10, 0.20, 0.80))
 
 # Intensity and direction of each light in the camera frame: x right, y up, z towards the viewer.
 _LIGHTS = ((0.55, (0.30, 0.50, 0.81)), (0.48, (0.0, 0.0, 1.0)), (0.36, (-0.80, -0.20, 0.56)))
@@ -79,14 +76,14 @@ class Figure:
         check_display()
         self._simulation = simulation
         self._aspect = None
-        self._marker = _sensor_marker(_MARKER_SIZE * _diagonal(self._surface()))
+        self._marker = make_marker(_MARKER_SIZE * _diagonal(self._surface()))
         self.camera = vtkCamera()
         self.window = vtkRenderWindow()
         self.window.SetMultiSamples(0)
         self.window.SetOffScreenRendering(off_screen)
         self.window.SetSize(*(size if off_screen else self._limit_to_screen(size)))
         self._add_half(self._left_actor(), (0.0, 0.0, 0.5, 1.0))
-        self._add_half(_map_actor(self._map_port(), edges), (0.5, 0.0, 1.0, 1.0))
+        self._add_half(self._right_actor(edges), (0.5, 0.0, 1.0, 1.0))
         self.place_marker()
         self.reset_camera()
 
@@ -134,6 +131,9 @@ class Figure:
 
     def _left_actor(self):
         return _scene_actor(self._simulation.scene.surface)
+
+    def _right_actor(self, edges):
+        return _map_actor(self._map_port(), edges)
 
     def _map_port(self):
         """The output port of the local map."""
@@ -210,36 +210,6 @@ def _surface_actor(port, color):
     actor.GetProperty().SetColor(*color)
     actor.GetProperty().BackfaceCullingOn()
     return actor
-
-
-def _sensor_marker(size):
-    """A red ball with the sensor's axes: x red, y green, z blue."""
-    ball = vtkSphereSource()
-    ball.SetRadius(0.3 * size)
-    ball.SetThetaResolution(24)
-    ball.SetPhiResolution(16)
-    marker = vtkAssembly()
-    marker.AddPart(_marker_part(ball, _RED))
-    for color, turn in zip(_AXES, ((0, 0, 0), (0, 0, 90), (0, -90, 0))):
-        arrow = vtkArrowSource()
-        arrow.SetTipResolution(16)
-        arrow.SetShaftResolution(12)
-        arrow.SetShaftRadius(0.05)
-        arrow.SetTipRadius(0.14)
-        axis = _marker_part(arrow, color)
-        axis.SetScale(1.6 * size)
-        axis.SetOrientation(turn)
-        marker.AddPart(axis)
-    return marker
-
-
-def _marker_part(source, color):
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(source.GetOutputPort())
-    part = vtkActor()
-    part.SetMapper(mapper)
-    part.GetProperty().SetColor(*color)
-    return part
 
 
 def _points(surface):

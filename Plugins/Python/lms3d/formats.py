@@ -14,6 +14,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from .execution import ProgressBar, write
 
 CSV_ARRAYS = ("Range", "Alpha", "Beta", "BeamId", "CellId")
+_FURTHER_ARRAYS = ("Incidence", "Intensity", "Time")  # if a scan has them
 
 _PIECE = 1 << 20  # bytes
 _ROWS = 1 << 13  # returns or triangles that are converted at once
@@ -68,13 +69,14 @@ def _encode_png(image, failure):
 def _encode_csv(scan, _failure):
     """One line for each return, with all digits (VTK's own table writer keeps six)."""
     columns = list(_points(scan).T)
-    columns += [vtk_to_numpy(scan.GetPointData().GetArray(name)) for name in CSV_ARRAYS]
+    names = _list_arrays(scan)
+    columns += [vtk_to_numpy(scan.GetPointData().GetArray(name)) for name in names]
 
     def convert(rows):
         texts = (column[rows].astype(str).tolist() for column in columns)
         return "".join(",".join(row) + "\n" for row in zip(*texts)).encode("ascii")
 
-    yield (",".join(("x", "y", "z") + CSV_ARRAYS) + "\n").encode("ascii")
+    yield (",".join(("x", "y", "z", *names)) + "\n").encode("ascii")
     yield from _convert_rows(scan.GetNumberOfPoints(), convert)
 
 
@@ -84,7 +86,7 @@ def _encode_ply(data, _failure):
     triangles = _triangles(data)
     arrays = data.GetPointData()
     if len(triangles) == 0:
-        for name in filter(arrays.HasArray, CSV_ARRAYS):
+        for name in _list_arrays(data):
             vertices[name] = _narrow(vtk_to_numpy(arrays.GetArray(name)))
     elif arrays.GetNormals():
         vertices.update(zip(("nx", "ny", "nz"), vtk_to_numpy(arrays.GetNormals()).T))
@@ -93,6 +95,11 @@ def _encode_ply(data, _failure):
     if len(triangles) > 0:
         count = np.full(len(triangles), 3, np.uint8)
         yield from _convert_table(len(triangles), {"count": count, "corners": triangles})
+
+
+def _list_arrays(points):
+    """The names of the arrays with one number for each point that text formats hold."""
+    return list(filter(points.GetPointData().HasArray, CSV_ARRAYS + _FURTHER_ARRAYS))
 
 
 def _ply_header(vertices, triangle_count):

@@ -2,20 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A scan in one call, with numpy arrays."""
 
-import math
-import operator
 import warnings
-from dataclasses import dataclass
 
-import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-
+from .arguments import to_bound, to_choice, to_count, to_number, to_numbers
+from .device import set_arrays, set_errors, set_platform, set_sensor
 from .interruption import abortable
+from .measurements import Scan, read_scan  # noqa: F401 Scan is part of this interface
 from .mesh import from_vtk, to_vtk
 from .messages import VTKMessages
+from .motion import to_trajectory
 from .problems import Problem
-from .properties import MAXIMUM_COUNT, MAXIMUM_THREADS, METHODS, MINIMUM_SEED
+from .properties import MAXIMUM_THREADS, METHODS, MINIMUM_SEED
 from .vtkLMS3DFilters import (
     vtkLMS3DRangeErrorFilter,
     vtkLMS3DScanFilter,
@@ -23,88 +20,103 @@ from .vtkLMS3DFilters import (
 )
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Scan:
-    """What a scan measured: lengths in metres, angles in degrees.
-
-    points: N x 3, where the beams hit the mesh, in its coordinates, ordered by turn, then by beam.
-    ranges: turns x beams, the distances from the sensor, NaN for beams without a return.
-    cells: N, the number of the triangle that was hit, for each point. (For a vtkPolyData it is the
-        array CellId of vtkLMS3DScanFilter.)
-    beams: N, the beam of each point: `ranges.ravel()[beams]` are the ranges of the points.
-    alpha: the elevation of each column of ranges. beta: the platform angle of each row.
-    poly: the scan as vtkPolyData, for VTK's filters.
-    """
-
-    points: np.ndarray
-    ranges: np.ndarray
-    cells: np.ndarray
-    beams: np.ndarray
-    alpha: np.ndarray
-    beta: np.ndarray
-    poly: vtkPolyData
-
-    def __repr__(self):
-        turns, beams = self.ranges.shape
-        return f"<lms3d.Scan: {turns} x {beams} beams, {len(self.points)} returns>"
-
-
-def scan(mesh, position, *, orientation=(0.0, 0.0, 0.0), alpha_range=(-90.0, 90.0),
+def scan(mesh, position=None, *, orientation=(0.0, 0.0, 0.0), alpha_range=(-90.0, 90.0),
          alpha_resolution=361, beta_range=(0.0, 360.0), beta_resolution=360, minimum_range=0.0,
-         maximum_range=80.0, method="exact", threads=0, surface_attributes=False,
-         range_bias=0.0, range_noise=0.0, range_resolution=0.0, seed=0):
+         maximum_range=None, method="exact", threads=0, surface_attributes=False,
+         device="ideal", beam_diameter=None, beam_divergence=None, beam_samples=None,
+         pulse_length=None, range_at_ten_percent=None, reflectance=None,
+         range_bias=None, range_noise=None, range_resolution=None, seed=0,
+         mounting="yawing", axis_offset=(0.0, 0.0, 0.0), turn_rate=0.0,
+         trajectory=None, start_time=None, motion_during_scan=False,
+         incidence=False, intensity=False, time=False, status=False, poses=False):
     """Scan a mesh from a position and return a Scan, whose fields are numpy arrays.
 
-    Lengths are in metres, angles in degrees; z is up. Further scans of one mesh are faster with
-    vtkLMS3DScanFilter, which keeps its acceleration structure.
+    Lengths are in metres, angles in degrees, times in seconds; z is up. Further scans of one mesh
+    are faster with vtkLMS3DScanFilter, which keeps its acceleration structure.
 
     mesh: a vtkPolyData or another data set of VTK, or a pair (vertices, triangles) of an N x 3
         array of coordinates and an M x 3 array of numbers of vertices.
-    position: x, y, z of the sensor.
+    position: x, y, z of the sensor. A trajectory replaces it.
     orientation: of the sensor, about x, y and z, applied as in vtkProp3D: z, then x, then y.
     alpha_range, alpha_resolution: first and last elevation of the fan, within -90 to 90, both
         included, and the number of beams in the fan.
     beta_range, beta_resolution: first and last angle of the platform, clockwise seen from above,
         and the number of turns. The end of a full circle is excluded.
-    minimum_range, maximum_range: a surface nearer or farther gives no return.
+    minimum_range, maximum_range: a surface nearer or farther gives no return. By default the maximum
+        is that of the device, 80 for an ideal one.
     method: exact, fast, angle-sum, moller-trumbore or static-cell-locator.
     threads: 1 to 1024; 0 stands for all cores. The result does not depend on it.
     surface_attributes: whether the point data of `poly` also has what the beams hit: Normals,
         Incidence, and the cell arrays of the mesh.
-    range_bias, range_noise, range_resolution: the errors of the device, metres, in this order: a
-        constant, one standard deviation of normally distributed noise, and the step that ranges are
-        rounded to. By default there are none. A range that would be 0 or less is no return.
+
+    device: ideal, lms200-mm, lms200-cm or lms291. The device chooses maximum_range and the following
+        arguments until seed. An argument that is given replaces the value of the device.
+    beam_diameter, beam_divergence: diameter of the beam at the sensor, and its growth for each metre.
+    beam_samples: rays that stand for a beam, 1 to 1000; 1 is a beam without width, 7 and 19 complete
+        a ring.
+    pulse_length: surfaces within this of the nearest mix to one range; else the larger part counts.
+    range_at_ten_percent: range at which the device still sees a surface that reflects 10 percent; 0
+        sees every surface.
+    reflectance: name of the cell array of the mesh with the reflectance, 0.1 for 10 percent, or of an
+        array of colours, which stand for their luminance. By default every surface reflects all.
+    range_bias, range_noise, range_resolution: the errors of ranges, in this order: a constant, one
+        standard deviation of normally distributed noise, and the step that ranges are rounded to. A
+        range that would be 0 or less is no return.
     seed: the number of the noise; the same seed gives the same noise.
+
+    mounting: yawing, yawing-top, pitching or rolling: the axis that the platform turns.
+    axis_offset: the centre of the mirror, relative to the position, along the sensor's axes while the
+        platform's angle is 0. It turns with the platform.
+    turn_rate: how fast the platform turns during each fan, degrees a second.
+    trajectory: poses of the sensor: a vtkPolyData as for vtkLMS3DScanFilter, or a tuple of arrays
+        (times, positions) or (times, positions, orientations as quaternions w x y z).
+    start_time: when the scan starts; by default at the first pose. Without motion, the scan is from
+        the last pose that is not later.
+    motion_during_scan: whether each beam leaves from the pose at its own time. The points are where
+        a sensor at rest would put them, so they are skewed; `undistort` corrects them if poses is True.
+    incidence, intensity, time, status, poses: whether the Scan has these fields.
 
     Raises ValueError if an argument is invalid or the mesh has no polygons.
     """
-    if method not in list(METHODS):
-        raise ValueError(f"method must be one of {', '.join(METHODS)}, not {method!r}")
+    given = dict(locals())
     sensor = vtkLMS3DScanFilter()
+    sensor.SetIntersectionMethod(to_choice("method", method, METHODS))
     sensor.SetInputDataObject(to_vtk(mesh))
-    sensor.SetPosition(_to_numbers("position", position, 3))
-    sensor.SetOrientation(_to_numbers("orientation", orientation, 3))
-    sensor.SetAlphaRange(_to_numbers("alpha_range", alpha_range, 2))
-    sensor.SetAlphaResolution(_to_count("alpha_resolution", alpha_resolution))
-    sensor.SetBetaRange(_to_numbers("beta_range", beta_range, 2))
-    sensor.SetBetaResolution(_to_count("beta_resolution", beta_resolution))
-    sensor.SetMinimumRange(_to_number("minimum_range", minimum_range))
-    sensor.SetMaximumRange(_to_number("maximum_range", maximum_range))
-    sensor.SetIntersectionMethod(METHODS[method])
+    _set_poses(sensor, given)
+    sensor.SetOrientation(to_numbers("orientation", orientation, 3))
+    sensor.SetAlphaRange(to_numbers("alpha_range", alpha_range, 2))
+    sensor.SetAlphaResolution(to_count("alpha_resolution", alpha_resolution))
+    sensor.SetBetaRange(to_numbers("beta_range", beta_range, 2))
+    sensor.SetBetaResolution(to_count("beta_resolution", beta_resolution))
+    sensor.SetMinimumRange(to_number("minimum_range", minimum_range))
+    set_sensor(sensor, device, given)
+    sensor.SetReflectanceArray(reflectance)
+    set_platform(sensor, mounting, axis_offset, turn_rate)
+    set_arrays(sensor, incidence, intensity, time, status, poses)
     sensor.SetSurfaceAttributes(bool(surface_attributes))
-    sensor.SetNumberOfThreads(_to_count("threads", threads, 0, MAXIMUM_THREADS))
+    sensor.SetNumberOfThreads(to_count("threads", threads, 0, MAXIMUM_THREADS))
     errors = vtkLMS3DRangeErrorFilter()
-    errors.SetRangeBias(_to_finite("range_bias", range_bias))
-    errors.SetRangeNoise(_to_bound("range_noise", range_noise))
-    errors.SetRangeResolution(_to_bound("range_resolution", range_resolution))
-    errors.SetNoiseSeed(_to_count("seed", seed, MINIMUM_SEED))
+    has_errors = set_errors(errors, device, given)
+    errors.SetNoiseSeed(to_count("seed", seed, MINIMUM_SEED))
     errors.SetNumberOfThreads(sensor.GetNumberOfThreads())
-    _update(sensor, "cannot scan")
-    if not (range_bias or range_noise or range_resolution):
-        return _result(sensor)
+    start = None if start_time is None else to_number("start_time", start_time)
+    _update(sensor, "cannot scan", start)
+    if not has_errors:
+        return read_scan(sensor)
     errors.SetInputConnection(sensor.GetOutputPort())
-    _update(errors, "cannot add errors to the ranges")
-    return _result(errors)
+    _update(errors, "cannot add errors to the ranges", start)
+    return read_scan(errors)
+
+
+def _set_poses(sensor, given):
+    """Set the position or the trajectory."""
+    if given["trajectory"] is not None:
+        sensor.SetTrajectoryData(to_trajectory(given["trajectory"]))
+        sensor.SetMotionDuringScan(bool(given["motion_during_scan"]))
+    elif given["motion_during_scan"] or given["start_time"] is not None:
+        raise ValueError("motion_during_scan and start_time need a trajectory")
+    else:
+        sensor.SetPosition(to_numbers("position", given["position"], 3))
 
 
 def reconstruct(scan, *, maximum_error=0.01, depth_step=0.1):
@@ -118,34 +130,22 @@ def reconstruct(scan, *, maximum_error=0.01, depth_step=0.1):
     """
     mapping = vtkLMS3DSurfaceReconstructionFilter()
     mapping.SetInputDataObject(scan.poly)
-    mapping.SetMaximumError(_to_bound("maximum_error", maximum_error))
-    mapping.SetDepthStep(_to_bound("depth_step", depth_step))
+    mapping.SetMaximumError(to_bound("maximum_error", maximum_error))
+    mapping.SetDepthStep(to_bound("depth_step", depth_step))
     _update(mapping, "cannot build the local map")
     return from_vtk(mapping.GetOutput())
 
 
-def _result(last):
-    poly, image = last.GetOutput(), last.GetOutputDataObject(1)
-
-    def point_array(name):
-        return vtk_to_numpy(poly.GetPointData().GetArray(name))
-
-    def field(name):
-        return vtk_to_numpy(poly.GetFieldData().GetArray(name))
-
-    alpha, beta = field("AlphaAngles"), field("BetaAngles")
-    ranges = vtk_to_numpy(image.GetPointData().GetArray("Range")).reshape(len(beta), len(alpha))
-    return Scan(vtk_to_numpy(poly.GetPoints().GetData()), ranges, point_array("CellId"),
-                point_array("BeamId"), alpha, beta, poly)
-
-
-def _update(algorithm, failure):
-    """Update; raises VTK's errors as ValueError, and repeats its warnings as Python's.
+def _update(algorithm, failure, time=None):
+    """Update, for a time if given; raises VTK's errors as ValueError, and repeats its warnings as Python's.
 
     Ctrl-C aborts the algorithm and raises KeyboardInterrupt.
     """
     with VTKMessages() as messages, abortable(algorithm):
-        algorithm.Update()
+        if time is None:
+            algorithm.Update()
+        else:
+            algorithm.UpdateTimeStep(time)
     if messages.errors:
         try:
             messages.report(failure)
@@ -153,45 +153,3 @@ def _update(algorithm, failure):
             raise ValueError(str(problem)) from None
     for text in messages.warnings:
         warnings.warn(text, stacklevel=3)
-
-
-def _to_numbers(name, values, count):
-    try:
-        numbers = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError):
-        numbers = np.empty(0)
-    if numbers.shape != (count,) or not np.isfinite(numbers).all():
-        raise ValueError(f"{name} must be {count} finite numbers, not {values!r}")
-    return numbers.tolist()
-
-
-def _to_number(name, value):
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name} must be a number, not {value!r}") from None
-
-
-def _to_finite(name, value):
-    number = _to_number(name, value)
-    if not math.isfinite(number):
-        raise ValueError(f"{name} must be finite, not {value!r}")
-    return number
-
-
-def _to_bound(name, value):
-    bound = _to_number(name, value)
-    if not 0 <= bound < math.inf:
-        raise ValueError(f"{name} must be 0 or more, and finite, not {value!r}")
-    return bound
-
-
-def _to_count(name, value, minimum=1, maximum=MAXIMUM_COUNT):
-    try:
-        count = operator.index(value)
-    except TypeError:
-        count = minimum - 1
-    if not minimum <= count <= maximum:
-        raise ValueError(f"{name} must be a whole number from {minimum} to {maximum}, not "
-                         f"{value!r}")
-    return count

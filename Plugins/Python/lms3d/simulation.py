@@ -38,12 +38,11 @@ class Simulation:
         self.sensor.SetInputDataObject(self.scene.data)
         self.reconstruction.SetInputConnection(self.sensor.GetOutputPort())
 
-    def add_errors(self):
-        """Put a filter between sensor and map that adds errors to ranges, and return it."""
-        self.errors = vtkLMS3DRangeErrorFilter()
+    def add_errors(self, errors):
+        """Put a filter that adds errors to ranges between sensor and map."""
+        self.errors = errors
         self.errors.SetInputConnection(self.sensor.GetOutputPort())
         self.reconstruction.SetInputConnection(self.errors.GetOutputPort())
-        return self.errors
 
     @property
     def steps(self):
@@ -122,5 +121,5 @@ class Simulation:
         return (
             f"no beam returned to the sensor at {position}: the scene fills {box} m and the sensor "
             f"measures {self.sensor.GetMinimumRange():g} to {self.sensor.GetMaximumRange():g} m; "
-            "move the sensor or widen its ranges or angles"
+            "move the sensor, widen its ranges or angles, or choose a device that sees darker surfaces"
         )

@@ -11,7 +11,7 @@ from .. import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
 from ..problems import Problem
 from ..sampling import advise
 from ..scene import check_readable
-from . import scene_options, sensor_options
+from . import device_options, scene_options, sensor_options, values
 
 NAME = "advise"
 SUMMARY = "find the coarsest scan and map of a scene that meet a tolerance"
@@ -22,13 +22,14 @@ of the scene, and the same share of the visible scene is within the tolerance of
 and "complete" of lms3d compare).
 
 The command measures: it tries steps from 8 degrees down to --finest, and for each step maps with
-bounds from 8 times the tolerance down to 1/8 of it, until one is good enough. The simulated ranges
-have no noise, so leave room in the tolerance for the noise of a real sensor.
+bounds from 8 times the tolerance down to 1/8 of it, until one is good enough. By default the sensor is
+ideal; then leave room in the tolerance for the errors of a real one, or choose it by --device.
 """
 EPILOG = """\
 examples:
   lms3d advise room.wrl --position 0.3 -0.2 1 --tolerance 0.02
   lms3d advise room.wrl --position 0.3 -0.2 1 --tolerance 0.05 --share 0.9 --finest 0.5
+  lms3d advise room.wrl --position 0.3 -0.2 1 --tolerance 0.05 --device lms200-mm
 """
 
 # Finer steps need too much time and memory.
@@ -39,7 +40,7 @@ def add_arguments(parser):
     """Add the options of this command."""
     scene_options.add_scene(parser)
     goal = parser.add_argument_group("goal")
-    goal.add_argument("--tolerance", type=sensor_options.positive, metavar="M", required=True,
+    goal.add_argument("--tolerance", type=values.positive, metavar="M", required=True,
                       help="largest distance between map and scene that counts as correct, metres")
     goal.add_argument("--share", type=_share, metavar="S", default=0.95,
                       help="share of each surface, above 0 and below 1 (default: 0.95)")
@@ -65,14 +66,14 @@ def run(options):
 
 
 def _share(text):
-    value = sensor_options.positive(text)
+    value = values.positive(text)
     if value >= 1:
         raise argparse.ArgumentTypeError(f"{text.strip()} is not below 1")
     return value
 
 
 def _step(text):
-    value = sensor_options.positive(text)
+    value = values.positive(text)
     if not _MINIMUM_STEP <= value <= 8:
         raise argparse.ArgumentTypeError(f"{text.strip()} is not within {_MINIMUM_STEP:g} to 8")
     return value
@@ -114,10 +115,11 @@ def _command(sample, options):
         words += [f"--scene-{name}", str(value)]
     words += _numbers("position", options.position)
     for name, default in _defaults().items():
-        if not np.array_equal(getattr(options, name), default):
+        if getattr(options, name) is not None and not np.array_equal(getattr(options, name), default):
             words += _numbers(name, getattr(options, name))
     if options.method != "exact":
         words += ["--method", options.method]
+    words += device_options.given(options)
     for name in ("alpha_resolution", "beta_resolution", "maximum_error"):
         words += _numbers(name, getattr(sample, name))
     return shlex.join(words + ["-o", "scan.vtp", "--map", "map.vtp"])

@@ -8,7 +8,7 @@ from ..problems import Problem, UsageProblem
 from ..results import ResultFiles, check_targets, reports, sort_targets
 from ..scene import check_readable, read_data
 from ..simulation import Simulation
-from . import scene_options, sensor_options
+from . import device_options, scene_options, sensor_options, values
 
 NAME = "compare"
 SUMMARY = "measure the errors of a local map"
@@ -47,7 +47,7 @@ def add_arguments(parser):
                         help="the map's file: " + " ".join(_MAP_ENDINGS))
     scene_options.add_scene(parser)
     how = parser.add_argument_group("comparison")
-    how.add_argument("--tolerance", type=sensor_options.positive, metavar="M",
+    how.add_argument("--tolerance", type=values.positive, metavar="M",
                      default=defaults.GetTolerance(),
                      help="largest distance that counts as correct, metres "
                      f"(default: {defaults.GetTolerance():g})")
@@ -68,6 +68,7 @@ def add_arguments(parser):
     sensor_options.add_pose(sensor, False, " (default: from the map or the scan)")
     sensor_options.add_angles(sensor)
     sensor_options.add_ranges(sensor)
+    device_options.add_platform(parser)
 
 
 def run(options):
@@ -86,7 +87,8 @@ def _compare(options):
     print(f"scene    {scene}\nsensor   {position[0]:g} {position[1]:g} {position[2]:g} m")
 
     comparison = compare(local_map, scene.data, scan, options.tolerance, options.samples,
-                         (options.minimum_range, options.maximum_range), options.threads)
+                         (options.minimum_range, device_options.get_maximum_range(options)),
+                         options.threads)
     _print(comparison, scan)
     results = {"map with errors": comparison.map, "scene points": comparison.scene_points}
     with ResultFiles() as files:
@@ -97,7 +99,7 @@ def _compare(options):
 
 
 def _sample_count(text):
-    return sensor_options.count(text, vtkLMS3DMapComparison().GetNumberOfSamplesMaxValue())
+    return values.count(text, vtkLMS3DMapComparison().GetNumberOfSamplesMaxValue())
 
 
 def _targets(options):
@@ -110,7 +112,7 @@ def _check(options):
     if options.scan and options.position:
         raise UsageProblem("--scan and --position: the scan has the sensor's pose, "
                            "give only one of them")
-    changed = sensor_options.changed(options)
+    changed = sensor_options.changed(options) + device_options.changed_names(options)
     if changed and not options.position:
         raise UsageProblem(f"{' '.join(changed)}: needs --position")
     inputs = {"map": options.map, **({"scan": options.scan} if options.scan else {})}
@@ -141,6 +143,7 @@ def _find_sensor(options, scene, local_map, scan):
     if options.position:
         simulation = Simulation(scene)
         sensor_options.set_sensor(simulation.sensor, options, scene)
+        device_options.apply_platform(simulation.sensor, options)
         simulation.run()
         copy_pose(simulation.scan, local_map)
     elif not (scan or has_pose(local_map)):

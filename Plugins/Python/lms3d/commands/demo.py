@@ -1,24 +1,37 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""lms3d demo: makes the paper's Figures 5 and 6 from the scenes that are installed with LMS3D."""
+"""lms3d demo: makes the paper's Figures 5 and 6, and a picture of a real device's errors.
+
+The scenes are installed with LMS3D.
+"""
 
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+from .. import vtkLMS3DRangeErrorFilter
 from ..data import scene_file
+from ..device import set_device
+from ..device_figure import DeviceFigure, range_errors
+from ..execution import update
 from ..figure import Figure, check_display
 from ..problems import Problem
 from ..results import ResultFiles
 from ..scene import UP_AXES, read_scene
 from ..simulation import Simulation
-from . import sensor_options
+from . import values
 
 NAME = "demo"
-SUMMARY = "scan the room and the teapot of the paper; write all results"
+SUMMARY = "scan the room and the teapot of the paper; write all results and three pictures"
 DESCRIPTION = """\
 Scan the two scenes of the paper. For each, write the points (.vtp), the range image (.vti),
 the local map (.vtp) and a picture of scene and map (.png), and print a line of numbers.
 The time is the shortest of several scans, each after a move of the sensor.
+
+The third picture shows the scan of the room twice: ideal, and as an LMS 200 reports it, coloured by the
+error of each range. The reported points (.vtp) have the errors as RangeError (metres).
 """
 EPILOG = """\
 example:
@@ -48,6 +61,9 @@ TEAPOT = Experiment("teapot", "figure6", position=(0.1, -0.38, 0.28),
                     alpha_range=(-45.0, -5.0), alpha_resolution=401,
                     beta_range=(235.0, 305.0), beta_resolution=701)
 
+DEVICE = "lms200-mm"
+SEED = 1
+
 _COLUMNS = ("scene", "triangles", "beams", "returns", "scan ms", "map triangles")
 
 
@@ -58,7 +74,7 @@ def add_arguments(parser):
     parser.add_argument("--data", metavar="DIR",
                         help="folder of room.wrl and teapot.wrl (default: the environment variable "
                         "LMS3D_DATA_DIR, else the folder installed with LMS3D)")
-    parser.add_argument("--maximum-error", type=sensor_options.bound, metavar="M",
+    parser.add_argument("--maximum-error", type=values.bound, metavar="M",
                         help="bound on the distance of every return from its map, metres; 0 makes "
                         f"every return a vertex (default: {ROOM.maximum_error:g} for the room, "
                         f"{TEAPOT.maximum_error:g} for the teapot)")
@@ -80,8 +96,11 @@ def run(options):
             milliseconds = 1000 * simulation.scan_time()
             rows.append(_row(experiment, simulation, milliseconds))
             names += _write(experiment, simulation, folder, files)
+            if experiment is ROOM:
+                summary, written = _write_device(simulation, folder, files)
+                names += written
     _print_table(rows)
-    print(f"\nscenes: {UP_AXES['file']}\nwrote {folder}/: " + " ".join(names))
+    print(f"\n{summary}\nscenes: {UP_AXES['file']}\nwrote {folder}/: " + " ".join(names))
 
 
 def simulate(experiment, data=None, maximum_error=None):
@@ -98,6 +117,43 @@ def simulate(experiment, data=None, maximum_error=None):
     simulation.run()
     simulation.reconstruct()
     return simulation
+
+
+def report(simulation):
+    """Repeat a scan with DEVICE; returns what it reports, with the array RangeError.
+
+    The simulation's scan is ideal again afterwards, and has normals.
+    """
+    simulation.sensor.SurfaceAttributesOn()
+    simulation.run()
+    ideal = simulation.scan.NewInstance()
+    ideal.ShallowCopy(simulation.scan)
+    errors = vtkLMS3DRangeErrorFilter()
+    errors.SetInputConnection(simulation.sensor.GetOutputPort())
+    errors.SetNoiseSeed(SEED)
+    for target in (simulation.sensor, errors):
+        set_device(target, DEVICE)
+    update(errors, "scanning", "cannot scan")
+    reported = errors.GetOutput()
+    values = numpy_to_vtk(range_errors(ideal, reported), deep=True)
+    values.SetName("RangeError")
+    reported.GetPointData().AddArray(values)
+    set_device(simulation.sensor, "ideal")
+    simulation.run()
+    return reported
+
+
+def _write_device(simulation, folder, files):
+    """Write the reported scan and its picture; returns a line about it, and the names."""
+    reported = report(simulation)
+    errors = vtk_to_numpy(reported.GetPointData().GetArray("RangeError"))
+    results = {"room_reported.vtp": reported,
+               "device_room.png": DeviceFigure(simulation, reported, DEVICE).image()}
+    for name, data in results.items():
+        files.save(data, folder / name)
+    return (f"{DEVICE}: {len(errors):,} returns, half of the range errors within "
+            f"{1000 * np.nanmedian(np.abs(errors)):.1f} mm, the largest "
+            f"{1000 * np.nanmax(np.abs(errors)):.0f} mm"), list(results)
 
 
 def _write(experiment, simulation, folder, files):

@@ -3,7 +3,7 @@
 """Options of the commands that draw."""
 
 from ..figure import DEFAULT_SIZE
-from .sensor_options import count
+from .values import count
 
 _MAXIMUM_SIDE = 2**14  # pixels; OpenGL 4.1 guarantees this size
 

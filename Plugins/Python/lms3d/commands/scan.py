@@ -5,13 +5,14 @@
 from contextlib import ExitStack
 from pathlib import Path
 
+from ..device import set_arrays
 from ..figure import Figure, check_display
 from ..messages import say
 from ..problems import Problem, UsageProblem
 from ..results import STREAM, ResultFiles, check_targets, reports, sort_targets
 from ..scene import check_readable, read_data
 from ..trajectory import Series, TrajectoryScan, check_names
-from . import picture_options, scene_options, sensor_options
+from . import device_options, picture_options, scene_options, sensor_options
 
 NAME = "scan"
 SUMMARY = "scan a scene; write points, range image, local map, picture"
@@ -20,7 +21,8 @@ Scan a scene once and write any of: the points, the range image, the local map, 
 
 The file ending chooses the format. A .vtp file keeps everything in full precision. A .ply or
 .stl file has coordinates in single precision only. A .csv file has the columns
-x,y,z,Range,Alpha,Beta,BeamId,CellId; a .ply file of points has these properties.
+x,y,z,Range,Alpha,Beta,BeamId,CellId; a .ply file of points has these properties. Incidence,
+Intensity and Time follow if they are asked for.
 
 The files get their names together, when all are complete. In place of a file, - is the standard
 output: points are then written as .csv, the range image as .vti, the map as .ply, and the picture
@@ -31,8 +33,9 @@ is a .pvd file, which lists the files of all steps and their times; ParaView pla
 are in the scene's coordinates, after --up-axis. Without the point array Orientation the sensor
 looks along the polyline; without a polyline its orientation is --orientation.
 
-The sensor is ideal. The errors of the device make its ranges what a real device reports: bias, then
-noise, then resolution. All results have these ranges. Each scan of a trajectory has its own noise.
+By default the sensor is ideal. --device lms200-mm makes the scan that of an LMS 200: a beam has a width
+and mixes near and far surfaces at edges, dark surfaces do not return it, and ranges have errors (bias,
+then noise, then resolution). All results have these ranges. Each scan of a trajectory has its own noise.
 """
 EPILOG = """\
 examples:
@@ -42,8 +45,9 @@ examples:
   lms3d scan room.wrl --position 0.3 -0.2 1 -o - | gzip > points.csv.gz
   lms3d scan room.wrl --trajectory path.vtp -o scans.pvd --map maps.pvd
   lms3d scan room.wrl --position 0.3 -0.2 1 -o labelled.vtp --surface-attributes
-  lms3d scan room.wrl --position 0.3 -0.2 1 -o reported.vtp --range-noise 0.005 \\
-      --range-resolution 0.001 --seed 1 --map map.vtp --maximum-error 0.03
+  lms3d scan room.wrl --position 0.3 -0.2 1 -o reported.vtp --device lms200-mm --seed 1 \\
+      --map map.vtp --maximum-error 0.03
+  lms3d scan room.wrl --position 0.3 -0.2 1 -o noisy.vtp --range-noise 0.005 --time
 """
 
 # The formats of points that keep all arrays.
@@ -54,7 +58,6 @@ def add_arguments(parser):
     """Add the options of this command."""
     scene_options.add_scene(parser)
     sensor_options.add_sensor(parser, position_needed=True, may_move=True)
-    sensor_options.add_errors(parser)
     results = parser.add_argument_group("results, at least one")
     results.add_argument("-o", "--output", metavar="FILE",
                          help="points: .vtp .ply .csv, or - for .csv on the standard output; with "
@@ -68,6 +71,7 @@ def add_arguments(parser):
     results.add_argument("--map", metavar="FILE",
                          help="triangles: .vtp .ply .stl, or - for .ply; with --trajectory .pvd")
     sensor_options.add_map(results)
+    device_options.add_arrays(parser.add_argument_group("further arrays of the points"))
     results.add_argument("--picture", metavar="FILE",
                          help="scene in blue beside its local map in green: .png, or - (needs a "
                          "display)")
@@ -83,8 +87,11 @@ def run(options):
 
 def _scan(options):
     simulation = sensor_options.simulation(options)
-    simulation.sensor.SetSurfaceAttributes(options.surface_attributes)
-    sensor_options.set_errors(simulation, options)
+    sensor = simulation.sensor
+    sensor.SetSurfaceAttributes(options.surface_attributes)
+    sensor.SetMotionDuringScan(options.motion_during_scan)
+    set_arrays(sensor, options.incidence, options.intensity, options.time, options.status,
+               options.poses)
     print(f"scene    {simulation.scene}")
     if options.trajectory:
         _scan_trajectory(options, simulation)
@@ -149,9 +156,7 @@ def _check(options):
     if not targets:
         raise UsageProblem("nothing to write: give a file name by -o, --range-image, --map or "
                            "--picture")
-    if options.surface_attributes and Path(options.output or "").suffix.lower() not in _COMPLETE:
-        raise UsageProblem("--surface-attributes: only points in a .vtp or .pvd file hold them; "
-                           "give its name by -o")
+    _check_arrays(options)
     sensor_options.check(options)
     check_targets(targets, options.scene, **inputs)
     if options.trajectory:
@@ -159,6 +164,21 @@ def _check(options):
     check_readable(options.scene)
     if options.picture:
         check_display()
+
+
+def _check_arrays(options):
+    """Raise UsageProblem if no file would have the arrays of the options."""
+    is_complete = Path(options.output or "").suffix.lower() in _COMPLETE
+    for name in ("surface_attributes", "poses"):
+        if getattr(options, name) and not is_complete:
+            raise UsageProblem(f"--{name.replace('_', '-')}: only points in a .vtp or .pvd file hold "
+                               "them; give its name by -o")
+    if options.status and not (is_complete or options.range_image):
+        raise UsageProblem("--status: only points in a .vtp or .pvd file and the range image hold it; "
+                           "give a name by -o or --range-image")
+    for name in ("incidence", "intensity", "time"):
+        if getattr(options, name) and not options.output:
+            raise UsageProblem(f"--{name}: an array of the points; give their file by -o")
 
 
 def _write(options, simulation):

@@ -2,78 +2,30 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Options that several commands share: the sensor in a scene, and the local map."""
 
-import argparse
-import math
-
 import numpy as np
 
 from .. import vtkLMS3DScanFilter, vtkLMS3DSurfaceReconstructionFilter
 from ..problems import UsageProblem
-from ..properties import MAXIMUM_COUNT, MAXIMUM_THREADS, METHODS, MINIMUM_SEED
+from ..properties import MAXIMUM_COUNT, METHODS
 from ..simulation import Simulation
-from . import scene_options
+from . import device_options, scene_options
+from .values import bound, count, number, positive, thread_count
 
 _MAXIMUM_COORDINATE = 1e18  # metres, as in vtkLMS3DScanFilter
 
 
-def number(text):
-    """A finite number."""
-    value = float(text)
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"{text.strip()} is not a finite number")
-    return value
-
-
-def positive(text):
-    """A finite number above zero."""
-    value = number(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError(f"{text.strip()} is not above 0")
-    return value
-
-
-def bound(text):
-    """A finite number, zero or above."""
-    value = number(text)
-    if value < 0:
-        raise argparse.ArgumentTypeError(f"{text.strip()} is below 0")
-    return value
-
-
-def count(text, maximum=MAXIMUM_COUNT):
-    """A whole number from 1 to `maximum`."""
-    value = int(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError(f"{text.strip()} is below 1")
-    if value > maximum:
-        raise argparse.ArgumentTypeError(f"{text.strip()} is above {maximum}")
-    return value
-
-
-def thread_count(text):
-    """A number of threads; 0 stands for all cores."""
-    return 0 if int(text) == 0 else count(text, MAXIMUM_THREADS)
-
-
-def seed(text):
-    """The seed of random numbers: an int of VTK."""
-    value = int(text)
-    if not MINIMUM_SEED <= value <= MAXIMUM_COUNT:
-        raise argparse.ArgumentTypeError(
-            f"{text.strip()} is not within {MINIMUM_SEED} to {MAXIMUM_COUNT}")
-    return value
-
-
 def add_sensor(parser, position_needed, may_move=False, with_resolution=True):
-    """Add the sensor's pose or trajectory, angles, ranges, method and threads."""
+    """Add all options of the sensor: pose or trajectory, angles, measurement, device, platform."""
     where = "" if position_needed else " (default: the middle of the scene)"
     add_pose(parser.add_argument_group("pose of the sensor in the scene"), position_needed, where,
              may_move)
     add_angles(parser.add_argument_group("beams"), with_resolution)
     measurement = parser.add_argument_group("measurement")
-    add_ranges(measurement)
+    add_ranges(measurement, ", or what the --device reaches")
     _add_method(measurement)
     add_threads(measurement)
+    device_options.add_device(parser)
+    device_options.add_platform(parser, may_move)
 
 
 def add_pose(group, position_needed, where, may_move=False):
@@ -108,13 +60,15 @@ def add_angles(group, with_resolution=True):
                                help=f"number of {name} angles (default: {resolution})")
 
 
-def add_ranges(group):
-    """Add the sensor's minimum and maximum range."""
+def add_ranges(group, default=""):
+    """Add the sensor's minimum and maximum range; `default` is a text about the maximum's default."""
     defaults = vtkLMS3DScanFilter()
-    for name, word in (("minimum", "nearer"), ("maximum", "farther")):
-        value = getattr(defaults, f"Get{name.title()}Range")()
-        group.add_argument(f"--{name}-range", type=number, metavar="M", default=value,
-                           help=f"metres; a {word} surface gives no return (default: {value:g})")
+    group.add_argument("--minimum-range", type=number, metavar="M", default=defaults.GetMinimumRange(),
+                       help="metres; a nearer surface gives no return (default: "
+                       f"{defaults.GetMinimumRange():g})")
+    group.add_argument("--maximum-range", type=number, metavar="M",
+                       help="metres; a farther surface gives no return (default: "
+                       f"{defaults.GetMaximumRange():g}{default})")
 
 
 def _add_method(group):
@@ -129,34 +83,6 @@ def add_threads(group):
     group.add_argument("--threads", type=thread_count, metavar="N", default=0,
                        help="number of threads, up to 1024; the results are the same for any "
                        "number (default: 0, all cores)")
-
-
-def add_errors(parser):
-    """Add the errors of the device's ranges."""
-    group = parser.add_argument_group("errors of the device (default: none)")
-    group.add_argument("--range-bias", type=number, metavar="M", default=0.0,
-                       help="metres; added to every range (the data sheet of the LMS 200 allows "
-                       "-0.015 to 0.015)")
-    group.add_argument("--range-noise", type=bound, metavar="M", default=0.0,
-                       help="metres; one standard deviation of normally distributed noise along "
-                       "the beam (LMS 200: 0.005)")
-    group.add_argument("--range-resolution", type=bound, metavar="M", default=0.0,
-                       help="metres; ranges are rounded to the nearest multiple, after bias and "
-                       "noise (LMS 200: 0.001 or 0.01)")
-    group.add_argument("--seed", type=seed, metavar="N", default=0,
-                       help="number of the noise: the same seed gives the same noise, another "
-                       "seed other noise (default: 0)")
-
-
-def set_errors(simulation, options):
-    """Add the errors of the options to the simulation, if there are any."""
-    if options.range_bias or options.range_noise or options.range_resolution:
-        errors = simulation.add_errors()
-        errors.SetRangeBias(options.range_bias)
-        errors.SetRangeNoise(options.range_noise)
-        errors.SetRangeResolution(options.range_resolution)
-        errors.SetNoiseSeed(options.seed)
-        errors.SetNumberOfThreads(options.threads)
 
 
 def add_map(parser):
@@ -188,6 +114,7 @@ def changed(options):
 
 def check(options):
     """Raise UsageProblem if the sensor's options are invalid. Reads no file."""
+    device_options.check(options)
     if any(abs(x) > _MAXIMUM_COORDINATE for x in options.position or ()):
         raise UsageProblem("--position {:g} {:g} {:g}: must lie within {:g} of 0".format(
             *options.position, _MAXIMUM_COORDINATE))
@@ -202,7 +129,7 @@ def check(options):
     low, high = options.beta_range
     if not (high - low <= 360 and _is_range(low, high, options.beta_resolution)):
         raise UsageProblem(f"--beta-range {low:g} {high:g}: must increase, by 360 at most")
-    low, high = options.minimum_range, options.maximum_range
+    low, high = options.minimum_range, device_options.get_maximum_range(options)
     if not (0 <= low <= high and high > 0):
         raise UsageProblem(f"--minimum-range {low:g} --maximum-range {high:g}: the minimum must be "
                            "0 or more, the maximum above 0 and not below the minimum")
@@ -220,6 +147,7 @@ def simulation(options):
     result = Simulation(scene)
     sensor = result.sensor
     set_sensor(sensor, options, result.scene)
+    device_options.apply(result, options)
     sensor.SetNumberOfThreads(options.threads)
     sensor.SetIntersectionMethod(METHODS[options.method])
     result.reconstruction.SetMaximumError(options.maximum_error)
@@ -236,4 +164,4 @@ def set_sensor(sensor, options, scene):
     sensor.SetBetaRange(options.beta_range)
     sensor.SetBetaResolution(options.beta_resolution)
     sensor.SetMinimumRange(options.minimum_range)
-    sensor.SetMaximumRange(options.maximum_range)
+    sensor.SetMaximumRange(device_options.get_maximum_range(options))

@@ -8,7 +8,7 @@ from ..problems import UsageProblem
 from ..remote import RemoteScanner
 from ..results import check_targets, reports, save
 from ..scene import check_readable
-from . import picture_options, scene_options, sensor_options
+from . import device_options, picture_options, scene_options, sensor_options, values
 
 NAME = "view"
 SUMMARY = "move the sensor in a window; the local map follows"
@@ -28,6 +28,7 @@ EPILOG = """\
 examples:
   lms3d view room.wrl --position 0.3 -0.2 1
   lms3d view room.wrl --position 0.3 -0.2 1 --screenshot figure.png
+  lms3d view room.wrl --position 0.3 -0.2 1 --device lms200-mm --maximum-error 0.03
   lms3d view --server corbaloc:iiop:1.2@127.0.0.1:2810/LMS3D
 """
 
@@ -42,9 +43,9 @@ def add_arguments(parser):
     sensor_options.add_sensor(parser, position_needed=False)
     view = parser.add_argument_group("view")
     sensor_options.add_map(view)
-    view.add_argument("--step", type=sensor_options.positive, metavar="M",
+    view.add_argument("--step", type=values.positive, metavar="M",
                       help="metres that a key moves the sensor (default: 1/50 of the scene's size)")
-    view.add_argument("--turn-step", type=sensor_options.positive, metavar="DEG",
+    view.add_argument("--turn-step", type=values.positive, metavar="DEG",
                       default=TURN_STEP,
                       help=f"degrees that a key turns the sensor (default: {TURN_STEP:g})")
     view.add_argument("--screenshot", metavar="FILE",
@@ -84,7 +85,8 @@ def _view_scene(options):
 
 
 def _view_server(options):
-    useless = sensor_options.changed(options) + ["--position"] * (options.position is not None)
+    useless = (sensor_options.changed(options) + device_options.given_names(options)
+               + ["--position"] * (options.position is not None))
     if useless:
         raise UsageProblem(f"{useless[0]}: the server has its own sensor")
     if options.screenshot:
