@@ -58,6 +58,13 @@ void lms3dCheckHeader(const LMS3D::ScanHeader& header)
     header, "its map is too large");
 }
 
+void lms3dCheckDevice(const lms3dRemoteScan& scan)
+{
+  const lms3dPlatform platform = lms3dGetPlatform(scan.Device);
+  Require(IsFinite(scan.Device.axisOffset) && std::isfinite(platform.TurnRate), scan.Header,
+    "the offset or the turn rate of its device is not finite");
+}
+
 void lms3dCheckArrays(const lms3dRemoteScan& scan)
 {
   const LMS3D::ScanHeader& header = scan.Header;

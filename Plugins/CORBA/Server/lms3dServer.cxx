@@ -3,6 +3,7 @@
 #include "lms3dServer.h"
 
 #include "Announcement/lms3dObjectAddresses.h"
+#include "Common/lms3dDeviceNames.h"
 #include "Common/lms3dLog.h"
 #include "Connections/lms3dRequestGate.h"
 #include "Object/lms3dSettingsCheck.h"
@@ -26,6 +27,16 @@ lms3dSceneReading GetReading(const lms3dServerOptions& options)
   return reading;
 }
 
+LMS3D::Device MakeDevice(const lms3dServerOptions& options)
+{
+  LMS3D::Device device = lms3dFindPreset(options.Device).value();
+  for (const auto& change : options.DeviceChanges)
+  {
+    change(device);
+  }
+  return device;
+}
+
 lms3dScanSettings MakeFirstSettings(const lms3dServerOptions& options,
   const lms3dSceneCatalogue& catalogue, const lms3dStopTest& isStopped)
 {
@@ -33,6 +44,7 @@ lms3dScanSettings MakeFirstSettings(const lms3dServerOptions& options,
   settings.Configuration = lms3dDefaultConfiguration();
   settings.Configuration.makeMap = options.MakeMap;
   settings.Configuration.mapError = options.MapError;
+  settings.Device = MakeDevice(options);
   settings.Pose.position = { options.Position[0], options.Position[1], options.Position[2] };
   settings.Pose.orientation = { options.Orientation[0], options.Orientation[1],
     options.Orientation[2] };
