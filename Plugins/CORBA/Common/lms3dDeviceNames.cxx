@@ -2,64 +2,71 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Common/lms3dDeviceNames.h"
 
+#include "Device/lms3dDevices.h"
+
 #include <algorithm>
-#include <iterator>
+#include <cctype>
 
 namespace
 {
-/// Lengths are metres.
-struct Preset
+std::string GetPresetName(const lms3dDevice& device)
 {
-  const char* Name;
-  double RangeNoise;
-  double RangeResolution;
-  double BeamDiameter;
-  double BeamDivergence;
-  unsigned int BeamSamples;
-  double RangeAtTenPercent;
-};
+  std::string name = device.Name;
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return name;
+}
 
-// SICK's technical description of the LMS 200, 8008970/06-2003, pages 7, 33 and 114.
-constexpr Preset Presets[] = {
-  { "ideal", 0.0, 0.0, 0.0, 0.0, 1, 0.0 },
-  { "lms200-mm", 0.005, 0.001, 0.012, 0.0044, 7, 10.0 },
-};
-
-LMS3D::Device MakeDevice(const Preset& preset)
+LMS3D::Preset MakePreset(const lms3dDevice& device)
 {
-  LMS3D::Device device{};
-  device.rangeNoise = preset.RangeNoise;
-  device.rangeResolution = preset.RangeResolution;
-  device.beamDiameter = preset.BeamDiameter;
-  device.beamDivergence = preset.BeamDivergence;
-  device.beamSamples = preset.BeamSamples;
-  device.pulseLength = 1.0;
-  device.rangeAtTenPercent = preset.RangeAtTenPercent;
-  device.mounting = LMS3D::MOUNTING_YAWING;
-  return device;
+  LMS3D::Preset preset{};
+  LMS3D::Device& properties = preset.properties;
+  properties.rangeBias = device.RangeBias;
+  properties.rangeNoise = device.RangeNoise;
+  properties.rangeResolution = device.RangeResolution;
+  properties.beamDiameter = device.BeamDiameter;
+  properties.beamDivergence = device.BeamDivergence;
+  properties.beamSamples = static_cast<CORBA::ULong>(device.BeamSamples);
+  properties.pulseLength = device.PulseLength;
+  properties.rangeAtTenPercent = device.RangeAtTenPercent;
+  properties.mounting = LMS3D::MOUNTING_YAWING;
+  preset.maximumRange = device.MaximumRange;
+  return preset;
 }
 } // namespace
 
 LMS3D::Device lms3dGetIdealDevice()
 {
-  return MakeDevice(Presets[0]);
+  return MakePreset(*lms3dGetDevice(0)).properties;
 }
 
 std::vector<std::string> lms3dGetPresetNames()
 {
   std::vector<std::string> names;
-  for (const Preset& preset : Presets)
+  for (int i = 0; i < lms3dGetNumberOfDevices(); ++i)
   {
-    names.emplace_back(preset.Name);
+    names.push_back(GetPresetName(*lms3dGetDevice(i)));
   }
   return names;
 }
 
-std::optional<LMS3D::Device> lms3dFindPreset(const std::string& name)
+std::optional<LMS3D::Preset> lms3dFindPreset(const std::string& name)
 {
-  const auto preset = std::find_if(std::begin(Presets), std::end(Presets),
-    [&name](const Preset& candidate) { return name == candidate.Name; });
-  return preset == std::end(Presets) ? std::nullopt : std::make_optional(MakeDevice(*preset));
+  const int number =
+    lms3dFindDevice([&name](const lms3dDevice& device) { return GetPresetName(device) == name; });
+  return number < 0 ? std::nullopt : std::make_optional(MakePreset(*lms3dGetDevice(number)));
+}
+
+void lms3dSetPreset(const LMS3D::Preset& preset, LMS3D::Device& device)
+{
+  LMS3D::Device properties = preset.properties;
+  properties.noiseSeed = device.noiseSeed;
+  properties.reflectanceArray = device.reflectanceArray;
+  properties.mounting = device.mounting;
+  properties.axisOffset = device.axisOffset;
+  properties.turnRate = device.turnRate;
+  properties.computeStatus = device.computeStatus;
+  device = properties;
 }
 
 const std::vector<std::string>& lms3dGetMountingNames()

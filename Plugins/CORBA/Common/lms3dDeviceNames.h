@@ -19,8 +19,11 @@ LMS3D::Device lms3dGetIdealDevice();
 /// Returns the names of all presets. The first is "ideal".
 std::vector<std::string> lms3dGetPresetNames();
 
-/// Returns the device of a preset, or nothing if there is no such preset.
-std::optional<LMS3D::Device> lms3dFindPreset(const std::string& name);
+/// Returns a preset, or nothing if there is none of this name.
+std::optional<LMS3D::Preset> lms3dFindPreset(const std::string& name);
+
+/// Sets the properties that a preset describes, and keeps the others.
+void lms3dSetPreset(const LMS3D::Preset& preset, LMS3D::Device& device);
 
 /// Returns the names of all mountings, in the order of LMS3D::ScannerMounting: "yawing" and so on.
 const std::vector<std::string>& lms3dGetMountingNames();

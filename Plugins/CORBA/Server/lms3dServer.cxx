@@ -27,14 +27,15 @@ lms3dSceneReading GetReading(const lms3dServerOptions& options)
   return reading;
 }
 
-LMS3D::Device MakeDevice(const lms3dServerOptions& options)
+void SetDevice(const lms3dServerOptions& options, lms3dScanSettings& settings)
 {
-  LMS3D::Device device = lms3dFindPreset(options.Device).value();
+  const LMS3D::Preset preset = lms3dFindPreset(options.Device).value();
+  settings.Device = preset.properties;
+  settings.Configuration.maximumRange = preset.maximumRange;
   for (const auto& change : options.DeviceChanges)
   {
-    change(device);
+    change(settings.Device);
   }
-  return device;
 }
 
 lms3dScanSettings MakeFirstSettings(const lms3dServerOptions& options,
@@ -44,7 +45,7 @@ lms3dScanSettings MakeFirstSettings(const lms3dServerOptions& options,
   settings.Configuration = lms3dDefaultConfiguration();
   settings.Configuration.makeMap = options.MakeMap;
   settings.Configuration.mapError = options.MapError;
-  settings.Device = MakeDevice(options);
+  SetDevice(options, settings);
   settings.Pose.position = { options.Position[0], options.Position[1], options.Position[2] };
   settings.Pose.orientation = { options.Orientation[0], options.Orientation[1],
     options.Orientation[2] };

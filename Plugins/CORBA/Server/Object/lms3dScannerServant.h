@@ -126,9 +126,11 @@ public:
   ///@}
 
   ///@{
-  /// The presets. getPreset() throws LMS3D::NoSuchPreset for other names.
+  /// The presets. getPreset() throws LMS3D::NoSuchPreset for other names, and so does selectPreset(), which
+  /// throws what setDevice() and setConfiguration() throw, too.
   LMS3D::PresetNames* listPresets() override;
-  LMS3D::Device* getPreset(const char* name) override;
+  LMS3D::Preset* getPreset(const char* name) override;
+  CORBA::ULongLong selectPreset(const char* name) override;
   ///@}
 
   /// Throws LMS3D::ScanGone if the store does not have the scan.

@@ -9,6 +9,15 @@
 #include <mutex>
 #include <optional>
 
+namespace
+{
+LMS3D::Preset FindPreset(const char* name)
+{
+  const std::optional<LMS3D::Preset> preset = lms3dFindPreset(name);
+  return preset ? *preset : throw LMS3D::NoSuchPreset(name);
+}
+} // namespace
+
 LMS3D::Device* lms3dScannerServant::getDevice()
 {
   return new LMS3D::Device(this->Board.Get().Device);
@@ -19,8 +28,9 @@ CORBA::ULongLong lms3dScannerServant::setDevice(const LMS3D::Device& newDevice)
   this->RequireWritable();
   lms3dCheckDevice(newDevice);
   const std::lock_guard<std::mutex> lock(this->SettingsMutex);
-  lms3dCheckRays(this->Board.Get().Configuration, newDevice);
-  return this->Board.SetDevice(newDevice);
+  const LMS3D::Configuration configuration = this->Board.Get().Configuration;
+  lms3dCheckRays(configuration, newDevice);
+  return this->Board.SetDevice(newDevice, configuration);
 }
 
 LMS3D::PresetNames* lms3dScannerServant::listPresets()
@@ -28,10 +38,22 @@ LMS3D::PresetNames* lms3dScannerServant::listPresets()
   return lms3dMakePresetNames();
 }
 
-LMS3D::Device* lms3dScannerServant::getPreset(const char* name)
+LMS3D::Preset* lms3dScannerServant::getPreset(const char* name)
 {
-  const std::optional<LMS3D::Device> device = lms3dFindPreset(name);
-  return device ? new LMS3D::Device(*device) : throw LMS3D::NoSuchPreset(name);
+  return new LMS3D::Preset(FindPreset(name));
+}
+
+CORBA::ULongLong lms3dScannerServant::selectPreset(const char* name)
+{
+  this->RequireWritable();
+  const LMS3D::Preset preset = FindPreset(name);
+  const std::lock_guard<std::mutex> lock(this->SettingsMutex);
+  lms3dScanSettings settings = this->Board.Get();
+  lms3dSetPreset(preset, settings.Device);
+  settings.Configuration.maximumRange = preset.maximumRange;
+  lms3dCheckConfiguration(settings.Configuration);
+  lms3dCheckRays(settings.Configuration, settings.Device);
+  return this->Board.SetDevice(settings.Device, settings.Configuration);
 }
 
 LMS3D::Device* lms3dScannerServant::getScanDevice(CORBA::ULongLong number)

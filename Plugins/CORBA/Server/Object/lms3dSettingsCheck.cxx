@@ -139,8 +139,8 @@ void lms3dCheckDevice(const LMS3D::Device& device)
 
 void lms3dCheckRays(const LMS3D::Configuration& configuration, const LMS3D::Device& device)
 {
-  const CORBA::ULongLong rays = CORBA::ULongLong(configuration.alpha.count) *
-    configuration.beta.count * device.beamSamples;
+  const CORBA::ULongLong rays =
+    CORBA::ULongLong(configuration.alpha.count) * configuration.beta.count * device.beamSamples;
   if (rays > lms3dMaximumRays)
   {
     throw LMS3D::LimitExceeded(

@@ -49,10 +49,12 @@ std::uint64_t lms3dSettingsBoard::SetConfiguration(const LMS3D::Configuration& c
   return this->Advance();
 }
 
-std::uint64_t lms3dSettingsBoard::SetDevice(const LMS3D::Device& device)
+std::uint64_t lms3dSettingsBoard::SetDevice(
+  const LMS3D::Device& device, const LMS3D::Configuration& configuration)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Settings.Device = device;
+  this->Settings.Configuration = configuration;
   return this->Advance();
 }
 

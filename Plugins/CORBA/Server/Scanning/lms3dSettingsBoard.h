@@ -47,10 +47,10 @@ public:
   void Stop();
 
   ///@{
-  /// Replaces one setting and returns the new generation. The settings must be valid.
+  /// Replaces a setting, or two at once, and returns the new generation. The settings must be valid.
   std::uint64_t SetPose(const LMS3D::Pose& pose);
   std::uint64_t SetConfiguration(const LMS3D::Configuration& configuration);
-  std::uint64_t SetDevice(const LMS3D::Device& device);
+  std::uint64_t SetDevice(const LMS3D::Device& device, const LMS3D::Configuration& configuration);
   std::uint64_t SetScene(lms3dServedScenePointer scene);
   ///@}
 
