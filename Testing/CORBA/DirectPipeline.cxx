@@ -63,6 +63,11 @@ void SetDevice(const LMS3D::Device& device, vtkLMS3DScanFilter* scanner)
   scanner->SetReflectanceArray(device.reflectanceArray);
 }
 
+bool HasErrors(const LMS3D::Device& device)
+{
+  return device.rangeBias != 0.0 || device.rangeNoise != 0.0 || device.rangeResolution != 0.0;
+}
+
 void SetErrors(const LMS3D::Device& device, vtkLMS3DRangeErrorFilter* errors)
 {
   errors->SetRangeBias(device.rangeBias);
@@ -95,12 +100,19 @@ DirectPipeline::DirectPipeline(const std::string& scene, const LMS3D::Pose& pose
   errors->SetNumberOfThreads(FilterThreads);
   SetErrors(device, errors);
   vtkNew<vtkLMS3DSurfaceReconstructionFilter> mapper;
-  mapper->SetInputConnection(errors->GetOutputPort());
+  mapper->SetInputConnection(
+    HasErrors(device) ? errors->GetOutputPort() : scanner->GetOutputPort());
   mapper->SetNumberOfThreads(FilterThreads);
   mapper->SetMaximumError(configuration.mapError);
   mapper->Update();
-  errors->Update();
-  this->TakeScan(errors->GetRangeImage(), errors->GetOutput());
+  if (HasErrors(device))
+  {
+    this->TakeScan(errors->GetRangeImage(), errors->GetOutput());
+  }
+  else
+  {
+    this->TakeScan(scanner->GetRangeImage(), scanner->GetOutput());
+  }
   this->TakeMap(mapper->GetOutput());
 }
 

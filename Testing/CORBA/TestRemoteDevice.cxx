@@ -36,7 +36,7 @@ using Vector = std::array<double, 3>;
 LMS3D::Configuration GetGrid()
 {
   LMS3D::Configuration configuration = GetCoarseGrid();
-  configuration.alpha = { -10.0, 170.0, 19 };
+  configuration.alpha = { -80.0, 80.0, 17 };
   configuration.beta = { -45.0, 45.0, 31 };
   configuration.makeMap = false;
   return configuration;
@@ -113,9 +113,9 @@ TEST(RemoteDevice, PointsLieWhereTheInterfaceSays)
     for (vtkIdType i = 0; i < scan->GetNumberOfPoints(); ++i)
     {
       const int id = static_cast<int>(ids->GetTuple1(i));
-      const double alpha = grid.alpha.start + 10.0 * (id % 19);
+      const double alpha = grid.alpha.start + 10.0 * (id % 17);
       const double time = (alpha - grid.alpha.start) / (360.0 * 75.0);
-      const double beta = grid.beta.start + 3.0 * (id / 19) + device.turnRate * time;
+      const double beta = grid.beta.start + 3.0 * (id / 17) + device.turnRate * time;
       const Beam beam = GetBeam(device, alpha, beta);
       const Vector sensor = { position.x, position.y, position.z };
       for (int axis = 0; axis < 3; ++axis)
