@@ -104,16 +104,21 @@ DirectPipeline::DirectPipeline(const std::string& scene, const LMS3D::Pose& pose
     HasErrors(device) ? errors->GetOutputPort() : scanner->GetOutputPort());
   mapper->SetNumberOfThreads(FilterThreads);
   mapper->SetMaximumError(configuration.mapError);
-  mapper->Update();
   if (HasErrors(device))
   {
+    errors->Update();
     this->TakeScan(errors->GetRangeImage(), errors->GetOutput());
   }
   else
   {
+    scanner->Update();
     this->TakeScan(scanner->GetRangeImage(), scanner->GetOutput());
   }
-  this->TakeMap(mapper->GetOutput());
+  if (configuration.makeMap)
+  {
+    mapper->Update();
+    this->TakeMap(mapper->GetOutput());
+  }
 }
 
 void DirectPipeline::TakeScan(vtkImageData* image, vtkPolyData* scan)
