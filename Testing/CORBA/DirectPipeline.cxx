@@ -3,17 +3,20 @@
 #include "DirectPipeline.h"
 
 #include "ServerProcess.h"
+#include "vtkLMS3DRangeErrorFilter.h"
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 #include "vtkVRMLImporterSource.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 
 #include <cmath>
@@ -31,10 +34,51 @@ std::vector<double> GetPoints(vtkPolyData* data)
   }
   return coordinates;
 }
+
+// A trajectory of one pose gives the scan its time, which selects its errors.
+vtkNew<vtkPolyData> MakeTrajectory(const LMS3D::Vector3& position, CORBA::ULongLong time)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(position.x, position.y, position.z);
+  vtkNew<vtkDoubleArray> times;
+  times->SetName("Time");
+  times->InsertNextValue(static_cast<double>(time));
+  vtkNew<vtkPolyData> trajectory;
+  trajectory->SetPoints(points);
+  trajectory->GetPointData()->AddArray(times);
+  return trajectory;
+}
+
+void SetDevice(const LMS3D::Device& device, vtkLMS3DScanFilter* scanner)
+{
+  scanner->SetMounting(static_cast<int>(device.mounting));
+  scanner->SetAxisOffset(device.axisOffset.x, device.axisOffset.y, device.axisOffset.z);
+  scanner->SetTurnRate(device.turnRate);
+  scanner->SetBeamDiameter(device.beamDiameter);
+  scanner->SetBeamDivergence(device.beamDivergence);
+  scanner->SetBeamSamples(static_cast<int>(device.beamSamples));
+  scanner->SetPulseLength(device.pulseLength);
+  scanner->SetRangeAtTenPercent(device.rangeAtTenPercent);
+  scanner->SetReflectanceArray(device.reflectanceArray);
+}
+
+bool HasErrors(const LMS3D::Device& device)
+{
+  return device.rangeBias != 0.0 || device.rangeNoise != 0.0 || device.rangeResolution != 0.0;
+}
+
+void SetErrors(const LMS3D::Device& device, vtkLMS3DRangeErrorFilter* errors)
+{
+  errors->SetRangeBias(device.rangeBias);
+  errors->SetRangeNoise(device.rangeNoise);
+  errors->SetRangeResolution(device.rangeResolution);
+  errors->SetNoiseSeed(device.noiseSeed);
+}
 } // namespace
 
-DirectPipeline::DirectPipeline(
-  const std::string& scene, const LMS3D::Pose& pose, const LMS3D::Configuration& configuration)
+DirectPipeline::DirectPipeline(const std::string& scene, const LMS3D::Pose& pose,
+  const LMS3D::Configuration& configuration, const LMS3D::Device& device, CORBA::ULongLong number)
 {
   vtkNew<vtkVRMLImporterSource> reader;
   reader->SetFileName((std::string(LMS3D_DATA_DIR) + "/" + scene).c_str());
@@ -49,13 +93,32 @@ DirectPipeline::DirectPipeline(
   scanner->SetBetaResolution(static_cast<int>(configuration.beta.count));
   scanner->SetMinimumRange(configuration.minimumRange);
   scanner->SetMaximumRange(configuration.maximumRange);
+  scanner->SetTrajectoryData(MakeTrajectory(pose.position, number));
+  SetDevice(device, scanner);
+  vtkNew<vtkLMS3DRangeErrorFilter> errors;
+  errors->SetInputConnection(scanner->GetOutputPort());
+  errors->SetNumberOfThreads(FilterThreads);
+  SetErrors(device, errors);
   vtkNew<vtkLMS3DSurfaceReconstructionFilter> mapper;
-  mapper->SetInputConnection(scanner->GetOutputPort());
+  mapper->SetInputConnection(
+    HasErrors(device) ? errors->GetOutputPort() : scanner->GetOutputPort());
   mapper->SetNumberOfThreads(FilterThreads);
   mapper->SetMaximumError(configuration.mapError);
-  mapper->Update();
-  this->TakeScan(scanner->GetRangeImage(), scanner->GetOutput());
-  this->TakeMap(mapper->GetOutput());
+  if (HasErrors(device))
+  {
+    errors->Update();
+    this->TakeScan(errors->GetRangeImage(), errors->GetOutput());
+  }
+  else
+  {
+    scanner->Update();
+    this->TakeScan(scanner->GetRangeImage(), scanner->GetOutput());
+  }
+  if (configuration.makeMap)
+  {
+    mapper->Update();
+    this->TakeMap(mapper->GetOutput());
+  }
 }
 
 void DirectPipeline::TakeScan(vtkImageData* image, vtkPolyData* scan)

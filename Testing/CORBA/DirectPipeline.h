@@ -7,6 +7,7 @@
 #ifndef DirectPipeline_h
 #define DirectPipeline_h
 
+#include "Common/lms3dDeviceNames.h"
 #include "LMS3DScanner.hh"
 
 #include <cstdint>
@@ -19,8 +20,10 @@ class vtkPolyData;
 /// Shares no code with the server.
 struct DirectPipeline
 {
-  DirectPipeline(
-    const std::string& scene, const LMS3D::Pose& pose, const LMS3D::Configuration& configuration);
+  /// Scans with the device, as the server makes its scan of a number.
+  DirectPipeline(const std::string& scene, const LMS3D::Pose& pose,
+    const LMS3D::Configuration& configuration, const LMS3D::Device& device = lms3dGetIdealDevice(),
+    CORBA::ULongLong number = 0);
 
   /// r, alpha, beta of each beam, r 0 without a return.
   std::vector<float> Triples;

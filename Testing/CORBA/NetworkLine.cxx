@@ -74,6 +74,29 @@ bool NetworkLine::IsBroken() const
   return this->BreakingWord.empty();
 }
 
+void NetworkLine::Replace(const std::string& word, const std::string& other)
+{
+  ASSERT_EQ(word.size(), other.size());
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->ReplacedWord = word;
+  this->OtherWord = other;
+}
+
+void NetworkLine::ReplaceWord(char* message, std::size_t size)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (!this->ReplacedWord.empty())
+  {
+    char* const end = message + size;
+    char* const found =
+      std::search(message, end, this->ReplacedWord.begin(), this->ReplacedWord.end());
+    if (found != end)
+    {
+      std::copy(this->OtherWord.begin(), this->OtherWord.end(), found);
+    }
+  }
+}
+
 bool NetworkLine::IsBreaking(const std::string& message)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -145,6 +168,10 @@ bool NetworkLine::Forward(const Connection& connection, int from, int to)
   else if (this->IsBreaking({ buffer.data(), count }))
   {
     return false;
+  }
+  else
+  {
+    this->ReplaceWord(buffer.data(), count);
   }
   return send(to, buffer.data(), count, MSG_NOSIGNAL) == size;
 }

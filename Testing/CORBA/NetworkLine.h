@@ -35,6 +35,9 @@ public:
   void BreakAt(const std::string& word);
   bool IsBroken() const;
 
+  /// Writes `other` in place of `word`, which is as long, in each message to the server from now on.
+  void Replace(const std::string& word, const std::string& other);
+
 private:
   struct Connection
   {
@@ -46,6 +49,7 @@ private:
   void Accept();
   bool Forward(const Connection& connection, int from, int to);
   bool IsBreaking(const std::string& message);
+  void ReplaceWord(char* message, std::size_t size);
 
   int ServerPort = 0;
   std::string Corbaloc;
@@ -54,6 +58,8 @@ private:
 
   mutable std::mutex Mutex;
   std::string BreakingWord;
+  std::string ReplacedWord;
+  std::string OtherWord;
 
   int Listener = -1;
   std::vector<Connection> Connections;

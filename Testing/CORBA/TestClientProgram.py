@@ -70,6 +70,22 @@ class ClientTest(unittest.TestCase):
         self.assertIn("from 1 0.5 1.2:", self.run_client("pose", "1", "0.5", "1.2"))
         self.assertIn("of teapot.wrl", self.run_client("scene", "teapot.wrl"))
 
+    def test_device(self):
+        """The client prints it, selects a preset, and sets single properties."""
+        self.assertEqual(self.run_client("presets"), "ideal\nlms200-mm\nlms200-cm\nlms291\n")
+        self.assertIn("rangeNoise 0 m\n", self.run_client("device"))
+        self.assertIn("of room.wrl", self.run_client("device", "lms200-cm"))
+        self.assertIn("of room.wrl", self.run_client("set", "noiseSeed", "-3"))
+        for words in ("rangeNoise 0", "rangeResolution 0"):
+            self.run_client("set", *words.split())
+        for words in ("mounting pitching", "axisOffset 0 0.25 -0.5", "computeStatus on"):
+            self.assertIn("of room.wrl", self.run_client("set", *words.split()))
+        printed = self.run_client("device").splitlines()
+        for line in ("rangeNoise 0 m", "noiseSeed -3", "beamDiameter 0.012 m", "beamSamples 7 rays",
+                     "mounting pitching", "axisOffset 0 0.25 -0.5 m", "turnRate 0 deg/s",
+                     "computeStatus on"):
+            self.assertIn(line, printed)
+
     def test_saves(self):
         """Scan and map as VTK's files."""
         scan, surface = self.folder / "scan.vtp", self.folder / "map.vtp"
@@ -146,6 +162,14 @@ class ClientTest(unittest.TestCase):
                 ((self.server.corbaloc, "pose", "nan", "0", "0"), 1, "position is nan"),
                 ((self.server.corbaloc, "pose", "0", "a", "0"), 2, 'Y: "a" is not a number'),
                 ((self.server.corbaloc, "pose", *"00000", "1e999"), 2, 'RZ: "1e999" is not'),
+                ((self.server.corbaloc, "device", "sick"), 1, "NoSuchPreset"),
+                ((self.server.corbaloc, "set", "rangeNoise", "-1"), 1, "rangeNoise is -1"),
+                ((unused, "set", "range", "1"), 2, '"range" is no property'),
+                ((unused, "set", "rangeNoise", "x"), 2, 'rangeNoise: "x" is not a number'),
+                ((unused, "set", "rangeNoise", "1", "2", "3"), 2, "rangeNoise: it takes 1 value"),
+                ((unused, "set", "axisOffset", "1"), 2, "axisOffset: it takes 3 values"),
+                ((unused, "set", "mounting", "up"), 2, 'mounting: "up" is none of yawing, '),
+                ((unused, "set", "computeStatus", "1"), 2, '"1" is neither on nor off'),
                 ((self.server.corbaloc, "watch", "2x"), 2, 'COUNT: "2x" is not a whole number'),
                 ((self.server.corbaloc, "listen", "-1"), 2, 'COUNT: "-1" is not a whole number'),
                 ((self.server.corbaloc, "jump"), 2, "Usage"), ((), 2, "Usage"),

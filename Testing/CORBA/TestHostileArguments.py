@@ -6,7 +6,7 @@ import struct
 import unittest
 
 import giop
-from raw_messages import LONG_ARGUMENTS, write_configuration, write_wait
+from raw_messages import LONG_ARGUMENTS, write_configuration, write_device, write_wait
 from server_process import BEAMS, Server
 
 
@@ -69,6 +69,18 @@ class ArgumentTest(unittest.TestCase):
         """A value beyond the end of an enumeration."""
         self.fail_with(giop.SystemException, "MARSHAL", "setConfiguration",
                        lambda e: write_configuration(e, method=99))
+
+    def test_devices(self):
+        """A mounting beyond the end of the enumeration, a name that is too long, a missing end."""
+        self.fail_with(giop.SystemException, "MARSHAL", "setDevice",
+                       lambda e: write_device(e, mounting=4))
+        self.fail_with(giop.SystemException, "MARSHAL", "setDevice",
+                       lambda e: write_device(e, array=b"x" * 129))
+        self.fail_with(giop.SystemException, "MARSHAL", "setDevice", lambda e: e.number("d", 1.0))
+        self.fail_with(giop.UserException, "NoSuchPreset", "selectPreset",
+                       lambda e: e.string(b"../ideal"))
+        self.fail_with(giop.SystemException, "MARSHAL|BAD_PARAM", "getPreset",
+                       lambda e: e.string(b"x" * 65))
 
 
 if __name__ == "__main__":

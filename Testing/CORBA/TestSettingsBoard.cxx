@@ -47,8 +47,15 @@ TEST(SettingsBoard, EachChangeIsAGeneration)
   EXPECT_EQ(board.SetPose(At(3.0)), 2u);
   EXPECT_EQ(board.SetConfiguration(lms3dDefaultConfiguration()), 3u);
   EXPECT_EQ(board.SetScene(std::make_shared<lms3dServedScene>()), 4u);
-  EXPECT_EQ(board.Get().Generation, 4u);
+  LMS3D::Device device = lms3dGetIdealDevice();
+  device.rangeNoise = 0.5;
+  LMS3D::Configuration configuration = lms3dDefaultConfiguration();
+  configuration.maximumRange = 8.0;
+  EXPECT_EQ(board.SetDevice(device, configuration), 5u);
+  EXPECT_EQ(board.Get().Generation, 5u);
   EXPECT_EQ(board.Get().Pose.position.y, 3.0);
+  EXPECT_EQ(board.Get().Device.rangeNoise, 0.5);
+  EXPECT_EQ(board.Get().Configuration.maximumRange, 8.0);
 }
 
 TEST(SettingsBoard, ManyWritersAndAReader)
@@ -119,6 +126,8 @@ TEST(ScannerServant, BeforeTheFirstScan)
   EXPECT_THROW(servant->getMap(), LMS3D::NoScanYet);
   EXPECT_THROW(servant->waitForScan(0, 0, 10), LMS3D::NoScanYet);
   EXPECT_THROW(servant->getRanges(1, 0, 1), LMS3D::ScanGone);
+  EXPECT_THROW(servant->getScanDevice(1), LMS3D::ScanGone);
+  EXPECT_THROW(servant->getBeamStatuses(1, 0, 1), LMS3D::ScanGone);
   const LMS3D::Status_var status = servant->getStatus();
   EXPECT_EQ(status->newest, 0u);
 

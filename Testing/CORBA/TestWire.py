@@ -7,6 +7,7 @@ import unittest
 import zlib
 
 import giop
+from raw_messages import write_configuration, write_device
 from server_process import BEAMS, Server
 
 
@@ -25,6 +26,24 @@ def read_header(reply):
     names = "beams", "returns", "mapPoints", "mapTriangles", "rangesChecksum", "mapChecksum"
     header.update(zip(names, reply.numbers("I", 6)))
     return header
+
+
+def read_device(reply):
+    """The fields of LMS3D::Device."""
+    device = dict(zip(("bias", "noise", "resolution"), reply.numbers("d", 3)))
+    device["seed"] = reply.number("i")
+    device["beam"] = reply.numbers("d", 2)
+    device["samples"] = reply.number("I")
+    device["pulse"], device["tenPercent"] = reply.numbers("d", 2)
+    device["array"] = reply.string()
+    device["mounting"] = reply.number("I")
+    device["offset"], device["rate"] = reply.numbers("d", 3), reply.number("d")
+    device["status"] = reply.number("B")
+    return device
+
+
+IDEAL = {"bias": 0, "noise": 0, "resolution": 0, "seed": 0, "beam": (0, 0), "samples": 1, "pulse": 1,
+         "tenPercent": 0, "array": "", "mounting": 0, "offset": (0, 0, 0), "rate": 0, "status": 0}
 
 
 class WireTest(unittest.TestCase):
@@ -93,6 +112,18 @@ class WireTest(unittest.TestCase):
         checksum = zlib.crc32(struct.pack(f"<{len(corners)}I", *corners), checksum)
         self.assertEqual(checksum, header["mapChecksum"])
 
+    def test_presets(self):
+        """Their names, and the values of an LMS 200."""
+        with self.server.connect() as client:
+            names = client.call("listPresets")
+            self.assertEqual([names.string() for _ in range(names.number("I"))],
+                             ["ideal", "lms200-mm", "lms200-cm", "lms291"])
+            reply = client.call("getPreset", lambda e: e.string(b"lms200-mm"))
+            self.assertEqual(read_device(reply), {
+                **IDEAL, "noise": 0.005, "resolution": 0.001, "beam": (0.012, 0.0044), "samples": 7,
+                "tenPercent": 10})
+            self.assertEqual(reply.number("d"), 8)
+
     def test_an_operation_of_a_newer_interface(self):
         """Its client gets the exception that LMS3DScanner.idl names, and can go on."""
         with self.server.connect() as client:
@@ -109,6 +140,27 @@ class WireTest(unittest.TestCase):
             volume = (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
                       + a[2] * (b[0] * c[1] - b[1] * c[0]))
             self.assertLess(volume, 1e-9)
+
+
+class DeviceTest(unittest.TestCase):
+    """A server of its own, since the device changes."""
+
+    def test_device(self):
+        """It is set, belongs to its scan, and gives each beam a status."""
+        with Server("--keep", "100") as server, server.connect() as client:
+            self.assertEqual(read_device(client.call("getDevice")), IDEAL)
+            client.call("setConfiguration", write_configuration)
+            generation = client.call("setDevice", lambda e: write_device(
+                e, noise=0.25, status=1)).number("Q")
+            header = read_header(client.call("waitForScan", lambda e: e.number("Q", 0).number(
+                "Q", generation).number("I", 10000)))
+            number = header["number"]
+            device = read_device(client.call("getScanDevice", lambda e: e.number("Q", number)))
+            self.assertEqual(device, {**IDEAL, "noise": 0.25, "status": 1})
+            statuses = client.call("getBeamStatuses", lambda e: e.number("Q", number).number(
+                "I", 5).number("I", 20)).octets()
+            self.assertEqual(statuses, bytes(20))
+            self.assertEqual((header["beams"], header["returns"]), (25, 25))
 
 
 if __name__ == "__main__":

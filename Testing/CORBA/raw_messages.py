@@ -23,6 +23,17 @@ def write_configuration(encoder, method=0):
     encoder.number("B", 0).number("d", 0.01)
 
 
+def write_device(encoder, noise=0.0, array=b"", mounting=0, status=0):
+    """The argument of setDevice(): a device that is ideal except for these properties."""
+    for value in (0, noise, 0):
+        encoder.number("d", value)
+    encoder.number("i", 0).number("d", 0).number("d", 0).number("I", 1)
+    encoder.number("d", 1).number("d", 0).string(array).number("I", mounting)
+    for _ in range(4):
+        encoder.number("d", 0)
+    encoder.number("B", status)
+
+
 def part(kind, number, body=b"", is_last=True, order="<"):
     """A message about a request of GIOP 1.2, or a part of one."""
     flags = (order == "<") + (0 if is_last else 2)

@@ -3,6 +3,7 @@
 #include "Client/lms3dRemoteCheck.h"
 
 #include "Common/lms3dChecksum.h"
+#include "Common/lms3dDeviceLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,17 @@ void lms3dCheckHeader(const LMS3D::ScanHeader& header)
     "its pose is not finite");
   Require(header.mapPoints <= MaximumMapPoints && header.mapTriangles <= 2 * MaximumMapPoints,
     header, "its map is too large");
+}
+
+void lms3dCheckDevice(const lms3dRemoteScan& scan)
+{
+  const LMS3D::Vector3& offset = scan.Device.axisOffset;
+  const auto isWithin = [](double value, double limit) { return std::abs(value) <= limit; };
+  Require(isWithin(offset.x, lms3dMaximumLength) && isWithin(offset.y, lms3dMaximumLength) &&
+      isWithin(offset.z, lms3dMaximumLength),
+    scan.Header, "the offset of its device is too large");
+  Require(isWithin(scan.Device.turnRate, lms3dMaximumTurnRate), scan.Header,
+    "the turn rate of its device is too large");
 }
 
 void lms3dCheckArrays(const lms3dRemoteScan& scan)

@@ -3,6 +3,7 @@
 #include "Client/lms3dRemoteData.h"
 
 #include "Common/lms3dGridGeometry.h"
+#include "Device/lms3dBeams.h"
 #include "Device/lms3dReturns.h"
 #include "Pipeline/lms3dArray.h"
 
@@ -17,11 +18,12 @@
 #include <vtkStringArray.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeUInt64Array.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace
 {
@@ -67,7 +69,7 @@ void AddHeader(const LMS3D::ScanHeader& header, vtkFieldData* fieldData)
 void FillReturns(const std::vector<float>& ranges, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const lms3dReturns& returns)
 {
-  const lms3dBeamDirections directions(geometry, pose);
+  const lms3dBeams laser(geometry, pose);
   const int beams = geometry.GetNumberOfBeams();
   double* point = returns.Point;
   double* range = returns.Range;
@@ -82,16 +84,24 @@ void FillReturns(const std::vector<float>& ranges, const lms3dScanGeometry& geom
     }
     const int turn = id / beams;
     const int beam = id % beams;
-    const std::array<double, 3> direction = directions.GetDirection(turn, beam);
+    const lms3dVector origin = laser.GetOrigin(turn, beam);
+    const lms3dVector direction = laser.GetDirection(turn, beam);
     for (int axis = 0; axis < 3; ++axis)
     {
-      *point++ = pose.Position[axis] + ranges[id] * direction[axis];
+      *point++ = origin[axis] + ranges[id] * direction[axis];
     }
     *range++ = ranges[id];
     *alpha++ = static_cast<float>(geometry.GetAlphaAngles()[beam]);
     *beta++ = static_cast<float>(geometry.GetBetaAngles()[turn]);
     *beamId++ = id;
   }
+}
+
+void AddStatuses(const std::vector<std::uint8_t>& statuses, vtkFieldData* fieldData)
+{
+  const auto array = lms3dMakeArray<vtkUnsignedCharArray>("Status", statuses.size());
+  std::copy(statuses.begin(), statuses.end(), array->GetPointer(0));
+  lms3dAddHiddenArray(array, fieldData);
 }
 
 vtkSmartPointer<vtkDoubleArray> MakeRanges(
@@ -111,13 +121,17 @@ vtkSmartPointer<vtkDoubleArray> MakeRanges(
 
 void lms3dFillScan(const lms3dRemoteScan& remote, vtkPolyData* scan)
 {
-  const lms3dScanGeometry geometry = lms3dGetGeometry(remote.Header.settings);
+  const lms3dScanGeometry geometry = lms3dGetGeometry(remote.Header.settings, remote.Device);
   const lms3dPose pose = lms3dGetPose(remote.Header.sensorPose);
   const lms3dReturns returns(remote.Header.returns);
   FillReturns(remote.Ranges, geometry, pose, returns);
   returns.FillVertices(0, remote.Header.returns);
   returns.MoveTo(geometry, pose, scan);
   AddHeader(remote.Header, scan->GetFieldData());
+  if (remote.Device.computeStatus)
+  {
+    AddStatuses(remote.Statuses, scan->GetFieldData());
+  }
 }
 
 void lms3dFillMap(const lms3dRemoteScan& remote, vtkPolyData* map)

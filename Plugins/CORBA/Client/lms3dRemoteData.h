@@ -14,10 +14,10 @@ class vtkPolyData;
 /**
  * Fills an empty vtkPolyData with the points, arrays and field data of output 0 of
  * vtkLMS3DScanFilter (metres, world coordinates), without `CellId`, which the server does not send.
- * Ranges have the precision of floats, and the points lie at these ranges. Adds to the field data,
+ * Ranges have the precision of floats, and the points lie at these ranges. The field data have the
+ * properties of the platform, and `Status` if the device has computeStatus. Adds to the field data,
  * one uint64 each, `ScanNumber`, `Incarnation`, `Generation`, `StartTime` and `EndTime` of the
- * header, and the string `Scene`. The scan must have passed lms3dCheckHeader() and
- * lms3dCheckArrays().
+ * header, and the string `Scene`. The scan must have passed the checks of lms3dRemoteCheck.h.
  */
 void lms3dFillScan(const lms3dRemoteScan& remote, vtkPolyData* scan);
 

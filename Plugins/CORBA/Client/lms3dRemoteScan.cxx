@@ -50,6 +50,20 @@ void FetchAll(CORBA::ULong total, CORBA::ULong width, const std::function<void()
     }
   }
 }
+
+// Older servers have an ideal device, and no such operation.
+LMS3D::Device FetchDevice(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong number)
+{
+  try
+  {
+    const LMS3D::Device_var device = scanner->getScanDevice(number);
+    return device.in();
+  }
+  catch (const CORBA::BAD_OPERATION&)
+  {
+    return lms3dGetIdealDevice();
+  }
+}
 } // namespace
 
 lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::ScanHeader& header,
@@ -59,11 +73,19 @@ lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::Sca
   lms3dRemoteScan scan;
   scan.Header = header;
   const CORBA::ULongLong number = header.number;
+  beforePart();
+  scan.Device = FetchDevice(scanner, number);
+  lms3dCheckDevice(scan);
   FetchAll<LMS3D::Ranges>(
     header.beams, 1, beforePart,
     [&](CORBA::ULong first, CORBA::ULong count)
     { return scanner->getRanges(number, first, count); },
     scan.Ranges);
+  FetchAll<LMS3D::BeamStatuses>(
+    scan.Device.computeStatus ? header.beams : 0, 1, beforePart,
+    [&](CORBA::ULong first, CORBA::ULong count)
+    { return scanner->getBeamStatuses(number, first, count); },
+    scan.Statuses);
   FetchAll<LMS3D::Coordinates>(
     header.mapPoints, 3, beforePart,
     [&](CORBA::ULong first, CORBA::ULong count)

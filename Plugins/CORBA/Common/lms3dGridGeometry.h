@@ -11,8 +11,10 @@
 #include "LMS3DScanner.hh"
 
 ///@{
-/// Equal to the geometry and the pose of vtkLMS3DScanFilter to the bit.
-lms3dScanGeometry lms3dGetGeometry(const LMS3D::Configuration& settings);
+/// Equal to the geometry, the platform and the pose of vtkLMS3DScanFilter to the bit.
+lms3dScanGeometry lms3dGetGeometry(
+  const LMS3D::Configuration& settings, const LMS3D::Device& device);
+lms3dPlatform lms3dGetPlatform(const LMS3D::Device& device);
 lms3dPose lms3dGetPose(const LMS3D::Pose& pose);
 ///@}
 

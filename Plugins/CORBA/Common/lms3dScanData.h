@@ -7,6 +7,7 @@
 #ifndef lms3dScanData_h
 #define lms3dScanData_h
 
+#include "Common/lms3dDeviceNames.h"
 #include "LMS3DScanner.hh"
 
 #include <cstdint>
@@ -15,8 +16,11 @@
 struct lms3dScanData
 {
   LMS3D::ScanHeader Header;
+  LMS3D::Device Device = lms3dGetIdealDevice();
   /// Metres, 0 without a return. The index is turn * alpha.count + beam.
   std::vector<float> Ranges;
+  /// One of the BEAM_ constants for each beam. Empty unless Device.computeStatus.
+  std::vector<std::uint8_t> Statuses;
   /// x, y, z of each point of the local map, metres, world coordinates.
   std::vector<double> MapPoints;
   /// Three indices of points per triangle.

@@ -19,7 +19,9 @@
  * Output 0, the scan, is a vtkPolyData like the first output of vtkLMS3DScanFilter: points in world
  * coordinates (float64) with the arrays `Range` (float64, metres), `Alpha`, `Beta` (float32,
  * degrees) and `BeamId` (int32) and the field data `AlphaAngles`, `BetaAngles` and `SensorToWorld`.
- * So vtkLMS3DSurfaceReconstructionFilter accepts it. Servers send ranges in single precision, with
+ * So vtkLMS3DSurfaceReconstructionFilter accepts it. `Mounting`, `AxisOffset` and `TurnRate` are added if they
+ * differ from the defaults of vtkLMS3DScanFilter, and `Status` if the server's device has statuses. (Servers
+ * without a device are ideal.) Servers send ranges in single precision, with
  * an error of up to 6e-8 of the range; points are computed from them in double precision. There is
  * no `CellId`.
  *

@@ -3,6 +3,7 @@
 #include "lms3dServer.h"
 
 #include "Announcement/lms3dObjectAddresses.h"
+#include "Common/lms3dDeviceNames.h"
 #include "Common/lms3dLog.h"
 #include "Connections/lms3dRequestGate.h"
 #include "Object/lms3dSettingsCheck.h"
@@ -26,6 +27,17 @@ lms3dSceneReading GetReading(const lms3dServerOptions& options)
   return reading;
 }
 
+void SetDevice(const lms3dServerOptions& options, lms3dScanSettings& settings)
+{
+  const LMS3D::Preset preset = lms3dFindPreset(options.Device).value();
+  settings.Device = preset.properties;
+  settings.Configuration.maximumRange = preset.maximumRange;
+  for (const auto& change : options.DeviceChanges)
+  {
+    change(settings.Device);
+  }
+}
+
 lms3dScanSettings MakeFirstSettings(const lms3dServerOptions& options,
   const lms3dSceneCatalogue& catalogue, const lms3dStopTest& isStopped)
 {
@@ -33,6 +45,7 @@ lms3dScanSettings MakeFirstSettings(const lms3dServerOptions& options,
   settings.Configuration = lms3dDefaultConfiguration();
   settings.Configuration.makeMap = options.MakeMap;
   settings.Configuration.mapError = options.MapError;
+  SetDevice(options, settings);
   settings.Pose.position = { options.Position[0], options.Position[1], options.Position[2] };
   settings.Pose.orientation = { options.Orientation[0], options.Orientation[1],
     options.Orientation[2] };

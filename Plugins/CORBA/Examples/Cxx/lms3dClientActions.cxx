@@ -64,12 +64,6 @@ lms3dRemoteScan FetchNewest(LMS3D::LaserScanner_ptr scanner)
     }
   }
 }
-
-void PrintFirst(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation)
-{
-  const LMS3D::ScanHeader_var header = WaitForScan(scanner, 0, generation);
-  lms3dPrintHeader(header);
-}
 } // namespace
 
 void lms3dRequireOutput()
@@ -89,6 +83,12 @@ void lms3dPrintHeader(const LMS3D::ScanHeader& header)
             << header.mapTriangles << " triangles, "
             << static_cast<double>(header.endTime - header.startTime) * 1e-6 << " ms\n";
   lms3dRequireOutput();
+}
+
+void lms3dPrintFirst(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation)
+{
+  const LMS3D::ScanHeader_var header = WaitForScan(scanner, 0, generation);
+  lms3dPrintHeader(header);
 }
 
 void lms3dPrintStatus(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
@@ -162,10 +162,10 @@ void lms3dMoveSensor(LMS3D::LaserScanner_ptr scanner, const LMS3D::Vector3& posi
   LMS3D::Pose pose = scanner->getPose();
   pose.position = position;
   pose.orientation = orientation.value_or(pose.orientation);
-  PrintFirst(scanner, scanner->setPose(pose));
+  lms3dPrintFirst(scanner, scanner->setPose(pose));
 }
 
 void lms3dSelectScene(LMS3D::LaserScanner_ptr scanner, const std::string& name)
 {
-  PrintFirst(scanner, scanner->selectScene(name.c_str()));
+  lms3dPrintFirst(scanner, scanner->selectScene(name.c_str()));
 }

@@ -22,6 +22,9 @@ void lms3dRequireOutput();
 /// Prints a line about a scan.
 void lms3dPrintHeader(const LMS3D::ScanHeader& header);
 
+/// Waits for the first scan of a generation, and prints a line about it.
+void lms3dPrintFirst(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation);
+
 /// Prints what the server does, and its newest scan.
 void lms3dPrintStatus(CORBA::ORB_ptr orb, LMS3D::LaserScanner_ptr scanner);
 

@@ -3,47 +3,32 @@
 #include "lms3dClientCommands.h"
 
 #include "lms3dClientActions.h"
+#include "lms3dClientDevice.h"
 #include "lms3dClientFiles.h"
 #include "lms3dClientListener.h"
+#include "lms3dClientNumbers.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
-#include <system_error>
 
 namespace
 {
 using Words = std::vector<std::string>;
 
-// Rejects "1e999" and "12x", and "-1" for a count. The server checks the limits.
-template <typename Number>
-Number GetNumber(const char* name, const std::string& word, const char* kind)
-{
-  Number number{};
-  const char* const end = word.data() + word.size();
-  const std::from_chars_result result = std::from_chars(word.data(), end, number);
-  if (result.ec != std::errc() || result.ptr != end)
-  {
-    throw std::invalid_argument(std::string(name) + ": \"" + word + "\" is not " + kind);
-  }
-  return number;
-}
-
 CORBA::ULongLong GetCount(const Words& words)
 {
   return words.empty()
     ? ~CORBA::ULongLong(0)
-    : GetNumber<CORBA::ULongLong>("COUNT", words[0], "a whole number, 0 or more");
+    : lms3dReadClientNumber<CORBA::ULongLong>("COUNT", words[0], "a whole number, 0 or more");
 }
 
 LMS3D::Vector3 GetVector(
   const std::array<const char*, 3>& names, const Words& words, std::size_t first)
 {
   const auto get = [&](std::size_t axis)
-  { return GetNumber<double>(names[axis], words[first + axis], "a number"); };
+  { return lms3dReadClientNumber<double>(names[axis], words[first + axis], "a number"); };
   return { get(0), get(1), get(2) };
 }
 
@@ -84,6 +69,22 @@ lms3dClientCommand ReadScene(const Words& words)
   { lms3dSelectScene(scanner, name); };
 }
 
+lms3dClientCommand ReadDevice(const Words& words)
+{
+  if (words.empty())
+  {
+    return [](CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner) { lms3dPrintDevice(scanner); };
+  }
+  return [name = words[0]](CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
+  { lms3dSelectPreset(scanner, name); };
+}
+
+lms3dClientCommand ReadSet(const Words& words)
+{
+  return [change = lms3dReadDeviceChange(words[0], { words.begin() + 1, words.end() })](
+           CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner) { lms3dChangeDevice(scanner, change); };
+}
+
 // A command without arguments.
 template <void (*Run)(CORBA::ORB_ptr, LMS3D::LaserScanner_ptr)>
 lms3dClientCommand ReadNothing(const Words&)
@@ -109,6 +110,14 @@ const std::vector<Command>& GetCommands()
     { "scene", "NAME", "select a scene, and wait for its first scan", { 1 }, ReadScene },
     { "pose", "X Y Z [RX RY RZ]",
       "move the sensor (metres, degrees), and wait for a scan from there", { 3, 6 }, ReadPose },
+    { "presets", "", "print the names of all presets of the device", { 0 },
+      ReadNothing<lms3dPrintPresets> },
+    { "device", "[PRESET]",
+      "print the properties of the device, or select a preset and wait for its first scan",
+      { 0, 1 }, ReadDevice },
+    { "set", "PROPERTY VALUE...",
+      "set one of these properties (rangeNoise 0.005, axisOffset 0 0 0.1), and wait for a scan",
+      { 2, 4 }, ReadSet },
     { "fetch", "", "print range, alpha and beta of each beam", { 0 },
       ReadNothing<lms3dPrintBeams> },
     { "save", "SCAN.vtp [MAP.vtp]", "save the newest scan and its local map as VTK files", { 1, 2 },

@@ -15,6 +15,10 @@ const char* GetMeaning(const CORBA::SystemException& problem)
   {
     return ": no server answers there";
   }
+  if (CORBA::BAD_OPERATION::_downcast(&problem))
+  {
+    return ": the server is older than this operation";
+  }
   return "";
 }
 } // namespace

@@ -140,10 +140,11 @@ def fetch(scanner, _):
 
 
 def scan(scanner, options):
-    """Print the same for a scan from a given position, and save its local map."""
-    generation = move(scanner, options.position) if options.position else 0
+    """Print the same for a scan of a given device from a given position, and save its local map."""
+    generation = scanner.selectPreset(options.device) if options.device else 0
+    generation = move(scanner, options.position) if options.position else generation
     header, ranges, coordinates, numbers = take_scan(scanner, generation)
-    if options.position and header.generation != generation:
+    if generation not in (0, header.generation):
         raise ValueError("another client has changed the settings meanwhile")
     if options.map:
         write_map(options.map.resolve(), coordinates, numbers)
@@ -171,6 +172,8 @@ def parse_arguments():
         if command is scan:
             words.add_argument("--position", type=float, nargs=3, metavar=("X", "Y", "Z"),
                                help="move the sensor there first, metres")
+            words.add_argument("--device", metavar="NAME",
+                               help="select a preset first, such as lms200-mm or ideal")
             words.add_argument("--map", type=pathlib.Path, metavar="FILE.obj")
         if command is watch:
             words.add_argument("count", type=int)

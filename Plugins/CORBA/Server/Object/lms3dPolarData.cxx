@@ -11,7 +11,7 @@ namespace
 {
 std::vector<CORBA::Float> MakeNumbers(const lms3dSnapshot& snapshot)
 {
-  const lms3dScanGeometry geometry = lms3dGetGeometry(snapshot.Header.settings);
+  const lms3dScanGeometry geometry = lms3dGetGeometry(snapshot.Header.settings, snapshot.Device);
   std::vector<CORBA::Float> numbers(3 * snapshot.Ranges.size());
   CORBA::Float* next = numbers.data();
   const float* range = snapshot.Ranges.data();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Object/lms3dReplies.h"
 
+#include "Common/lms3dDeviceNames.h"
+
 #include <numeric>
 
 namespace
@@ -11,6 +13,18 @@ std::size_t GetMarshalledSize(const std::vector<std::string>& names)
 {
   return std::accumulate(names.begin(), names.end(), std::size_t(0),
     [](std::size_t size, const std::string& name) { return size + name.size() + 8; });
+}
+
+template <typename Sequence>
+Sequence* MakeNames(const std::vector<std::string>& names)
+{
+  typename Sequence::_var_type list = new Sequence;
+  list->length(static_cast<CORBA::ULong>(names.size()));
+  for (CORBA::ULong i = 0; i < list->length(); ++i)
+  {
+    list[i] = names[i].c_str();
+  }
+  return list._retn();
 }
 
 template <typename Sequence, typename Element>
@@ -45,13 +59,12 @@ LMS3D::SceneNames* lms3dMakeSceneNames(const lms3dSceneCatalogue& catalogue)
   {
     throw CORBA::IMP_LIMIT(0, CORBA::COMPLETED_NO);
   }
-  LMS3D::SceneNames_var list = new LMS3D::SceneNames;
-  list->length(static_cast<CORBA::ULong>(names.size()));
-  for (CORBA::ULong i = 0; i < list->length(); ++i)
-  {
-    list[i] = names[i].c_str();
-  }
-  return list._retn();
+  return MakeNames<LMS3D::SceneNames>(names);
+}
+
+LMS3D::PresetNames* lms3dMakePresetNames()
+{
+  return MakeNames<LMS3D::PresetNames>(lms3dGetPresetNames());
 }
 
 LMS3D::LocalMap* lms3dMakeLocalMap(const lms3dSnapshot& snapshot)

@@ -24,6 +24,9 @@ CORBA::String_var lms3dMakeText(const std::string& text);
 /// into a message.
 LMS3D::SceneNames* lms3dMakeSceneNames(const lms3dSceneCatalogue& catalogue);
 
+/// The names of all presets. The caller owns the result.
+LMS3D::PresetNames* lms3dMakePresetNames();
+
 /// The local map of a scan. The caller owns the result. Throws LMS3D::LimitExceeded if it does not
 /// fit into a message.
 LMS3D::LocalMap* lms3dMakeLocalMap(const lms3dSnapshot& snapshot);

@@ -57,6 +57,8 @@ CORBA::ULongLong lms3dScannerServant::setConfiguration(const LMS3D::Configuratio
 {
   this->RequireWritable();
   lms3dCheckConfiguration(newConfiguration);
+  const std::lock_guard<std::mutex> lock(this->SettingsMutex);
+  lms3dCheckRays(newConfiguration, this->Board.Get().Device);
   return this->Board.SetConfiguration(newConfiguration);
 }
 

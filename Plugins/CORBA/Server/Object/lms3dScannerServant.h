@@ -33,7 +33,8 @@ struct lms3dPermissions
  * Implements the operations of LMS3DScanner.idl, which documents what clients see.
  *
  * The ORB calls the operations in any thread, several at a time. The objects that they use may be
- * called from any thread, so only selectScene() needs a lock here. An operation that returns data of
+ * called from any thread, so only operations that check several settings, and selectScene(), need a
+ * lock here. An operation that returns data of
  * a scan makes its whole answer from one snapshot, so an answer never mixes two scans.
  *
  * The ORB owns the arguments, which are valid until the operation returns, and frees the results
@@ -118,6 +119,27 @@ public:
   /// LMS3D::LimitExceeded if the map does not fit into a message.
   LMS3D::LocalMap* getMap() override;
 
+  ///@{
+  /// The device of the next scan. setDevice() changes it as setPose() changes the pose.
+  LMS3D::Device* getDevice() override;
+  CORBA::ULongLong setDevice(const LMS3D::Device& newDevice) override;
+  ///@}
+
+  ///@{
+  /// The presets. getPreset() throws LMS3D::NoSuchPreset for other names, and so does selectPreset(), which
+  /// throws what setDevice() and setConfiguration() throw, too.
+  LMS3D::PresetNames* listPresets() override;
+  LMS3D::Preset* getPreset(const char* name) override;
+  CORBA::ULongLong selectPreset(const char* name) override;
+  ///@}
+
+  /// Throws LMS3D::ScanGone if the store does not have the scan.
+  LMS3D::Device* getScanDevice(CORBA::ULongLong number) override;
+
+  /// Throws what getRanges() throws. A scan without statuses has no item.
+  LMS3D::BeamStatuses* getBeamStatuses(
+    CORBA::ULongLong number, CORBA::ULong first, CORBA::ULong count) override;
+
 private:
   /// Throws LMS3D::NotPermitted if the server is read-only.
   void RequireWritable() const;
@@ -132,6 +154,8 @@ private:
   const lms3dSnapshotStore& Store;
   const lms3dScanLoop& Loop;
   lms3dListeners& Listeners;
+  /// Locked while the configuration or the device is checked and set, because their limits depend on both.
+  std::mutex SettingsMutex;
   /// Locked while a scene is read.
   std::mutex SceneMutex;
   /// Current calls of selectScene().

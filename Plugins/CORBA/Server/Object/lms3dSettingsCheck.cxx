@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Object/lms3dSettingsCheck.h"
 
+#include "Common/lms3dDeviceLimits.h"
 #include "Device/lms3dScanGeometry.h"
 #include "Object/lms3dReplies.h"
 
@@ -44,6 +45,11 @@ void CheckAxis(const LMS3D::Axis& axis, const char* start, const char* stop, con
   Require(axis.stop >= axis.start + MinimumSpan && axis.stop <= MaximumAngle, stop, axis.stop,
     "above the start, by 1e-6 degrees or more, and up to 36,000");
   Require(axis.count >= 1, count, axis.count, "at least 1");
+}
+
+void RequireLength(const char* name, double value)
+{
+  Require(IsWithin(value, 0.0, lms3dMaximumLength), name, value, "from 0 to 1e6");
 }
 
 void CheckBeams(const LMS3D::Configuration& configuration)
@@ -106,4 +112,39 @@ void lms3dCheckConfiguration(const LMS3D::Configuration& configuration)
     configuration.minimumRange, "from 0 to maximumRange");
   Require(configuration.mapError >= 0.0 && std::isfinite(configuration.mapError), "mapError",
     configuration.mapError, "at least 0 and finite");
+}
+
+void lms3dCheckDevice(const LMS3D::Device& device)
+{
+  Require(std::abs(device.rangeBias) <= lms3dMaximumLength, "rangeBias", device.rangeBias,
+    "within 1e6 m of 0");
+  RequireLength("rangeNoise", device.rangeNoise);
+  RequireLength("rangeResolution", device.rangeResolution);
+  RequireLength("beamDiameter", device.beamDiameter);
+  Require(IsWithin(device.beamDivergence, 0.0, lms3dMaximumDivergence), "beamDivergence",
+    device.beamDivergence, "from 0 to 1");
+  Require(device.beamSamples >= 1 && device.beamSamples <= lms3dMaximumSamples, "beamSamples",
+    device.beamSamples, "from 1 to 1,000");
+  RequireLength("pulseLength", device.pulseLength);
+  RequireLength("rangeAtTenPercent", device.rangeAtTenPercent);
+  const LMS3D::Vector3& offset = device.axisOffset;
+  for (const double coordinate : { offset.x, offset.y, offset.z })
+  {
+    Require(std::abs(coordinate) <= lms3dMaximumLength, "a coordinate of axisOffset", coordinate,
+      "within 1e6 m of 0");
+  }
+  Require(std::abs(device.turnRate) <= lms3dMaximumTurnRate, "turnRate", device.turnRate,
+    "within 1e6 degrees per second of 0");
+}
+
+void lms3dCheckRays(const LMS3D::Configuration& configuration, const LMS3D::Device& device)
+{
+  const CORBA::ULongLong rays =
+    CORBA::ULongLong(configuration.alpha.count) * configuration.beta.count * device.beamSamples;
+  if (rays > lms3dMaximumRays)
+  {
+    throw LMS3D::LimitExceeded(
+      lms3dMakeText("alpha.count * beta.count * beamSamples is " + std::to_string(rays)),
+      lms3dMaximumRays);
+  }
 }

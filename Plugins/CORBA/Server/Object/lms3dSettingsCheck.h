@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Validates poses and configurations of clients.
+ * @brief Validates poses, configurations and devices of clients.
  */
 #ifndef lms3dSettingsCheck_h
 #define lms3dSettingsCheck_h
@@ -17,9 +17,11 @@ LMS3D::Configuration lms3dDefaultConfiguration();
 
 ///@{
 /// Throw LMS3D::InvalidArgument with the wrong value and its limits, or LMS3D::LimitExceeded for
-/// too many beams.
+/// too many beams or rays. lms3dCheckRays() expects a valid configuration and a valid device.
 void lms3dCheckPose(const LMS3D::Pose& pose);
 void lms3dCheckConfiguration(const LMS3D::Configuration& configuration);
+void lms3dCheckDevice(const LMS3D::Device& device);
+void lms3dCheckRays(const LMS3D::Configuration& configuration, const LMS3D::Device& device);
 ///@}
 
 #endif

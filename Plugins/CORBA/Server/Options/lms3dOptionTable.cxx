@@ -2,58 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/lms3dOptionTable.h"
 
+#include "Options/lms3dDeviceOptions.h"
+#include "Options/lms3dOptionValues.h"
 #include "Options/lms3dServerOptions.h"
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
-#include <sstream>
 #include <stdexcept>
-#include <system_error>
-#include <type_traits>
 
 namespace
 {
 using Words = std::vector<std::string>;
-
-template <typename Number>
-Number ReadNumber(const std::string& text, Number minimum, Number maximum)
-{
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const std::from_chars_result result = std::from_chars(text.data(), end, number);
-  // NaN fails both comparisons.
-  if (result.ec != std::errc() || result.ptr != end || !(number >= minimum && number <= maximum))
-  {
-    std::ostringstream message;
-    message << '"' << text << "\" is not a " << (std::is_integral<Number>() ? "whole " : "")
-            << "number from " << minimum << " to " << maximum;
-    throw std::invalid_argument(message.str());
-  }
-  return number;
-}
 
 // 0 has a meaning of its own, in any notation.
 double ReadRate(const std::string& text)
 {
   constexpr double MinimumRate = 0.001;
   constexpr double MaximumRate = 10000.0;
-  const bool isZero = ReadNumber(text, 0.0, MaximumRate) == 0.0;
-  return isZero ? 0.0 : ReadNumber(text, MinimumRate, MaximumRate);
+  const bool isZero = lms3dReadOption(text, 0.0, MaximumRate) == 0.0;
+  return isZero ? 0.0 : lms3dReadOption(text, MinimumRate, MaximumRate);
 }
 
 std::int64_t ReadLimit(const std::string& text)
 {
   // A million times this fits.
   constexpr std::int64_t Maximum = 1'000'000'000'000;
-  return ReadNumber<std::int64_t>(text, 1, Maximum);
-}
-
-std::array<double, 3> ReadVector(const Words& words)
-{
-  constexpr double Maximum = 1e6;
-  return { ReadNumber(words.at(0), -Maximum, Maximum), ReadNumber(words.at(1), -Maximum, Maximum),
-    ReadNumber(words.at(2), -Maximum, Maximum) };
+  return lms3dReadOption<std::int64_t>(text, 1, Maximum);
 }
 
 bool ReadIsYUp(const std::string& text)
@@ -65,18 +39,8 @@ bool ReadIsYUp(const std::string& text)
   return text == "y";
 }
 
-struct Option
-{
-  const char* Name;
-  /// Number of values. A flag has none.
-  int Count;
-  const char* Values;
-  const char* Help;
-  void (*Set)(lms3dServerOptions&, const Words&);
-};
-
 // The order is that of the help text.
-const Option Options[] = {
+const lms3dOption Options[] = {
   { "--scenes", 1, "FOLDER", "folder of VRML files from which clients choose; required",
     [](lms3dServerOptions& o, const Words& w) { o.Scenes = w[0]; } },
   { "--scene", 1, "NAME", "first scene (default: the first of the folder)",
@@ -92,21 +56,21 @@ const Option Options[] = {
   { "--scene-size", 1, "MB", "files of a scene together, unpacked (default 1000)",
     [](lms3dServerOptions& o, const Words& w) { o.SceneSize = ReadLimit(w[0]); } },
   { "--position", 3, "X Y Z", "position of the sensor, metres (default 0 0 0)",
-    [](lms3dServerOptions& o, const Words& w) { o.Position = ReadVector(w); } },
+    [](lms3dServerOptions& o, const Words& w) { o.Position = lms3dReadVector(w); } },
   { "--orientation", 3, "X Y Z", "its angles about the axes, degrees (default 0 0 0)",
-    [](lms3dServerOptions& o, const Words& w) { o.Orientation = ReadVector(w); } },
+    [](lms3dServerOptions& o, const Words& w) { o.Orientation = lms3dReadVector(w); } },
   { "--rate", 1, "HZ",
     "scans per second, 0.001 to 10000 (default 10); 0: no pauses, all cores;\n"
     "new settings begin a scan at once",
     [](lms3dServerOptions& o, const Words& w) { o.Rate = ReadRate(w[0]); } },
   { "--map-error", 1, "M", "error bound of the local map, metres (default 0.01)",
-    [](lms3dServerOptions& o, const Words& w) { o.MapError = ReadNumber(w[0], 0.0, 1e6); } },
+    [](lms3dServerOptions& o, const Words& w) { o.MapError = lms3dReadOption(w[0], 0.0, 1e6); } },
   { "--no-map", 0, "", "make no local maps until a client switches them on",
     [](lms3dServerOptions& o, const Words&) { o.MakeMap = false; } },
   { "--threads", 1, "N", "threads of the filters (default 0: all cores)",
-    [](lms3dServerOptions& o, const Words& w) { o.Threads = ReadNumber(w[0], 0, 1024); } },
+    [](lms3dServerOptions& o, const Words& w) { o.Threads = lms3dReadOption(w[0], 0, 1024); } },
   { "--keep", 1, "N", "scans to keep (default 4, within 1 GiB); more for slow networks",
-    [](lms3dServerOptions& o, const Words& w) { o.Keep = ReadNumber(w[0], 1, 1000); } },
+    [](lms3dServerOptions& o, const Words& w) { o.Keep = lms3dReadOption(w[0], 1, 1000); } },
   { "--endpoint", 1, "URI",
     "where to listen, e.g. giop:tcp:127.0.0.1:2810\n(default: a free port of 127.0.0.1)",
     [](lms3dServerOptions& o, const Words& w) { o.Endpoint = w[0]; } },
@@ -139,7 +103,7 @@ const Option Options[] = {
     [](lms3dServerOptions& o, const Words& w) { o.ConnectTo.push_back(w[0]); } },
 };
 
-void AddFlag(CLI::App& app, const Option& option, lms3dServerOptions& options)
+void AddFlag(CLI::App& app, const lms3dOption& option, lms3dServerOptions& options)
 {
   app
     .add_flag_callback(
@@ -149,7 +113,7 @@ void AddFlag(CLI::App& app, const Option& option, lms3dServerOptions& options)
 }
 
 // Sets the option each time that it is given, so that the last value remains.
-void AddValues(CLI::App& app, const Option& option, lms3dServerOptions& options)
+void AddValues(CLI::App& app, const lms3dOption& option, lms3dServerOptions& options)
 {
   const auto set = [&option, &options](const Words& words)
   {
@@ -169,13 +133,22 @@ void AddValues(CLI::App& app, const Option& option, lms3dServerOptions& options)
     ->type_size(option.Count)
     ->trigger_on_parse();
 }
+
+void AddOption(CLI::App& app, const lms3dOption& option, lms3dServerOptions& options)
+{
+  option.Count == 0 ? AddFlag(app, option, options) : AddValues(app, option, options);
+}
 } // namespace
 
 void lms3dAddServerOptions(CLI::App& app, lms3dServerOptions& options)
 {
   app.set_help_flag();
-  for (const Option& option : Options)
+  for (const lms3dOption& option : Options)
   {
-    option.Count == 0 ? AddFlag(app, option, options) : AddValues(app, option, options);
+    AddOption(app, option, options);
+  }
+  for (const lms3dOption& option : lms3dGetDeviceOptions())
+  {
+    AddOption(app, option, options);
   }
 }

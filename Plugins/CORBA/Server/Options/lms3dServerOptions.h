@@ -7,8 +7,11 @@
 #ifndef lms3dServerOptions_h
 #define lms3dServerOptions_h
 
+#include "LMS3DScanner.hh"
+
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +24,10 @@ struct lms3dServerOptions
   std::array<double, 3> Position = { 0.0, 0.0, 0.0 };
   /// Degrees about x, y and z, as vtkProp3D applies them.
   std::array<double, 3> Orientation = { 0.0, 0.0, 0.0 };
+  /// The name of a preset.
+  std::string Device = "ideal";
+  /// What the options of single properties change of the preset, in their order.
+  std::vector<std::function<void(LMS3D::Device&)>> DeviceChanges;
   /// Scans per second. 0: without pauses.
   double Rate = 10.0;
   /// Metres.

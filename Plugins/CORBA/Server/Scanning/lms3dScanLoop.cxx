@@ -101,7 +101,7 @@ bool lms3dScanLoop::MakeScan()
   this->Generation = settings.Generation;
   const Clock::time_point longAfter = Clock::now() + LongScan;
   const bool mayAbort = this->AbortedInARow < MaximumAbortedInARow;
-  std::shared_ptr<lms3dSnapshot> snapshot = this->Pipeline.Run(settings,
+  std::shared_ptr<lms3dSnapshot> snapshot = this->Pipeline.Run(settings, this->Number + 1,
     [this, mayAbort, longAfter, generation = settings.Generation]
     { return mayAbort && Clock::now() > longAfter && this->Board.GetGeneration() != generation; });
   if (!snapshot)
@@ -110,7 +110,7 @@ bool lms3dScanLoop::MakeScan()
     return false;
   }
   this->AbortedInARow = 0;
-  snapshot->Header.number = ++this->Number;
+  ++this->Number;
   snapshot->Header.incarnation = this->Incarnation;
   snapshot->Header.startTime = start;
   snapshot->Header.endTime = NanosecondsSince1970();

@@ -2,73 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scanning/lms3dScanPipeline.h"
 
-#include "Common/lms3dChecksum.h"
+#include "Scanning/lms3dFilterOutputs.h"
+#include "vtkLMS3DRangeErrorFilter.h"
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 
-#include <vtkCellArray.h>
-#include <vtkDoubleArray.h>
+#include <vtkDataObject.h>
 #include <vtkImageData.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
+#include <vtkInformation.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
-namespace
-{
-// Neither to 0, which means no return, nor to infinity.
-float ToFloat(double range)
-{
-  using Limits = std::numeric_limits<float>;
-  return static_cast<float>(std::clamp<double>(range, Limits::min(), Limits::max()));
-}
-
-std::vector<float> GetRanges(vtkImageData* image)
-{
-  auto* ranges = vtkDoubleArray::SafeDownCast(image->GetPointData()->GetArray("Range"));
-  const double* first = ranges->GetPointer(0);
-  std::vector<float> floats(static_cast<std::size_t>(ranges->GetNumberOfValues()));
-  std::transform(first, first + floats.size(), floats.begin(),
-    [](double range) { return std::isnan(range) ? 0.0f : ToFloat(range); });
-  return floats;
-}
-
-std::vector<double> GetCoordinates(vtkPolyData* map)
-{
-  if (map->GetNumberOfPoints() == 0)
-  {
-    return {};
-  }
-  auto* coordinates = vtkDoubleArray::SafeDownCast(map->GetPoints()->GetData());
-  const double* first = coordinates->GetPointer(0);
-  return { first, first + coordinates->GetNumberOfValues() };
-}
-
-template <typename Array>
-std::vector<std::uint32_t> GetNumbers(Array* connectivity)
-{
-  const auto* first = connectivity->GetPointer(0);
-  std::vector<std::uint32_t> numbers(static_cast<std::size_t>(connectivity->GetNumberOfValues()));
-  std::transform(first, first + numbers.size(), numbers.begin(),
-    [](auto number) { return static_cast<std::uint32_t>(number); });
-  return numbers;
-}
-
-std::vector<std::uint32_t> GetTriangles(vtkPolyData* map)
-{
-  vtkCellArray* triangles = map->GetPolys();
-  if (triangles->GetNumberOfCells() == 0)
-  {
-    return {};
-  }
-  return triangles->IsStorage64Bit() ? GetNumbers(triangles->GetConnectivityArray64())
-                                     : GetNumbers(triangles->GetConnectivityArray32());
-}
-} // namespace
+static_assert(static_cast<int>(LMS3D::MOUNTING_YAWING) == vtkLMS3DScanFilter::YAWING &&
+    static_cast<int>(LMS3D::MOUNTING_YAWING_TOP) == vtkLMS3DScanFilter::YAWING_TOP &&
+    static_cast<int>(LMS3D::MOUNTING_PITCHING) == vtkLMS3DScanFilter::PITCHING &&
+    static_cast<int>(LMS3D::MOUNTING_ROLLING) == vtkLMS3DScanFilter::ROLLING,
+  "the interface and the filter number the mountings alike");
 
 lms3dScanPipeline::lms3dScanPipeline(int threads)
   : Threads(threads)
@@ -80,22 +31,28 @@ lms3dScanPipeline::lms3dScanPipeline(int threads)
 lms3dScanPipeline::~lms3dScanPipeline() = default;
 
 std::shared_ptr<lms3dSnapshot> lms3dScanPipeline::Run(
-  const lms3dScanSettings& settings, const lms3dStopTest& isOutdated)
+  const lms3dScanSettings& settings, std::uint64_t number, const lms3dStopTest& isOutdated)
 {
   this->IsOutdated = isOutdated;
   this->Aborted = false;
   this->Configure(settings);
   // VTK does not reset the flag after a filter was aborted.
   this->Scanner->SetAbortExecute(0);
+  if (this->Errors)
+  {
+    this->Errors->SetAbortExecute(0);
+  }
   if (this->Mapper)
   {
     this->Mapper->SetAbortExecute(0);
   }
   auto snapshot = std::make_shared<lms3dSnapshot>();
+  snapshot->Header.number = number;
   snapshot->Header.generation = settings.Generation;
   snapshot->Header.scene = settings.Scene->Description.name;
   snapshot->Header.sensorPose = settings.Pose;
   snapshot->Header.settings = settings.Configuration;
+  snapshot->Device = settings.Device;
   const bool isWhole =
     this->Scan(*snapshot) && (!settings.Configuration.makeMap || this->MakeMap(*snapshot));
   return isWhole ? snapshot : nullptr;
@@ -108,6 +65,26 @@ bool lms3dScanPipeline::ShouldAbort()
     this->Aborted = true;
   }
   return this->Aborted;
+}
+
+void lms3dScanPipeline::PrepareErrors(const LMS3D::Device& device)
+{
+  if (device.rangeBias == 0.0 && device.rangeNoise == 0.0 && device.rangeResolution == 0.0)
+  {
+    this->Errors = nullptr;
+    return;
+  }
+  if (!this->Errors)
+  {
+    this->Errors = vtkSmartPointer<vtkLMS3DRangeErrorFilter>::New();
+    this->Errors->SetNumberOfThreads(this->Threads);
+    this->Errors->SetInputConnection(this->Scanner->GetOutputPort());
+    lms3dAbortIf(this->Errors, [this] { return this->ShouldAbort(); });
+  }
+  this->Errors->SetRangeBias(device.rangeBias);
+  this->Errors->SetRangeNoise(device.rangeNoise);
+  this->Errors->SetRangeResolution(device.rangeResolution);
+  this->Errors->SetNoiseSeed(device.noiseSeed);
 }
 
 // The mapper keeps its memory for the next map. If that is much smaller or will not come, a new mapper
@@ -129,10 +106,11 @@ void lms3dScanPipeline::PrepareMapper(const LMS3D::Configuration& configuration)
   {
     this->Mapper = vtkSmartPointer<vtkLMS3DSurfaceReconstructionFilter>::New();
     this->Mapper->SetNumberOfThreads(this->Threads);
-    this->Mapper->SetInputConnection(this->Scanner->GetOutputPort());
     lms3dAbortIf(this->Mapper, [this] { return this->ShouldAbort(); });
   }
   this->MapperBeams = std::max(this->MapperBeams, beams);
+  this->Mapper->SetInputConnection(
+    this->Errors ? this->Errors->GetOutputPort() : this->Scanner->GetOutputPort());
   this->Mapper->SetMaximumError(configuration.mapError);
 }
 
@@ -157,7 +135,24 @@ void lms3dScanPipeline::Configure(const lms3dScanSettings& settings)
   this->Scanner->SetIntersectionMethod(configuration.method == LMS3D::METHOD_FAST
       ? vtkLMS3DScanFilter::FAST
       : vtkLMS3DScanFilter::EXACT);
+  this->ConfigureDevice(settings.Device);
+  this->PrepareErrors(settings.Device);
   this->PrepareMapper(configuration);
+}
+
+void lms3dScanPipeline::ConfigureDevice(const LMS3D::Device& device)
+{
+  this->Scanner->SetBeamDiameter(device.beamDiameter);
+  this->Scanner->SetBeamDivergence(device.beamDivergence);
+  this->Scanner->SetBeamSamples(static_cast<int>(device.beamSamples));
+  this->Scanner->SetPulseLength(device.pulseLength);
+  this->Scanner->SetRangeAtTenPercent(device.rangeAtTenPercent);
+  this->Scanner->SetReflectanceArray(device.reflectanceArray);
+  this->Scanner->SetMounting(static_cast<int>(device.mounting));
+  const LMS3D::Vector3& offset = device.axisOffset;
+  this->Scanner->SetAxisOffset(offset.x, offset.y, offset.z);
+  this->Scanner->SetTurnRate(device.turnRate);
+  this->Scanner->SetComputeStatus(device.computeStatus);
 }
 
 bool lms3dScanPipeline::Update(vtkAlgorithm* algorithm, double& seconds) const
@@ -183,19 +178,34 @@ bool lms3dScanPipeline::Update(vtkAlgorithm* algorithm, double& seconds) const
 bool lms3dScanPipeline::Scan(lms3dSnapshot& snapshot)
 {
   this->Scanner->Modified();
-  if (!this->Update(this->Scanner, snapshot.ScanSeconds))
+  if (!this->Update(this->Scanner, snapshot.ScanSeconds) || !this->AddErrors(snapshot))
   {
     return false;
   }
-  snapshot.Ranges = GetRanges(this->Scanner->GetRangeImage());
-  snapshot.Header.beams = static_cast<CORBA::ULong>(snapshot.Ranges.size());
-  snapshot.Header.returns =
-    static_cast<CORBA::ULong>(this->Scanner->GetOutput()->GetNumberOfPoints());
-  snapshot.Header.rangesChecksum = lms3dGetRangesChecksum(snapshot.Ranges);
-  snapshot.Header.mapPoints = 0;
-  snapshot.Header.mapTriangles = 0;
-  snapshot.Header.mapChecksum = lms3dGetMapChecksum({}, {});
+  if (this->Errors)
+  {
+    lms3dTakeScan(this->Errors->GetOutput(), this->Errors->GetRangeImage(), snapshot);
+  }
+  else
+  {
+    lms3dTakeScan(this->Scanner->GetOutput(), this->Scanner->GetRangeImage(), snapshot);
+  }
   return true;
+}
+
+// The errors depend on the time of the scan, which a sensor at rest does not have.
+bool lms3dScanPipeline::AddErrors(lms3dSnapshot& snapshot)
+{
+  if (!this->Errors)
+  {
+    return true;
+  }
+  this->Scanner->GetOutput()->GetInformation()->Set(
+    vtkDataObject::DATA_TIME_STEP(), static_cast<double>(snapshot.Header.number));
+  double seconds = 0.0;
+  const bool isDone = this->Update(this->Errors, seconds);
+  snapshot.ScanSeconds += seconds;
+  return isDone;
 }
 
 bool lms3dScanPipeline::MakeMap(lms3dSnapshot& snapshot)
@@ -204,10 +214,6 @@ bool lms3dScanPipeline::MakeMap(lms3dSnapshot& snapshot)
   {
     return false;
   }
-  snapshot.MapPoints = GetCoordinates(this->Mapper->GetOutput());
-  snapshot.MapTriangles = GetTriangles(this->Mapper->GetOutput());
-  snapshot.Header.mapPoints = static_cast<CORBA::ULong>(snapshot.MapPoints.size() / 3);
-  snapshot.Header.mapTriangles = static_cast<CORBA::ULong>(snapshot.MapTriangles.size() / 3);
-  snapshot.Header.mapChecksum = lms3dGetMapChecksum(snapshot.MapPoints, snapshot.MapTriangles);
+  lms3dTakeMap(this->Mapper->GetOutput(), snapshot);
   return true;
 }

@@ -18,6 +18,7 @@
 #include <memory>
 
 class vtkAlgorithm;
+class vtkLMS3DRangeErrorFilter;
 class vtkLMS3DScanFilter;
 class vtkLMS3DSurfaceReconstructionFilter;
 
@@ -35,17 +36,20 @@ public:
   lms3dScanPipeline(const lms3dScanPipeline&) = delete;
   void operator=(const lms3dScanPipeline&) = delete;
 
-  /// Returns a scan without number, incarnation and times, which the caller fills in. Calls
-  /// `isOutdated` meanwhile. Returns null if that returned true, or Stop() was called, before the scan
-  /// was complete. Throws std::runtime_error if a filter fails.
+  /// Returns the scan `number`, without incarnation and times, which the caller fills in. The errors of
+  /// its ranges depend on the number. Calls `isOutdated` meanwhile. Returns null if that returned true,
+  /// or Stop() was called, before the scan was complete. Throws std::runtime_error if a filter fails.
   std::shared_ptr<lms3dSnapshot> Run(
-    const lms3dScanSettings& settings, const lms3dStopTest& isOutdated);
+    const lms3dScanSettings& settings, std::uint64_t number, const lms3dStopTest& isOutdated);
 
   /// Aborts the current scan and all later ones. Any thread.
   void Stop() { this->Stopped = true; }
 
 private:
   void Configure(const lms3dScanSettings& settings);
+  void ConfigureDevice(const LMS3D::Device& device);
+  /// Creates or destroys the filter of range errors.
+  void PrepareErrors(const LMS3D::Device& device);
   /// Creates or destroys the filter of maps.
   void PrepareMapper(const LMS3D::Configuration& configuration);
   /// Returns true if the current run is to end.
@@ -54,10 +58,13 @@ private:
   /// Return false if the work was aborted.
   bool Update(vtkAlgorithm* algorithm, double& seconds) const;
   bool Scan(lms3dSnapshot& snapshot);
+  bool AddErrors(lms3dSnapshot& snapshot);
   bool MakeMap(lms3dSnapshot& snapshot);
   ///@}
 
   vtkNew<vtkLMS3DScanFilter> Scanner;
+  /// Null as long as ranges have no errors.
+  vtkSmartPointer<vtkLMS3DRangeErrorFilter> Errors;
   /// Null as long as no maps are made.
   vtkSmartPointer<vtkLMS3DSurfaceReconstructionFilter> Mapper;
   /// The number of beams for which the mapper has memory.

@@ -49,6 +49,15 @@ std::uint64_t lms3dSettingsBoard::SetConfiguration(const LMS3D::Configuration& c
   return this->Advance();
 }
 
+std::uint64_t lms3dSettingsBoard::SetDevice(
+  const LMS3D::Device& device, const LMS3D::Configuration& configuration)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Settings.Device = device;
+  this->Settings.Configuration = configuration;
+  return this->Advance();
+}
+
 std::uint64_t lms3dSettingsBoard::SetScene(lms3dServedScenePointer scene)
 {
   // Swapped, so that the previous scene is freed after unlocking.

@@ -7,6 +7,7 @@
 #ifndef lms3dSettingsBoard_h
 #define lms3dSettingsBoard_h
 
+#include "Common/lms3dDeviceNames.h"
 #include "Scanning/lms3dServedScene.h"
 
 #include <chrono>
@@ -19,6 +20,7 @@ struct lms3dScanSettings
   /// Metres and degrees, as LMS3DScanner.idl defines them.
   LMS3D::Pose Pose;
   LMS3D::Configuration Configuration;
+  LMS3D::Device Device = lms3dGetIdealDevice();
   /// Never null.
   lms3dServedScenePointer Scene;
   /// Counts the changes of settings, from 1.
@@ -45,9 +47,10 @@ public:
   void Stop();
 
   ///@{
-  /// Replaces one setting and returns the new generation. The settings must be valid.
+  /// Replaces a setting, or two at once, and returns the new generation. The settings must be valid.
   std::uint64_t SetPose(const LMS3D::Pose& pose);
   std::uint64_t SetConfiguration(const LMS3D::Configuration& configuration);
+  std::uint64_t SetDevice(const LMS3D::Device& device, const LMS3D::Configuration& configuration);
   std::uint64_t SetScene(lms3dServedScenePointer scene);
   ///@}
 

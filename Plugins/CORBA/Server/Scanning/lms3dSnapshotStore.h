@@ -29,8 +29,8 @@ struct lms3dSnapshot : lms3dScanData
   /// The memory of the arrays.
   std::size_t GetBytes() const
   {
-    return sizeof(float) * this->Ranges.size() + sizeof(double) * this->MapPoints.size() +
-      sizeof(std::uint32_t) * this->MapTriangles.size();
+    return sizeof(float) * this->Ranges.size() + this->Statuses.size() +
+      sizeof(double) * this->MapPoints.size() + sizeof(std::uint32_t) * this->MapTriangles.size();
   }
 };
 
