@@ -5,6 +5,7 @@
 from contextlib import ExitStack
 from pathlib import Path
 
+from ..bag import Bag, is_bag
 from ..figure import Figure, check_display
 from ..messages import say
 from ..problems import Problem, UsageProblem
@@ -110,6 +111,7 @@ def _scan_trajectory(options, simulation):
     targets = _targets(options)
     with ExitStack() as stack:
         series = [(results[result], stack.enter_context(
+            Bag(path, simulation, scans.times) if is_bag(path) else
             Series(path, len(scans.times), (options.scene, options.trajectory))))
             for result, path in targets]
         for time in scans.run(with_map=bool(options.map)):
@@ -125,8 +127,18 @@ def _scan_trajectory(options, simulation):
           f"{scans.times[-1]:g}, {sum(scans.returns):,} returns")
     if 0 in scans.returns:
         say(f"warning: no beam returned from {scans.returns.count(0)} of the poses")
-    for _, path in targets:
-        print(f"wrote    {path} and the {len(scans.times):,} files that it lists")
+    for (_, path), (_, files) in zip(targets, series):
+        if is_bag(path):
+            _print_bag(path, files)
+        else:
+            print(f"wrote    {path} and the {len(scans.times):,} files that it lists")
+
+
+def _print_bag(path, bag):
+    if bag.delayed:
+        print(f"bag      {bag.delayed:,} scans begin after the time of their pose, when the scan "
+              "before has ended")
+    print(f"wrote    {path}")
 
 
 def _targets(options):
@@ -155,7 +167,7 @@ def _check(options):
     sensor_options.check(options)
     check_targets(targets, options.scene, **inputs)
     if options.trajectory:
-        check_names(path for _, path in targets)
+        check_names(path for _, path in targets if not is_bag(path))
     check_readable(options.scene)
     if options.picture:
         check_display()
@@ -169,8 +181,14 @@ def _write(options, simulation):
         "picture": lambda: Figure(simulation, options.size, edges=options.edges).image(),
     }
     targets = sort_targets(_targets(options))
-    with ResultFiles() as files:
-        for result, path in targets:
-            files.save(results[result](), path, result)
+    with ExitStack() as stack:
+        bag = is_bag(options.output or "") and stack.enter_context(Bag(options.output, simulation))
+        with ResultFiles() as files:
+            for result, path in targets:
+                if is_bag(path):
+                    bag.add(results[result](), 0.0)
+                    bag.finish(files)
+                else:
+                    files.save(results[result](), path, result)
     for _, path in targets:
         print(f"wrote    {path}")
