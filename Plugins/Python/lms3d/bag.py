@@ -142,7 +142,8 @@ class Bag:
             with writing(self._path):
                 yield
         except sqlite3.Error as error:
-            raise Problem(f"cannot write '{self._path}': {error}") from error
+            raise Problem(
+                f"cannot write '{self._path}': {error}; the disk may be full") from error
 
 
 class _Messages:

@@ -60,7 +60,7 @@ def _laspy_errors(failure):
     try:
         yield
     except (laspy.errors.LaspyException, RuntimeError) as error:
-        raise Problem(f"{failure}: {error}") from error
+        raise Problem(f"{failure}: {error}; the disk may be full") from error
 
 
 def write_e57(scan, path, failure):
@@ -74,7 +74,7 @@ def write_e57(scan, path, failure):
         _E57Scan(pye57.libe57, file).write(Grid(scan))
         image_file.close()
     except pye57.libe57.E57Exception as error:
-        raise Problem(f"{failure}: {str(error).splitlines()[0]}") from error
+        raise Problem(f"{failure}: {str(error).splitlines()[0]}; the disk may be full") from error
     finally:
         if image_file and image_file.isOpen():
             image_file.cancel()
@@ -119,12 +119,17 @@ class _E57Scan:
             buffers.append(self._library.SourceDestBuffer(
                 self._file, name, column, BEAMS, True, True))
         writer = points.writer(buffers)
-        for rows in slices(grid.returns, BEAMS):
-            turns, beams = np.divmod(grid.ids[rows], len(grid.alpha))
-            for column, values in zip(columns.values(), (*grid.local_points(rows).T, beams, turns)):
-                column[:rows.stop - rows.start] = values
-            writer.write(rows.stop - rows.start)
-        writer.close()
+        try:
+            for rows in slices(grid.returns, BEAMS):
+                turns, beams = np.divmod(grid.ids[rows], len(grid.alpha))
+                for column, values in zip(columns.values(),
+                                          (*grid.local_points(rows).T, beams, turns)):
+                    column[:rows.stop - rows.start] = values
+                writer.write(rows.stop - rows.start)
+            writer.close()
+        finally:
+            # The process would crash if the file were cancelled before its writer has gone.
+            del writer
 
     def _structure(self, content):
         """A node with named numbers, texts and structures."""
