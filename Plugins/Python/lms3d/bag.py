@@ -36,7 +36,7 @@ def is_bag(path):
 class Bag:
     """A bag of all scans of a simulation: a folder.
 
-    A context manager, which deletes what has not got its name. `times` are those of the scans.
+    A context manager, which deletes what has not got its name. `times` are the scans' times.
     """
 
     def __init__(self, path, simulation, times=(0.0,)):

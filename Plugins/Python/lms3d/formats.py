@@ -3,8 +3,8 @@
 """The file formats of results. Each turns a data object into the bytes of a file, in pieces.
 
 VTK's writers write to memory here, because they crash or report success if the disk is full. The
-one for PLY writes nothing to memory in VTK 9.2, and keeps no arrays. A library for LAS or E57 writes
-to a file by itself.
+one for PLY writes nothing to memory in VTK 9.2, and keeps no arrays. The libraries for LAS and
+E57 write to a file by themselves.
 """
 
 import numpy as np

@@ -21,8 +21,8 @@ _MAXIMUM_TRIANGLES = 100_000_000
 _JSON, _BINARY = b"JSON", b"BIN\0"
 
 # Required extensions that do not change the surface, or that this reader supports.
-_HARMLESS = ("KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "KHR_mesh_quantization",
-             "KHR_xmp", "MSFT_texture_")
+_HARMLESS = ("KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_",
+             "KHR_mesh_quantization", "KHR_xmp")
 
 
 def read_gltf(path, failure):
@@ -112,8 +112,8 @@ def _nodes(document):
         visited.add(number)
         node = nodes[number]
         if "EXT_mesh_gpu_instancing" in node.get("extensions", ()):
-            raise Invalid(f"node {number} has instances by EXT_mesh_gpu_instancing, which cannot be "
-                          "read: save the file without this extension")
+            raise Invalid(f"node {number} has instances by EXT_mesh_gpu_instancing, which cannot "
+                          "be read: save the file without this extension")
         matrix = parent @ _matrix(node, number)
         if not np.isfinite(matrix).all():
             raise Invalid(f"the matrix of node {number} is not finite")

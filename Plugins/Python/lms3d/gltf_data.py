@@ -61,7 +61,7 @@ class Accessors:
         """The numbers of vertices in an accessor, all below `count`."""
         accessor, values = self._read(number, "SCALAR", 1)
         if accessor["componentType"] not in _UNSIGNED:
-            raise Invalid(f"accessor {number} has numbers of vertices that are not unsigned integers")
+            raise Invalid(f"accessor {number} has numbers of vertices that are no unsigned integers")
         if values.size and values.max() >= count:
             raise Invalid(f"accessor {number} has the vertex {values.max()}, but there are {count}")
         return values.ravel().astype(np.int64)

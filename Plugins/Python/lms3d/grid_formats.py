@@ -39,6 +39,7 @@ def encode_ptx(scan, _failure):
 
     def convert(beams):
         points = grid.points_of_beams(beams, 0.0, True)
-        return ("%.9g %.9g %.9g 0.5\n" * len(points) % tuple(points.ravel().tolist())).encode("ascii")
+        lines = "%.9g %.9g %.9g 0.5\n" * len(points)
+        return (lines % tuple(points.ravel().tolist())).encode("ascii")
 
     yield from convert_rows(grid.beams, convert)

@@ -19,7 +19,7 @@ _INSTALL = "./run python -m pip install -r Plugins/Python/requirements-formats.t
 
 
 def check_library(ending, failure):
-    """Raise Problem, beginning with `failure`, if a format's library is missing or does not load."""
+    """Raise Problem, beginning with `failure`, if a format's library does not load."""
     for name in LIBRARIES.get(ending, ()):
         try:
             import_module(name)

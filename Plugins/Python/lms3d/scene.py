@@ -21,6 +21,7 @@ from vtkmodules.vtkIOXML import (
 from . import vtkVRMLImporterSource
 from .execution import update
 from .gltf import read_gltf
+from .mesh_files import check_mesh_file
 from .messages import say
 from .problems import Problem, UsageProblem
 
@@ -149,9 +150,11 @@ def _make_reader(path, what, root=None, limits=None):
         _set_root(reader, path, root)
     for name, value in (limits or {}).items():
         _set_limit(reader, path, name, value)
+    failure = f"cannot read {what} '{path}'"
     if isinstance(reader, vtkTrivialProducer):
-        reader.SetOutput(read_gltf(path, f"cannot read {what} '{path}'"))
+        reader.SetOutput(read_gltf(path, failure))
     else:
+        check_mesh_file(path, failure)
         reader.SetFileName(str(path))
     return reader
 

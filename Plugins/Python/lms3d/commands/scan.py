@@ -23,14 +23,30 @@ The file ending chooses the format. A .vtp file keeps everything in full precisi
 .stl file has coordinates in single precision only. A .csv file has the columns
 x,y,z,Range,Alpha,Beta,BeamId,CellId; a .ply file of points has these properties.
 
+  points      grid     no return  pose  time  coordinates
+  .vtp        BeamId   left out   yes   no    the scene's, double precision; all arrays
+  .csv        BeamId   left out   no    no    the scene's, all digits
+  .ply        BeamId   left out   no    no    the scene's, single precision
+  .pcd        yes      NaN        yes   no    the scene's, single precision
+  .ptx        yes      0 0 0      yes   no    the sensor's, 9 digits
+  .e57        indices  left out   yes   no    the sensor's, double precision; needs pye57
+  .las .laz   BeamId   left out   no    *     the scene's, steps of 0.1 mm; need laspy, lazrs
+  .db3 .mcap  yes      +inf, NaN  yes   yes   the sensor's, single precision; need rosbags
+
+  * gps_time, if the points have the array Time
+
+.db3 and .mcap are ROS 2 bags: folders with LaserScan, PointCloud2 and tf. A bag does not replace
+what exists. The libraries are in Plugins/Python/requirements-formats.txt.
+
 The files get their names together, when all are complete. In place of a file, - is the standard
 output: points are then written as .csv, the range image as .vti, the map as .ply, and the picture
 as .png. The lines that the command prints go to the error stream then.
 
 With --trajectory there is one scan for each pose, and with --map also one local map. Each output
-is a .pvd file, which lists the files of all steps and their times; ParaView plays it. The poses
-are in the scene's coordinates, after --up-axis. Without the point array Orientation the sensor
-looks along the polyline; without a polyline its orientation is --orientation.
+is a .pvd file, which lists the files of all steps and their times; ParaView plays it. A bag has the
+scans of all poses. The poses are in the scene's coordinates, after --up-axis. Without the point
+array Orientation the sensor looks along the polyline; without a polyline its orientation is
+--orientation.
 
 The sensor is ideal. The errors of the device make its ranges what a real device reports: bias, then
 noise, then resolution. All results have these ranges. Each scan of a trajectory has its own noise.
@@ -42,6 +58,8 @@ examples:
       --beta-resolution 181 -o points.csv --map map.stl --picture figure.png
   lms3d scan room.wrl --position 0.3 -0.2 1 -o - | gzip > points.csv.gz
   lms3d scan room.wrl --trajectory path.vtp -o scans.pvd --map maps.pvd
+  lms3d scan hall.glb --position 2 3 1.2 -o hall.e57
+  lms3d scan room.wrl --trajectory path.vtp -o journey.mcap
   lms3d scan room.wrl --position 0.3 -0.2 1 -o labelled.vtp --surface-attributes
   lms3d scan room.wrl --position 0.3 -0.2 1 -o reported.vtp --range-noise 0.005 \\
       --range-resolution 0.001 --seed 1 --map map.vtp --maximum-error 0.03
@@ -58,8 +76,8 @@ def add_arguments(parser):
     sensor_options.add_errors(parser)
     results = parser.add_argument_group("results, at least one")
     results.add_argument("-o", "--output", metavar="FILE",
-                         help="points: .vtp .ply .csv, or - for .csv on the standard output; with "
-                         "--trajectory .pvd")
+                         help="points: .vtp .ply .csv .pcd .ptx .e57 .las .laz .db3 .mcap, or - for "
+                         ".csv on the standard output; with --trajectory .pvd .db3 .mcap")
     results.add_argument("--surface-attributes", action="store_true",
                          help="the points (.vtp, .pvd) also have what they hit: Normals, Incidence "
                          "(degrees, 0: perpendicular) and the scene's cell arrays, for VRML ShapeId "
