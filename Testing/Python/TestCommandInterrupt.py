@@ -20,6 +20,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from command_line import COARSE, POSE, ROOM, CommandLineTest, run, write
+from optional_libraries import needs
 
 HUGE = ("--alpha-resolution", 10000, "--beta-resolution", 10000)
 LARGE = ("--alpha-resolution", 2000, "--beta-resolution", 2000)
@@ -154,7 +155,14 @@ class TestInterrupt(CommandLineTest):
         self.assert_interrupted("measuring", "advise", ROOM, *POSE, "--tolerance", 0.001)
 
     def test_writing(self):
-        for ending in ("csv", "vtp"):
+        self.assert_writing_interrupted("csv", "vtp", "ptx")
+
+    @needs("laspy", "lazrs", "pye57", "rosbags")
+    def test_writing_by_libraries(self):
+        self.assert_writing_interrupted("laz", "e57", "db3", "mcap")
+
+    def assert_writing_interrupted(self, *endings):
+        for ending in endings:
             with self.subTest(ending):
                 self.assert_interrupted("writing", "scan", ROOM, *POSE, *LARGE,
                                         "-o", self.folder / f"scan.{ending}")
@@ -191,6 +199,13 @@ class TestInterrupt(CommandLineTest):
         trajectory = vtkPolyData()
         trajectory.SetPoints(points)
         write(vtkXMLPolyDataWriter(), trajectory, path)
+
+    @needs("rosbags")
+    def test_a_bag_of_a_journey(self):
+        path = self.folder / "journey.vtp"
+        self._write_trajectory(path)
+        self.assert_interrupted("scanning 30", "scan", ROOM, "--trajectory", path,
+                                "-o", self.folder / "scans.mcap")
 
     def test_the_window(self):
         process = subprocess.Popen([sys.executable, "-c", WINDOW, "view", str(ROOM)],

@@ -15,10 +15,12 @@ from pathlib import Path
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from command_line import COARSE, POSE, ROOM, CommandLineTest, read, run
+from optional_libraries import needs
 
 SCAN = ("scan", ROOM, *POSE, *COARSE)
-RESULTS = (("-o", "vtp"), ("-o", "ply"), ("-o", "csv"), ("--range-image", "vti"),
-           ("--map", "vtp"), ("--map", "ply"), ("--map", "stl"), ("--picture", "png"))
+RESULTS = (("-o", "vtp"), ("-o", "ply"), ("-o", "csv"), ("-o", "pcd"), ("-o", "ptx"),
+           ("--range-image", "vti"), ("--map", "vtp"), ("--map", "ply"), ("--map", "stl"),
+           ("--picture", "png"))
 
 
 def run_process(*arguments, **options):
@@ -60,6 +62,30 @@ class TestFullDisks(CommandLineTest):
                 self.assert_failed(result, f"cannot write '{path}': File too large")
                 self.assertEqual(path.read_text(), "old")
                 self.assert_folder(path.name)
+                path.unlink()
+
+    @needs("laspy", "lazrs", "pye57", "rosbags")
+    def test_files_of_libraries_that_cannot_grow(self):
+        """Each library fails at another step, and reports it in its own words."""
+        for ending in ("las", "laz", "e57", "db3", "mcap"):
+            for limit in (500, 50_000):
+                with self.subTest(ending, limit=limit):
+                    path = self.folder / f"scan.{ending}"
+                    result = run_process(
+                        "scan", ROOM, *POSE, "-o", path,
+                        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+                    self.assert_failed(result, f"cannot write '{path}': ")
+                    self.assert_folder()
+
+    @needs("laspy", "lazrs", "pye57")
+    def test_libraries_need_a_file(self):
+        for ending in ("las", "laz", "e57"):
+            with self.subTest(ending):
+                path = self.folder / f"null.{ending}"
+                self.make_device("null", path)
+                self.assert_failed(run_process(*SCAN, "-o", path),
+                                   f"'{path}': .{ending} can only be written to a file")
+                self.assertTrue(path.is_char_device())
                 path.unlink()
 
     def test_a_later_result_that_fails(self):

@@ -81,6 +81,8 @@ class TestRun(unittest.TestCase):
         self.assertIn("libopenmpi-dev", self.missing("test") - demo)
         interop = self.missing("interop") - self.missing("test")
         self.assertLessEqual({"maven", "python3-venv"}, interop)
+        self.assertEqual(self.missing("python"), demo)
+        self.assertEqual(self.missing("python", "-m", "pip", "list") - demo, {"python3-venv"})
 
     def test_parts_of_the_build_folder_stay(self):
         build = self.root / "build"
@@ -185,6 +187,16 @@ class TestRun(unittest.TestCase):
         outcome = self.second_call("python", "-c", "import lms3d")
         self.assertEqual((outcome.returncode, outcome.stdout, outcome.stderr), (0, "the package\n", ""))
         self.assertEqual(sorted(self.root.rglob("*")), before)
+
+    def test_packages_of_pip_stay_in_the_build(self):
+        """Debian's Python is used until pip is called, then an environment with Debian's packages."""
+        build = self.built()
+        build.chmod(0o755)
+        (build / "python" / "bin").mkdir(parents=True)
+        shutil.copy("/bin/echo", build / "python" / "bin" / "python")
+        self.assertEqual(self.second_call("python", "-c", "import lms3d").stdout, "the package\n")
+        shutil.copy("/bin/echo", build / "python" / "bin" / "pip")
+        self.assertEqual(self.second_call("python", "-m", "lms3d").stdout, "-m lms3d\n")
 
     def test_a_second_user_cannot_build(self):
         build = self.built()

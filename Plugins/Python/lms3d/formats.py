@@ -3,7 +3,8 @@
 """The file formats of results. Each turns a data object into the bytes of a file, in pieces.
 
 VTK's writers write to memory here, because they crash or report success if the disk is full. The
-one for PLY writes nothing to memory in VTK 9.2, and keeps no arrays.
+one for PLY writes nothing to memory in VTK 9.2, and keeps no arrays. The libraries for LAS and
+E57 write to a file by themselves.
 """
 
 import numpy as np
@@ -11,13 +12,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
-from .execution import ProgressBar, write
+from .execution import write
+from .grid_formats import encode_pcd, encode_ptx
+from .pieces import convert_rows, cut
+from .survey_formats import write_e57, write_las
 
 CSV_ARRAYS = ("Range", "Alpha", "Beta", "BeamId", "CellId")
 _FURTHER_ARRAYS = ("Incidence", "Intensity", "Time")  # if a scan has them
-
-_PIECE = 1 << 20  # bytes
-_ROWS = 1 << 13  # returns or triangles that are converted at once
 
 
 def encode(data, ending, failure):
@@ -26,22 +27,6 @@ def encode(data, ending, failure):
     Raises Problem, beginning with `failure`, if VTK reports an error.
     """
     return _ENCODERS[ending](data, failure)
-
-
-def _cut(content):
-    """Bytes, or a text of VTK, in pieces."""
-    for first in range(0, len(content), _PIECE):
-        piece = content[first:first + _PIECE]
-        yield piece.encode() if isinstance(piece, str) else piece
-
-
-def _convert_rows(count, convert):
-    """A piece for each few rows of arrays, with progress; `convert` takes a slice of the rows."""
-    with ProgressBar("writing") as bar:
-        bar.show(0)
-        for first in range(0, count, _ROWS):
-            yield convert(slice(first, min(first + _ROWS, count)))
-            bar.show(min(first + _ROWS, count) / count)
 
 
 def _xml_encoder(writer_class):
@@ -53,7 +38,7 @@ def _xml_encoder(writer_class):
         writer.SetDataModeToBinary()
         writer.WriteToOutputStringOn()
         write(writer, failure)
-        return _cut(writer.GetOutputString())
+        return cut(writer.GetOutputString())
 
     return encode_xml
 
@@ -63,7 +48,7 @@ def _encode_png(image, failure):
     writer.SetInputDataObject(image)
     writer.WriteToMemoryOn()
     write(writer, failure)
-    return _cut(vtk_to_numpy(writer.GetResult()).tobytes())
+    return cut(vtk_to_numpy(writer.GetResult()).tobytes())
 
 
 def _encode_csv(scan, _failure):
@@ -77,7 +62,7 @@ def _encode_csv(scan, _failure):
         return "".join(",".join(row) + "\n" for row in zip(*texts)).encode("ascii")
 
     yield (",".join(("x", "y", "z", *names)) + "\n").encode("ascii")
-    yield from _convert_rows(scan.GetNumberOfPoints(), convert)
+    yield from convert_rows(scan.GetNumberOfPoints(), convert)
 
 
 def _encode_ply(data, _failure):
@@ -123,7 +108,7 @@ def _convert_table(count, columns):
             table[name] = column[rows]
         return table.tobytes()
 
-    return _convert_rows(count, convert)
+    return convert_rows(count, convert)
 
 
 # A type of numpy, without its byte order, and its name in PLY.
@@ -156,7 +141,7 @@ def _encode_stl(surface, _failure):
 
     # A header that begins with "solid" would stand for the format of text.
     yield b"LMS3D".ljust(80) + np.array(len(triangles), "<u4").tobytes()
-    yield from _convert_rows(len(triangles), convert)
+    yield from convert_rows(len(triangles), convert)
 
 
 def _points(data):
@@ -178,4 +163,9 @@ _ENCODERS = {
     ".stl": _encode_stl,
     ".png": _encode_png,
     ".csv": _encode_csv,
+    ".pcd": encode_pcd,
+    ".ptx": encode_ptx,
 }
+
+# The formats whose libraries write to a named file.
+FILE_WRITERS = {".las": write_las, ".laz": write_las, ".e57": write_e57}

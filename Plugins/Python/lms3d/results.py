@@ -9,19 +9,20 @@ import sys
 from contextlib import closing, contextmanager, redirect_stdout
 from pathlib import Path
 
-from .formats import encode
+from .formats import FILE_WRITERS, encode
 from .interruption import interruptible
+from .libraries import check_library
 from .problems import Problem, UsageProblem
 
 # The formats of each result.
 ENDINGS = {
-    "scan": (".vtp", ".ply", ".csv"),
+    "scan": (".vtp", ".ply", ".csv", ".pcd", ".ptx", ".e57", ".las", ".laz", ".db3", ".mcap"),
     "range image": (".vti",),
     "map": (".vtp", ".ply", ".stl"),
     "picture": (".png",),
     "map with errors": (".vtp",),
     "scene points": (".vtp",),
-    "series of scans": (".pvd",),
+    "series of scans": (".pvd", ".db3", ".mcap"),
     "series of maps": (".pvd",),
 }
 
@@ -54,6 +55,7 @@ def check_targets(targets, scene=None, **inputs):
         else:
             _check_ending(result, path)
             check_writable(result, path)
+            _check_format(result, path)
         other = taken.setdefault(Path(path).resolve(), result)
         if other != result:
             raise UsageProblem(f"'{path}' is both {other} and {result}: choose two names")
@@ -72,6 +74,22 @@ def _check_ending(result, path):
     if Path(path).suffix.lower() not in ENDINGS[result]:
         raise UsageProblem(f"cannot write the {result} to '{path}': the ending must be "
                            + " or ".join(ENDINGS[result]))
+
+
+def _check_format(result, path):
+    """Raise Problem if the format's library is missing, or needs a file and gets a device."""
+    ending = Path(path).suffix.lower()
+    check_library(ending, f"cannot write the {result} to '{path}'")
+    if ending in FILE_WRITERS and _is_device(path):
+        raise Problem(f"cannot write the {result} to '{path}': {ending} can only be written to a "
+                      "file")
+
+
+def check_new(result, path):
+    """Raise Problem if something has the name of a result that is a folder."""
+    if os.path.lexists(path):
+        raise Problem(f"cannot write the {result} to '{path}': it exists; delete it, or choose "
+                      "another name")
 
 
 def check_writable(result, path):
@@ -116,7 +134,8 @@ class ResultFiles:
                     self._publish()
             finally:
                 for temporary, *_ in self._files:
-                    temporary.unlink(missing_ok=True)
+                    if not temporary.is_dir():
+                        temporary.unlink(missing_ok=True)
 
     def save(self, data, path, result=None, shown=None):
         """Write a data object.
@@ -126,6 +145,9 @@ class ResultFiles:
         """
         shown = "the standard output" if path == STREAM else f"'{shown or path}'"
         ending = STREAM_ENDINGS[result] if path == STREAM else Path(path).suffix.lower()
+        if ending in FILE_WRITERS:
+            self._save_file(data, Path(path).resolve(), FILE_WRITERS[ending], shown)
+            return
         with _writing(shown), closing(encode(data, ending, f"cannot write {shown}")) as pieces, \
                 self._opened(path, shown) as file:
             for piece in pieces:
@@ -133,8 +155,17 @@ class ResultFiles:
                 while view:
                     view = view[file.write(view):]
 
+    def _save_file(self, data, path, write, shown):
+        """Let a library write to a new file, which it opens by its name."""
+        with _writing(shown):
+            self._temporary(path, shown).close()
+            write(data, self._files[-1][0], f"cannot write {shown}")
+
     def add(self, temporary, path):
-        """Let a complete file of the same file system get its name with the others."""
+        """Let a complete file or folder get its name with the others; its owner deletes a folder.
+
+        It has to be in the same file system.
+        """
         self._files.append((temporary, path, f"'{path}'"))
 
     def _opened(self, path, shown):

@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads scenes and maps in any format that VTK reads. The file ending chooses the reader."""
+"""Reads scenes and maps: VRML, glTF, and what VTK reads. The file ending chooses the reader."""
 
 from dataclasses import dataclass
 from pathlib import Path
 
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
@@ -19,6 +20,8 @@ from vtkmodules.vtkIOXML import (
 
 from . import vtkVRMLImporterSource
 from .execution import update
+from .gltf import read_gltf
+from .mesh_files import check_mesh_file
 from .messages import say
 from .problems import Problem, UsageProblem
 
@@ -32,12 +35,18 @@ READERS = {
     ".obj": vtkOBJReader,
     ".vtu": vtkXMLUnstructuredGridReader,
     ".vtm": vtkXMLMultiBlockDataReader,
+    ".glb": vtkTrivialProducer,
+    ".gltf": vtkTrivialProducer,
 }
 
 UP_AXES = {
     "file": "axes as in the file, z is up",
     "y": "turned from y-up to z-up",
+    "z": "axes as in the file, z is up",
 }
+
+# The formats that fix the axis that is up.
+_UP_AXIS_OF_FORMAT = {".glb": "y", ".gltf": "y"}
 
 # The limits of the VRML reader: its property, and how many of the property's units make one here.
 LIMITS = {
@@ -107,21 +116,19 @@ def check_readable(path, what="scene", endings=tuple(READERS)):
 
 def read_data(path, what):
     """Read a file by its VTK reader; raises Problem on an error."""
-    return _read(_make_reader(path), path, what)
+    return _read(_make_reader(path, what), path, what, _up_axis(path, "file"))
 
 
 def read_scene(path, up_axis="file", root=None, limits=None):
     """Read a scene. With up_axis "y" the file's y axis becomes the scene's z axis.
 
-    A VRML file can only use files below `root`, by default its own folder. `limits` are values for
-    keys of LIMITS.
+    With "file" that happens if the format says that y is up, as glTF does; with "z" never. A VRML
+    file can only use files below `root`, by default its own folder. `limits` are values for keys of
+    LIMITS.
     """
     check_readable(path)
-    reader = _make_reader(path)
-    if root is not None:
-        _set_root(reader, path, root)
-    for name, value in (limits or {}).items():
-        _set_limit(reader, path, name, value)
+    up_axis = _up_axis(path, up_axis)
+    reader = _make_reader(path, "scene", root, limits)
     data = _read(reader, path, "scene", up_axis)
     scene = Scene(Path(path), up_axis, data, _surface(data), _messages(reader))
     if scene.triangles <= 0:
@@ -129,10 +136,26 @@ def read_scene(path, up_axis="file", root=None, limits=None):
     return scene
 
 
-def _make_reader(path):
+def _up_axis(path, up_axis):
+    """The axis that is up in a file, in place of "file" if its format says."""
+    if up_axis != "file":
+        return up_axis
+    return _UP_AXIS_OF_FORMAT.get(Path(path).suffix.lower(), up_axis)
+
+
+def _make_reader(path, what, root=None, limits=None):
     """The reader of a file, by its ending."""
     reader = READERS[Path(path).suffix.lower()]()
-    reader.SetFileName(str(path))
+    if root is not None:
+        _set_root(reader, path, root)
+    for name, value in (limits or {}).items():
+        _set_limit(reader, path, name, value)
+    failure = f"cannot read {what} '{path}'"
+    if isinstance(reader, vtkTrivialProducer):
+        reader.SetOutput(read_gltf(path, failure))
+    else:
+        check_mesh_file(path, failure)
+        reader.SetFileName(str(path))
     return reader
 
 
@@ -153,7 +176,7 @@ def _set_limit(reader, path, name, value):
 
 def _read(reader, path, what, up_axis="file"):
     """The data of a reader's file; with up_axis "y" the y axis becomes the z axis."""
-    algorithm = reader if up_axis == "file" else _turned(reader)
+    algorithm = _turned(reader) if up_axis == "y" else reader
     update(algorithm, "reading", f"cannot read {what} '{path}'",
            keeps_parts=isinstance(reader, vtkVRMLImporterSource))
     return algorithm.GetOutputDataObject(0)

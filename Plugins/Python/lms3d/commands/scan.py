@@ -5,6 +5,7 @@
 from contextlib import ExitStack
 from pathlib import Path
 
+from ..bag import Bag, is_bag
 from ..device import set_arrays
 from ..figure import Figure, check_display
 from ..messages import say
@@ -24,14 +25,30 @@ The file ending chooses the format. A .vtp file keeps everything in full precisi
 x,y,z,Range,Alpha,Beta,BeamId,CellId; a .ply file of points has these properties. Incidence,
 Intensity and Time follow if they are asked for.
 
+  points      grid     no return  pose  time  coordinates
+  .vtp        BeamId   left out   yes   no    the scene's, double precision; all arrays
+  .csv        BeamId   left out   no    no    the scene's, all digits
+  .ply        BeamId   left out   no    no    the scene's, single precision
+  .pcd        yes      NaN        yes   no    the scene's, single precision
+  .ptx        yes      0 0 0      yes   no    the sensor's, 9 digits
+  .e57        indices  left out   yes   no    the sensor's, double precision; needs pye57
+  .las .laz   BeamId   left out   no    *     the scene's, steps of 0.1 mm; need laspy, lazrs
+  .db3 .mcap  yes      +inf, NaN  yes   yes   the sensor's, single precision; need rosbags
+
+  * gps_time, if the points have the array Time
+
+.db3 and .mcap are ROS 2 bags: folders with LaserScan, PointCloud2 and tf. A bag does not replace
+what exists. The libraries are in Plugins/Python/requirements-formats.txt.
+
 The files get their names together, when all are complete. In place of a file, - is the standard
 output: points are then written as .csv, the range image as .vti, the map as .ply, and the picture
 as .png. The lines that the command prints go to the error stream then.
 
 With --trajectory there is one scan for each pose, and with --map also one local map. Each output
-is a .pvd file, which lists the files of all steps and their times; ParaView plays it. The poses
-are in the scene's coordinates, after --up-axis. Without the point array Orientation the sensor
-looks along the polyline; without a polyline its orientation is --orientation.
+is a .pvd file, which lists the files of all steps and their times; ParaView plays it. A bag has the
+scans of all poses. The poses are in the scene's coordinates, after --up-axis. Without the point
+array Orientation the sensor looks along the polyline; without a polyline its orientation is
+--orientation.
 
 By default the sensor is ideal. --device lms200-mm makes the scan that of an LMS 200: a beam has a width
 and mixes near and far surfaces at edges, dark surfaces do not return it, and ranges have errors (bias,
@@ -44,6 +61,8 @@ examples:
       --beta-resolution 181 -o points.csv --map map.stl --picture figure.png
   lms3d scan room.wrl --position 0.3 -0.2 1 -o - | gzip > points.csv.gz
   lms3d scan room.wrl --trajectory path.vtp -o scans.pvd --map maps.pvd
+  lms3d scan hall.glb --position 2 3 1.2 -o hall.e57
+  lms3d scan room.wrl --trajectory path.vtp -o journey.mcap
   lms3d scan room.wrl --position 0.3 -0.2 1 -o labelled.vtp --surface-attributes
   lms3d scan room.wrl --position 0.3 -0.2 1 -o reported.vtp --device lms200-mm --seed 1 \\
       --map map.vtp --maximum-error 0.03
@@ -60,8 +79,8 @@ def add_arguments(parser):
     sensor_options.add_sensor(parser, position_needed=True, may_move=True)
     results = parser.add_argument_group("results, at least one")
     results.add_argument("-o", "--output", metavar="FILE",
-                         help="points: .vtp .ply .csv, or - for .csv on the standard output; with "
-                         "--trajectory .pvd")
+                         help="points: .vtp .ply .csv .pcd .ptx .e57 .las .laz .db3 .mcap, or - for "
+                         ".csv on the standard output; with --trajectory .pvd .db3 .mcap")
     results.add_argument("--surface-attributes", action="store_true",
                          help="the points (.vtp, .pvd) also have what they hit: Normals, Incidence "
                          "(degrees, 0: perpendicular) and the scene's cell arrays, for VRML ShapeId "
@@ -117,6 +136,7 @@ def _scan_trajectory(options, simulation):
     targets = _targets(options)
     with ExitStack() as stack:
         series = [(results[result], stack.enter_context(
+            Bag(path, simulation, scans.times) if is_bag(path) else
             Series(path, len(scans.times), (options.scene, options.trajectory))))
             for result, path in targets]
         for time in scans.run(with_map=bool(options.map)):
@@ -132,8 +152,18 @@ def _scan_trajectory(options, simulation):
           f"{scans.times[-1]:g}, {sum(scans.returns):,} returns")
     if 0 in scans.returns:
         say(f"warning: no beam returned from {scans.returns.count(0)} of the poses")
-    for _, path in targets:
-        print(f"wrote    {path} and the {len(scans.times):,} files that it lists")
+    for (_, path), (_, files) in zip(targets, series):
+        if is_bag(path):
+            _print_bag(path, files)
+        else:
+            print(f"wrote    {path} and the {len(scans.times):,} files that it lists")
+
+
+def _print_bag(path, bag):
+    if bag.delayed:
+        print(f"bag      {bag.delayed:,} scans begin after the time of their pose, when the scan "
+              "before has ended")
+    print(f"wrote    {path}")
 
 
 def _targets(options):
@@ -160,7 +190,7 @@ def _check(options):
     sensor_options.check(options)
     check_targets(targets, options.scene, **inputs)
     if options.trajectory:
-        check_names(path for _, path in targets)
+        check_names(path for _, path in targets if not is_bag(path))
     check_readable(options.scene)
     if options.picture:
         check_display()
@@ -189,8 +219,14 @@ def _write(options, simulation):
         "picture": lambda: Figure(simulation, options.size, edges=options.edges).image(),
     }
     targets = sort_targets(_targets(options))
-    with ResultFiles() as files:
-        for result, path in targets:
-            files.save(results[result](), path, result)
+    with ExitStack() as stack:
+        bag = is_bag(options.output or "") and stack.enter_context(Bag(options.output, simulation))
+        with ResultFiles() as files:
+            for result, path in targets:
+                if is_bag(path):
+                    bag.add(results[result](), 0.0)
+                    bag.finish(files)
+                else:
+                    files.save(results[result](), path, result)
     for _, path in targets:
         print(f"wrote    {path}")

@@ -16,8 +16,9 @@ def add_scene(parser, is_needed=True):
     parser.add_argument("scene", metavar="SCENE", nargs=None if is_needed else "?",
                         help="the scene's file: " + " ".join(READERS))
     parser.add_argument("--up-axis", choices=UP_AXES, default="file",
-                        help="file: keep the axes, z is up (default); y: the file is y-up, as most "
-                        "VRML files are, and is turned to z-up")
+                        help="file: z is up, or what the format says: glTF is y-up and is turned "
+                        "to z-up (default); y: the file is y-up, as most VRML and many OBJ files "
+                        "are, and is turned; z: the axes are kept")
     parser.add_argument("--scene-root", metavar="FOLDER",
                         help="folder that contains all other files of a VRML scene, also in "
                         "subfolders (default: the scene's folder)")
