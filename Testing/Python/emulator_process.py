@@ -26,7 +26,7 @@ class EmulatorProcess:
             [sys.executable, "-m", "lms3d", "emulate", *map(str, words)],
             **{"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, **options})
         self.lines = []
-        if self.process.stdout:
+        if options.get("stderr") is None:
             self.lines = self._read_lines()
 
     def _read_lines(self):

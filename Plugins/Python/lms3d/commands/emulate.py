@@ -155,8 +155,8 @@ def _check(options):
 
 
 def _serve(options):
-    fans = _stored_fans(options) if options.scan else _live_fans(options)
     with ExitStack() as stack:
+        fans = _stored_fans(options) if options.scan else _live_fans(options, stack)
         lines = _open_lines(options.angles, stack)  # a pipe waits here for its reader
         stop = stack.enter_context(stop_descriptor())
         terminal = stack.enter_context(Terminal())
@@ -175,7 +175,7 @@ def _serve(options):
         print(f"ended    after {emulator.fans:,} fans", flush=True)
 
 
-def _live_fans(options):
+def _live_fans(options, stack):
     scene = scene_options.read(options)
     scene.report_losses()
     print(f"scene    {scene}")
@@ -186,7 +186,8 @@ def _live_fans(options):
     if options.trajectory:
         times = TrajectoryScan(simulation, read_data(options.trajectory, "trajectory")).times
     errors = _make_errors(options) if options.device != IDEAL else None
-    return LiveFans(simulation.sensor, _update, errors, times)
+    run = _updater(stack.enter_context(VTKMessages()))
+    return LiveFans(simulation.sensor, run, errors, times)
 
 
 def _stored_fans(options):
@@ -205,15 +206,17 @@ def _make_errors(options):
     return errors
 
 
-def _update(algorithm, time_of_pose):
-    """Update a filter without a progress bar, for a time or for None; raises Problem."""
-    with VTKMessages() as messages:
+def _updater(messages):
+    """Updates a filter without a progress bar, for a time or for None; raises Problem."""
+    def run(algorithm, time_of_pose):
         if time_of_pose is None:
             algorithm.Update()
         else:
             algorithm.UpdateTimeStep(time_of_pose)
-    if messages.errors:
-        messages.report("cannot scan")
+        if messages.errors:
+            messages.report("cannot scan")
+
+    return run
 
 
 def _open_lines(path, stack):

@@ -42,6 +42,9 @@ class LiveFans:
         run(sensor, None)
         self._betas = sensor.GetOutput().GetFieldData().GetArray("BetaAngles")
         self.angles = vtk_to_numpy(self._betas).tolist()
+        self._fan = vtkPolyData()
+        if errors:
+            errors.SetInputDataObject(self._fan)
 
     def cast_turn(self, variant, scan, turn, means):
         """A turn of a scan. Each scan has the next pose of the trajectory; the last one stays."""
@@ -76,14 +79,13 @@ class LiveFans:
         number, turn, betas = noise
         beams = self._sensor.GetAlphaResolution()
         first_beam = turn * beams
-        fan = vtkPolyData()
+        fan = self._fan
         fan.ShallowCopy(self._sensor.GetOutput())
         fan.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), number)
         if betas is not None:
             _place_in_scan(fan, first_beam, betas)
         # The noise of a mean of n independent errors.
         self._errors.SetRangeNoise(self._noise / math.sqrt(means))
-        self._errors.SetInputDataObject(fan)
         self._run(self._errors, None)
         return _to_row(self._errors.GetOutput(), first_beam, beams)
 
