@@ -94,8 +94,10 @@ class TestLifeOfTheCommand(CommandLineTest):
                             (1, (ROOM, *POSE, "--angles", self.folder / "no" / "file")),
                             (2, (ROOM,)), (2, POSE), (2, (ROOM, *POSE, "--scan", "a.vtp")),
                             (2, ("--scan", "a.vtp", *POSE)), (1, ("--scan", "a.vtp")),
-                            (2, (ROOM, *POSE, "--turn", "fast")), (2, (ROOM, *POSE, "--turn", "inf")),
-                            (2, (ROOM, *POSE, "--unit", "dm")), (2, (ROOM, *POSE, "--device", "x"))):
+                            (2, (ROOM, *POSE, "--turn", "fast")),
+                            (2, (ROOM, *POSE, "--turn", "inf")),
+                            (2, (ROOM, *POSE, "--unit", "dm")),
+                            (2, (ROOM, *POSE, "--device", "x"))):
             with self.subTest(words):
                 self.refused(code, "emulate", *words)
 
@@ -173,7 +175,7 @@ class TestFans(CommandLineTest):
 
 class TestAngles(CommandLineTest):
     def test_lines(self):
-        """They pair with the telegrams by both indices; the lines of the command go to the errors."""
+        """They pair with telegrams by both indices; the command's lines go to the errors."""
         with EmulatorProcess(ROOM, *POSE, *TURNS, "--angles", "-",
                              stderr=subprocess.PIPE) as emulator:
             port = next(line.split()[1].rstrip(",") for line in emulator.process.stderr

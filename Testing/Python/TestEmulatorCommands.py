@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The commands of the LMS 200, without a terminal. Numbers are pages of the telegram listing (TL)."""
+"""The commands of the LMS 200, without a terminal. TL: pages of SICK's telegram listing."""
 
 import unittest
 

@@ -51,8 +51,8 @@ class TestRequests(unittest.TestCase):
                 word = int.from_bytes(data[1:3], "little")
                 part = (word >> 11 & 3) * parts // 4
                 self.assertEqual((word >> 13, word & 0x3FF), (0b011, 180 + (part == 0)))
-                self.assertEqual(words(data[3:]), list(range(1000 + part, 1721, parts))[:word & 0x3FF]
-                                 if step == 25 else list(range(1000 + part, 1361, 2)))
+                last = 1000 + 180 * parts
+                self.assertEqual(words(data[3:]), list(range(1000 + part, last + 1, parts)))
 
     def test_indices(self):
         """TL 31: bit 1 of the availability"""

@@ -14,7 +14,8 @@ from command_line import POSE, ROOM
 from lms200 import split
 from lms3d.emulation.telegrams import frame
 
-RATES = {rate: getattr(termios, f"B{rate}") for rate in (9600, 19200, 38400, 230400, 460800, 500000)}
+RATES = {rate: getattr(termios, f"B{rate}")
+         for rate in (9600, 19200, 38400, 230400, 460800, 500000)}
 
 
 class EmulatorProcess:

@@ -50,7 +50,7 @@ class Device:
         os.write(self._port, telegram + compute_crc(telegram))
 
     def receive(self, code, seconds=3.0):
-        """The data of the next telegram with a code, without the status byte; None if none comes."""
+        """The data of the next telegram with a code, without its status byte, or None."""
         end = time.monotonic() + seconds
         while True:
             payload = self._take()
@@ -73,8 +73,8 @@ class Device:
     def _take(self):
         """The next payload in the bytes that have arrived, or None."""
         while True:
-            self._bytes = self._bytes[self._bytes.find(b"\x02\x80"):] if b"\x02\x80" in self._bytes \
-                else self._bytes[-1:]
+            start = self._bytes.find(b"\x02\x80")
+            self._bytes = self._bytes[start:]  # without a start, the last byte may be one
             if len(self._bytes) < 4:
                 return None
             end = struct.unpack_from("<H", self._bytes, 2)[0] + 6

@@ -103,8 +103,8 @@ def _add_platform(group):
     first, last = defaults.GetBetaRange()
     group.add_argument("--beta-range", nargs=2, type=sensor_options.number, metavar=("A", "B"),
                        default=(first, last),
-                       help="degrees, turn of the platform, clockwise seen from above; a full circle "
-                       f"excludes its end (default: {first:g} {last:g})")
+                       help="degrees, turn of the platform, clockwise seen from above; a full "
+                       f"circle excludes its end (default: {first:g} {last:g})")
     count = defaults.GetBetaResolution()
     group.add_argument("--beta-resolution", type=sensor_options.count, metavar="N", default=count,
                        help=f"number of steps (default: {count})")
@@ -119,8 +119,8 @@ def _add_line(group):
     group.add_argument("--link", metavar="PATH",
                        help="a symbolic link to the pseudo-terminal, which is removed at the end")
     group.add_argument("--pace", choices=_PACES, default=_PACES[0],
-                       help="line: the rate of the line limits the number of fans, as on the device "
-                       "(default); mirror: every scan of the mirror arrives, at any rate")
+                       help="line: the rate of the line limits the number of fans, as on the "
+                       "device (default); mirror: every scan of the mirror arrives, at any rate")
     group.add_argument("--unit", choices=_UNITS, default="mm",
                        help="the unit that the device was left with (default: mm)")
     group.add_argument("--firmware", choices=FIRMWARES, default=FIRMWARES[0],

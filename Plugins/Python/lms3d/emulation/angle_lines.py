@@ -44,5 +44,6 @@ class AngleLines:
                 # A pipe is ready only if it has room for more than a line.
                 os.write(self._descriptor, self._lines[0].encode("ascii"))
             except OSError as error:
-                raise Problem(f"cannot write the angles to {self._name}: {error.strerror}") from error
+                raise Problem(
+                    f"cannot write the angles to {self._name}: {error.strerror}") from error
             self._lines.popleft()

@@ -44,7 +44,8 @@ NOT_ALLOWED = Reply(0x92)  # unknown, or not possible now (TL 39)
 def execute(state, payload):
     """Execute a command and return its Reply."""
     handler = _HANDLERS.get(payload[0])
-    return handler and handler(state, payload[1:]) or NOT_ALLOWED
+    reply = handler(state, payload[1:]) if handler else None
+    return reply or NOT_ALLOWED
 
 
 def _reset(state, data):
@@ -90,8 +91,8 @@ def _start_stream(state, code, data):
     return Reply(0xA0, _DONE)
 
 
-# Sub-commands of 20h for a stream, and commands for a single telegram: the code of the telegram, and
-# its parameters, n: a number of scans, r: a sub-range, p: none, a partial scan.
+# Sub-commands of 20h for a stream, and commands for a single telegram. The code of the telegrams, and
+# their parameters: n is a number of scans, r a sub-range, and p, which has no data, a partial scan.
 _STREAMS = {0x24: (0xB0, ""), 0x26: (0xB6, "n"), 0x27: (0xB7, "r"), 0x28: (0xBF, "nr"),
             0x2A: (0xB0, "p")}
 _REQUESTS = {0x36: (0xB6, "n"), 0x37: (0xB7, "r"), 0x3F: (0xBF, "nr")}

@@ -14,8 +14,8 @@ from .plan import Planned, SendingQueue
 from .telegrams import ACKNOWLEDGE, REFUSE, TelegramReader, frame_answer
 from .variants import TURNS_PER_SECOND, interval
 
-# Seconds. The device may take 60 ms (TL 24). Some drivers clear their input after they have written,
-# and others send a command again after 6 ms.
+# Seconds. The device may take 60 ms (TL 24). Some drivers clear their input after they have
+# written, and others send a command again after 6 ms.
 ACKNOWLEDGE_DELAY = 0.004
 ANSWER_DELAY = 0.010
 SLOW_ANSWER_DELAY = 0.4  # for the permanent memory
@@ -105,7 +105,7 @@ class Device:
     def _plan_bytes(self, due, data, then=None):
         self._queue.plan(Planned(due, lambda: (data, None), then))
 
-    # --- Measured values ---------------------------------------------------------------------------
+    # --- Measured values --------------------------------------------------------------------------
     # Their times are numbers of mirror turns since the start, so that no rounding adds up.
 
     def _time(self, turn):
@@ -127,7 +127,7 @@ class Device:
         return self._time(first + turns)
 
     def _plan_stream(self, after):
-        """Plan the next telegram of the stream, if there is one: a scan that begins after a time."""
+        """Plan the next telegram of a stream: a scan that begins after a time."""
         if self.state.stream:
             first = math.ceil(self._turn(after))
             self._plan_output(self.state.stream, first, lambda now: self._continue(first, now))

@@ -10,7 +10,7 @@ from .rates import fits
 # A pseudo-terminal does not announce a host, so it is looked for that often. Drivers wait a few
 # milliseconds for an answer.
 _PAUSE = 0.005
-_LONGEST_WAIT = 0.5
+_MAXIMUM_WAIT = 0.5
 
 
 class Emulator:
@@ -46,10 +46,10 @@ class Emulator:
         if not self._terminal.has_host():
             return bool(select.select([self._stop], [], [], _PAUSE)[0])
         due = self._device.next_time()
-        wait = _LONGEST_WAIT if due is None else due - time.monotonic()
+        wait = _MAXIMUM_WAIT if due is None else due - time.monotonic()
         writers = [self._terminal] if self._terminal.is_behind else []
         ready = select.select([self._stop, self._terminal], writers, [],
-                              min(max(wait, 0.0), _LONGEST_WAIT))[0]
+                              min(max(wait, 0.0), _MAXIMUM_WAIT))[0]
         return self._stop in ready
 
     def _receive(self, now):

@@ -4,8 +4,8 @@
 
 A source has `angles`, the platform angles of a whole scan; `variants`, what it can measure; and
 - cast_turn(variant, scan, turn, means): all beams of a turn of a scan, both counted from 0;
-- cast_part(variant, part, angle, time, means): the beams of one part at any platform angle, and at a
-  time after the start.
+- cast_part(variant, part, angle, time, means): the beams of one part at any platform angle, and at
+  a time after the start.
 Both return ranges in metres, NaN without a return. `means` is a number of scans that are averaged.
 """
 
@@ -24,10 +24,10 @@ _SAME_ANGLE = 1e-6  # degrees
 class LiveFans:
     """Casts fans in a scene when they are requested.
 
-    sensor: a vtkLMS3DScanFilter with its scene, pose, ranges and platform angles. times: the times of
-    its trajectory, or nothing. errors: a vtkLMS3DRangeErrorFilter, or None; its noise is the noise of
-    `lms3d scan`: the first scan is equal, and every scan has noise of its own. run: updates a filter,
-    for a time or for None, and raises its errors.
+    sensor: a vtkLMS3DScanFilter with its scene, pose, ranges and platform angles. run: updates a
+    filter, for a time or for None, and raises its errors. errors: a vtkLMS3DRangeErrorFilter, or
+    None; its noise is the noise of `lms3d scan`: the first scan is equal, and every scan has noise
+    of its own. times: the times of the sensor's trajectory, or nothing.
     """
 
     variants = FANS
@@ -71,7 +71,7 @@ class LiveFans:
         self._sensor.SetBetaResolution(1)
         self._run(self._sensor, time)
         if not self._errors:
-            return vtk_to_numpy(self._sensor.GetRangeImage().GetPointData().GetArray("Range")).copy()
+            return _array(self._sensor.GetRangeImage(), "Range").copy()
         return self._add_errors(noise, means)
 
     def _add_errors(self, noise, means):

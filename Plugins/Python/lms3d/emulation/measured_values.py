@@ -7,7 +7,8 @@ import numpy as np
 CENTIMETRES, MILLIMETRES, DECIMETRES = range(3)
 UNITS_PER_METRE = {CENTIMETRES: 100, MILLIMETRES: 1000, DECIMETRES: 10}
 
-# The bits of the distance, by the measuring mode. (For 05h, the text of TL says 14 and its table 15.)
+# The bits of the distance, by the measuring mode. (For 05h, the text of TL says 14 and its table
+# says 15.)
 DISTANCE_BITS = {0x00: 13, 0x01: 13, 0x02: 13, 0x03: 14, 0x04: 14, 0x05: 15, 0x06: 15,
                  0x0F: 16, 0x3F: 16}
 

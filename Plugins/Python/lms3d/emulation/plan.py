@@ -25,8 +25,8 @@ class Sending:
 class Planned:
     """Something that is due at a time.
 
-    make: returns the bytes, and the record of a fan or None. Casting a fan takes a while, so make is
-    called up to `lead` seconds before the time. then: called after that, with the time.
+    make: returns the bytes, and the record of a fan or None. Casting a fan takes a while, so make
+    is called up to `lead` seconds before the time. then: called after that, with the time.
     """
 
     due: float

@@ -3,7 +3,7 @@
 """Errors of the ranges, by the name of the device: values of vtkLMS3DRangeErrorFilter in metres."""
 
 IDEAL = "ideal"
-# The data sheet of the LMS 200 (TD 34); the digits are those of its two units.
+# The data sheet of the LMS 200 (TD 34); the resolution is a digit of the unit.
 DEVICES = {
     IDEAL: {},
     "lms200-mm": {"RangeNoise": 0.005, "RangeResolution": 0.001},

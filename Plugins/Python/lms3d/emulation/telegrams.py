@@ -76,7 +76,7 @@ class TelegramReader:
                 self._bytes = self._bytes[end:]
                 return True
             elif self._bytes[start + 1] == self._address and not has_bad:
-                # Noise before a good telegram must not be refused, so this waits for the loop's end.
+                # Noise before a good telegram is not refused, so this waits for the loop's end.
                 has_bad = beginning == len(self._bytes)
         if has_bad:
             payloads.append(None)

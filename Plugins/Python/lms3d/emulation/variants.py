@@ -92,11 +92,6 @@ class Output:
         return FRAME_SIZE + head + 2 * self.value_count(variant) + 2 * has_indices + 1
 
 
-def line_time(size, rate):
-    """Seconds that a telegram of  bytes takes on the line."""
-    return size * _BITS_PER_BYTE / rate
-
-
 def interval(output, variant, size, rate):
     """Mirror turns from one telegram to the next.
 
