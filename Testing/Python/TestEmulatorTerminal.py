@@ -70,7 +70,7 @@ class TestTerminal(unittest.TestCase):
 
     def test_stand_ins_for_500000(self):
         self.host.go_to(500000)
-        for rate in (38400, 230400, 460800):
+        for rate in (38400, 57600, 115200, 230400, 460800):
             self.host.set_rate(rate)
             self.assertIsNotNone(self.host.ask(0x31))
         self.host.set_rate(19200)

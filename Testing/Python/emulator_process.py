@@ -15,7 +15,7 @@ from lms200 import split
 from lms3d.emulation.telegrams import frame
 
 RATES = {rate: getattr(termios, f"B{rate}")
-         for rate in (9600, 19200, 38400, 230400, 460800, 500000)}
+         for rate in (9600, 19200, 38400, 57600, 115200, 230400, 460800, 500000)}
 
 
 class EmulatorProcess:

@@ -14,7 +14,7 @@ _TERMIOS2 = struct.Struct("=4I20B2I")
 _FAST_RATE = 500000
 # Hosts whose system has no 500000 Bd set another rate: 38400 with a divisor of their own (which a
 # pseudo-terminal does not show), or a rate that their hardware takes for 500000.
-_STAND_INS = (38400, 230400, 460800)
+_STAND_INS = (38400, 57600, 115200, 230400, 460800)
 
 
 def read_rate(terminal):
