@@ -27,6 +27,7 @@ examples:
   lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp --map map.vtp
   lms3d compare map.vtp room.wrl
   lms3d view room.wrl --position 0.3 -0.2 1
+  lms3d emulate room.wrl --position 0.3 -0.2 1 --link /tmp/lms200
   lms3d demo --output demo
 
 'lms3d COMMAND --help' explains each command.

@@ -6,6 +6,6 @@ A module has NAME, SUMMARY (a line), DESCRIPTION and EPILOG (help texts), add_ar
 and run(options), which returns nothing and raises Problem if the job fails.
 """
 
-from . import advise, compare, demo, info, scan, view
+from . import advise, compare, demo, emulate, info, scan, view
 
-COMMANDS = (scan, compare, advise, view, info, demo)
+COMMANDS = (scan, compare, advise, view, emulate, info, demo)

@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sources of fans: the live one casts the fan that is sent, the stored one plays a scan.
+
+A source has `angles`, the platform angles of a whole scan; `variants`, what it can measure; and
+- cast_turn(variant, scan, turn, means): all beams of a turn of a scan, both counted from 0;
+- cast_part(variant, part, angle, time, means): the beams of one part at any platform angle, and at
+  a time after the start.
+Both return ranges in metres, NaN without a return. `means` is a number of scans that are averaged.
+"""
+
+import math
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+
+from ..problems import Problem
+from .variants import FANS, VARIANTS
+
+_SAME_ANGLE = 1e-6  # degrees
+
+
+class LiveFans:
+    """Casts fans in a scene when they are requested.
+
+    sensor: a vtkLMS3DScanFilter with its scene, pose, ranges and platform angles. run: updates a
+    filter, for a time or for None, and raises its errors. errors: a vtkLMS3DRangeErrorFilter, or
+    None; its noise is the noise of `lms3d scan`: the first scan is equal, and every scan has noise
+    of its own. times: the times of the sensor's trajectory, or nothing.
+    """
+
+    variants = FANS
+
+    def __init__(self, sensor, run, errors=None, times=()):
+        self._sensor = sensor
+        self._run = run
+        self._errors = errors
+        self._noise = errors.GetRangeNoise() if errors else 0.0
+        self._times = times
+        self._set_alphas(0.0, 0.0, 1)
+        run(sensor, None)
+        self._betas = sensor.GetOutput().GetFieldData().GetArray("BetaAngles")
+        self.angles = vtk_to_numpy(self._betas).tolist()
+        self._fan = vtkPolyData()
+        if errors:
+            errors.SetInputDataObject(self._fan)
+
+    def cast_turn(self, variant, scan, turn, means):
+        """A turn of a scan. Each scan has the next pose of the trajectory; the last one stays."""
+        time, number = None, float(scan)
+        if self._times:
+            time = self._times[min(scan, len(self._times) - 1)]
+            number = time + max(scan - len(self._times) + 1, 0)
+        self._set_alphas(variant.first_alpha, -variant.first_alpha, variant.count)
+        return self._cast(self.angles[turn], time, (number, turn, self._betas), means)
+
+    def cast_part(self, variant, part, angle, time, means):
+        """A part of a fan. The trajectory begins when the device starts."""
+        alphas = variant.alphas[part::variant.parts]
+        self._set_alphas(alphas[0], alphas[-1], len(alphas))
+        pose_time = self._times[0] + time if self._times else None
+        return self._cast(angle, pose_time, (time, 0, None), means)
+
+    def _set_alphas(self, first, last, count):
+        self._sensor.SetAlphaRange(first, last)
+        self._sensor.SetAlphaResolution(count)
+
+    def _cast(self, angle, time, noise, means):
+        self._sensor.SetBetaRange(angle, angle)
+        self._sensor.SetBetaResolution(1)
+        self._run(self._sensor, time)
+        if not self._errors:
+            return _array(self._sensor.GetRangeImage(), "Range").copy()
+        return self._add_errors(noise, means)
+
+    def _add_errors(self, noise, means):
+        """The ranges with errors. Those depend on a number for the scan, and on turn and beam."""
+        number, turn, betas = noise
+        beams = self._sensor.GetAlphaResolution()
+        first_beam = turn * beams
+        fan = self._fan
+        fan.ShallowCopy(self._sensor.GetOutput())
+        fan.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), number)
+        if betas is not None:
+            _place_in_scan(fan, first_beam, betas)
+        # The noise of a mean of n independent errors.
+        self._errors.SetRangeNoise(self._noise / math.sqrt(means))
+        self._run(self._errors, None)
+        return _to_row(self._errors.GetOutput(), first_beam, beams)
+
+
+def _place_in_scan(fan, first_beam, betas):
+    """Number the beams of a fan as in its whole scan."""
+    ids = numpy_to_vtk(_array(fan, "BeamId") + np.int32(first_beam), deep=True)
+    ids.SetName("BeamId")
+    fan.GetPointData().AddArray(ids)
+    fan.GetFieldData().AddArray(betas)
+
+
+def _array(scan, name):
+    return vtk_to_numpy(scan.GetPointData().GetArray(name))
+
+
+def _to_row(scan, first_beam, beams):
+    """The ranges of the returns at their beams, NaN for all others."""
+    ranges = np.full(beams, np.nan)
+    ranges[_array(scan, "BeamId") - first_beam] = _array(scan, "Range")
+    return ranges
+
+
+class StoredFans:
+    """Plays the fans of a scan, a vtkPolyData as `lms3d scan` writes it.
+
+    It has only the variants whose beams the scan has.
+    """
+
+    def __init__(self, scan, name):
+        fields, points = scan.GetFieldData(), scan.GetPointData()
+        if not (fields.HasArray("AlphaAngles") and fields.HasArray("BetaAngles")
+                and points.HasArray("BeamId") and points.HasArray("Range")):
+            raise Problem(f"cannot play '{name}': it is not a scan; write one with 'lms3d scan'")
+        self._alphas = vtk_to_numpy(fields.GetArray("AlphaAngles"))
+        self._betas = vtk_to_numpy(fields.GetArray("BetaAngles"))
+        self.angles = self._betas.tolist()
+        self._columns = {variant: columns for variant in FANS
+                         for columns in [self._find_columns(variant)] if columns is not None}
+        self.variants = tuple(self._columns)
+        if not set(self.variants).intersection(VARIANTS):
+            raise Problem(f"cannot play '{name}': its fan has not the beams of any variant of the "
+                          "device; scan with --alpha-range -90 90 --alpha-resolution 361")
+        count = len(self._alphas) * len(self._betas)
+        self._ranges = _to_row(scan, 0, count).reshape(len(self._betas), -1)
+
+    def cast_turn(self, variant, _scan, turn, _means):
+        """A turn of the scan."""
+        return self._ranges[turn][self._columns[variant]]
+
+    def cast_part(self, variant, part, angle, _time, _means):
+        """A part of the turn that is nearest to an angle."""
+        away = np.abs((self._betas - angle + 180.0) % 360.0 - 180.0)
+        return self.cast_turn(variant, 0, int(np.argmin(away)), 1)[part::variant.parts]
+
+    def _find_columns(self, variant):
+        """The beams of a variant, or None if the scan does not have all of them."""
+        alphas = np.array(variant.alphas)
+        columns = np.abs(self._alphas[:, None] - alphas).argmin(axis=0)
+        is_same = np.abs(self._alphas[columns] - alphas) < _SAME_ANGLE
+        return columns if is_same.all() else None

@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measured values as words of a telegram (TL 45 to 50)."""
+
+import numpy as np
+
+CENTIMETRES, MILLIMETRES, DECIMETRES = range(3)
+UNITS_PER_METRE = {CENTIMETRES: 100, MILLIMETRES: 1000, DECIMETRES: 10}
+
+# The bits of the distance, by the measuring mode. (For 05h, the text of TL says 14 and its table
+# says 15.)
+DISTANCE_BITS = {0x00: 13, 0x01: 13, 0x02: 13, 0x03: 14, 0x04: 14, 0x05: 15, 0x06: 15,
+                 0x0F: 16, 0x3F: 16}
+
+# Codes in place of a distance: how far they are below the largest number.
+_NO_SIGNAL = 0
+_TOO_WEAK = 4
+_TOO_FAR = 8
+
+_PARTIAL = 1 << 13
+_PART_SHIFT = 11
+_UNIT_SHIFT = 14
+# Part 0 has whole degrees, part 1 x.25, part 2 x.50 and part 3 x.75 degrees.
+_QUARTERS = 4
+
+
+def encode_ranges(ranges, unit, measuring_mode, too_weak=None):
+    """Ranges in metres as unsigned words; NaN is no signal.
+
+    too_weak: a mask of the beams whose signal is too weak to measure, or None.
+    """
+    top = (1 << DISTANCE_BITS[measuring_mode]) - 1
+    with np.errstate(invalid="ignore"):
+        values = np.rint(np.asarray(ranges) * UNITS_PER_METRE[unit])
+    values = np.fmin(values, top - _TOO_FAR)
+    values = np.where(np.isnan(ranges), top - _NO_SIGNAL, values)
+    if too_weak is not None:
+        values = np.where(too_weak, top - _TOO_WEAK, values)
+    return values.astype("<u2")
+
+
+def encode_count(count, unit, part=None, parts=1):
+    """The word before the values: their number, unit and, of a partial scan, the part."""
+    word = count | unit << _UNIT_SHIFT
+    if part is not None:
+        word |= _PARTIAL | part * (_QUARTERS // parts) << _PART_SHIFT
+    return encode_words(word)
+
+
+def encode_words(*words):
+    """Words, low byte first."""
+    return b"".join(word.to_bytes(2, "little") for word in words)
+
+
+def encode_output(output, values, count_word, indices):
+    """The data of a telegram with measured values.
+
+    output: the Output, whose mean count and sub-range come first. indices: the index of the
+    mirror's turn and of the telegram, or nothing.
+    """
+    means = bytes((output.means,)) if output.has_means else b""
+    borders = encode_words(output.first, output.last) if output.has_borders else b""
+    return means + borders + count_word + values.tobytes() + bytes(index % 256 for index in indices)
