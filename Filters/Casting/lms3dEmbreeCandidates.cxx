@@ -123,8 +123,7 @@ struct lms3dEmbreeCandidates::Internals
     Query* query = reinterpret_cast<Query*>(args->context);
     if (query->Free)
     {
-      self->TestFreeCandidate(args, *query->Free);
-      return;
+      return self->TestFreeCandidate(args, *query->Free);
     }
     lms3dPacketSearch& search = query->Search;
     const lms3dRayRange rays = GetRays(args);
@@ -153,23 +152,14 @@ struct lms3dEmbreeCandidates::Internals
     return this->Others.empty() ? primitive : this->Others[primitive];
   }
 
-  // Returns the beams that hit an outlier.
-  std::uint32_t TestOutliers(const lms3dExactView& view, lms3dPacketSearch& search) const
+  // Returns the beams that hit an outlier. `test` tests one triangle.
+  template <typename Test>
+  std::uint32_t TestOutliers(const Test& test) const
   {
     std::uint32_t changed = 0;
     for (std::uint32_t triangle : this->Outliers)
     {
-      changed |= view.Test(triangle, search.Packet->Active, search);
-    }
-    return changed;
-  }
-
-  std::uint32_t TestOutliers(const lms3dExactFreeTest& test, lms3dFreePacket& packet) const
-  {
-    std::uint32_t changed = 0;
-    for (std::uint32_t triangle : this->Outliers)
-    {
-      changed |= test.Test(triangle, packet.Active, packet);
+      changed |= test(triangle);
     }
     return changed;
   }
@@ -222,7 +212,8 @@ void lms3dEmbreeCandidates::Cast(
   {
     lms3dBeamPacket& packet = packets[i];
     view.Begin(packet, query.Search);
-    const std::uint32_t known = this->Internal->TestOutliers(view, query.Search);
+    const std::uint32_t known = this->Internal->TestOutliers(
+      [&](std::uint32_t triangle) { return view.Test(triangle, packet.Active, query.Search); });
     const std::uint32_t active = rays.Prepare(packet);
     if (active != 0)
     {
@@ -247,14 +238,12 @@ void lms3dEmbreeCandidates::CastFree(double maximumRange, lms3dFreePacket* packe
     lms3dFreePacket& packet = packets[i];
     cast.Packet = &packet;
     lms3dSetTriangle(lms3dBeamPacket::NoTriangle, packet);
-    const std::uint32_t known = this->Internal->TestOutliers(test, packet);
+    const std::uint32_t known = this->Internal->TestOutliers(
+      [&](std::uint32_t triangle) { return test.Test(triangle, packet.Active, packet); });
     const std::uint32_t active = rays.Prepare(packet);
     if (active != 0)
     {
-      if (known != 0)
-      {
-        rays.Clip(packet, known);
-      }
+      rays.Clip(packet, known);
       rays.Intersect(active, query.Context);
     }
   }

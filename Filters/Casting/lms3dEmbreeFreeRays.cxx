@@ -98,8 +98,11 @@ bool lms3dEmbreeFreeRays::OffsetStart(const lms3dFreePacket& packet, int beam)
 
 void lms3dEmbreeFreeRays::Clip(const lms3dFreePacket& packet, std::uint32_t beams)
 {
-  this->Clip(packet, beams, RTC_INVALID_GEOMETRY_ID,
-    { 0, lms3dBeamPacket::Size, this->Packet.RayHit.ray.tfar, this->Packet.RayHit.hit.geomID });
+  if (beams != 0)
+  {
+    this->Clip(packet, beams, RTC_INVALID_GEOMETRY_ID,
+      { 0, lms3dBeamPacket::Size, this->Packet.RayHit.ray.tfar, this->Packet.RayHit.hit.geomID });
+  }
 }
 
 void lms3dEmbreeFreeRays::Clip(const lms3dFreePacket& packet, std::uint32_t beams,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Replaces the ranges of packets by those of their triangles' planes.
+ * @brief Replaces the ranges of packets by the distances to the planes of their triangles.
  */
 #ifndef lms3dHitRanges_h
 #define lms3dHitRanges_h

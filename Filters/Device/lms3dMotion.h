@@ -14,6 +14,14 @@
 
 class lms3dTrajectory;
 
+struct lms3dTimedPose
+{
+  /// Seconds.
+  double Time;
+
+  lms3dPose Pose;
+};
+
 /// The part of a trajectory between two times.
 class lms3dMotion
 {
@@ -21,9 +29,10 @@ public:
   /// `first` must not be later than `last`.
   lms3dMotion(const lms3dTrajectory& trajectory, double first, double last);
 
-  /// Reads what ToNumbers returned, in another process.
-  explicit lms3dMotion(const std::vector<double>& numbers);
-  std::vector<double> ToNumbers() const;
+  /// There must be at least one pose. Times must increase.
+  explicit lms3dMotion(std::vector<lms3dTimedPose> poses);
+
+  const std::vector<lms3dTimedPose>& GetPoses() const { return this->Poses; }
 
   /// Returns whether the pose is the same at all times.
   bool IsAtRest() const;
@@ -32,10 +41,7 @@ public:
   lms3dPose GetPose(double time) const;
 
 private:
-  void Add(double time, const lms3dPose& pose);
-
-  std::vector<double> Times;
-  std::vector<lms3dPose> Poses;
+  std::vector<lms3dTimedPose> Poses;
 
   /// From each pose to the next.
   std::vector<lms3dPoseSegment> Segments;

@@ -70,6 +70,7 @@ struct lms3dFreeKernels
   void (*NarrowDirections)(lms3dBeamPacket& packet);
 
   /// Computes where the rays of beams start, x, y and z in normalized coordinates, without a ray offset.
+  /// The starts of beams that are neither Inside nor PassingBy may be no numbers.
   lms3dFreeStarts (*LocateStarts)(
     const lms3dSceneFrame& frame, const lms3dFreePacket& packet, float* const* starts);
 

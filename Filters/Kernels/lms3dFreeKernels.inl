@@ -14,7 +14,7 @@
 namespace
 {
 // A beam that passes by this sphere with these margins is outside of the scene's cone
-// (lms3dNormalization::GetCone), too. The margins are larger than those of the cone and all rounding.
+// (lms3dNormalization::GetCone), too. The margins exceed the margins of the cone and all rounding.
 constexpr double OuterRadius = 0.5 * (1.0 + 1e-3);
 constexpr double OuterRounding = 4e-15;
 constexpr double OuterMargin = 1e-8;
@@ -62,12 +62,13 @@ void NarrowDirections(lms3dBeamPacket& packet)
 }
 
 // A beam passes by a sphere of the radius r around the centre if its start p is outside and it leads
-// away, or if its nearest point to the centre is outside: (p.d)^2 < p^2 - r^2.
+// away, or if its nearest point to the centre is outside: (p.d)^2 < p^2 - r^2. If the unit is so small
+// that its inverse overflows, no beam is certain.
 lms3dFreeStarts LocateStarts(
   const lms3dSceneFrame& frame, const lms3dFreePacket& packet, float* const* starts)
 {
   const double center[3] = { frame.Center[0], frame.Center[1], frame.Center[2] };
-  const double unit = frame.Unit;
+  const double scale = 1.0 / frame.Unit;
   float* const x[3] = { starts[0], starts[1], starts[2] };
   Mask inside;
   Mask passingBy;
@@ -78,13 +79,13 @@ lms3dFreeStarts LocateStarts(
     double size = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double position = (packet.Origin[axis][i] - center[axis]) / unit;
+      const double position = (packet.Origin[axis][i] - center[axis]) * scale;
       x[axis][i] = static_cast<float>(position);
       square += position * position;
       along += position * packet.Direction[axis][i];
       size += Magnitude(packet.Origin[axis][i]) + Magnitude(center[axis]);
     }
-    const double radius = OuterRadius + OuterRounding * (size / unit);
+    const double radius = OuterRadius + OuterRounding * (size * scale);
     const double outside = square - radius * radius;
     inside.Set(i, square <= 0.25);
     const bool isBeside = (along > 0.0) | (along * along < outside * (1.0 - OuterMargin));

@@ -5,15 +5,11 @@
 #include "Scan/lms3dPacketGrid.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
 constexpr int Size = lms3dBeamPacket::Size;
 constexpr int Side = lms3dPacketGrid::Side;
-
-// Smaller components are 0 in single precision (lms3dBeamPacket).
-constexpr double MinimumComponent = 1e-15;
 } // namespace
 
 void lms3dPacketFrames::Fill(
@@ -60,15 +56,6 @@ void lms3dPacketFrames::SetDirections(
   const std::vector<lms3dVector>& directions, int firstBeam, lms3dBeamPacket& packet) const
 {
   this->ToWorld(directions, firstBeam, packet.Direction);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int i = 0; i < Size; ++i)
-    {
-      const double component = packet.Direction[axis][i];
-      packet.NarrowDirection[axis][i] =
-        static_cast<float>(std::abs(component) < MinimumComponent ? 0.0 : component);
-    }
-  }
 }
 
 void lms3dPacketFrames::SetOrigins(

@@ -22,7 +22,7 @@ public:
   void Fill(const lms3dMovingBeams& beams, int firstTurn, int endTurn, int firstBeam);
 
   ///@{
-  /// Sets Direction and NarrowDirection, or Origin, of a packet. The vectors, one for each beam of the fan,
+  /// Sets Direction, or Origin, of a packet. The vectors, one for each beam of the fan,
   /// are in the frame of the turn. The results are those of lms3dTurnFrame to the bit.
   void SetDirections(
     const std::vector<lms3dVector>& directions, int firstBeam, lms3dBeamPacket& packet) const;

@@ -157,28 +157,6 @@ void lms3dProcesses::ThrowFirstError(const std::string& mine) const
   throw std::runtime_error("Process " + std::to_string(failed) + ": " + error);
 }
 
-void lms3dProcesses::Broadcast(lms3dPose& pose, double& time) const
-{
-  if (!this->IsParallel())
-  {
-    return;
-  }
-  std::array<double, 13> values;
-  std::copy(pose.Position.begin(), pose.Position.end(), values.begin());
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    std::copy(pose.Axes[axis].begin(), pose.Axes[axis].end(), values.begin() + 3 + 3 * axis);
-  }
-  values[12] = time;
-  this->Controller->Broadcast(values.data(), static_cast<vtkIdType>(values.size()), 0);
-  std::copy_n(values.begin(), 3, pose.Position.begin());
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    std::copy_n(values.begin() + 3 + 3 * axis, 3, pose.Axes[axis].begin());
-  }
-  time = values[12];
-}
-
 void lms3dProcesses::Broadcast(std::vector<double>& numbers) const
 {
   if (this->IsParallel())

@@ -7,7 +7,6 @@
 #ifndef lms3dProcesses_h
 #define lms3dProcesses_h
 
-#include "Device/lms3dScanGeometry.h"
 #include "Pipeline/lms3dFailure.h"
 #include "Scan/lms3dScenePart.h"
 
@@ -61,9 +60,6 @@ public:
     }
     this->ThrowFirstError(lms3dRunAndGetError(work, "There is not enough memory."));
   }
-
-  /// Replaces the pose and the time in all processes by the first process's.
-  void Broadcast(lms3dPose& pose, double& time) const;
 
   /// Replaces the numbers in all processes by the first process's.
   void Broadcast(std::vector<double>& numbers) const;

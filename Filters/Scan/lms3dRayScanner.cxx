@@ -41,6 +41,10 @@ public:
 
   void FindNearest(int firstTurn, int firstBeam, Packet* packets, int count) const
   {
+    for (int i = 0; i < count; ++i)
+    {
+      lms3dGetPacketKernels().Free.NarrowDirections(packets[i]);
+    }
     this->GridCaster->FindNearest({ firstTurn, firstBeam, 1, count }, packets);
     if (this->Request.NearestHits.Ranges)
     {

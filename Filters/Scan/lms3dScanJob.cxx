@@ -20,7 +20,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <cmath>
-#include <vector>
+#include <memory>
 
 namespace
 {
@@ -45,35 +45,23 @@ struct lms3dScanJob::Scan
   const lms3dScanJobRequest& Request;
   const lms3dProcesses& Processes;
   const lms3dScanGeometry& Geometry;
-  const lms3dPose& Pose;
-
-  /// Null if the sensor rests during the scan, which starts at StartTime, seconds.
-  const lms3dMotion* const Motion;
-  const double StartTime;
+  const lms3dScanStart& Start;
   const lms3dProgress Progress;
   vtkPolyData* const Points;
   vtkImageData* const Image;
-
-  lms3dMovingBeams MakeBeams() const
-  {
-    return { this->Geometry, this->Pose, this->Motion, this->StartTime };
-  }
 };
 
 bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
 {
   const lms3dProcesses processes(request.Controller);
-  lms3dPose pose;
-  double time = NAN;
-  std::unique_ptr<lms3dMotion> motion;
-  const bool isPrepared = this->Prepare(request, processes, pose, time, motion);
+  lms3dScanStart start;
+  const bool isPrepared = this->Prepare(request, processes, start);
   vtkPolyData* points = vtkPolyData::GetData(request.Outputs, 0);
   vtkImageData* image = vtkImageData::GetData(request.Outputs, 1);
   bool isDone = false;
   if (isPrepared)
   {
-    const Scan scan = { request, processes, this->Sensor.GetGeometry(request.Settings), pose,
-      motion.get(), std::isnan(time) ? 0.0 : time,
+    const Scan scan = { request, processes, this->Sensor.GetGeometry(request.Settings), start,
       lms3dGetStepProgress(request.Progress, BuildShare, 1.0), points, image };
     isDone = processes.IsParallel() ? this->CastInParallel(scan) : this->CastAlone(scan);
     this->Output.Discard();
@@ -87,15 +75,15 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
   {
     lms3dClearOutputs(request.Outputs);
   }
-  SetDataTime(time, points);
-  SetDataTime(time, image);
+  SetDataTime(start.Time, points);
+  SetDataTime(start.Time, image);
   return isDone;
 }
 
-// Finds the pose, its time, the motion and the tables of angles, and builds the scene. Returns false, in all
-// processes, if the build was stopped in one of them.
-bool lms3dScanJob::Prepare(const lms3dScanJobRequest& request, const lms3dProcesses& processes,
-  lms3dPose& pose, double& time, std::unique_ptr<lms3dMotion>& motion)
+// Finds the start and the tables of angles, and builds the scene. Returns false, in all processes, if the
+// build was stopped in one of them.
+bool lms3dScanJob::Prepare(
+  const lms3dScanJobRequest& request, const lms3dProcesses& processes, lms3dScanStart& start)
 {
   bool isBuilt = false;
   processes.RunCollectively(
@@ -103,20 +91,13 @@ bool lms3dScanJob::Prepare(const lms3dScanJobRequest& request, const lms3dProces
     {
       if (processes.IsFirst())
       {
-        pose = this->Sensor.GetPose(
-          request.Settings, request.Trajectory, *request.RequestedOutput, time);
-        motion = this->Sensor.GetMotion(request.Settings, request.Trajectory, time);
+        start =
+          this->Sensor.GetStart(request.Settings, request.Trajectory, *request.RequestedOutput);
       }
       this->Sensor.GetGeometry(request.Settings);
       isBuilt = this->Build(request, processes.IsParallel());
     });
-  processes.Broadcast(pose, time);
-  if (request.Settings.Device.MotionDuringScan && processes.IsParallel())
-  {
-    std::vector<double> numbers = motion ? motion->ToNumbers() : std::vector<double>();
-    processes.Broadcast(numbers);
-    motion = numbers.empty() ? nullptr : std::make_unique<lms3dMotion>(numbers);
-  }
+  start.Broadcast(processes);
   return !processes.AnyOf(!isBuilt);
 }
 
@@ -155,7 +136,7 @@ bool lms3dScanJob::CastAlone(const Scan& scan)
   this->Threads.Run(scan.Request.Settings.NumberOfThreads,
     [&]
     {
-      this->Output.FillScan(&caster->GetMesh(), scan.Geometry, scan.Pose, scan.Points);
+      this->Output.FillScan(&caster->GetMesh(), scan.Geometry, scan.Start.Pose, scan.Points);
       this->Output.FillRangeImage(scan.Geometry, scan.Image);
       this->AddSurfaceAttributes(scan, scan.Points->GetPointData());
       AddPoses(scan);
@@ -190,12 +171,12 @@ bool lms3dScanJob::CastAndDetect(const Scan& scan, std::int64_t firstCell)
   const lms3dScanSettings& settings = scan.Request.Settings;
   const lms3dFootprint& footprint = settings.Device.Footprint;
   const bool isPlain =
-    settings.Device.Platform.IsCentredAndStepped() && !scan.Motion && !footprint.HasWidth();
-  const lms3dMovingBeams beams = scan.MakeBeams();
+    settings.Device.Platform.IsCentredAndStepped() && !scan.Start.Motion && !footprint.HasWidth();
+  const lms3dMovingBeams beams = scan.Start.MakeBeams(scan.Geometry);
   const lms3dProgress progress = lms3dDetection::GetCastProgress(scan.Progress, settings);
-  const lms3dBeamCastRequest cast = { this->Scene.GetCaster(), firstCell, scan.Geometry, scan.Pose,
-    isPlain ? nullptr : &beams, footprint, settings.Limits, scan.Processes, this->Threads,
-    settings.NumberOfThreads, progress };
+  const lms3dBeamCastRequest cast = { this->Scene.GetCaster(), firstCell, scan.Geometry,
+    scan.Start.Pose, isPlain ? nullptr : &beams, footprint, settings.Limits, scan.Processes,
+    this->Threads, settings.NumberOfThreads, progress };
   return lms3dCastBeams(cast, this->Output) &&
     this->Detection.Run(
       { settings, cast, beams, scan.Request.Controller, scan.Progress }, this->Output);
@@ -217,7 +198,7 @@ void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
         run(
           [&]
           {
-            this->Output.FillScan(nullptr, scan.Geometry, scan.Pose, scan.Points);
+            this->Output.FillScan(nullptr, scan.Geometry, scan.Start.Pose, scan.Points);
             AddPoses(scan);
           });
       }
@@ -240,7 +221,7 @@ void lms3dScanJob::AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) co
   const lms3dSurfaceArrays wanted(scan.Request.Settings);
   if (wanted.AreAny() && caster)
   {
-    const lms3dMovingBeams beams = scan.MakeBeams();
+    const lms3dMovingBeams beams = scan.Start.MakeBeams(scan.Geometry);
     lms3dAddSurfaceAttributes({ { caster->GetMesh(), this->Detection.GetReflectances() }, beams,
                                 this->Output.GetOwnTriangles() },
       wanted, scan.Request.Scene, this->Scene.GetPart().HasGlobalIds, data);
@@ -253,7 +234,7 @@ void lms3dScanJob::AddPoses(const Scan& scan)
   const bool hasTurnPoses = device.MotionDuringScan && scan.Request.Trajectory;
   if (device.Arrays.Time || device.Arrays.Poses || hasTurnPoses)
   {
-    const lms3dMovingBeams beams = scan.MakeBeams();
+    const lms3dMovingBeams beams = scan.Start.MakeBeams(scan.Geometry);
     lms3dAddPoseArrays(beams, device.Arrays, scan.Points);
     if (hasTurnPoses)
     {

@@ -7,8 +7,6 @@
 #ifndef lms3dScanJob_h
 #define lms3dScanJob_h
 
-#include "Device/lms3dMotion.h"
-#include "Device/lms3dScanGeometry.h"
 #include "Pipeline/lms3dProgress.h"
 #include "Pipeline/lms3dThreads.h"
 #include "Scan/lms3dBuiltScene.h"
@@ -17,12 +15,12 @@
 #include "Scan/lms3dScanOutput.h"
 #include "Scan/lms3dScanSensor.h"
 #include "Scan/lms3dScanSettings.h"
+#include "Scan/lms3dScanStart.h"
 
 #include <vtkType.h>
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
 
 class vtkDataObject;
@@ -83,8 +81,8 @@ public:
 private:
   struct Scan;
 
-  bool Prepare(const lms3dScanJobRequest& request, const lms3dProcesses& processes, lms3dPose& pose,
-    double& time, std::unique_ptr<lms3dMotion>& motion);
+  bool Prepare(
+    const lms3dScanJobRequest& request, const lms3dProcesses& processes, lms3dScanStart& start);
   bool Build(const lms3dScanJobRequest& request, bool isParallel);
   bool CastAlone(const Scan& scan);
   bool CastInParallel(const Scan& scan);

@@ -8,7 +8,6 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
-#include <cmath>
 #include <utility>
 
 // Tables of sines and cosines are computed for new angles only.
@@ -43,33 +42,29 @@ const lms3dTrajectory& lms3dScanSensor::GetTrajectory(
   return *this->Trajectory;
 }
 
-lms3dPose lms3dScanSensor::GetPose(
-  const lms3dScanSettings& settings, vtkPolyData* trajectory, vtkInformation& output, double& time)
+lms3dScanStart lms3dScanSensor::GetStart(
+  const lms3dScanSettings& settings, vtkPolyData* trajectory, vtkInformation& output)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  lms3dScanStart start;
   if (!trajectory)
   {
-    time = NAN;
-    return lms3dPose::FromOrientation(settings.Position.data(), settings.Orientation.data());
+    start.Pose = lms3dPose::FromOrientation(settings.Position.data(), settings.Orientation.data());
+    return start;
   }
   const lms3dTrajectory& poses = this->GetTrajectory(trajectory, settings.Orientation);
   const int step = output.Has(Pipeline::UPDATE_TIME_STEP())
     ? poses.FindStep(output.Get(Pipeline::UPDATE_TIME_STEP()))
     : 0;
-  time = poses.GetTimes()[step];
-  return poses.GetPose(step);
-}
-
-std::unique_ptr<lms3dMotion> lms3dScanSensor::GetMotion(
-  const lms3dScanSettings& settings, vtkPolyData* trajectory, double time)
-{
-  if (!trajectory || !settings.Device.MotionDuringScan)
+  start.Time = poses.GetTimes()[step];
+  start.Pose = poses.GetPose(step);
+  if (settings.Device.MotionDuringScan)
   {
-    return nullptr;
+    const lms3dScanGeometry& geometry = this->GetGeometry(settings);
+    const double duration = geometry.GetNumberOfTurns() * lms3dGetFanPeriod(geometry);
+    lms3dMotion motion(poses, start.Time, start.Time + duration);
+    start.Motion =
+      motion.IsAtRest() ? nullptr : std::make_unique<const lms3dMotion>(std::move(motion));
   }
-  const lms3dScanGeometry& geometry = this->GetGeometry(settings);
-  const double end = time + geometry.GetNumberOfTurns() * lms3dGetFanPeriod(geometry);
-  auto motion =
-    std::make_unique<lms3dMotion>(this->GetTrajectory(trajectory, settings.Orientation), time, end);
-  return motion->IsAtRest() ? nullptr : std::move(motion);
+  return start;
 }

@@ -7,10 +7,10 @@
 #ifndef lms3dScanSensor_h
 #define lms3dScanSensor_h
 
-#include "Device/lms3dMotion.h"
 #include "Device/lms3dScanGeometry.h"
 #include "Device/lms3dTrajectory.h"
 #include "Scan/lms3dScanSettings.h"
+#include "Scan/lms3dScanStart.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -33,14 +33,10 @@ public:
   const lms3dTrajectory& GetTrajectory(vtkPolyData* poses, const lms3dVector& orientation);
 
   /// Returns the pose of the settings if `trajectory` is null; otherwise the trajectory's pose at the time
-  /// that `output` requests, or the first. Sets `time` to the time of that pose, NaN without a trajectory.
-  lms3dPose GetPose(const lms3dScanSettings& settings, vtkPolyData* trajectory,
-    vtkInformation& output, double& time);
-
-  /// Returns how the sensor moves during the scan that starts at `time`; null if it rests, because
-  /// `trajectory` is null, the settings say so, or the trajectory rests.
-  std::unique_ptr<lms3dMotion> GetMotion(
-    const lms3dScanSettings& settings, vtkPolyData* trajectory, double time);
+  /// that `output` requests, or the first, with the time of that pose, and with the motion from there, if
+  /// the settings want it and the sensor does not rest.
+  lms3dScanStart GetStart(
+    const lms3dScanSettings& settings, vtkPolyData* trajectory, vtkInformation& output);
 
 private:
   /// First and last elevation (degrees) and their number, and the same of the turns.
