@@ -35,7 +35,7 @@
  *   The cells of a composite are numbered consecutively over all leaves.
  * @par
  * Its field data: `AlphaAngles` and `BetaAngles` (float64, degrees) are the axes of the grid of
- * beams; `SensorToWorld` (16 float64) is the pose as a row-major matrix.
+ * beams; `SensorToWorld` (16 float64) is the pose as a row-major matrix. ComputeStatus adds `Status`.
  *
  * @par Surface attributes
  * If SurfaceAttributes is on, the scan has more point data, in this order:
@@ -44,7 +44,8 @@
  *   FAST a beam can hit a triangle whose plane contains the sensor. Its normal is on the side from
  *   which its corners are counter-clockwise.)
  * - `Incidence` (float32): the angle between the beam and the normal, 0 to 90 degrees. 0 means that
- *   the beam is perpendicular to the surface.
+ *   the beam is perpendicular to the surface. ComputeIncidence adds only this array.
+ * - `Intensity` (float32), if ComputeIntensity is on, also without SurfaceAttributes.
  * - The cell arrays of the scene, with the names and types that they have there: the value of the
  *   cell that CellId names. A scene from vtkVRMLImporterSource has `ShapeId` and `Color`, and the
  *   names of the shapes in the field data `ShapeNames`.
@@ -54,10 +55,15 @@
  * have with the same type and number of components. The range image stays the same; BeamId is the
  * index of a return in it.
  *
+ * @par What the device detects
+ * RangeAtTenPercent removes returns of surfaces that are too dark, too oblique or too far. It comes after
+ * MinimumRange and MaximumRange. A surface that the device does not detect hides what lies behind it.
+ * ComputeStatus says why a beam gave no return.
+ *
  * @par Output 1, the range image
  * A vtkImageData of AlphaResolution x BetaResolution points with the array `Range` (float64,
- * metres), which is NaN if the beam gave no return. The axes of the image are the angles in
- * degrees.
+ * metres), which is NaN if the beam gave no return, and, if ComputeStatus is on, `Status`. The axes of
+ * the image are the angles in degrees.
  *
  * @par Input 1, the trajectory
  * Optional: a vtkPolyData whose points are the poses of a moving sensor, one for each time step.
@@ -88,7 +94,9 @@
  * of the scene, provided that no cell was cut and that all cells have global ids
  * (Documentation/parallel.md).
  * @par
- * Surface attributes come from the process whose triangle was hit. A cell array must exist on all
+ * Surface attributes, Incidence, Intensity and the reflectance come from the process whose triangle was
+ * hit. Each process with triangles needs the ReflectanceArray. The first process has the field data
+ * `Status`, and each process has its block of it in the range image. For SurfaceAttributes: A cell array must exist on all
  * processes that have returns, or, if there is no return, on all that have triangles. Arrays of
  * vtkIdType become arrays of vtkTypeInt64.
  * @par
@@ -105,7 +113,8 @@
  * Bad input and bad properties give an error that says what to do, the error code
  * vtkErrorCode::UserError, and empty outputs. Errors are: an input without polygons; a range that
  * is empty or exceeds its limits; more than 2^31 - 1 beams; a trajectory without points, with
- * several lines, or with bad positions, quaternions or times. Cells with a point that is not finite
+ * several lines, or with bad positions, quaternions or times; a ReflectanceArray that is used and that a
+ * cell with a surface does not have, or has with a bad type or value. Cells with a point that is not finite
  * or exceeds 1e18 m are skipped. Polygons that cross themselves are filled with triangles that can
  * overlap or extend beyond them. One warning counts both. The filter reports an error once, however
  * often it is updated, until a property or an input changes.
@@ -137,7 +146,12 @@
  * - during a scan with EXACT: 64 bytes for each triangle if the sensor is inside the sphere around the
  *   scene and the scene has at most two triangles for 16 beams, and 36 more if tiles of beams are decided at
  *   once (at most 5,000 triangles);
- * - while SurfaceAttributes are filled: 28 bytes for each return, more with global ids.
+ * - while SurfaceAttributes are filled: 28 bytes for each return, more with global ids; with
+ *   ComputeIncidence or ComputeIntensity alone, 4 bytes;
+ * - with RangeAtTenPercent: 1 byte for each beam;
+ * - with ComputeStatus, if some beams have no return: as much again as for the scan, and 8 bytes for
+ *   each beam;
+ * - kept while a ReflectanceArray is used: 8 bytes for each triangle.
  * @par
  * The memory of outputs that were released is kept for the next scan.
  *
@@ -510,10 +524,11 @@ public:
 
   ///@{
   /**
-   * The range r at which the device still sees a surface that reflects 10 percent, metres. A beam gives no
-   * return if reflectance times the cosine of the incidence is below
-   * max(0.018, 0.1 (range / r)^2). Finite, at least 0; 0, the default, sees every surface. (LMS 200: 10,
-   * technical description pages 7 and 33.)
+   * The range r up to which the device sees a surface that reflects 10 percent at right angles, metres. A
+   * beam gives no return if reflectance times the cosine of the incidence is below
+   * max(0.018, 0.1 (range / r)^2). The incidence is the angle to the normal of the triangle that was hit;
+   * both sides of it count. The range is the one before range errors. Finite, at least 0; 0, the default,
+   * sees every surface. (LMS 200: 10, technical description pages 7 and 33.)
    */
   vtkSetMacro(RangeAtTenPercent, double);
   vtkGetMacro(RangeAtTenPercent, double);
@@ -521,11 +536,15 @@ public:
 
   ///@{
   /**
-   * The name of the scene's cell array with the reflectance of each cell: one component, 0.1 for 10
-   * percent; retroreflectors exceed 1. An array of three or four components of unsigned char, such as
-   * `Color` of a VRML scene, stands for its luminance, from 0 to 1. A scene without this array is an error.
-   * The default is none: every surface has the reflectance 1. It has an effect only with
-   * RangeAtTenPercent or ComputeIntensity.
+   * The name of the scene's cell array with the reflectance of each cell: one component of any number type,
+   * 0.1 for 10 percent; retroreflectors exceed 1. An array of three or four components of unsigned char, such
+   * as `Color` of a VRML scene, stands for its luminance, from 0 to 1:
+   * (0.2126 red + 0.7152 green + 0.0722 blue) / 255 (ITU-R BT.709). The colour is taken as the linear share of
+   * the light that the surface reflects, as the diffuse colour of VRML is; opacity does not count. The data
+   * sets of a composite may have arrays of different types. It is an error if a cell with a surface does not
+   * have the array, or has a reflectance that is negative or not finite. The default is none (null, or an
+   * empty name): every surface has the reflectance 1. It has an effect only with RangeAtTenPercent or
+   * ComputeIntensity. A change does not build the acceleration structure.
    */
   vtkSetStringMacro(ReflectanceArray);
   vtkGetStringMacro(ReflectanceArray);
@@ -534,7 +553,8 @@ public:
   ///@{
   /**
    * Whether the scan has the point array `Incidence` (float32, degrees): the angle between the beam and the
-   * normal of the surface, 0 to 90. The default is off. (SurfaceAttributes has it, too.)
+   * normal of the triangle that was hit, 0 to 90. The default is off. (SurfaceAttributes adds the same array.
+   * If both are on, there is one.)
    */
   vtkSetMacro(ComputeIncidence, bool);
   vtkGetMacro(ComputeIncidence, bool);
@@ -543,8 +563,8 @@ public:
 
   ///@{
   /**
-   * Whether the scan has the point array `Intensity` (float32): reflectance times the cosine of the
-   * incidence. The default is off.
+   * Whether the scan has the point array `Intensity` (float32), behind `Incidence`: reflectance (see
+   * ReflectanceArray) times the cosine of the incidence. It does not fall with the range. The default is off.
    */
   vtkSetMacro(ComputeIntensity, bool);
   vtkGetMacro(ComputeIntensity, bool);
@@ -564,7 +584,10 @@ public:
   ///@}
 
   /**
-   * Why a beam gave a return, or none.
+   * Why a beam gave a return, or none. NOTHING_MET: there is no surface along the beam at any range.
+   * BEYOND_RANGE: the nearest surface is beyond MaximumRange. TOO_WEAK: RangeAtTenPercent removed the return.
+   * TOO_NEAR: the nearest surface is nearer than MinimumRange. (vtkLMS3DRangeErrorFilter adds the returns
+   * whose ranges it cannot report.)
    */
   enum BeamStatus
   {
@@ -578,7 +601,9 @@ public:
   ///@{
   /**
    * Whether the outputs have the array `Status` (unsigned char, one of BeamStatus, for each beam of the
-   * grid): point data of the range image, and field data of the scan. The default is off.
+   * grid, turn by turn): point data of the range image, and field data of the scan, in shared memory. The
+   * default is off. Returns are the same to the bit, on or off. If some beams have no return and the ranges
+   * have limits, the filter casts all beams a second time, without limits.
    */
   vtkSetMacro(ComputeStatus, bool);
   vtkGetMacro(ComputeStatus, bool);

@@ -33,7 +33,7 @@ public:
   {
   }
 
-  // `ranges`, `triangles` and `isWeak` are those of the turn.
+  // `ranges`, `triangles` and `isWeak` have a value for each beam of the turn.
   void Judge(int turn, const double* ranges, const std::int32_t* triangles, unsigned char* isWeak)
   {
     const int beams = static_cast<int>(this->Intensities.size());
