@@ -9,9 +9,8 @@ from . import vtkLMS3DMapComparison
 from .execution import update
 
 POSE_ARRAYS = ("SensorToWorld", "AlphaAngles", "BetaAngles")
-
-# What a scan has if its platform is not the default one.
-_PLATFORM_ARRAYS = ("Mounting", "AxisOffset", "TurnRate", "TurnToWorld")
+# A scan has these arrays only if they differ from their defaults.
+PLATFORM_ARRAYS = ("Mounting", "AxisOffset", "TurnRate")
 
 
 class Errors(NamedTuple):
@@ -92,5 +91,7 @@ def has_pose(data):
 
 def copy_pose(scan, local_map):
     """Copy the sensor's pose, angles and platform from a scan to a map."""
-    for name in filter(scan.GetFieldData().HasArray, POSE_ARRAYS + _PLATFORM_ARRAYS):
-        local_map.GetFieldData().AddArray(scan.GetFieldData().GetArray(name))
+    for name in POSE_ARRAYS + PLATFORM_ARRAYS:
+        local_map.GetFieldData().RemoveArray(name)
+        if scan.GetFieldData().HasArray(name):
+            local_map.GetFieldData().AddArray(scan.GetFieldData().GetArray(name))
