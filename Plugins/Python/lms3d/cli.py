@@ -25,6 +25,7 @@ exit codes: 0 success, 1 the job failed, 2 the command was invalid, 130 Ctrl-C
 
 examples:
   lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp --map map.vtp
+  lms3d scan room.wrl --position 0.3 -0.2 1 -o reported.vtp --device lms200-mm
   lms3d compare map.vtp room.wrl
   lms3d view room.wrl --position 0.3 -0.2 1
   lms3d emulate room.wrl --position 0.3 -0.2 1 --link /tmp/lms200

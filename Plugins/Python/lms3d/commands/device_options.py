@@ -89,14 +89,14 @@ def add_platform(parser, may_move=False):
 def add_arrays(group):
     """Add the arrays that points can have in addition."""
     for name, text in (
-            ("incidence", "Incidence (degrees, 0: perpendicular)"),
-            ("intensity", "Intensity, the reflectance times the cosine of the incidence"),
-            ("time", "Time (seconds), when the beam left"),
-            ("status", "as field data, and the range image too, Status: 0 return, 1 nothing met, 2 "
-             "beyond the range, 3 too weak, 4 too near"),
-            ("poses", "SensorPosition (metres) and SensorOrientation (w x y z), the pose when the "
-             "beam left")):
-        group.add_argument(f"--{name}", action="store_true", help=f"the points also have {text}")
+            ("incidence", "add Incidence (degrees, 0: perpendicular)"),
+            ("intensity", "add Intensity, the reflectance times the cosine of the incidence"),
+            ("time", "add Time (seconds), when the beam left"),
+            ("poses", "add SensorPosition (metres) and SensorOrientation (w x y z), the pose when the "
+             "beam left (.vtp, .pvd)"),
+            ("status", "add Status of all beams to the field data (.vtp, .pvd) and to the range image: "
+             "0 return, 1 nothing met, 2 beyond the range, 3 too weak, 4 too near")):
+        group.add_argument(f"--{name}", action="store_true", help=text)
 
 
 def given(options):
