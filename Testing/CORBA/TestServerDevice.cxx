@@ -112,7 +112,9 @@ TEST(ServerDevice, IsUsedAndReturned)
 {
   ServerProcess server(Patience);
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
-  const LMS3D::ScanHeader before = WaitFor(scanner, scanner->setConfiguration(GetCoarseGrid()));
+  LMS3D::Configuration configuration = GetCoarseGrid();
+  configuration.makeMap = false;
+  const LMS3D::ScanHeader before = WaitFor(scanner, scanner->setConfiguration(configuration));
   EXPECT_GT(scanner->setDevice(GetUnusualDevice()), before.generation);
   const LMS3D::Device_var now = scanner->getDevice();
   ExpectEqual(now, GetUnusualDevice());
