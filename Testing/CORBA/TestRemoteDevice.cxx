@@ -136,20 +136,22 @@ TEST(RemoteDevice, PointsAreThoseOfTheFilter)
   LMS3D::Pose pose = At(0.4, -0.3, 0.9);
   pose.orientation = { 10.0, -20.0, 30.0 };
   scanner->setPose(pose);
-  for (const LMS3D::ScannerMounting mounting : Mountings)
+  for (int i = 0; i < 8; ++i)
   {
-    const LMS3D::Device device = GetDevice(mounting, { 0.0, 0.0, 0.0 }, 0.0);
+    const LMS3D::Device device = i < 4 ? GetDevice(Mountings[i], { 0.0, 0.0, 0.0 }, 0.0)
+                                       : GetDevice(Mountings[i - 4], { 0.1, -0.05, 0.2 }, 20.0);
     const lms3dRemoteScan remote = FetchScan(scanner, device);
     const DirectPipeline direct("room.wrl", pose, remote.Header.settings, device);
     EXPECT_EQ(remote.Ranges, direct.Ranges);
     vtkNew<vtkPolyData> scan;
     lms3dFillScan(remote, scan);
     ASSERT_EQ(3 * std::size_t(scan->GetNumberOfPoints()), direct.ReturnPoints.size());
-    for (vtkIdType i = 0; i < scan->GetNumberOfPoints(); ++i)
+    for (vtkIdType point = 0; point < scan->GetNumberOfPoints(); ++point)
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        ASSERT_NEAR(scan->GetPoint(i)[axis], direct.ReturnPoints[3 * i + axis], FloatRounding);
+        ASSERT_NEAR(
+          scan->GetPoint(point)[axis], direct.ReturnPoints[3 * point + axis], FloatRounding);
       }
     }
   }

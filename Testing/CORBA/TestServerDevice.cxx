@@ -112,7 +112,9 @@ TEST(ServerDevice, IsUsedAndReturned)
 {
   ServerProcess server(Patience);
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
-  const LMS3D::ScanHeader before = WaitFor(scanner, scanner->setConfiguration(GetCoarseGrid()));
+  LMS3D::Configuration configuration = GetCoarseGrid();
+  configuration.makeMap = false;
+  const LMS3D::ScanHeader before = WaitFor(scanner, scanner->setConfiguration(configuration));
   EXPECT_GT(scanner->setDevice(GetUnusualDevice()), before.generation);
   const LMS3D::Device_var now = scanner->getDevice();
   ExpectEqual(now, GetUnusualDevice());
@@ -192,15 +194,23 @@ TEST(ServerDevice, ErrorsAreTheDirectPipelines)
   ServerProcess server(Patience);
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   scanner->setConfiguration(GetCoarseGrid());
-  const LMS3D::Device device = GetNoisyDevice(3);
-  const LMS3D::ScanHeader header = WaitFor(scanner, scanner->setDevice(device));
-  const lms3dRemoteScan remote = lms3dFetchScan(scanner, header);
-  const DirectPipeline direct(
-    "room.wrl", header.sensorPose, header.settings, device, header.number);
-  EXPECT_EQ(remote.Ranges, direct.Ranges);
-  EXPECT_EQ(remote.MapPoints, direct.MapPoints);
-  EXPECT_EQ(remote.MapTriangles, direct.MapTriangles);
-  EXPECT_NE(remote.Ranges, DirectPipeline("room.wrl", header.sensorPose, header.settings).Ranges);
+  LMS3D::Device device = GetNoisyDevice(3);
+  for (const LMS3D::ScannerMounting mounting : { LMS3D::MOUNTING_YAWING, LMS3D::MOUNTING_YAWING_TOP,
+         LMS3D::MOUNTING_PITCHING, LMS3D::MOUNTING_ROLLING })
+  {
+    device.mounting = mounting;
+    const LMS3D::ScanHeader header = WaitFor(scanner, scanner->setDevice(device));
+    const lms3dRemoteScan remote = lms3dFetchScan(scanner, header);
+    const DirectPipeline direct(
+      "room.wrl", header.sensorPose, header.settings, device, header.number);
+    EXPECT_EQ(remote.Ranges, direct.Ranges);
+    EXPECT_GT(remote.MapTriangles.size(), 100u);
+    EXPECT_EQ(remote.MapPoints, direct.MapPoints);
+    EXPECT_EQ(remote.MapTriangles, direct.MapTriangles);
+    EXPECT_NE(remote.Ranges, DirectPipeline("room.wrl", header.sensorPose, header.settings).Ranges);
+    device.axisOffset = { 0.1, -0.05, 0.2 };
+    device.turnRate = 20.0;
+  }
 }
 
 TEST(ServerDevice, ErrorsDifferFromScanToScanAndAreThoseOfTheSeed)
