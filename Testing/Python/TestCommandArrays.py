@@ -104,7 +104,7 @@ class TestArrays(CommandLineTest):
         from lms3d.problems import Problem
         from lms3d.results import save
 
-        with mock.patch("lms3d.formats._convert_rows", side_effect=MemoryError):
+        with mock.patch("lms3d.formats.convert_rows", side_effect=MemoryError):
             with self.assertRaisesRegex(Problem, "not enough memory"):
                 save(self._scan(1), self.folder / "none.csv")
         self.assertFalse((self.folder / "none.csv").exists())

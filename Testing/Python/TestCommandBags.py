@@ -293,7 +293,7 @@ class TestProblems(CommandLineTest):
             path = self.folder / name
             path.mkdir()
             (path / "mine").write_text("mine")
-            self.assertIn("folder", self.refused(1, *self.SCAN, path))
+            self.assertIn("exists", self.refused(1, *self.SCAN, path))
             file = self.folder / f"file_{name}"
             file.write_text("mine")
             self.assertIn("exists", self.refused(1, *self.SCAN, file))

@@ -92,7 +92,7 @@ class TestMeshFiles(CommandLineTest):
         text = ("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                 "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n")
         self.assert_triangles(1, "good.stl", text)
-        self.assert_fault("Premature EOF", "cut.stl", text[:70])
+        self.assert_fault("STLReader", "cut.stl", text[:70])
 
     def test_obj(self):
         text = "# a test\nv 0 0 0\nv 1 0 0 1.0\nv 0 1 0\nf 1 2 3\n"

@@ -16,9 +16,8 @@ from .grid import Grid, quaternion
 from .interruption import interruptible
 from .pieces import BEAMS, slices
 from .problems import Problem
-from .results import check_new, writing
+from .results import BAG_ENDINGS, check_new, writing
 
-BAG_ENDINGS = (".db3", ".mcap")
 _SECOND = 10**9  # nanoseconds
 _MAXIMUM_TIME = 2**31 - 1  # seconds, in ROS 2's stamps
 _POINT_SIZE = 12  # bytes: x, y, z in single precision

@@ -14,15 +14,18 @@ from .interruption import interruptible
 from .libraries import check_library
 from .problems import Problem, UsageProblem
 
+# The formats that are folders.
+BAG_ENDINGS = (".db3", ".mcap")
+
 # The formats of each result.
 ENDINGS = {
-    "scan": (".vtp", ".ply", ".csv", ".pcd", ".ptx", ".e57", ".las", ".laz", ".db3", ".mcap"),
+    "scan": (".vtp", ".ply", ".csv", ".pcd", ".ptx", ".e57", ".las", ".laz", *BAG_ENDINGS),
     "range image": (".vti",),
     "map": (".vtp", ".ply", ".stl"),
     "picture": (".png",),
     "map with errors": (".vtp",),
     "scene points": (".vtp",),
-    "series of scans": (".pvd", ".db3", ".mcap"),
+    "series of scans": (".pvd", *BAG_ENDINGS),
     "series of maps": (".pvd",),
 }
 
@@ -54,6 +57,8 @@ def check_targets(targets, scene=None, **inputs):
             _check_stream(result)
         else:
             _check_ending(result, path)
+            if Path(path).suffix.lower() in BAG_ENDINGS:
+                check_new(result, path)
             check_writable(result, path)
             _check_format(result, path)
         other = taken.setdefault(Path(path).resolve(), result)
