@@ -18,12 +18,12 @@ class TestHelp(CommandLineTest):
 
     def test_overview(self):
         words = self.done("--help")
-        for expected in ("scan", "compare", "view", "demo", "metres", "degrees", "z up",
+        for expected in ("scan", "compare", "view", "emulate", "demo", "metres", "degrees", "z up",
                          "clockwise", "exit codes", "examples"):
             self.assertIn(expected, words)
 
     def test_each_command_has_an_example_and_each_option_a_text(self):
-        for command in ("scan", "compare", "view", "demo"):
+        for command in ("scan", "compare", "view", "emulate", "demo"):
             with self.subTest(command):
                 words = self.done(command, "--help", COLUMNS="100")
                 self.assertIn(f"  lms3d {command} ", words)
