@@ -137,9 +137,9 @@ bool lms3dScanJob::CastAlone(const Scan& scan)
     [&]
     {
       this->Output.FillScan(&caster->GetMesh(), scan.Geometry, scan.Start.Pose, scan.Points);
+      AddPoses(scan);
       this->Output.FillRangeImage(scan.Geometry, scan.Image);
       this->AddSurfaceAttributes(scan, scan.Points->GetPointData());
-      AddPoses(scan);
     });
   this->Detection.AddStatus(scan.Geometry, scan.Points, scan.Image);
   return true;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Borders/lms3dBorderChains.h"
 
+#include <stdexcept>
 #include <utility>
 
 lms3dBorderChains::lms3dBorderChains(const lms3dBorderGates& gates)
@@ -53,6 +54,12 @@ void lms3dBorderChains::AddChain(int first, std::vector<bool>& visited)
     if (isShared)
     {
       visited[lms3dBorderGates::GetTwin(edge)] = true;
+    }
+    if (chain.Edges.size() > visited.size())
+    {
+      throw std::runtime_error("The borders of the map do not close, because the points of the scan "
+                               "do not belong to its angles. Connect the first output of "
+                               "vtkLMS3DScanFilter.");
     }
     edge = this->Gates.GetNext(edge);
   } while (edge != first && !this->IsStart(edge));
