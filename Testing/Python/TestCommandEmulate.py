@@ -23,7 +23,7 @@ from emulator_process import EmulatorProcess, PortHost
 
 FAR = ("--maximum-range", 7)  # all ranges of the room fit into 13 bits of millimetres
 TURNS = ("--beta-resolution", 4)
-LMS200 = ("--range-noise", 0.005, "--range-resolution", 0.001, "--seed", 5)
+LMS200 = ("--device", "lms200-mm", "--seed", 5)
 
 
 def receive(port, count):

@@ -134,10 +134,11 @@ class TestValues(unittest.TestCase):
             top = 2**bits - 1
             for unit, scale in ((MILLIMETRES, 1000), (CENTIMETRES, 100), (DECIMETRES, 10)):
                 with self.subTest(mode=mode, unit=unit):
-                    ranges = np.array([0.1, (top - 9) / scale, (top - 8) / scale, 1e6, np.nan, 1])
-                    values = encode_ranges(ranges, unit, mode, too_weak=np.arange(6) == 5)
+                    ranges = np.array([0.1, (top - 9) / scale, (top - 8) / scale, 1e6, np.inf,
+                                       np.nan, -np.inf])
+                    values = encode_ranges(ranges, unit, mode)
                     self.assertEqual(values.tolist(), [round(0.1 * scale), top - 9, top - 8,
-                                                       top - 8, top, top - 4])
+                                                       top - 8, top - 8, top, top - 4])
                     self.assertEqual(values.dtype, "<u2")
 
     def test_16_metres(self):

@@ -153,14 +153,25 @@ def apply_platform(sensor, options):
     set_platform(sensor, options.mounting, options.axis_offset, options.turn_rate)
 
 
-def apply(simulation, options):
-    """Set the sensor's device and platform from the options, and add the errors, if there are any."""
-    sensor = simulation.sensor
+def apply_device(sensor, options):
+    """Set the sensor's device from the options."""
     set_sensor(sensor, options.device, vars(options))
     sensor.SetReflectanceArray(options.reflectance)
-    apply_platform(sensor, options)
+
+
+def make_errors(options):
+    """Return a filter with the errors of the options' device, and whether there are any."""
     errors = vtkLMS3DRangeErrorFilter()
-    if set_errors(errors, options.device, vars(options)):
-        errors.SetNoiseSeed(options.seed)
-        errors.SetNumberOfThreads(options.threads)
+    has_errors = set_errors(errors, options.device, vars(options))
+    errors.SetNoiseSeed(options.seed)
+    errors.SetNumberOfThreads(options.threads)
+    return errors, has_errors
+
+
+def apply(simulation, options):
+    """Set the sensor's device and platform from the options, and add the errors, if there are any."""
+    apply_device(simulation.sensor, options)
+    apply_platform(simulation.sensor, options)
+    errors, has_errors = make_errors(options)
+    if has_errors:
         simulation.add_errors(errors)

@@ -8,7 +8,7 @@ import time
 from contextlib import ExitStack
 from pathlib import Path
 
-from .. import vtkLMS3DRangeErrorFilter, vtkLMS3DScanFilter
+from .. import vtkLMS3DScanFilter
 from ..emulation.angle_lines import AngleLines
 from ..emulation.device import Device
 from ..emulation.emulator import Emulator
@@ -17,7 +17,6 @@ from ..emulation.fans import LiveFans, StoredFans
 from ..emulation.link import check_link, linked
 from ..emulation.measured_values import CENTIMETRES, MILLIMETRES
 from ..emulation.platform import Stepped, Turning
-from ..emulation.presets import DEVICES, IDEAL, set_errors
 from ..emulation.state import FIRMWARES, make_state
 from ..emulation.terminal import Terminal
 from ..execution import update
@@ -27,7 +26,7 @@ from ..results import STREAM, check_writable, reports, writing
 from ..scene import check_readable, read_data
 from ..simulation import Simulation
 from ..trajectory import TrajectoryScan
-from . import scene_options, sensor_options
+from . import device_options, scene_options, sensor_options, values
 
 NAME = "emulate"
 SUMMARY = "answer the telegrams of an LMS 200 on a pseudo-terminal"
@@ -65,7 +64,7 @@ def _turn(text):
     """--turn: "stepped" or degrees a second."""
     if text.strip() == _STEPPED:
         return None
-    value = sensor_options.number(text)
+    value = values.number(text)
     if abs(value) > _MAXIMUM_TURN_RATE:
         raise argparse.ArgumentTypeError(
             f"{text.strip()} is not within {-_MAXIMUM_TURN_RATE:g} to {_MAXIMUM_TURN_RATE:g}")
@@ -82,17 +81,15 @@ def add_arguments(parser):
                             may_move=True)
     _add_platform(parser.add_argument_group("platform"))
     measurement = parser.add_argument_group("measurement")
-    measurement.add_argument("--device", choices=DEVICES, default=IDEAL,
-                             help="the errors of the ranges; by default there are none")
-    measurement.add_argument("--seed", type=sensor_options.seed, metavar="N", default=0,
-                             help="number of the noise; with platform and errors of 'lms3d scan' "
-                             "and its seed, the first scan is the same (default: 0)")
     sensor_options.add_ranges(measurement)
+    device_options.add_device(parser)
     _add_line(parser.add_argument_group("device and line"))
     # The fan is the device's, and a single fan needs no threads.
     sensor = vtkLMS3DScanFilter()
     parser.set_defaults(alpha_range=sensor.GetAlphaRange(), threads=1, method="exact",
-                        alpha_resolution=sensor.GetAlphaResolution())
+                        alpha_resolution=sensor.GetAlphaResolution(),
+                        # The measuring mode limits the ranges, and not the device.
+                        maximum_range=sensor.GetMaximumRange())
 
 
 def _add_platform(group):
@@ -101,12 +98,12 @@ def _add_platform(group):
                        "second, from the first angle of --beta-range on, without an end")
     defaults = vtkLMS3DScanFilter()
     first, last = defaults.GetBetaRange()
-    group.add_argument("--beta-range", nargs=2, type=sensor_options.number, metavar=("A", "B"),
+    group.add_argument("--beta-range", nargs=2, type=values.number, metavar=("A", "B"),
                        default=(first, last),
                        help="degrees, turn of the platform, clockwise seen from above; a full "
                        f"circle excludes its end (default: {first:g} {last:g})")
     count = defaults.GetBetaResolution()
-    group.add_argument("--beta-resolution", type=sensor_options.count, metavar="N", default=count,
+    group.add_argument("--beta-resolution", type=values.count, metavar="N", default=count,
                        help=f"number of steps (default: {count})")
     group.add_argument("--angles", metavar="FILE",
                        help="write a line for each fan that a host has received: index of the "
@@ -185,25 +182,19 @@ def _live_fans(options, stack):
     times = ()
     if options.trajectory:
         times = TrajectoryScan(simulation, read_data(options.trajectory, "trajectory")).times
-    errors = _make_errors(options) if options.device != IDEAL else None
+    device_options.apply_device(simulation.sensor, options)
+    errors, has_errors = device_options.make_errors(options)
     run = _updater(stack.enter_context(VTKMessages()))
-    return LiveFans(simulation.sensor, run, errors, times)
+    return LiveFans(simulation.sensor, run, errors if has_errors else None, times)
 
 
 def _stored_fans(options):
     """The fans of a stored scan. The filter for errors checks its data, too."""
     print(f"scan     {Path(options.scan).name}")
-    errors = _make_errors(options)
+    errors, _ = device_options.make_errors(options)
     errors.SetInputDataObject(read_data(options.scan, "scan"))
     update(errors, "adding errors", f"cannot play '{options.scan}'")
     return StoredFans(errors.GetOutput(), options.scan)
-
-
-def _make_errors(options):
-    errors = vtkLMS3DRangeErrorFilter()
-    errors.SetNumberOfThreads(options.threads)
-    set_errors(errors, options.device, options.seed)
-    return errors
 
 
 def _updater(messages):

@@ -9,7 +9,7 @@ import numpy as np
 
 @dataclass(frozen=True, eq=False)
 class Fan:
-    """The ranges of a fan or of a part of it, metres, NaN without a return; and the platform angle.
+    """The ranges of a fan or of a part of it, as fans.py describes them; and the platform angle.
 
     The first range is the one at the device's right.
     """

@@ -6,7 +6,8 @@ A source has `angles`, the platform angles of a whole scan; `variants`, what it 
 - cast_turn(variant, scan, turn, means): all beams of a turn of a scan, both counted from 0;
 - cast_part(variant, part, angle, time, means): the beams of one part at any platform angle, and at
   a time after the start.
-Both return ranges in metres, NaN without a return. `means` is a number of scans that are averaged.
+Both return ranges in metres: NaN if the beam met nothing, infinity if the surface is beyond the maximum
+range, minus infinity if too little light comes back. `means` is a number of scans that are averaged.
 """
 
 import math
@@ -15,6 +16,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
+from .. import vtkLMS3DScanFilter
 from ..problems import Problem
 from .variants import FANS, VARIANTS
 
@@ -34,6 +36,7 @@ class LiveFans:
 
     def __init__(self, sensor, run, errors=None, times=()):
         self._sensor = sensor
+        self._sensor.ComputeStatusOn()
         self._run = run
         self._errors = errors
         self._noise = errors.GetRangeNoise() if errors else 0.0
@@ -70,9 +73,10 @@ class LiveFans:
         self._sensor.SetBetaRange(angle, angle)
         self._sensor.SetBetaResolution(1)
         self._run(self._sensor, time)
-        if not self._errors:
-            return _array(self._sensor.GetRangeImage(), "Range").copy()
-        return self._add_errors(noise, means)
+        image = self._sensor.GetRangeImage()
+        ranges = (self._add_errors(noise, means) if self._errors
+                  else _array(image, "Range").copy())
+        return _mark(ranges, _array(image, "Status"))
 
     def _add_errors(self, noise, means):
         """The ranges with errors. Those depend on a number for the scan, and on turn and beam."""
@@ -81,6 +85,7 @@ class LiveFans:
         first_beam = turn * beams
         fan = self._fan
         fan.ShallowCopy(self._sensor.GetOutput())
+        fan.GetFieldData().RemoveArray("Status")  # of the fan's own beams
         fan.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), number)
         if betas is not None:
             _place_in_scan(fan, first_beam, betas)
@@ -100,6 +105,13 @@ def _place_in_scan(fan, first_beam, betas):
 
 def _array(scan, name):
     return vtk_to_numpy(scan.GetPointData().GetArray(name))
+
+
+def _mark(ranges, status):
+    """Replace ranges of beams without a return by the reason, if it is not that they met nothing."""
+    ranges[status == vtkLMS3DScanFilter.BEYOND_RANGE] = np.inf
+    ranges[status == vtkLMS3DScanFilter.TOO_WEAK] = -np.inf
+    return ranges
 
 
 def _to_row(scan, first_beam, beams):
@@ -130,7 +142,10 @@ class StoredFans:
             raise Problem(f"cannot play '{name}': its fan has not the beams of any variant of the "
                           "device; scan with --alpha-range -90 90 --alpha-resolution 361")
         count = len(self._alphas) * len(self._betas)
-        self._ranges = _to_row(scan, 0, count).reshape(len(self._betas), -1)
+        ranges = _to_row(scan, 0, count)
+        if fields.HasArray("Status"):
+            _mark(ranges, vtk_to_numpy(fields.GetArray("Status")))
+        self._ranges = ranges.reshape(len(self._betas), -1)
 
     def cast_turn(self, variant, _scan, turn, _means):
         """A turn of the scan."""
