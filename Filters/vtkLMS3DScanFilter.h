@@ -28,14 +28,17 @@
  * A vtkPolyData in world coordinates with one vertex for each return, ordered by turn, then by
  * beam. Its point data:
  * - `Range` (float64): the distance from the sensor, metres;
- * - `Alpha`, `Beta` (float32): the angles of the beam, degrees;
+ * - `Alpha`, `Beta` (float32): the angles of the beam, degrees (with TurnRate, Beta is the angle that the
+ *   platform has reached when the beam leaves);
  * - `BeamId` (int32): turn * AlphaResolution + beam;
  * - `CellId` (vtkIdType): the cell of the input that the beam hit. If all cells have global ids
  *   (vtkDataSetAttributes::GetGlobalIds), it is the global id, otherwise the number of the cell.
  *   The cells of a composite are numbered consecutively over all leaves.
  * @par
  * Its field data: `AlphaAngles` and `BetaAngles` (float64, degrees) are the axes of the grid of
- * beams; `SensorToWorld` (16 float64) is the pose as a row-major matrix. ComputeStatus adds `Status`.
+ * beams; `SensorToWorld` (16 float64) is the pose as a row-major matrix. `Mounting`, `AxisOffset` and
+ * `TurnRate` (float64) are there if they differ from their defaults. `TurnToWorld` (16 float64 for each
+ * turn) is there with MotionDuringScan and a trajectory. ComputeStatus adds `Status`.
  *
  * @par Surface attributes
  * If SurfaceAttributes is on, the scan has more point data, in this order:
@@ -143,6 +146,8 @@
  * - kept for EXACT: the planes of 1,024 triangles for each thread, about 76 KB;
  * - while a changed scene is compared with the last one: its points and triangles again;
  * - during a scan: 4 bytes for each beam, and 20 more with several processes;
+ * - during a scan whose beams have a width: 12 bytes for each ray, and 20 more with several processes, of at
+ *   most 2 million rays (or of four turns, if these have more) at once;
  * - during a scan with EXACT: 64 bytes for each triangle if the sensor is inside the sphere around the
  *   scene and the scene has at most two triangles for 16 beams, and 36 more if tiles of beams are decided at
  *   once (at most 5,000 triangles);
@@ -428,8 +433,9 @@ public:
   /**
    * Whether the sensor moves along its trajectory during the scan. On: each beam leaves from the pose at
    * its own time, which is the time of the scan plus that of the beam (ComputeTime). Positions are
-   * interpolated linearly, orientations by slerp; after the last time of the trajectory the sensor rests.
-   * Points and SensorToWorld stay those of a sensor that rests at the pose at the scan's time, which is
+   * interpolated linearly, orientations by slerp; after the last time of the trajectory the sensor rests. If
+   * it rests during the whole scan, the scan is the same to the bit as without this property.
+   * Points and SensorToWorld stay as for a sensor that rests at the pose at the scan's time, which is
    * what a device without odometry reports: the scan is skewed. The field data `TurnToWorld` has the pose
    * at the start of each turn, and ComputePoses adds that of each beam. Without a trajectory it does
    * nothing. The default is off.
@@ -485,8 +491,9 @@ public:
 
   ///@{
   /**
-   * The diameter of the beam where it leaves the mirror, metres. Finite, at least 0. It has an effect only
-   * if BeamSamples exceeds 1. The default is 0. (LMS 200: 0.012, technical description page 114.)
+   * The diameter of the beam where it leaves the mirror, metres: its rays start within a disc of this
+   * diameter across the beam. Finite, at least 0. It has an effect only if BeamSamples exceeds 1. The default
+   * is 0. (LMS 200: 0.012, technical description page 114.)
    */
   vtkSetMacro(BeamDiameter, double);
   vtkGetMacro(BeamDiameter, double);
@@ -494,8 +501,9 @@ public:
 
   ///@{
   /**
-   * By how much the diameter of the beam grows, metres for each metre of range, so about radians. From 0 to
-   * 1. It has an effect only if BeamSamples exceeds 1. The default is 0. (LMS 200: 0.0044.)
+   * By how much the diameter of the beam grows, metres for each metre of range, so about radians. The beam
+   * is a cone: at the range r its disc has the diameter BeamDiameter + BeamDivergence r. From 0 to 1. It has
+   * an effect only if BeamSamples exceeds 1. The default is 0. (LMS 200: 0.0044.)
    */
   vtkSetMacro(BeamDivergence, double);
   vtkGetMacro(BeamDivergence, double);
@@ -505,7 +513,9 @@ public:
   /**
    * The number of rays that stand for a beam: one along its axis, the others in rings of 6, 12, 18 and so on
    * within its cone, each for the same part of the area. From 1 to 1000. 7, 19, 37 and so on complete a
-   * ring. The range of a ray is measured along the beam's axis. The default is 1: a beam without width.
+   * ring; the share of n rays on one side of a straight edge is then that of the area within 0.55 / sqrt(n).
+   * The range of a ray is measured along the beam's axis, so a plane at right angles has the range of the
+   * axis. The default is 1: a beam without width. A scan takes about as long as one scan for each ray.
    */
   vtkSetMacro(BeamSamples, int);
   vtkGetMacro(BeamSamples, int);
@@ -515,8 +525,10 @@ public:
   /**
    * The length of the pulse, metres. Rays of a beam whose ranges exceed that of the nearest by at most this
    * give one echo, whose range is their mean (a mixed pixel). Rays beyond form further echoes in the same
-   * way. The beam has the range of the echo with the most rays; of equal ones, of the nearest. Finite, at
-   * least 0. The default is 1 (LMS 200: about 1, technical description page 111).
+   * way. Rays that meet nothing up to MaximumRange are no part of an echo. The beam has the range of the echo
+   * with the most rays; of equal ones, of the nearest. MinimumRange holds for this range. CellId and the
+   * surface attributes come from the echo's ray with the smallest number, which is nearest to the axis.
+   * Finite, at least 0. The default is 1 (LMS 200: about 1, technical description page 111).
    */
   vtkSetMacro(PulseLength, double);
   vtkGetMacro(PulseLength, double);

@@ -12,7 +12,7 @@
 #include "Device/lms3dTurnFrame.h"
 #include "Geometry/lms3dVector.h"
 
-/// For a platform that is centred and stepped, directions are those of lms3dBeamDirections to the bit.
+/// For a platform that is centred and stepped, directions equal the ones of lms3dBeamDirections to the bit.
 class lms3dBeams
 {
 public:

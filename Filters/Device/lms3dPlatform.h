@@ -37,7 +37,7 @@ enum class lms3dMounting
   Rolling
 };
 
-/// The defaults are those of vtkLMS3DScanFilter.
+/// The defaults are the same as in vtkLMS3DScanFilter.
 struct lms3dPlatform
 {
   lms3dMounting Mounting = lms3dMounting::Yawing;

@@ -101,6 +101,10 @@ lms3dQuaternion lms3dPoseSegment::Slerp(double share) const
 
 lms3dPose lms3dPoseSegment::Interpolate(double share) const
 {
+  if (share == 0.0 || share == 1.0)
+  {
+    return share == 0.0 ? this->From : this->To;
+  }
   lms3dPose pose = this->From;
   for (std::size_t axis = 0; axis < pose.Position.size(); ++axis)
   {

@@ -28,8 +28,8 @@ public:
   lms3dPoseSegment(const lms3dPose& from, const lms3dPose& to);
 
   /// Returns the pose at a share of the way, 0 to 1: the position on the straight line, the orientation
-  /// by slerp (Shoemake 1985) on the shorter way. Coordinates, and an orientation, that both ends have in
-  /// common are kept to the bit.
+  /// by slerp (Shoemake 1985) on the shorter way. Both ends, coordinates that they have in common, and a
+  /// common orientation are kept to the bit.
   lms3dPose Interpolate(double share) const;
 
 private:

@@ -34,7 +34,7 @@ lms3dPlatform lms3dGetPlatform(vtkFieldData* data);
 /// Returns the matrix from the sensor frame to the world, row-major.
 std::array<double, 16> lms3dToMatrix(const lms3dPose& pose);
 
-/// Adds the arrays AlphaAngles, BetaAngles (degrees) and SensorToWorld, and those of the platform that
+/// Adds the arrays AlphaAngles, BetaAngles (degrees) and SensorToWorld, and the arrays of the platform that
 /// differ from their defaults, which the header of vtkLMS3DScanFilter documents.
 void lms3dAddFieldData(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan);
 

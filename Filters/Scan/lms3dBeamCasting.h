@@ -47,7 +47,7 @@ struct lms3dBeamCastRequest
   const lms3dProgress& Progress;
 };
 
-/// Fills the hits of `output`, with several processes those of the whole scene. Returns false, in all
+/// Fills the hits of `output`, with several processes by the whole scene. Returns false, in all
 /// processes, if the work was stopped in one of them. Collective.
 bool lms3dCastBeams(const lms3dBeamCastRequest& request, lms3dScanOutput& output);
 

@@ -13,7 +13,7 @@
 #include "Device/lms3dTurnFrame.h"
 #include "Geometry/lms3dVector.h"
 
-/// Without motion, the beams are those of lms3dBeams.
+/// Without motion, the beams equal the ones of lms3dBeams.
 class lms3dMovingBeams
 {
 public:

@@ -23,7 +23,7 @@ public:
 
   ///@{
   /// Sets Direction, or Origin, of a packet. The vectors, one for each beam of the fan,
-  /// are in the frame of the turn. The results are those of lms3dTurnFrame to the bit.
+  /// are in the frame of the turn. The results equal the ones of lms3dTurnFrame to the bit.
   void SetDirections(
     const std::vector<lms3dVector>& directions, int firstBeam, lms3dBeamPacket& packet) const;
   void SetOrigins(

@@ -34,7 +34,7 @@ public:
   }
 
   /**
-   * Replaces `ranges` (metres, NaN without a return) by those of the nearest hits of all processes, and
+   * Replaces `ranges` (metres, NaN without a return) by the ranges of the nearest hits of all processes, and
    * `triangles` by 0 where there is a return, lms3dBeamPacket::NoTriangle where there is none. Removes the
    * hits of this process that gave no return. Its triangles belong to cells that are numbered from
    * `firstCell`. `caster` is null if the part has no triangles. Collective.

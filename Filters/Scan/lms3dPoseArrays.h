@@ -12,7 +12,7 @@
 
 class vtkPolyData;
 
-/// Adds those of the point arrays Time, SensorPosition and SensorOrientation that are wanted, as
+/// Adds the wanted ones among the point arrays Time, SensorPosition and SensorOrientation, as
 /// vtkLMS3DScanFilter documents them, to a scan with the array BeamId. Uses the threads of the calling TBB
 /// arena.
 void lms3dAddPoseArrays(

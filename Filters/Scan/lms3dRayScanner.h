@@ -34,7 +34,7 @@ struct lms3dRayScanRequest
   int Turns;
   ///@}
 
-  /// As those of lms3dScanRequest, for these turns alone: first all beams with the first ray, then all with
+  /// The same as in lms3dScanRequest, for these turns alone: first all beams with the first ray, then all with
   /// the second, and so on. Ranges are along the rays.
   lms3dBeamHits Returns;
   lms3dBeamHits NearestHits = { nullptr, nullptr };

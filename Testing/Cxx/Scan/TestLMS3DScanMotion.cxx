@@ -126,7 +126,7 @@ TEST(LMS3DScanMotion, AtRestChangesNoBit)
   EXPECT_EQ(HashOutputs(scan), alone);
 }
 
-// The beams before the sensor moves are cast like those of a moving sensor.
+// The beams before the sensor moves are cast like all beams of a moving sensor.
 TEST(LMS3DScanMotion, BeforeItStartsChangesNoBit)
 {
   const double start = 0.5;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Several processes of vtkMultiProcessController, each of which is a thread of the test.
+ * @brief Several processes of vtkMultiProcessController, each a thread of the test.
  */
 #ifndef ThreadProcesses_h
 #define ThreadProcesses_h
