@@ -130,8 +130,11 @@ void lms3dDetection::RemoveWeakReturns(
   request.Processes.RunCollectively(
     [&]
     {
-      this->IsWeak.resize(output.GetOwnTriangles().size());
-      if (request.Caster)
+      if (!request.Caster)
+      {
+        this->IsWeak.resize(output.GetOwnTriangles().size());
+      }
+      else
       {
         request.Threads.Run(request.Settings.NumberOfThreads,
           [&]
