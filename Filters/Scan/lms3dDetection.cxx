@@ -112,8 +112,11 @@ void lms3dDetection::RemoveWeakReturns(
   request.Cast.Processes.RunCollectively(
     [&]
     {
-      this->IsWeak.resize(output.GetOwnTriangles().size());
-      if (request.Cast.Caster)
+      if (!request.Cast.Caster)
+      {
+        this->IsWeak.resize(output.GetOwnTriangles().size());
+      }
+      else
       {
         request.Cast.Threads.Run(request.Cast.NumberOfThreads,
           [&]

@@ -38,7 +38,7 @@ struct lms3dDetectionRequest
   const lms3dMovingBeams& Beams;
   vtkMultiProcessController* Controller;
 
-  /// Of the whole scan.
+  /// The progress of the whole scan.
   const lms3dProgress& Progress;
 };
 

@@ -8,6 +8,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
@@ -27,25 +28,39 @@ class TurnJudge
 public:
   TurnJudge(const lms3dSurfaceHits& hits, double rangeAtTenPercent)
     : Hits(hits)
+    , Count(hits.Beams.GetGeometry().GetNumberOfBeams())
     , RangeAtTenPercent(rangeAtTenPercent)
     , Normals(hits.Surface.Mesh)
-    , Intensities(hits.Beams.GetGeometry().GetNumberOfBeams())
+    , Intensities(this->Count)
   {
+    for (std::vector<double>& component : this->Directions)
+    {
+      component.resize(this->Count);
+    }
   }
 
   // `ranges`, `triangles` and `isWeak` have a value for each beam of the turn.
   void Judge(int turn, const double* ranges, const std::int32_t* triangles, unsigned char* isWeak)
   {
-    const int beams = static_cast<int>(this->Intensities.size());
-    for (int beam = 0; beam < beams; ++beam)
+    for (int beam = 0; beam < this->Count; ++beam)
     {
-      this->Intensities[beam] = triangles[beam] == lms3dBeamPacket::NoTriangle
-        ? std::numeric_limits<double>::infinity()
-        : this->GetIntensity(turn, beam, triangles[beam]);
+      const lms3dVector direction = this->Hits.Beams.GetDirection(turn, beam);
+      this->Directions[0][beam] = direction[0];
+      this->Directions[1][beam] = direction[1];
+      this->Directions[2][beam] = direction[2];
     }
-    // A loop of its own, so that the compiler can vectorize it.
+    for (int first = 0; first < this->Count;)
+    {
+      int last = first + 1;
+      while (last < this->Count && triangles[last] == triangles[first])
+      {
+        ++last;
+      }
+      this->FillIntensities(triangles[first], first, last);
+      first = last;
+    }
     const double* intensities = this->Intensities.data();
-    for (int beam = 0; beam < beams; ++beam)
+    for (int beam = 0; beam < this->Count; ++beam)
     {
       const double share = ranges[beam] / this->RangeAtTenPercent;
       const double needed = ReferenceReflectance * share * share;
@@ -55,16 +70,33 @@ public:
   }
 
 private:
-  double GetIntensity(int turn, int beam, std::int32_t triangle)
+  // For a run of beams that hit the same triangle. The loop has no calls that keep the compiler from
+  // vectorizing it.
+  void FillIntensities(std::int32_t triangle, int first, int last)
   {
-    return this->Hits.Surface.GetReflectance(triangle) *
-      lms3dGetIncidenceCosine(
-        this->Hits.Beams.GetDirection(turn, beam), this->Normals.Get(triangle));
+    double* intensities = this->Intensities.data();
+    if (triangle == lms3dBeamPacket::NoTriangle)
+    {
+      std::fill(intensities + first, intensities + last, std::numeric_limits<double>::infinity());
+      return;
+    }
+    const lms3dVector normal = this->Normals.Get(triangle);
+    const double reflectance = this->Hits.Surface.GetReflectance(triangle);
+    const double* x = this->Directions[0].data();
+    const double* y = this->Directions[1].data();
+    const double* z = this->Directions[2].data();
+    for (int beam = first; beam < last; ++beam)
+    {
+      intensities[beam] =
+        reflectance * lms3dGetIncidenceCosine({ x[beam], y[beam], z[beam] }, normal);
+    }
   }
 
   const lms3dSurfaceHits& Hits;
+  const int Count;
   const double RangeAtTenPercent;
   lms3dSurfaceNormals Normals;
+  std::vector<double> Directions[3];
   std::vector<double> Intensities;
 };
 } // namespace
