@@ -84,7 +84,7 @@ class TestUndistort(unittest.TestCase):
             np.testing.assert_allclose(lms3d.undistort(scan), [[0.5, 0.2, 0.1]], atol=1e-15)
 
     def test_the_platform_turns_during_a_fan(self):
-        """Half degrees leave 1/75 s after the whole ones, so 1 degree later at 75 degrees a second."""
+        """Half degrees leave 1/75 s after the whole ones: 1 degree later at 75 degrees a second."""
         alpha = np.arange(-2, 2.5, 0.5)
         scan = make_scan(alpha, [10], np.ones(len(alpha)), fields={"TurnRate": np.array([75.0])})
         x, y, _ = lms3d.undistort(scan).T
@@ -129,8 +129,9 @@ class TestTrajectory(unittest.TestCase):
 
     def test_noise_is_that_of_the_time(self):
         noise = {"range_noise": 0.01, "seed": 3}
-        first, second = (self.scan(start_time=start, **noise).ranges - self.scan(start_time=start).ranges
-                         for start in (0.0, 2.0))
+        first, second = (
+            self.scan(start_time=start, **noise).ranges - self.scan(start_time=start).ranges
+            for start in (0.0, 2.0))
         self.assertGreater((first != second).mean(), 0.99)
 
     def test_orientations(self):
@@ -140,7 +141,7 @@ class TestTrajectory(unittest.TestCase):
 
     def test_a_data_object(self):
         path = lms3d.motion.to_trajectory((self.times, self.positions, self.orientations))
-        self.assertEqual(vtk_to_numpy(path.GetPointData().GetArray("Time")).tolist(), list(self.times))
+        np.testing.assert_array_equal(array(path, "Time"), self.times)
         np.testing.assert_array_equal(lms3d.scan(room(), trajectory=path, **COARSE).points,
                                       self.scan(self.orientations).points)
 
@@ -185,7 +186,8 @@ class TestDrive(unittest.TestCase):
 
     def test_the_fields(self):
         scan = lms3d.scan(room(), trajectory=self.drive, start_time=0.0, motion_during_scan=True,
-                          poses=True, time=True, incidence=True, intensity=True, status=True, **COARSE)
+                          poses=True, time=True, incidence=True, intensity=True, status=True,
+                          **COARSE)
         self.assertEqual(scan.positions.shape, scan.points.shape)
         self.assertEqual(scan.orientations.shape, (len(scan.points), 4))
         self.assertEqual(scan.status.shape, scan.ranges.shape)

@@ -34,9 +34,9 @@ def to_trajectory(trajectory):
                          f"positions, orientations) of arrays, not {type(trajectory).__name__}")
     times = _to_table("times of the trajectory", trajectory[0])
     path = vtkPolyData()
+    positions = _to_table("positions of the trajectory", trajectory[1], len(times), 3)
     points = vtkPoints()
-    points.SetData(numpy_to_vtk(_to_table("positions of the trajectory", trajectory[1], len(times), 3),
-                                deep=True))
+    points.SetData(numpy_to_vtk(positions, deep=True))
     path.SetPoints(points)
     _add(path, "Time", times)
     if len(trajectory) == 3:
@@ -85,7 +85,8 @@ def _fan_times(alpha):
 
 def _to_world(poly, points):
     """Points of the sensor frame at the poses of their beams."""
-    positions, quaternions = (get_array(poly, f"Sensor{name}") for name in ("Position", "Orientation"))
+    positions = get_array(poly, "SensorPosition")
+    quaternions = get_array(poly, "SensorOrientation")
     if positions is not None and quaternions is not None:
         return positions + _rotate(quaternions, points)
     if get_field(poly, "TurnToWorld") is not None:

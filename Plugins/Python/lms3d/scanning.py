@@ -73,7 +73,8 @@ def scan(mesh, position=None, *, orientation=(0.0, 0.0, 0.0), alpha_range=(-90.0
     start_time: when the scan starts; by default at the first pose. Without motion, the scan is from
         the last pose that is not later.
     motion_during_scan: whether each beam leaves from the pose at its own time. The points are where
-        a sensor at rest would put them, so they are skewed; `undistort` corrects them if poses is True.
+        a sensor at rest would put them, so they are skewed. `undistort` corrects them; it needs
+        poses.
     incidence, intensity, time, status, poses: whether the Scan has these fields.
 
     Raises ValueError if an argument is invalid or the mesh has no polygons.
@@ -137,7 +138,7 @@ def reconstruct(scan, *, maximum_error=0.01, depth_step=0.1):
 
 
 def _update(algorithm, failure, time=None):
-    """Update, for a time if given; raises VTK's errors as ValueError, and repeats its warnings as Python's.
+    """Update, for a time if given; repeats VTK's warnings as Python's, and its errors as ValueError.
 
     Ctrl-C aborts the algorithm and raises KeyboardInterrupt.
     """

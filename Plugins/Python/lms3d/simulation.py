@@ -121,5 +121,6 @@ class Simulation:
         return (
             f"no beam returned to the sensor at {position}: the scene fills {box} m and the sensor "
             f"measures {self.sensor.GetMinimumRange():g} to {self.sensor.GetMaximumRange():g} m; "
-            "move the sensor, widen its ranges or angles, or choose a device that sees darker surfaces"
+            "move the sensor, widen its ranges or angles, or choose a device that sees darker "
+            "surfaces"
         )

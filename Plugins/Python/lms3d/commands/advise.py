@@ -22,8 +22,8 @@ of the scene, and the same share of the visible scene is within the tolerance of
 and "complete" of lms3d compare).
 
 The command measures: it tries steps from 8 degrees down to --finest, and for each step maps with
-bounds from 8 times the tolerance down to 1/8 of it, until one is good enough. By default the sensor is
-ideal; then leave room in the tolerance for the errors of a real one, or choose it by --device.
+bounds from 8 times the tolerance down to 1/8 of it, until one is good enough. By default the sensor
+is ideal; then leave room in the tolerance for the errors of a real one, or choose it by --device.
 """
 EPILOG = """\
 examples:

@@ -30,8 +30,8 @@ Scan the two scenes of the paper. For each, write the points (.vtp), the range i
 the local map (.vtp) and a picture of scene and map (.png), and print a line of numbers.
 The time is the shortest of several scans, each after a move of the sensor.
 
-The third picture shows the scan of the room twice: ideal, and as an LMS 200 reports it, coloured by the
-error of each range. The reported points (.vtp) have the errors as RangeError (metres).
+The third picture shows the scan of the room twice: ideal, and as an LMS 200 reports it, coloured by
+the error of each range. The reported points (.vtp) have the errors as RangeError (metres).
 """
 EPILOG = """\
 example:

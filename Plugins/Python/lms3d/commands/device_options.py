@@ -70,16 +70,16 @@ def add_platform(parser, may_move=False):
     """Add how the platform carries and turns the sensor."""
     group = parser.add_argument_group("platform")
     group.add_argument("--mounting", choices=MOUNTINGS, default="yawing",
-                       help="the axis that the platform turns: yawing, the vertical through both ends "
-                       "of the fan (default); yawing-top, the vertical through its middle; pitching, "
+                       help="the axis that the platform turns: yawing, the vertical through both "
+                       "ends of the fan (default); yawing-top, the vertical through its middle; pitching, "
                        "the level axis through both ends; rolling, the level axis through its middle")
     group.add_argument("--axis-offset", nargs=3, type=number, metavar=("X", "Y", "Z"),
                        default=(0.0, 0.0, 0.0),
-                       help="metres; the centre of the mirror, along the sensor's axes while beta is 0; "
-                       "it turns with the platform (default: 0 0 0)")
+                       help="metres; the centre of the mirror, along the sensor's axes while beta is "
+                       "0; it turns with the platform (default: 0 0 0)")
     group.add_argument("--turn-rate", type=number, metavar="DEG", default=0.0,
-                       help="degrees a second that the platform turns during each fan (default: 0, it "
-                       "stands still)")
+                       help="degrees a second that the platform turns during each fan (default: 0, "
+                       "it stands still)")
     if may_move:
         group.add_argument("--motion-during-scan", action="store_true",
                            help="with --trajectory: each beam leaves from the pose at its own time, "
@@ -92,10 +92,10 @@ def add_arrays(group):
             ("incidence", "add Incidence (degrees, 0: perpendicular)"),
             ("intensity", "add Intensity, the reflectance times the cosine of the incidence"),
             ("time", "add Time (seconds), when the beam left"),
-            ("poses", "add SensorPosition (metres) and SensorOrientation (w x y z), the pose when the "
-             "beam left (.vtp, .pvd)"),
-            ("status", "add Status of all beams to the field data (.vtp, .pvd) and to the range image: "
-             "0 return, 1 nothing met, 2 beyond the range, 3 too weak, 4 too near")):
+            ("poses", "add SensorPosition (metres) and SensorOrientation (w x y z), the pose when "
+             "the beam left (.vtp, .pvd)"),
+            ("status", "add Status of all beams to the field data (.vtp, .pvd) and to the range "
+             "image: 0 return, 1 nothing met, 2 beyond the range, 3 too weak, 4 too near")):
         group.add_argument(f"--{name}", action="store_true", help=text)
 
 

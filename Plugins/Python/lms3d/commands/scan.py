@@ -50,9 +50,10 @@ scans of all poses. The poses are in the scene's coordinates, after --up-axis. W
 array Orientation the sensor looks along the polyline; without a polyline its orientation is
 --orientation.
 
-By default the sensor is ideal. --device lms200-mm makes the scan that of an LMS 200: a beam has a width
-and mixes near and far surfaces at edges, dark surfaces do not return it, and ranges have errors (bias,
-then noise, then resolution). All results have these ranges. Each scan of a trajectory has its own noise.
+By default the sensor is ideal. --device lms200-mm makes the scan that of an LMS 200: a beam has a
+width and mixes near and far surfaces at edges, dark surfaces do not return it, and ranges have
+errors (bias, then noise, then resolution). All results have these ranges. Each scan of a trajectory
+has its own noise.
 """
 EPILOG = """\
 examples:
@@ -204,8 +205,8 @@ def _check_arrays(options):
             raise UsageProblem(f"--{name.replace('_', '-')}: only points in a .vtp or .pvd file hold "
                                "them; give its name by -o")
     if options.status and not (is_complete or options.range_image):
-        raise UsageProblem("--status: only points in a .vtp or .pvd file and the range image hold it; "
-                           "give a name by -o or --range-image")
+        raise UsageProblem("--status: only points in a .vtp or .pvd file and the range image hold "
+                           "it; give a name by -o or --range-image")
     for name in ("incidence", "intensity", "time"):
         if getattr(options, name) and not options.output:
             raise UsageProblem(f"--{name}: an array of the points; give their file by -o")

@@ -63,7 +63,8 @@ def add_angles(group, with_resolution=True):
 def add_ranges(group, default=""):
     """Add the sensor's minimum and maximum range; `default` is a text about the maximum's default."""
     defaults = vtkLMS3DScanFilter()
-    group.add_argument("--minimum-range", type=number, metavar="M", default=defaults.GetMinimumRange(),
+    group.add_argument("--minimum-range", type=number, metavar="M",
+                       default=defaults.GetMinimumRange(),
                        help="metres; a nearer surface gives no return (default: "
                        f"{defaults.GetMinimumRange():g})")
     group.add_argument("--maximum-range", type=number, metavar="M",
