@@ -22,6 +22,9 @@ constexpr double FullCircle = 360.0;
 // Degrees; allows for rounding at the border of the view.
 constexpr double BorderTolerance = 1e-9;
 
+// The relative rounding of distances from the axis.
+constexpr double Rounding = 1e-12;
+
 std::vector<double> GetNumbers(vtkFieldData* data, const char* name)
 {
   vtkDataArray* array = data->GetArray(name);
@@ -105,7 +108,7 @@ lms3dSensorView::Beam lms3dSensorView::FindBeam(const lms3dVector& point, int wa
   const double ahead = std::sqrt(std::max(0.0, square)) * (way == 0 ? 1.0 : -1.0);
   return { ahead - this->Offset[0], z - this->Offset[2],
     lms3dDegreesPerRadian * std::atan2(x * aside - y * ahead, x * ahead + y * aside),
-    square >= 0.0 };
+    square >= -Rounding * aside * aside };
 }
 
 double lms3dSensorView::GetRange(const lms3dVector& point, int way) const
@@ -143,6 +146,13 @@ bool lms3dSensorView::Covers(const lms3dVector& point, int way) const
   {
     return false;
   }
+  if (this->IsCentred && beam.Forward <= Rounding * range)
+  {
+    // All turns measure the axis.
+    return this->CoversAlpha(this->Platform.IsFanAlongAxis() ? 0.0
+        : beam.Along > 0.0                                   ? 90.0
+                                                             : -90.0);
+  }
   if (!this->Platform.IsFanAlongAxis())
   {
     return this->CoversAngles(
@@ -155,6 +165,12 @@ bool lms3dSensorView::Covers(const lms3dVector& point, int way) const
     (this->IsCentred && this->CoversAngles(-alpha, beam.Beta + 0.5 * FullCircle));
 }
 
+bool lms3dSensorView::CoversAlpha(double alpha) const
+{
+  return alpha >= this->LowestAlpha - BorderTolerance &&
+    alpha <= this->HighestAlpha + BorderTolerance;
+}
+
 bool lms3dSensorView::CoversAngles(double alpha, double beta) const
 {
   const double swept = this->TurnedByDegree * std::abs(alpha - this->FirstAlpha);
@@ -162,7 +178,6 @@ bool lms3dSensorView::CoversAngles(double alpha, double beta) const
   const double extent =
     this->IsClosed ? FullCircle : this->BetaExtent - std::abs(this->TurnedByFan);
   const double turn = beta - this->FirstBeta - swept - begun + BorderTolerance;
-  return alpha >= this->LowestAlpha - BorderTolerance &&
-    alpha <= this->HighestAlpha + BorderTolerance &&
+  return this->CoversAlpha(alpha) &&
     turn - FullCircle * std::floor(turn / FullCircle) <= extent + 2.0 * BorderTolerance;
 }

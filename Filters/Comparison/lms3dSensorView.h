@@ -62,6 +62,7 @@ private:
   };
 
   Beam FindBeam(const lms3dVector& point, int way) const;
+  bool CoversAlpha(double alpha) const;
   bool CoversAngles(double alpha, double beta) const;
 
   lms3dVector Position;

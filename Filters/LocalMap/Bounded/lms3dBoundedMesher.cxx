@@ -109,17 +109,14 @@ void lms3dBoundedMesher::CountPoles(lms3dBoundedMap& map) const
 // Adds a facet for each return beyond the axis, unless it lies within the bound of a patch.
 void lms3dBoundedMesher::AddReturnsBeyondAxis(lms3dBoundedMap& map) const
 {
-  const std::vector<lms3dBeamSphere::ReturnBeyondAxis>& returns =
-    this->Sphere.GetReturnsBeyondAxis();
-  std::vector<double> deviations(returns.size(), std::numeric_limits<double>::infinity());
-  const auto getPoint = [&](std::size_t i)
-  { return this->Sphere.GetPointOnRay(returns[i].Index, returns[i].RangeOnBeam); };
+  const std::vector<lms3dVector>& points = this->Sphere.GetPointsBeyondAxis();
+  std::vector<double> deviations(points.size(), std::numeric_limits<double>::infinity());
   if (map.ReturnsOnPatches > 0)
   {
-    tbb::parallel_for(std::size_t(0), returns.size(),
-      [&](std::size_t i) { deviations[i] = map.GetDeviation(getPoint(i)); });
+    tbb::parallel_for(std::size_t(0), points.size(),
+      [&](std::size_t i) { deviations[i] = map.GetDeviation(points[i]); });
   }
-  for (std::size_t i = 0; i < returns.size(); ++i)
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
     if (deviations[i] <= this->MaximumError)
     {
@@ -127,8 +124,7 @@ void lms3dBoundedMesher::AddReturnsBeyondAxis(lms3dBoundedMap& map) const
       ++map.ReturnsOnPatches;
       continue;
     }
-    const lms3dVector point = getPoint(i);
-    map.AddFacet(point, AngleBeyondAxis);
+    map.AddFacet(points[i], AngleBeyondAxis);
     ++map.ReturnsOnFacets;
   }
 }

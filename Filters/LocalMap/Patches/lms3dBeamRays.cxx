@@ -83,6 +83,12 @@ lms3dBeamRays::lms3dBeamRays(const lms3dMapGeometry& geometry,
   }
 }
 
+void lms3dBeamRays::SetToAxis(std::size_t index)
+{
+  lms3dMapRay& ray = this->Rays[index];
+  ray = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, ray.Direction[2] < 0.0 ? -1.0 : 1.0 } };
+}
+
 // A column `degrees` beside a turn.
 void lms3dBeamRays::MakeColumn(const lms3dMapGeometry& geometry, int turn, double degrees,
   const std::vector<lms3dGridLine>& rows)

@@ -23,6 +23,9 @@ public:
 
   const lms3dMapRay& operator[](std::size_t index) const { return this->Rays[index]; }
 
+  /// Replaces a ray by the axis, upwards or downwards as the ray points.
+  void SetToAxis(std::size_t index);
+
   /// The largest distance of a start from the axis, metres.
   double GetLargestOffset() const { return this->LargestOffset; }
 

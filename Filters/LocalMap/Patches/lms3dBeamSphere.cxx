@@ -130,23 +130,32 @@ void lms3dBeamSphere::FollowRays(const lms3dMapGeometry& geometry)
     const double range = this->Ranges[index];
     const lms3dVector point = this->GetPointOnRay(index, range);
     const double distance = lms3dGetLength(point);
-    const bool isPole = this->IsPoleRow(this->GetRow(index));
-    const bool isBeyond = range > 0.0 && !isPole &&
-      (distance == 0.0 || geometry.IsBeyondAxis(this->GetTurn(index), this->GetBeam(index), range));
+    const bool isBeyond =
+      range > 0.0 && (distance == 0.0 || this->IsBeyondAxis(geometry, index, range));
     if (isBeyond)
     {
-      this->ReturnsBeyondAxis.push_back({ index, range });
+      this->PointsBeyondAxis.push_back(point);
       this->RangesOnBeams[index] = 0.0;
+      this->Rays->SetToAxis(index);
       --this->Returns;
     }
     this->Ranges[index] = range > 0.0 && !isBeyond ? distance : 0.0;
     this->Directions[index] = lms3dNormalize(point);
   }
-  this->PointAtNeighbors();
+  this->PointAtNeighbors(geometry);
+}
+
+bool lms3dBeamSphere::IsBeyondAxis(
+  const lms3dMapGeometry& geometry, GridIndex index, double range) const
+{
+  const int turn = this->GetTurn(index);
+  const int beam = this->GetBeam(index);
+  return turn >= 0 && beam >= 0 && !this->IsPoleRow(this->GetRow(index)) &&
+    geometry.IsBeyondAxis(turn, beam, range);
 }
 
 // Without a return, the direction of a beam depends on how far it goes.
-void lms3dBeamSphere::PointAtNeighbors()
+void lms3dBeamSphere::PointAtNeighbors(const lms3dMapGeometry& geometry)
 {
   for (GridIndex index = 0; index < this->GetSize(); ++index)
   {
@@ -158,7 +167,12 @@ void lms3dBeamSphere::PointAtNeighbors()
     }
     if (this->Ranges[index] == 0.0)
     {
-      this->Directions[index] = this->GetDirectionAt(index, range > 0.0 ? range : DefaultRange);
+      range = range > 0.0 ? range : DefaultRange;
+      if (this->IsBeyondAxis(geometry, index, range))
+      {
+        this->Rays->SetToAxis(index);
+      }
+      this->Directions[index] = this->GetDirectionAt(index, range);
     }
   }
 }

@@ -35,7 +35,8 @@
  *
  * Beams that are not regular (lms3dMapGeometry) keep their places in the grid, but start and point anywhere.
  * Range and direction of such an entry are those of its return, seen from the origin of the frame. Its beam
- * itself is a ray. Returns beyond the axis have no place: their entries have no return.
+ * itself is a ray. Returns beyond the axis have no place: their entries have no return, and the axis as their
+ * ray.
  */
 class lms3dBeamSphere
 {
@@ -199,16 +200,8 @@ public:
   /// In a column, rows that many apart were measured in the same turn of the mirror.
   int GetInterlacedRows() const { return this->InterlacedRows; }
 
-  /// A return beyond the axis.
-  struct ReturnBeyondAxis
-  {
-    GridIndex Index;
-    double RangeOnBeam;
-  };
-  const std::vector<ReturnBeyondAxis>& GetReturnsBeyondAxis() const
-  {
-    return this->ReturnsBeyondAxis;
-  }
+  /// The points of returns beyond the axis.
+  const std::vector<lms3dVector>& GetPointsBeyondAxis() const { return this->PointsBeyondAxis; }
 
 private:
   enum Join : std::uint8_t
@@ -222,7 +215,8 @@ private:
   void Fill(const lms3dRangeGrid& grid);
   int FillColumn(const lms3dRangeGrid& grid, int column);
   void FollowRays(const lms3dMapGeometry& geometry);
-  void PointAtNeighbors();
+  void PointAtNeighbors(const lms3dMapGeometry& geometry);
+  bool IsBeyondAxis(const lms3dMapGeometry& geometry, GridIndex index, double range) const;
   lms3dVector GetDirectionAt(GridIndex index, double range) const
   {
     return lms3dNormalize(this->GetPointOnRay(index, range));
@@ -251,7 +245,7 @@ private:
   std::unique_ptr<lms3dBeamRays> Rays;
   std::vector<lms3dVector> Directions;
   std::vector<double> RangesOnBeams;
-  std::vector<ReturnBeyondAxis> ReturnsBeyondAxis;
+  std::vector<lms3dVector> PointsBeyondAxis;
   int InterlacedRows = 1;
   std::vector<std::uint8_t> Joins;
 };

@@ -79,8 +79,7 @@ TEST_P(EachMounting, CoversEachReturn)
         lms3dVector point;
         scan->GetOutput()->GetPoint(i, point.data());
         const int beamId = static_cast<int>(GetArray(scan, "BeamId")->GetTuple1(i));
-        missed +=
-          (turnRate == 0.0 || IsInside(beamId)) && !FindsReturn(view, point, GetRange(scan, i));
+        missed += IsInside(beamId) && !FindsReturn(view, point, GetRange(scan, i)) ? 1 : 0;
       }
       EXPECT_EQ(missed, 0) << offset[0] << ' ' << offset[1] << ' ' << turnRate;
     }

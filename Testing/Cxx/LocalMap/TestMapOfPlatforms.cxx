@@ -96,7 +96,6 @@ TEST_P(EachPlatform, IsMappedWithinTheBound)
       EXPECT_LE(GetField(map, "LargestDeviation"), bound + 1e-9);
       EXPECT_EQ(GetField(map, "NumberOfReturns"), scan->GetNumberOfPoints());
       EXPECT_EQ(CountOpenAndWrongEdges(map).second, 0);
-      RecordProperty(std::string(name) + "Triangles", map->GetNumberOfCells());
       std::cout << name << ' ' << bound << ' ' << map->GetNumberOfCells() << " triangles, "
                 << GetField(map, "NumberOfPatches") << " patches, on grid "
                 << GetField(map, "NumberOfReturnsOnGrid") << " on facets "
@@ -117,10 +116,10 @@ TEST_P(EachPlatform, LeavesFreeSpaceFree)
       SCOPED_TRACE(bound);
       vtkSmartPointer<vtkPolyData> map = MakeMap(scan, bound);
       vtkSmartPointer<vtkLMS3DMapComparison> comparison = Compare(scan, map, scene);
-      std::cout << name << ' ' << bound << ' ' << comparison->GetCorrectness() << ' '
-                << comparison->GetCompleteness() << ' '
-                << comparison->GetAreaInFreeSpace() / comparison->GetMapArea() << ' '
-                << comparison->GetReturnsWithinTolerance() << '\n';
+      // A scan in steps of 2 degrees rounds creases off.
+      EXPECT_LT(comparison->GetAreaInFreeSpace(), 0.13 * comparison->GetMapArea());
+      EXPECT_GT(comparison->GetCompleteness(), 0.75);
+      EXPECT_GE(comparison->GetReturnsWithinTolerance(), bound > 0.0 ? 1.0 : 0.98);
     }
   }
 }
@@ -256,7 +255,8 @@ TEST(MapOfPlatforms, OfAWallIsOnePatchIfThePlatformTurns)
       vtkSmartPointer<vtkPolyData> scan = ScanWall(step, offset);
       vtkSmartPointer<vtkPolyData> map = MakeMap(scan, 0.01);
       EXPECT_EQ(GetField(map, "NumberOfPatches"), 1);
-      EXPECT_LT(map->GetNumberOfCells(), 40);
+      // Only the ends of the comb at both sides of the wall.
+      EXPECT_LT(map->GetNumberOfCells(), step == 1.0 ? 40 : 600);
       EXPECT_LE(GetLargestDistance(scan, map), 0.01);
       const vtkIdType cells = 2 * 120 * static_cast<vtkIdType>(120.0 / step);
       EXPECT_EQ(MakeMap(scan, 0.0)->GetNumberOfCells(), cells);
