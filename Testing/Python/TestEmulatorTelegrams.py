@@ -48,6 +48,18 @@ class TestFrames(unittest.TestCase):
                 data = bytes.fromhex(text)
                 self.assertEqual(compute_crc(data[:-2]), data[-2:])
 
+    def test_the_check_sum_of_random_bytes(self):
+        """TL 107, step by step"""
+        random_numbers = random.Random(4)
+        for size in (1, 2, 3, 4, 100, 732, 810):
+            data = random_numbers.randbytes(size)
+            register = before = 0
+            for byte in data:
+                register = register << 1 ^ (0x18005 if register & 0x8000 else 0)
+                register ^= before << 8 | byte
+                before = byte
+            self.assertEqual(compute_crc(data), register.to_bytes(2, "little"))
+
     def test_misprints_are_not_accepted(self):
         """Tables 6-4 and 7-5 of TL have other bytes than the rule of TL 107."""
         data = bytes.fromhex(HOST["installation mode"])

@@ -196,7 +196,7 @@ def _stored_fans(options):
     errors = _make_errors(options)
     errors.SetInputDataObject(read_data(options.scan, "scan"))
     update(errors, "adding errors", f"cannot play '{options.scan}'")
-    return StoredFans(errors.GetOutput(), options.scan)
+    return StoredFans(errors.GetOutput(), errors.GetRangeImage(), options.scan)
 
 
 def _make_errors(options):

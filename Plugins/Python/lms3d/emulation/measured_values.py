@@ -25,14 +25,12 @@ _QUARTERS = 4
 
 
 def encode_ranges(ranges, unit, measuring_mode, too_weak=None):
-    """Ranges in metres as unsigned words; NaN is no signal.
+    """An array of ranges in metres as unsigned words; NaN is no signal.
 
     too_weak: a mask of the beams whose signal is too weak to measure, or None.
     """
     top = (1 << DISTANCE_BITS[measuring_mode]) - 1
-    with np.errstate(invalid="ignore"):
-        values = np.rint(np.asarray(ranges) * UNITS_PER_METRE[unit])
-    values = np.fmin(values, top - _TOO_FAR)
+    values = np.fmin(np.rint(ranges * UNITS_PER_METRE[unit]), top - _TOO_FAR)
     values = np.where(np.isnan(ranges), top - _NO_SIGNAL, values)
     if too_weak is not None:
         values = np.where(too_weak, top - _TOO_WEAK, values)
