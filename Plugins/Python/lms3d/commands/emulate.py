@@ -76,8 +76,8 @@ def add_arguments(parser):
     """Add the options of this command."""
     scene_options.add_scene(parser, is_needed=False)
     parser.add_argument("--scan", metavar="FILE",
-                        help="in place of a scene: play the fans of a scan, a .vtp of 'lms3d scan'; "
-                        "only variants whose beams it has are possible")
+                        help="in place of a scene: play the fans of a scan, a .vtp of "
+                        "'lms3d scan'; only variants whose beams it has are possible")
     sensor_options.add_pose(parser.add_argument_group("pose of the sensor in the scene"), False, "",
                             may_move=True)
     _add_platform(parser.add_argument_group("platform"))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measured values as words of a telegram (TL 45 to 50)."""
+"""Measured values as words of a telegram (TL 46 to 48)."""
 
 import numpy as np
 
