@@ -58,7 +58,7 @@ class TestCommands(unittest.TestCase):
         self.assertEqual(self.host.ask(0x7B), b"\xfb" + bytes(range(84)))
 
     def test_the_password(self):
-        """TL 40: 20h 00h and 20h 30h"""
+        """20h 00h and 20h 30h"""
         for password in (b"", b"SICK", b"sick_lms", PASSWORD + b"S"):
             self.assertEqual(self.host.ask(0x20, 0x00, *password), b"\xa0\x01")
             self.assertEqual(self.host.ask(0x20, 0x30, *password), b"\xa0\x01")
@@ -68,7 +68,7 @@ class TestCommands(unittest.TestCase):
         self.assertEqual(self.host.ask(0x31)[8], 0x00)
 
     def test_modes(self):
-        """TL 40: the status names the mode"""
+        """The status names the mode."""
         for command in ((0x10,), (0x24,), (0x25,), (0x26, 2), (0x27, 1, 0, 9, 0),
                         (0x28, 2, 1, 0, 9, 0), (0x2A,)):
             for host in self.both_modes():
@@ -77,7 +77,7 @@ class TestCommands(unittest.TestCase):
                 self.assertEqual(host.device.state.mode, command[0])
 
     def test_type(self):
-        """TL 3Ah"""
+        """21 characters; drivers search them for the type"""
         for host in self.both_modes():
             self.assertEqual(host.ask(0x3A), b"\xbaLMS200;301063;V02.30 ")
         old = Host(make_device(firmware="2.10"))
@@ -90,7 +90,7 @@ class TestCommands(unittest.TestCase):
             self.assertEqual(host.ask(0x35), b"\xb5" + bytes(4))
 
     def test_status(self):
-        """TL 32 to 34: 152 bytes; indices are counted from the code"""
+        """152 bytes; indices are counted from the code"""
         for host in self.both_modes():
             host.ask(0x3B, 100, 0, 25, 0)
             status = host.ask(0x31)
@@ -162,7 +162,7 @@ class TestConfiguration(unittest.TestCase):
 
 
 class TestRates(unittest.TestCase):
-    """TL 40, 87"""
+    """TL 21, 87"""
 
     def setUp(self):
         self.host = Host()

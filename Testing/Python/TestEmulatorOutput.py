@@ -21,13 +21,13 @@ def words(data):
 
 
 class TestRequests(unittest.TestCase):
-    """TL 30h to 3Fh"""
+    """The commands 30h, 36h, 37h, 3Fh, also in installation mode (TL 122)."""
 
     def setUp(self):
         self.host = Host()
 
     def test_one_scan(self):
-        """TL 45, 46: also in installation mode, as drivers do"""
+        """Values come from the right to the left (TL 48)."""
         for prepare in (lambda: None, self.host.install):
             prepare()
             data = self.host.ask(0x30, 1)
@@ -55,7 +55,7 @@ class TestRequests(unittest.TestCase):
                 self.assertEqual(words(data[3:]), list(range(1000 + part, last + 1, parts)))
 
     def test_indices(self):
-        """TL 31: bit 1 of the availability"""
+        """Bit 1 of the availability"""
         self.host.configure(availability=2)
         first, second = self.host.ask(0x30, 1), self.host.ask(0x30, 1)
         self.assertEqual(len(first), 3 + 722 + 2)
@@ -78,7 +78,7 @@ class TestRequests(unittest.TestCase):
 
 
 class TestStreams(unittest.TestCase):
-    """TL 20h 24h to 2Ah, 127"""
+    """The sub-commands 24h to 2Ah of 20h (TL 19, 127)."""
 
     def stream(self, rate, variant, command, seconds=4.0, **options):
         host = Host(make_device(**options))

@@ -48,8 +48,20 @@ class TestFrames(unittest.TestCase):
                 data = bytes.fromhex(text)
                 self.assertEqual(compute_crc(data[:-2]), data[-2:])
 
+    def test_the_check_sum_of_random_bytes(self):
+        """TL 107, step by step"""
+        random_numbers = random.Random(4)
+        for size in (1, 2, 3, 4, 100, 732, 810):
+            data = random_numbers.randbytes(size)
+            register = before = 0
+            for byte in data:
+                register = register << 1 ^ (0x18005 if register & 0x8000 else 0)
+                register ^= before << 8 | byte
+                before = byte
+            self.assertEqual(compute_crc(data), register.to_bytes(2, "little"))
+
     def test_misprints_are_not_accepted(self):
-        """Tables 6-4 and 7-5 of TL have other bytes than the rule of TL 107."""
+        """Table 6-4 of TL prints 5F B2 for the password; the rule of TL 107 gives BE C5."""
         data = bytes.fromhex(HOST["installation mode"])
         self.assertNotEqual(compute_crc(data[:-2]), b"\x5f\xb2")
 
@@ -64,11 +76,11 @@ class TestFrames(unittest.TestCase):
             self.assertEqual(frame_answer(data[4], data[5:-3]), data)
 
     def test_sizes_of_measured_values(self):
-        """TL 45: 181, 361 and 401 values"""
+        """181, 361 and 401 values; a telegram has at most 812 bytes (TL 22)"""
         for variant, size in ((Variant(180, 100), 372), (Variant(180, 50), 732),
                               (Variant(100, 25), 812)):
             self.assertEqual(PLAIN.size(variant, False), size)
-        self.assertEqual(MAXIMUM_SIZE, 812)  # TL 22
+        self.assertEqual(MAXIMUM_SIZE, 812)
 
 
 class TestReader(unittest.TestCase):
@@ -129,7 +141,7 @@ class TestReader(unittest.TestCase):
 
 class TestValues(unittest.TestCase):
     def test_codes(self):
-        """TL 49: codes at the upper end of the distance's bits"""
+        """Codes are at the upper end of the distance's bits."""
         for mode, bits in DISTANCE_BITS.items():
             top = 2**bits - 1
             for unit, scale in ((MILLIMETRES, 1000), (CENTIMETRES, 100), (DECIMETRES, 10)):
@@ -142,11 +154,11 @@ class TestValues(unittest.TestCase):
                     self.assertEqual(values.dtype, "<u2")
 
     def test_16_metres(self):
-        """TL 48 prints 16385 for "beyond 16 m"; 3FF7h is 16375."""
+        """TL prints 16385 beside 3FF7h, which is 16375."""
         self.assertEqual(encode_ranges(np.array([20.0]), MILLIMETRES, 0x03).tolist(), [0x3FF7])
 
     def test_the_count(self):
-        """TL 46: number, part, unit"""
+        """Number, part (TL 46), unit"""
         self.assertEqual(encode_count(361, MILLIMETRES), b"\x69\x41")
         self.assertEqual(encode_count(361, CENTIMETRES), b"\x69\x01")
         self.assertEqual(encode_count(361, DECIMETRES), b"\x69\x81")
@@ -170,7 +182,7 @@ class TestLawOfTheLine(unittest.TestCase):
                 self.assertEqual(self.rate(variant, line), rate)
 
     def test_scans_of_the_table(self):
-        """TL 127, table 10-17: a telegram for every 29th, 15th, 8th scan and so on"""
+        """Table 10-17 of TL: every 29th, 15th, 8th scan arrives, and so on."""
         for variant, counts in ((Variant(180, 50), (29, 15, 8)), (Variant(180, 100), (30, 15, 8)),
                                 (Variant(100, 25), (16, 8, 4))):
             for line, count in zip((9600, 19200, 38400), counts):

@@ -58,10 +58,9 @@ class EmulatorProcess:
         return self.process.returncode, rest
 
     def seconds(self):
-        """The processor time that it has taken."""
-        with open(f"/proc/{self.process.pid}/stat", encoding="ascii") as file:
-            user, system = file.read().rsplit(") ", 1)[1].split()[11:13]
-        return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
+        """The processor time that the main thread has taken."""
+        with open(f"/proc/{self.process.pid}/schedstat", encoding="ascii") as file:
+            return int(file.read().split()[0]) * 1e-9
 
 
 class PortHost:

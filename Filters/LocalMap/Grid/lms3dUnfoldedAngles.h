@@ -32,7 +32,7 @@ struct lms3dUnfoldedAngles
   /// the beam at alpha 0.
   std::array<std::vector<int>, 2> Beams;
 
-  /// Whether elevations are those of the beams of both halves. Otherwise, they are means.
+  /// Whether the beams of both halves have the same elevations. Otherwise, elevations are means.
   bool AreHalvesEqual;
 
 private:

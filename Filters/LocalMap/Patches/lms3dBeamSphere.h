@@ -34,8 +34,8 @@
  * A GridIndex numbers the entries column by column, each from the lowest row to the highest.
  *
  * Beams that are not regular (lms3dMapGeometry) keep their places in the grid, but start and point anywhere.
- * Range and direction of such an entry are those of its return, seen from the origin of the frame. Its beam
- * itself is a ray. Returns beyond the axis have no place: their entries have no return, and the axis as their
+ * Such an entry has the range and direction of its return, seen from the origin of the frame. Its beam itself
+ * is a ray. Returns beyond the axis have no place: their entries have no return, and the axis as their
  * ray.
  */
 class lms3dBeamSphere

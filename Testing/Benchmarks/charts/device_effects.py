@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The effects of chart F: those of an LMS 200, one at a time and all together."""
+"""The effects of chart F: what an LMS 200 does, one at a time and all together."""
 
 import dataclasses
 

@@ -75,8 +75,8 @@ def add_arguments(parser):
     """Add the options of this command."""
     scene_options.add_scene(parser, is_needed=False)
     parser.add_argument("--scan", metavar="FILE",
-                        help="in place of a scene: play the fans of a scan, a .vtp of 'lms3d scan'; "
-                        "only variants whose beams it has are possible")
+                        help="in place of a scene: play the fans of a scan, a .vtp of "
+                        "'lms3d scan'; only variants whose beams it has are possible")
     sensor_options.add_pose(parser.add_argument_group("pose of the sensor in the scene"), False, "",
                             may_move=True)
     _add_platform(parser.add_argument_group("platform"))
@@ -194,7 +194,7 @@ def _stored_fans(options):
     errors, _ = device_options.make_errors(options)
     errors.SetInputDataObject(read_data(options.scan, "scan"))
     update(errors, "adding errors", f"cannot play '{options.scan}'")
-    return StoredFans(errors.GetOutput(), options.scan)
+    return StoredFans(errors.GetOutput(), errors.GetRangeImage(), options.scan)
 
 
 def _updater(messages):

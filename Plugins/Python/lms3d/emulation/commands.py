@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What each command does to the state, and the answer (TL 38 to 122). There are no times here."""
+"""What each command does to the state, and the answer (TL 122). There are no times here."""
 
 from dataclasses import dataclass
 from typing import Optional
@@ -91,8 +91,8 @@ def _start_stream(state, code, data):
     return Reply(0xA0, _DONE)
 
 
-# Sub-commands of 20h for a stream, and commands for a single telegram. The code of the telegrams, and
-# their parameters: n is a number of scans, r a sub-range, and p, which has no data, a partial scan.
+# Sub-commands of 20h for a stream, and commands for a single telegram. The code of the telegrams,
+# and their parameters: n is a number of scans, r a sub-range, and p, without data, a partial scan.
 _STREAMS = {0x24: (0xB0, ""), 0x26: (0xB6, "n"), 0x27: (0xB7, "r"), 0x28: (0xBF, "nr"),
             0x2A: (0xB0, "p")}
 _REQUESTS = {0x36: (0xB6, "n"), 0x37: (0xB7, "r"), 0x3F: (0xBF, "nr")}

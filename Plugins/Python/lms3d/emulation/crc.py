@@ -1,21 +1,38 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The check sum of a telegram (TL 107)."""
+"""The check sum of a telegram (TL 107).
+
+Each step shifts the register of 16 bits by one, with feedback, and adds the byte together with the
+byte before it. All of that is linear: so the check sum is the sum (exclusive or) of one number for
+each byte, which depends on the byte's value and on how many bytes follow it.
+"""
+
+import numpy as np
 
 _POLYNOMIAL = 0x8005
+_MAXIMUM_SIZE = 812  # bytes of a telegram (TL 22)
+
+
+def _shift(registers):
+    return registers << 1 & 0xFFFF ^ np.where(registers & 0x8000, _POLYNOMIAL, 0)
+
+
+def _make_table():
+    """The number of each byte value, by the number of bytes that follow."""
+    values = np.arange(256)
+    rows = [values]
+    current, before = _shift(values), values << 8
+    for _ in range(1, _MAXIMUM_SIZE):
+        rows.append(current ^ before)
+        current, before = _shift(current), _shift(before)
+    return np.array(rows, np.uint16)[::-1]
+
+
+_TABLE = _make_table()
 
 
 def compute_crc(data):
-    """The check sum of bytes, as two bytes, low byte first.
-
-    Each step shifts the register, and adds the byte together with the byte before it.
-    """
-    register = previous = 0
-    for byte in data:
-        carry = register & 0x8000
-        register = (register & 0x7FFF) << 1
-        if carry:
-            register ^= _POLYNOMIAL
-        register ^= previous << 8 | byte
-        previous = byte
-    return register.to_bytes(2, "little")
+    """The check sum of bytes, as two bytes, low byte first."""
+    values = np.frombuffer(data, np.uint8)
+    numbers = _TABLE[np.arange(_MAXIMUM_SIZE - len(values), _MAXIMUM_SIZE), values]
+    return int(np.bitwise_xor.reduce(numbers)).to_bytes(2, "little")

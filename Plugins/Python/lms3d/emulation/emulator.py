@@ -28,22 +28,24 @@ class Emulator:
 
     def run(self):
         """Serve hosts until the end."""
-        while not self._wait():
+        while True:
+            has_host = self._terminal.has_host()
+            if self._wait(has_host):
+                return
             now = time.monotonic()
-            if not self._terminal.has_host():
-                # A host that was here for a moment only may have left a command.
-                self._receive(now)
+            # A host that was here for a moment only may have left a command.
+            self._receive(now)
+            if not has_host:
                 self._device.skip(now)
                 continue
-            self._receive(now)
             self._terminal.flush()
             self._send()
             if self._lines:
                 self._lines.flush()
 
-    def _wait(self):
+    def _wait(self, has_host):
         """Wait until there is something to do; returns whether the emulator must end."""
-        if not self._terminal.has_host():
+        if not has_host:
             return bool(select.select([self._stop], [], [], _PAUSE)[0])
         due = self._device.next_time()
         wait = _MAXIMUM_WAIT if due is None else due - time.monotonic()

@@ -13,7 +13,8 @@ range, minus infinity if too little light comes back. `means` is a number of sca
 import math
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIntArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
 from .. import vtkLMS3DScanFilter
@@ -46,6 +47,8 @@ class LiveFans:
         self._betas = sensor.GetOutput().GetFieldData().GetArray("BetaAngles")
         self.angles = vtk_to_numpy(self._betas).tolist()
         self._fan = vtkPolyData()
+        self._ids = vtkIntArray()
+        self._ids.SetName("BeamId")
         if errors:
             errors.SetInputDataObject(self._fan)
 
@@ -74,9 +77,8 @@ class LiveFans:
         self._sensor.SetBetaResolution(1)
         self._run(self._sensor, time)
         image = self._sensor.GetRangeImage()
-        ranges = (self._add_errors(noise, means) if self._errors
-                  else _array(image, "Range").copy())
-        return _mark(ranges, _array(image, "Status"))
+        ranges = self._add_errors(noise, means) if self._errors else _ranges(image).copy()
+        return _mark(ranges, image)
 
     def _add_errors(self, noise, means):
         """The ranges with errors. Those depend on a number for the scan, and on turn and beam."""
@@ -88,50 +90,45 @@ class LiveFans:
         fan.GetFieldData().RemoveArray("Status")  # of the fan's own beams
         fan.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), number)
         if betas is not None:
-            _place_in_scan(fan, first_beam, betas)
+            self._place_in_scan(first_beam, betas)
         # The noise of a mean of n independent errors.
         self._errors.SetRangeNoise(self._noise / math.sqrt(means))
         self._run(self._errors, None)
-        return _to_row(self._errors.GetOutput(), first_beam, beams)
+        return _ranges(self._errors.GetRangeImage())[first_beam:first_beam + beams].copy()
+
+    def _place_in_scan(self, first_beam, betas):
+        """Number the beams of the fan as in its whole scan."""
+        beams = self._fan.GetPointData()
+        self._ids.DeepCopy(beams.GetArray("BeamId"))
+        if self._ids.GetNumberOfValues() > 0:
+            ids = np.frombuffer(self._ids, np.int32)
+            np.add(ids, first_beam, out=ids)
+        beams.AddArray(self._ids)
+        self._fan.GetFieldData().AddArray(betas)
 
 
-def _place_in_scan(fan, first_beam, betas):
-    """Number the beams of a fan as in its whole scan."""
-    ids = numpy_to_vtk(_array(fan, "BeamId") + np.int32(first_beam), deep=True)
-    ids.SetName("BeamId")
-    fan.GetPointData().AddArray(ids)
-    fan.GetFieldData().AddArray(betas)
+def _ranges(image):
+    """The ranges of an image, without a copy."""
+    return np.frombuffer(image.GetPointData().GetArray("Range"), np.float64)
 
 
-def _array(scan, name):
-    return vtk_to_numpy(scan.GetPointData().GetArray(name))
-
-
-def _mark(ranges, status):
-    """Replace ranges of beams without a return by the reason, if it is not that they met nothing."""
-    ranges[status == vtkLMS3DScanFilter.BEYOND_RANGE] = np.inf
-    ranges[status == vtkLMS3DScanFilter.TOO_WEAK] = -np.inf
-    return ranges
-
-
-def _to_row(scan, first_beam, beams):
-    """The ranges of the returns at their beams, NaN for all others."""
-    ranges = np.full(beams, np.nan)
-    ranges[_array(scan, "BeamId") - first_beam] = _array(scan, "Range")
+def _mark(ranges, image):
+    """Replace ranges of beams without a return by the reason, if the image says it."""
+    if image.GetPointData().HasArray("Status"):
+        status = np.frombuffer(image.GetPointData().GetArray("Status"), np.uint8)
+        ranges[status == vtkLMS3DScanFilter.BEYOND_RANGE] = np.inf
+        ranges[status == vtkLMS3DScanFilter.TOO_WEAK] = -np.inf
     return ranges
 
 
 class StoredFans:
-    """Plays the fans of a scan, a vtkPolyData as `lms3d scan` writes it.
+    """Plays the fans of a scan: the outputs of vtkLMS3DRangeErrorFilter.
 
     It has only the variants whose beams the scan has.
     """
 
-    def __init__(self, scan, name):
-        fields, points = scan.GetFieldData(), scan.GetPointData()
-        if not (fields.HasArray("AlphaAngles") and fields.HasArray("BetaAngles")
-                and points.HasArray("BeamId") and points.HasArray("Range")):
-            raise Problem(f"cannot play '{name}': it is not a scan; write one with 'lms3d scan'")
+    def __init__(self, scan, image, name):
+        fields = scan.GetFieldData()
         self._alphas = vtk_to_numpy(fields.GetArray("AlphaAngles"))
         self._betas = vtk_to_numpy(fields.GetArray("BetaAngles"))
         self.angles = self._betas.tolist()
@@ -141,10 +138,7 @@ class StoredFans:
         if not set(self.variants).intersection(VARIANTS):
             raise Problem(f"cannot play '{name}': its fan has not the beams of any variant of the "
                           "device; scan with --alpha-range -90 90 --alpha-resolution 361")
-        count = len(self._alphas) * len(self._betas)
-        ranges = _to_row(scan, 0, count)
-        if fields.HasArray("Status"):
-            _mark(ranges, vtk_to_numpy(fields.GetArray("Status")))
+        ranges = _mark(_ranges(image).copy(), image)
         self._ranges = ranges.reshape(len(self._betas), -1)
 
     def cast_turn(self, variant, _scan, turn, _means):

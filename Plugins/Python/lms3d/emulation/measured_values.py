@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measured values as words of a telegram (TL 45 to 50)."""
+"""Measured values as words of a telegram (TL 46 to 48)."""
 
 import numpy as np
 
@@ -25,11 +25,9 @@ _QUARTERS = 4
 
 
 def encode_ranges(ranges, unit, measuring_mode):
-    """Ranges in metres as unsigned words; NaN is no signal, minus infinity too weak a signal."""
+    """An array of ranges in metres as unsigned words; NaN is no signal, minus infinity too weak a signal."""
     top = (1 << DISTANCE_BITS[measuring_mode]) - 1
-    with np.errstate(invalid="ignore"):
-        values = np.rint(np.asarray(ranges) * UNITS_PER_METRE[unit])
-    values = np.fmin(values, top - _TOO_FAR)
+    values = np.fmin(np.rint(ranges * UNITS_PER_METRE[unit]), top - _TOO_FAR)
     values = np.where(np.isnan(ranges), top - _NO_SIGNAL, values)
     values = np.where(np.isneginf(ranges), top - _TOO_WEAK, values)
     return values.astype("<u2")

@@ -10,7 +10,7 @@ from .variants import FANS, VARIANTS, Output, Variant
 
 POWER_ON_RATE = 9600
 
-# The codes of the rates in the status (TL 33) and their values.
+# The rates, and their words in the status.
 RATE_WORDS = {500000: 0x8001, 38400: 0x8019, 19200: 0x8033, 9600: 0x8067}
 
 FIRMWARES = ("2.30", "2.10")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The status of the device, which the command 31h reads: 152 bytes (TL 32 to 34)."""
+"""The status of the device, which the command 31h reads: 152 bytes."""
 
 from .state import RATE_WORDS
 from .variants import TURNS_PER_SECOND

@@ -31,6 +31,8 @@ class Terminal:
             os.close(slave)
         self._rest = b""
         self._had_host = False
+        self._poll = select.poll()
+        self._poll.register(self._master, 0)
 
     def __enter__(self):
         return self
@@ -49,9 +51,7 @@ class Terminal:
 
     def has_host(self):
         """Whether a host has the port open. After it has left, the port is as new."""
-        poll = select.poll()
-        poll.register(self._master, 0)
-        has_host = not any(event & select.POLLHUP for _, event in poll.poll(0))
+        has_host = not any(event & select.POLLHUP for _, event in self._poll.poll(0))
         if self._had_host and not has_host:
             self._make_raw()
             self._rest = b""
