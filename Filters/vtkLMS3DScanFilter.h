@@ -514,8 +514,8 @@ public:
    * The number of rays that stand for a beam: one along its axis, the others in rings of 6, 12, 18 and so on
    * within its cone, each for the same part of the area. From 1 to 1000. 7, 19, 37 and so on complete a
    * ring; the share of n rays on one side of a straight edge is then that of the area within 0.55 / sqrt(n).
-   * The range of a ray is measured along the beam's axis, so a plane at right angles has the range of the
-   * axis. The default is 1: a beam without width. A scan takes about as long as one scan for each ray.
+   * The range of a ray is measured along the beam's axis, to about 13 digits, so a plane at right angles has
+   * the range of the axis. The default is 1: a beam without width. A scan takes about as long as one scan for each ray.
    */
   vtkSetMacro(BeamSamples, int);
   vtkGetMacro(BeamSamples, int);

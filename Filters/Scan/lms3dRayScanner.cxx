@@ -94,7 +94,10 @@ public:
 
   void RefineRanges(Packet* packets, int count) const
   {
-    this->Request.Caster.RefineRangesFree(packets, count);
+    if (this->Request.HasAllDigits)
+    {
+      this->Request.Caster.RefineRangesFree(packets, count);
+    }
   }
 
 private:

@@ -38,6 +38,9 @@ struct lms3dRayScanRequest
   /// the second, and so on. Ranges are along the rays.
   lms3dBeamHits Returns;
   lms3dBeamHits NearestHits = { nullptr, nullptr };
+
+  /// Whether ranges have all digits. Otherwise rays with a start of their own have about 13, which takes less time.
+  bool HasAllDigits = true;
 };
 
 /// Does what lms3dScan does.

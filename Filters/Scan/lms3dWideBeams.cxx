@@ -80,7 +80,7 @@ bool lms3dWideBeams::Cast(
   }
   return lms3dScanRays(
     { *caster, this->Beams, this->Fans, { 0.0, this->MaximumRayRange }, this->GetFirstTurn(block),
-      turns, { this->Ranges.data(), this->Triangles.data() }, nearest },
+      turns, { this->Ranges.data(), this->Triangles.data() }, nearest, false },
     progress);
 }
 

@@ -205,4 +205,7 @@ TEST(LMS3DScanDevice, LargestPropertiesAreGood)
   scan->SetMaximumRange(std::numeric_limits<double>::infinity());
   EXPECT_EQ(UpdateAndGetError(scan), "");
   EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 72);
+  // Wider than any scene: most rays miss it.
+  scan->SetBeamDiameter(1e300);
+  EXPECT_EQ(UpdateAndGetError(scan), "");
 }
