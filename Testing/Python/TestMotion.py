@@ -10,9 +10,21 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import lms3d
-from command_line import POSITION, array, room, triangles
+from command_line import COARSE as COARSE_OPTIONS
+from command_line import (
+    POSITION,
+    ROOM,
+    CommandLineTest,
+    array,
+    points,
+    read,
+    room,
+    triangles,
+    write,
+)
 from lms3d.properties import MOUNTINGS
 
 COARSE = {"alpha_range": (-60, 60), "alpha_resolution": 241, "beta_resolution": 36}
@@ -28,16 +40,16 @@ BEAMS = (
 )
 
 
-def make_scan(alpha, beta, ranges, points=None, fields=None):
-    """A scan as vtkPolyData whose beams all return; `points` are its further point arrays."""
+def make_scan(alpha, beta, ranges, arrays=None, fields=None):
+    """A scan as vtkPolyData whose beams all return; `arrays` are its further point arrays."""
     poly = vtkPolyData()
     poly.SetPoints(vtkPoints())
     beams = np.arange(len(alpha) * len(beta), dtype=np.int32)
-    values = {"Range": np.asarray(ranges, float), "BeamId": beams, **(points or {})}
+    values = {"Range": np.asarray(ranges, float), "BeamId": beams, **(arrays or {})}
     more = {"AlphaAngles": np.asarray(alpha, float), "BetaAngles": np.asarray(beta, float),
             "SensorToWorld": np.eye(4).ravel(), **(fields or {})}
-    for data, arrays in ((poly.GetPointData(), values), (poly.GetFieldData(), more)):
-        for name, content in arrays.items():
+    for data, named in ((poly.GetPointData(), values), (poly.GetFieldData(), more)):
+        for name, content in named.items():
             added = numpy_to_vtk(np.ascontiguousarray(content), deep=True)
             added.SetName(name)
             data.AddArray(added)
@@ -94,9 +106,9 @@ class TestUndistort(unittest.TestCase):
 
     def test_poses_of_beams(self):
         poses = [pose((1, 2, 3), 30, (0, 0, 1)), pose((4, 5, 6), 130, (1, 2, -1))]
-        points = {"SensorPosition": np.array([made.GetPosition() for made, _ in poses]),
+        arrays = {"SensorPosition": np.array([made.GetPosition() for made, _ in poses]),
                   "SensorOrientation": 3 * np.array([quaternion for _, quaternion in poses])}
-        scan = make_scan([0], [0, 90], [2.0, 2.0], points,
+        scan = make_scan([0], [0, 90], [2.0, 2.0], arrays,
                          {"TurnToWorld": np.tile(np.eye(4).ravel(), (2, 1))})
         expected = [made.TransformPoint(place)
                     for (made, _), place in zip(poses, ((2, 0, 0), (0, -2, 0)))]
@@ -167,14 +179,14 @@ class TestDrive(unittest.TestCase):
     rig = {"mounting": "pitching", "axis_offset": (0.1, -0.05, 0.2), "turn_rate": 37.5,
            "beta_range": (-45, 45)}
 
-    def off_the_surface(self, scan, points):
-        """The largest distance of points from the planes of the triangles that the beams hit."""
+    def off_the_surface(self, scan, places):
+        """The largest distance of places from the planes of the triangles that the beams hit."""
         scene = room()
         vertices = vtk_to_numpy(scene.GetPoints().GetData()).astype(float)
         corners = vertices[triangles(scene)[scan.cells]]
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-        return np.abs(np.einsum("ij,ij->i", points - corners[:, 0], normals)).max()
+        return np.abs(np.einsum("ij,ij->i", places - corners[:, 0], normals)).max()
 
     def test_the_points_are_skewed_and_can_be_corrected(self):
         for rig in ({}, self.rig):
@@ -198,6 +210,23 @@ class TestDrive(unittest.TestCase):
         start, end = map(np.array, self.drive[1])
         np.testing.assert_allclose(scan.positions, start + share * (end - start), atol=1e-12)
         np.testing.assert_array_equal(array(scan.poly, "Time"), scan.times)
+
+
+class TestDriveByOptions(CommandLineTest):
+    """The same drive on the command line."""
+
+    def test_the_scan_is_that_of_python(self):
+        path = self.folder / "path.vtp"
+        write(vtkXMLPolyDataWriter(), lms3d.motion.to_trajectory(TestDrive.drive), path)
+        self.done("scan", ROOM, "--trajectory", path, *COARSE_OPTIONS, "--motion-during-scan",
+                  "--poses", "-o", self.folder / "scans.pvd")
+        scan = read(vtkXMLPolyDataReader(), self.folder / "scans_0000.vtp")
+        expected = lms3d.scan(room(), trajectory=TestDrive.drive, motion_during_scan=True,
+                              poses=True, alpha_range=(-60, 60), alpha_resolution=31,
+                              beta_resolution=24)
+        np.testing.assert_array_equal(points(scan), expected.points)
+        np.testing.assert_array_equal(lms3d.undistort(scan), lms3d.undistort(expected))
+        np.testing.assert_array_equal(array(scan, "SensorPosition"), expected.positions)
 
 
 if __name__ == "__main__":
