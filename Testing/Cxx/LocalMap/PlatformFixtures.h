@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-/// How the fan is mounted. The names are as in vtkLMS3DScanFilter.
+/// How the fan is mounted. Mounting is one of vtkLMS3DScanFilter::Mountings.
 struct TestPlatform
 {
   std::string Name;
