@@ -79,7 +79,6 @@ INVALID = {
     "missing file": (changed(("buffers", 0, "uri"), "no.bin"), "'no.bin', which does not exist"),
     "file elsewhere": (changed(("buffers", 0, "uri"), "..%2fno.bin"), "not in the folder"),
     "address": (changed(("buffers", 0, "uri"), "http://example.org/a"), "not in the folder"),
-    "folder": (changed(("buffers", 0, "uri"), "."), "not in the folder"),
     "version": (changed(("asset", "version"), "1.0"), "glTF 2.0 can be read, not glTF 1.0"),
     "compressed": (changed(("extensionsRequired",), ["KHR_draco_mesh_compression"]),
                    "it needs the extension KHR_draco_mesh_compression"),
@@ -95,9 +94,6 @@ class TestGLTF(CommandLineTest):
 
     def path(self, name):
         return self.folder / name.replace(" ", "_")
-
-    def assert_square(self, surface, places):
-        np.testing.assert_allclose(points(surface), places, atol=1e-7)
 
     def test_the_same_surface_as_by_vtk(self):
         for name, content in VALID.items():
@@ -163,7 +159,8 @@ class TestGLTF(CommandLineTest):
         write_binary(self.path("sparse.glb"), content, binary)
         expected = SQUARE.copy()
         expected[2] = 0, 0, 9
-        self.assert_square(read_scene(self.path("sparse.glb"), "z").surface, expected)
+        np.testing.assert_array_equal(
+            points(read_scene(self.path("sparse.glb"), "z").surface), expected)
 
     def test_quantized_and_interleaved_coordinates(self):
         content, _ = document()
@@ -174,7 +171,7 @@ class TestGLTF(CommandLineTest):
         content["accessors"][0].update(componentType=5122, normalized=True)
         content["buffers"][0]["byteLength"] = 44
         write_binary(self.path("small.glb"), content, table.tobytes() + HALVES.tobytes())
-        self.assert_square(read_scene(self.path("small.glb"), "z").surface, SQUARE)
+        np.testing.assert_array_equal(points(read_scene(self.path("small.glb"), "z").surface), SQUARE)
 
     def test_the_room(self):
         """A scan of the room as glTF has the ranges of the room as VRML."""

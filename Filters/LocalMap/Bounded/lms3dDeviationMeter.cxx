@@ -75,7 +75,7 @@ void lms3dDeviationMeter::Measure(
     for (int row = first; row <= last; ++row)
     {
       const GridIndex index = start + row;
-      // A beam that is not regular can hit several triangles, of which the nearest counts.
+      // A beam that is not regular can hit several triangles. The nearest one counts.
       if (this->Patches.Labels[index] == part.Patch && !this->Sphere.IsPoleRow(row) &&
         (!this->Sphere.IsRegular() ||
           !(std::abs(this->Sphere.GetRangeOnBeam(index) - hits.GetRange(row)) <= threshold)))
