@@ -39,11 +39,7 @@ def check_mesh_file(path, failure):
 
 
 def _find_fault_of_stl(path):
-<<<<<<< HEAD
-    """Binary files say how many triangles they have. Text files have an end that VTK checks."""
-=======
     """Binary files say how many triangles they have. VTK checks the end of a text file."""
->>>>>>> fmt
     size = Path(path).stat().st_size
     with open(path, "rb") as file:
         head = file.read(1024)
