@@ -95,8 +95,8 @@ class TestMRPT(CommandLineTest):
                                    str(angle), str(step), "6"], capture_output=True, text=True,
                                   timeout=60, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
-        found = np.array([line.replace("-", "nan").split()
-                          for line in done.stdout.splitlines()], float)
+        found = np.array([line.replace("-", "nan").split()[1:]
+                          for line in done.stdout.splitlines() if line.startswith("scan ")], float)
         np.testing.assert_allclose(found, expected[:6], atol=atol)
 
     def test_millimetres(self):
