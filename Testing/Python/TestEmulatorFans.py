@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The fans that the emulator casts one by one are those of a whole scan, to the bit."""
+"""The fans that the emulator casts one by one equal the turns of a whole scan, to the bit."""
 
 import unittest
 
