@@ -95,9 +95,12 @@ class TestMRPT(CommandLineTest):
                                    str(angle), str(step), "6"], capture_output=True, text=True,
                                   timeout=60, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
-        found = np.array([line.replace("-", "nan").split()
-                          for line in done.stdout.splitlines()], float)
-        np.testing.assert_allclose(found, expected[:6], atol=atol)
+        found = np.array([line.replace("-", "nan").split()[1:]
+                          for line in done.stdout.splitlines() if line.startswith("scan ")], float)
+        # If the driver tries again, it drops the first fans. The others follow in order.
+        starts = [i for i in range(TURNS) if np.allclose(found, np.roll(expected, -i, axis=0)[:6],
+                                                         rtol=0, atol=atol, equal_nan=True)]
+        self.assertEqual(len(starts), 1)
 
     def test_millimetres(self):
         for rate in (38400, 500000):

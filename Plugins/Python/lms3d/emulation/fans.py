@@ -14,7 +14,7 @@ import math
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkIntArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
 from .. import vtkLMS3DScanFilter
@@ -22,6 +22,7 @@ from ..problems import Problem
 from .variants import FANS, VARIANTS
 
 _SAME_ANGLE = 1e-6  # degrees
+_BLOCK = 30  # turns that are added to a grid at once
 
 
 class LiveFans:
@@ -44,8 +45,10 @@ class LiveFans:
         self._times = times
         self._set_alphas(0.0, 0.0, 1)
         run(sensor, None)
-        self._betas = sensor.GetOutput().GetFieldData().GetArray("BetaAngles")
-        self.angles = vtk_to_numpy(self._betas).tolist()
+        betas = sensor.GetOutput().GetFieldData().GetArray("BetaAngles")
+        self.angles = vtk_to_numpy(betas).tolist()
+        self._betas = vtkDoubleArray()
+        self._betas.SetName("BetaAngles")
         self._fan = vtkPolyData()
         self._ids = vtkIntArray()
         self._ids.SetName("BeamId")
@@ -59,14 +62,14 @@ class LiveFans:
             time = self._times[min(scan, len(self._times) - 1)]
             number = time + max(scan - len(self._times) + 1, 0)
         self._set_alphas(variant.first_alpha, -variant.first_alpha, variant.count)
-        return self._cast(self.angles[turn], time, (number, turn, self._betas), means)
+        return self._cast(self.angles[turn], time, (number, turn, True), means)
 
     def cast_part(self, variant, part, angle, time, means):
         """A part of a fan. The trajectory begins when the device starts."""
         alphas = variant.alphas[part::variant.parts]
         self._set_alphas(alphas[0], alphas[-1], len(alphas))
         pose_time = self._times[0] + time if self._times else None
-        return self._cast(angle, pose_time, (time, 0, None), means)
+        return self._cast(angle, pose_time, (time, 0, False), means)
 
     def _set_alphas(self, first, last, count):
         self._sensor.SetAlphaRange(first, last)
@@ -82,21 +85,21 @@ class LiveFans:
 
     def _add_errors(self, noise, means):
         """The ranges with errors. Those depend on a number for the scan, and on turn and beam."""
-        number, turn, betas = noise
+        number, turn, is_in_scan = noise
         beams = self._sensor.GetAlphaResolution()
         first_beam = turn * beams
         fan = self._fan
         fan.ShallowCopy(self._sensor.GetOutput())
         fan.GetFieldData().RemoveArray("Status")  # of the fan's own beams
         fan.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), number)
-        if betas is not None:
-            self._place_in_scan(first_beam, betas)
+        if is_in_scan:
+            self._place_in_scan(turn, first_beam)
         # The noise of a mean of n independent errors.
         self._errors.SetRangeNoise(self._noise / math.sqrt(means))
         self._run(self._errors, None)
         return _ranges(self._errors.GetRangeImage())[first_beam:first_beam + beams].copy()
 
-    def _place_in_scan(self, first_beam, betas):
+    def _place_in_scan(self, turn, first_beam):
         """Number the beams of the fan as in its whole scan."""
         beams = self._fan.GetPointData()
         self._ids.DeepCopy(beams.GetArray("BeamId"))
@@ -104,7 +107,13 @@ class LiveFans:
             ids = np.frombuffer(self._ids, np.int32)
             np.add(ids, first_beam, out=ids)
         beams.AddArray(self._ids)
-        self._fan.GetFieldData().AddArray(betas)
+        # The filter works on a grid of all turns. It needs this turn and the turns before it.
+        count = min((turn // _BLOCK + 1) * _BLOCK, len(self.angles))
+        if self._betas.GetNumberOfValues() != count:
+            self._betas.SetNumberOfValues(count)
+            np.frombuffer(self._betas, np.float64)[:] = self.angles[:count]
+            self._betas.Modified()
+        self._fan.GetFieldData().AddArray(self._betas)
 
 
 def _ranges(image):
