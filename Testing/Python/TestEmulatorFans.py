@@ -9,8 +9,8 @@ import numpy as np
 
 import lms3d
 from command_line import POSITION, room
+from lms3d import DEVICES, set_device
 from lms3d.emulation.fans import LiveFans
-from lms3d.emulation.presets import DEVICES, set_errors
 from lms3d.emulation.variants import VARIANTS, Variant
 
 TURNS = 70
@@ -25,24 +25,29 @@ class TestLiveFans(unittest.TestCase):
     def setUpClass(cls):
         cls.scene = room()
 
-    def fans(self, device, seed=0):
+    def fans(self, device, seed=0, with_errors=True):
         sensor = lms3d.vtkLMS3DScanFilter()
         sensor.SetInputDataObject(self.scene)
         sensor.SetPosition(POSITION)
         sensor.SetBetaResolution(TURNS)
         errors = None
-        if DEVICES[device]:
+        set_device(sensor, device)
+        if with_errors and device != "ideal":
             errors = lms3d.vtkLMS3DRangeErrorFilter()
-            set_errors(errors, device, seed)
+            set_device(errors, device)
+            errors.SetNoiseSeed(seed)
         return LiveFans(sensor, update, errors)
 
     def scan(self, variant, device, seed=0):
-        errors = DEVICES[device]
         low = variant.first_alpha
-        return lms3d.scan(self.scene, POSITION, alpha_range=(low, -low),
+        scan = lms3d.scan(self.scene, POSITION, alpha_range=(low, -low),
                           alpha_resolution=variant.count, beta_resolution=TURNS, seed=seed,
-                          range_noise=errors.get("RangeNoise", 0.0),
-                          range_resolution=errors.get("RangeResolution", 0.0)).ranges
+                          device=device, status=True)
+        reasons = {lms3d.vtkLMS3DScanFilter.BEYOND_RANGE: np.inf,
+                   lms3d.vtkLMS3DScanFilter.TOO_WEAK: -np.inf}
+        for status, mark in reasons.items():
+            scan.ranges[scan.status == status] = mark
+        return scan.ranges
 
     def test_turns_are_those_of_a_scan(self):
         for device in DEVICES:
@@ -68,14 +73,14 @@ class TestLiveFans(unittest.TestCase):
 
     def test_noise_of_means(self):
         """The mean of n scans has the noise of one, divided by the square root of n."""
-        ideal = self.fans("ideal")
+        exact = self.fans("lms200-mm", with_errors=False)
         fans = self.fans("lms200-mm")
         for means in (1, 4, 100):
             errors = np.concatenate([fans.cast_turn(Variant(), 0, turn, means)
-                                     - ideal.cast_turn(Variant(), 0, turn, 1)
+                                     - exact.cast_turn(Variant(), 0, turn, 1)
                                      for turn in range(20)])
             variance = 0.005**2 / means + 0.001**2 / 12
-            self.assertAlmostEqual(np.nanstd(errors) / variance**0.5, 1.0, delta=0.05)
+            self.assertAlmostEqual(np.std(errors[np.isfinite(errors)]) / variance**0.5, 1.0, delta=0.05)
 
 
 if __name__ == "__main__":
