@@ -9,6 +9,7 @@ import drawing
 import numpy
 import tables
 from device_effects import DEPTH_STEP, EFFECTS, IDEAL, MAXIMUM_ERROR, POSITION, make_path
+from lms3d import vtkLMS3DRangeErrorFilter
 from lms3d.comparison import compare
 from lms3d.scene import read_scene
 from lms3d.simulation import Simulation
@@ -59,7 +60,9 @@ def _make(scene, effect):
         sensor.MotionDuringScanOn()
     _set(sensor, effect.sensor)
     if effect.errors:
-        _set(simulation.add_errors(), {**effect.errors, "NumberOfThreads": 1})
+        errors = vtkLMS3DRangeErrorFilter()
+        _set(errors, {**effect.errors, "NumberOfThreads": 1})
+        simulation.add_errors(errors)
     return simulation
 
 
