@@ -98,7 +98,7 @@ vtkLMS3DScanFilter::vtkLMS3DScanFilter()
 
 vtkLMS3DScanFilter::~vtkLMS3DScanFilter()
 {
-  this->SetReflectanceArray(nullptr);
+  this->vtkLMS3DScanFilter::SetReflectanceArray(nullptr);
 }
 
 void vtkLMS3DScanFilter::SetController(vtkMultiProcessController* controller)

@@ -38,10 +38,11 @@ struct Query
   lms3dEmbreeContext Context;
   const lms3dExactView* View;
   const lms3dEmbreeRays* Rays;
-  lms3dPacketSearch Search;
 
   /// Null if all beams have one origin. Otherwise only this and the context are used.
   const FreeCast* Free = nullptr;
+
+  lms3dPacketSearch Search;
 };
 static_assert(std::is_standard_layout_v<Query>, "a query starts with its context");
 

@@ -48,8 +48,8 @@ private:
     const lms3dFreePacket& packet, std::uint32_t beams, float* const* starts);
   bool OffsetStart(const lms3dFreePacket& packet, int beam);
 
-  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   lms3dEmbreeRayPacket Packet;
+  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dSceneFrame Frame;
   const double MaximumRange;
 

@@ -45,8 +45,9 @@ lms3dFan::lms3dFan(const lms3dScanGeometry& geometry)
   const lms3dVector offset = lms3dToPlatformAxes(platform.Mounting, platform.AxisOffset);
   for (int beam = 0; beam < beams; ++beam)
   {
-    const double time =
-      beam % turns / lms3dMirrorRate + beam / turns * measuredStep / DegreesPerSecond;
+    const int mirrorTurn = beam % turns;
+    const int step = beam / turns;
+    const double time = mirrorTurn / lms3dMirrorRate + step * measuredStep / DegreesPerSecond;
     const double angle = platform.TurnRate * time;
     double sine, cosine;
     lms3dSinCosDegrees(angle, sine, cosine);

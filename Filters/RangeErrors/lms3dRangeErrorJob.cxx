@@ -127,7 +127,7 @@ bool lms3dRangeErrorJob::Run(const lms3dRangeErrorJobRequest& request)
   {
     return false;
   }
-  if (geometry)
+  if (geometry && status)
   {
     lms3dMergeGrids(
       request.Controller, static_cast<std::size_t>(grid->GetNumberOfValues()), grid->GetPointer(0));

@@ -57,9 +57,10 @@ void lms3dBorderChains::AddChain(int first, std::vector<bool>& visited)
     }
     if (chain.Edges.size() > visited.size())
     {
-      throw std::runtime_error("The borders of the map do not close, because the points of the scan "
-                               "do not belong to its angles. Connect the first output of "
-                               "vtkLMS3DScanFilter.");
+      throw std::runtime_error(
+        "The borders of the map do not close, because the points of the scan "
+        "do not belong to its angles. Connect the first output of "
+        "vtkLMS3DScanFilter.");
     }
     edge = this->Gates.GetNext(edge);
   } while (edge != first && !this->IsStart(edge));

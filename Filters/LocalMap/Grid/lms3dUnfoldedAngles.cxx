@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -92,7 +93,7 @@ void lms3dUnfoldedAngles::MakeRows(const std::vector<double>& alphas)
     this->AreHalvesEqual = this->AreHalvesEqual && areEqual;
     this->Alphas.push_back(Pole - (areEqual ? a : 0.5 * (a + b)));
   }
-  this->Beams = outwards;
+  this->Beams = std::move(outwards);
   if (pole != NoBeam)
   {
     this->Alphas.push_back(Pole);

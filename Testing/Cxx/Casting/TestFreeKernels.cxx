@@ -208,7 +208,9 @@ TEST(FreeKernels, GiveTheSameBitsWithAllInstructions)
     {
       Results results;
       Compute(lms3dGetPacketKernels(k).Free, input, results);
-      ASSERT_EQ(std::memcmp(&results, &expected, sizeof(results)), 0)
+      ASSERT_EQ(std::memcmp(static_cast<const void*>(&results), static_cast<const void*>(&expected),
+                  sizeof(results)),
+        0)
         << lms3dGetPacketKernels(k).Name << ", input " << i;
     }
   }

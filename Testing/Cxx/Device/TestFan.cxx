@@ -44,7 +44,8 @@ TEST(Fan, InterlacesHalfDegrees)
   EXPECT_EQ(lms3dGetFanPeriod(geometry), 2.0 / 75.0);
   for (int beam = 0; beam < 361; ++beam)
   {
-    const double whole = static_cast<double>(beam / 2) / 27000.0;
+    const int wholeDegrees = beam / 2;
+    const double whole = wholeDegrees / 27000.0;
     EXPECT_NEAR(fan.Times[beam], whole + (beam % 2 == 0 ? 0.0 : 1.0 / 75.0), 1e-15) << beam;
   }
 }

@@ -78,6 +78,7 @@ std::vector<int> GetStatus(vtkLMS3DScanFilter* scan)
   // One copy in memory.
   EXPECT_EQ(ofImage->GetVoidPointer(0), ofScan->GetVoidPointer(0));
   std::vector<int> status;
+  status.reserve(ofImage->GetNumberOfTuples());
   for (vtkIdType i = 0; i < ofImage->GetNumberOfTuples(); ++i)
   {
     status.push_back(static_cast<int>(ofImage->GetTuple1(i)));

@@ -108,8 +108,9 @@ TEST(DiscPoints, ShareOfAnEdgeFollowsTheArea)
     {
       const double u = std::cos(Pi * direction / 60.0);
       const double v = std::sin(Pi * direction / 60.0);
-      for (double distance = -1.1; distance < 1.1; distance += 0.01)
+      for (int step = -110; step < 110; ++step)
       {
+        const double distance = 0.01 * step;
         const auto beyond = std::count_if(points.begin(), points.end(),
           [&](const lms3dDiscPoint& point) { return point.U * u + point.V * v > distance; });
         EXPECT_NEAR(

@@ -96,8 +96,9 @@ TEST(LMS3DScanFootprint, MixesBothSidesOfAnEdgeByTheirAreas)
     const double bound = 0.55 / std::sqrt(samples);
     for (double turn : { 0.0, 90.0, 30.0, 200.0 })
     {
-      for (double share = -1.2; share < 1.2; share += 0.1)
+      for (int tenths = -12; tenths < 12; ++tenths)
       {
+        const double share = 0.1 * tenths;
         auto scan = MakeWideBeam(Join(MakePlate(Wall, share * RadiusAtWall, turn), far), samples);
         const double range = UpdateAndGetRange(scan);
         const double near = 1.0 - (range - Wall) / step;
@@ -114,8 +115,9 @@ TEST(LMS3DScanFootprint, ReportsOneSideOfADeepStep)
   for (double step : { 1.1, 2.0, 5.0 })
   {
     auto far = MakeWall(Wall + step);
-    for (double share = -1.2; share < 1.2; share += 0.1)
+    for (int tenths = -12; tenths < 12; ++tenths)
     {
+      const double share = 0.1 * tenths;
       auto scan = MakeWideBeam(Join(MakePlate(Wall, share * RadiusAtWall, 30.0), far), 37);
       const double range = UpdateAndGetRange(scan);
       const bool isNear = std::abs(range - Wall) < 1e-12;

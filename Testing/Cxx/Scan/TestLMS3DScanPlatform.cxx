@@ -20,7 +20,8 @@ namespace
 // When a beam of a fan in steps of half a degree leaves, seconds.
 double GetTimeInFan(int beam)
 {
-  return beam % 2 / 75.0 + static_cast<double>(beam / 2) / 27000.0;
+  const int wholeDegrees = beam / 2;
+  return beam % 2 / 75.0 + wholeDegrees / 27000.0;
 }
 
 // How far a sphere of this radius is from a point `offset` before its centre, in the fan's plane.
@@ -93,7 +94,8 @@ TEST(LMS3DScanPlatform, TurnsWhileTheMirrorSweeps)
   for (int i = 0; i < 3610; ++i)
   {
     const int beam = i % 361;
-    const double angle = 10.0 + static_cast<double>(i / 361) + rate * GetTimeInFan(beam);
+    const int turn = i / 361;
+    const double angle = 10.0 + turn + rate * GetTimeInFan(beam);
     EXPECT_EQ(beta[i], static_cast<float>(angle)) << i;
     const Point direction = GetPaperDirection(-90.0 + 0.5 * beam, angle);
     EXPECT_NEAR(ranges[i], GetRangeInBox(sizes, { 0, 0, 0 }, direction), 1e-12) << i;

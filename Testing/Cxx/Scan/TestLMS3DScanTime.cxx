@@ -60,8 +60,9 @@ TEST(LMS3DScanTime, InterlacesFinerSteps)
     for (int i = 0; i < 2 * beams; ++i)
     {
       const int beam = i % beams;
-      const double fan = static_cast<double>(i / beams) * n / 75.0;
-      EXPECT_NEAR(times[i], fan + beam % n / 75.0 + static_cast<double>(beam / n) / 27000.0, 1e-15);
+      const int fan = i / beams;
+      const int wholeDegrees = beam / n;
+      EXPECT_NEAR(times[i], fan * n / 75.0 + beam % n / 75.0 + wholeDegrees / 27000.0, 1e-15);
     }
   }
 }
@@ -89,6 +90,7 @@ TEST(LMS3DScanTime, BelongsToReturnsAlone)
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
     const int id = static_cast<int>(ids[i]);
-    EXPECT_NEAR(times[i], id / 181 / 75.0 + id % 181 / 27000.0, 1e-15);
+    const int turn = id / 181;
+    EXPECT_NEAR(times[i], turn / 75.0 + id % 181 / 27000.0, 1e-15);
   }
 }

@@ -107,6 +107,7 @@ std::vector<vtkSmartPointer<vtkMultiProcessController>> MakeProcesses(int count)
 void RunProcesses(int count, const std::function<void(int)>& run)
 {
   std::vector<std::thread> threads;
+  threads.reserve(count);
   for (int rank = 0; rank < count; ++rank)
   {
     threads.emplace_back(run, rank);
