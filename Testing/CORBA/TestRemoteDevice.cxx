@@ -113,9 +113,10 @@ TEST(RemoteDevice, PointsLieWhereTheInterfaceSays)
     for (vtkIdType i = 0; i < scan->GetNumberOfPoints(); ++i)
     {
       const int id = static_cast<int>(ids->GetTuple1(i));
+      const int turn = id / 17;
       const double alpha = grid.alpha.start + 10.0 * (id % 17);
       const double time = (alpha - grid.alpha.start) / (360.0 * 75.0);
-      const double beta = grid.beta.start + 3.0 * (id / 17) + device.turnRate * time;
+      const double beta = grid.beta.start + 3.0 * turn + device.turnRate * time;
       const Beam beam = GetBeam(device, alpha, beta);
       const Vector sensor = { position.x, position.y, position.z };
       for (int axis = 0; axis < 3; ++axis)

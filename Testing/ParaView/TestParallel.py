@@ -39,6 +39,11 @@ WEAK = {"RangeAtTenPercent": 2.5, "ReflectanceArray": "Color", "ComputeIncidence
 
 COARSE = {"AlphaResolution": 37, "BetaResolution": 36}
 
+# A wide beam from a mirror beside the axis of a platform that turns during the fans.
+DEVICE = {"Position": [0.3, -0.2, 1.0], "Mounting": 3, "AxisOffset": [0.1, 0.03, -0.05],
+          "TurnRate": 37.5, "BeamDiameter": 0.012, "BeamDivergence": 0.0044, "BeamSamples": 7,
+          "ComputeTime": 1, "ComputePoses": 1, **WEAK, **COARSE}
+
 # A scan with beams that have no return, and the errors of its ranges.
 NEAR = {"Position": [0.3, -0.2, 1.0], "MinimumRange": 2.0, "MaximumRange": 4.0}
 ERRORS = {"RangeBias": 0.01, "RangeNoise": 0.005, "RangeResolution": 0.001, "NoiseSeed": 7}
@@ -52,6 +57,7 @@ SCANS = {
     "near": (ROOM, NEAR),
     # From the middle, beams hit the ball's vertices and edges, and the squares' corners.
     "lattice": ("lattice.vtp", {"Position": [0.0, 0.0, 0.0]}),
+    "device": (ROOM, DEVICE),
     "weak": (ROOM, {**NEAR, **WEAK}),
     "weak and labelled": (ROOM, {**NEAR, **WEAK, "SurfaceAttributes": 1, **COARSE}),
     # A beam that meets a limit exactly, and vertices and edges.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace
 {
@@ -43,6 +44,7 @@ LMS3D::Device lms3dGetIdealDevice()
 std::vector<std::string> lms3dGetPresetNames()
 {
   std::vector<std::string> names;
+  names.reserve(lms3dGetNumberOfDevices());
   for (int i = 0; i < lms3dGetNumberOfDevices(); ++i)
   {
     names.push_back(GetPresetName(*lms3dGetDevice(i)));
@@ -66,7 +68,7 @@ void lms3dSetPreset(const LMS3D::Preset& preset, LMS3D::Device& device)
   properties.axisOffset = device.axisOffset;
   properties.turnRate = device.turnRate;
   properties.computeStatus = device.computeStatus;
-  device = properties;
+  device = std::move(properties);
 }
 
 const std::vector<std::string>& lms3dGetMountingNames()

@@ -9,6 +9,7 @@
 #include "Object/lms3dSettingsCheck.h"
 #include "Options/lms3dOptionsCheck.h"
 
+#include <optional>
 #include <stdexcept>
 
 namespace
@@ -29,9 +30,11 @@ lms3dSceneReading GetReading(const lms3dServerOptions& options)
 
 void SetDevice(const lms3dServerOptions& options, lms3dScanSettings& settings)
 {
-  const LMS3D::Preset preset = lms3dFindPreset(options.Device).value();
-  settings.Device = preset.properties;
-  settings.Configuration.maximumRange = preset.maximumRange;
+  if (const std::optional<LMS3D::Preset> preset = lms3dFindPreset(options.Device))
+  {
+    settings.Device = preset->properties;
+    settings.Configuration.maximumRange = preset->maximumRange;
+  }
   for (const auto& change : options.DeviceChanges)
   {
     change(settings.Device);
