@@ -115,11 +115,11 @@ def _summarize_map(errors):
 def draw(table, machine):
     """Draw a row of marks for each effect."""
     figure, axes = pyplot.subplots(1, len(device_panels.PANELS), sharey=True,
-                                   figsize=(9.2, 0.9 + 0.34 * len(table) + 0.9))
+                                   figsize=(9.2, 2.0 + 0.3 * len(table)))
     device_panels.draw_all(axes, table)
     figure.suptitle("What a real device does to the ranges and the map of the room", x=0.01,
                     ha="left", fontsize=13, weight="bold")
-    figure.subplots_adjust(left=0.26, right=0.985, top=0.86, bottom=0.25, wspace=0.1)
+    figure.subplots_adjust(left=0.24, right=0.985, top=0.85, bottom=0.17, wspace=0.1)
     drawing.add_caption(figure, drawing.caption(
         f"361 x 360 beams, maps within {1000 * MAXIMUM_ERROR:g} mm. Changes are against the ideal "
         "scan from the same pose; the map is compared with the visible scene.", machine), 165)

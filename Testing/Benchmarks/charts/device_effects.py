@@ -46,10 +46,10 @@ EFFECTS = (
     Effect("turning platform", "37.5 degrees/s", _TURNING),
     Effect("mirror off the axis", "0.1 m", _OFFSET),
     Effect("motion", f"{_SPEED:g} m/s", speed=_SPEED),
-    Effect("LMS 200 at rest", "width, reflectance, noise, 1 mm", {**_WIDTH, **_REFLECTANCE},
+    Effect("LMS 200 at rest", "mm mode", {**_WIDTH, **_REFLECTANCE},
            {**_NOISE, **_STEPS}),
-    Effect("motion, width and noise", "as above", _WIDTH, _NOISE, _SPEED),
-    Effect("all", "as above, steps 1 mm", {**_WIDTH, **_REFLECTANCE, **_TURNING, **_OFFSET},
+    Effect("motion, width and noise", "-", _WIDTH, _NOISE, _SPEED),
+    Effect("all", "-", {**_WIDTH, **_REFLECTANCE, **_TURNING, **_OFFSET},
            {**_NOISE, **_STEPS, **_BIAS}, _SPEED),
 )
 

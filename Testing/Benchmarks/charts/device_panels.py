@@ -25,6 +25,7 @@ def draw_all(axes, table):
                          drawing.COLORS[color], marker)
         panel.set_xscale(scale)
         panel.set_xlabel(label, fontsize=8)
+        panel.xaxis.set_major_formatter(lambda x, _: f"{x:,.0f}" if x >= 1 else f"{x:g}")
         panel.tick_params(labelsize=7)
         if len(columns) > 1:
             panel.legend(fontsize=7, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=len(columns),

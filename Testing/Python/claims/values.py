@@ -94,6 +94,11 @@ def sample(scene, step, bound, column="complete"):
     return get("E-sampling", column, scene=scene, step_deg=step, bound_mm=bound)
 
 
+def effect(name, column):
+    """Return a number of the first row of chart F with this effect."""
+    return float(tables.select(TABLES["F-device"], effect=name)[0][column])
+
+
 def scan(scene, method, column="scan ms", threads="1", part="scenes"):
     """Return a number of tables S."""
     return get(f"S-speed-{part}", column, scene=scene, method=method, threads=threads)
