@@ -14,6 +14,7 @@ import tables  # noqa: E402
 CHARTS = ROOT / "Documentation" / "charts"
 ACCURACY = "Documentation/accuracy.md"
 PERFORMANCE = "Documentation/performance.md"
+GUIDE = "Documentation/guide.md"
 README = "README.md"
 
 TABLES = {path.stem: tables.read(path) for path in CHARTS.glob("*.csv")}
