@@ -8,10 +8,10 @@ import re
 import unittest
 
 from claims import CLAIMS, ROOT, TABLES
-from claims.values import ACCURACY, PERFORMANCE, PRO, QUADRICS, README
+from claims.values import ACCURACY, GUIDE, PERFORMANCE, PRO, QUADRICS, README
 
 TEXTS = {name: " ".join((ROOT / name).read_text(encoding="utf-8").split())
-         for name in (ACCURACY, PERFORMANCE, README)}
+         for name in (ACCURACY, GUIDE, PERFORMANCE, README)}
 # What the texts choose rather than measure.
 PARAMETERS = {"5 %", "1 mm", "5 mm", "10 mm", "20 mm", "804 triangles", "988 triangles",
               "1,000,000 triangles", "10,000,000 triangles", "100,000 triangles",
