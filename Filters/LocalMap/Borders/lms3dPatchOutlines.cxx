@@ -120,15 +120,14 @@ bool lms3dPatchOutlines::MakeStrips()
 {
   lms3dOffsetStrips strips(this->Vertices);
   this->PatchesAtFlippedStrips.clear();
+  this->ReturnsAtFlippedStrips.clear();
   const std::vector<Chain>& chains = this->Chains.GetChains();
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
     if (this->Chains.GetKind(i) == Gates::Offset &&
       !strips.AddStrip(this->GetWholeLine(i, 0), this->GetWholeLine(i, 1)))
     {
-      const int edge = chains[i].Edges.front();
-      this->PatchesAtFlippedStrips.push_back(this->Gates.GetPatch(edge));
-      this->PatchesAtFlippedStrips.push_back(this->Gates.GetPatch(Gates::GetTwin(edge)));
+      this->AddFlippedStrip(chains[i]);
       this->Junctions.RaiseFallback(chains[i]);
     }
   }
@@ -141,6 +140,18 @@ bool lms3dPatchOutlines::MakeStrips()
   }
   this->StripTriangles = strips.GetTriangles();
   return this->PatchesAtFlippedStrips.empty();
+}
+
+void lms3dPatchOutlines::AddFlippedStrip(const Chain& chain)
+{
+  for (int edge : { chain.Edges.front(), chain.Edges.back() })
+  {
+    this->ReturnsAtFlippedStrips.push_back(this->Gates.GetOwner(edge));
+    this->ReturnsAtFlippedStrips.push_back(this->Gates.GetOwner(Gates::GetTwin(edge)));
+  }
+  const int edge = chain.Edges.front();
+  this->PatchesAtFlippedStrips.push_back(this->Gates.GetPatch(edge));
+  this->PatchesAtFlippedStrips.push_back(this->Gates.GetPatch(Gates::GetTwin(edge)));
 }
 
 // One side of a chain with the junctions at its ends or, if it is closed, its first vertex again.

@@ -54,6 +54,12 @@ public:
     return this->PatchesAtFlippedStrips;
   }
 
+  /// The returns beside the ends of these strips.
+  const std::vector<lms3dBeamSphere::GridIndex>& GetReturnsAtFlippedStrips() const
+  {
+    return this->ReturnsAtFlippedStrips;
+  }
+
 private:
   using Chain = lms3dBorderChains::Chain;
 
@@ -70,6 +76,7 @@ private:
   void MakeLoops();
   void AppendSide(int edge, Outline& outline, int& next) const;
   bool MakeStrips();
+  void AddFlippedStrip(const Chain& chain);
   std::vector<std::int32_t> GetWholeLine(std::size_t chain, int side) const;
 
   const lms3dPatches& Patches;
@@ -85,6 +92,7 @@ private:
   std::vector<Outline> Outlines;
   std::vector<std::array<std::int32_t, 3>> StripTriangles;
   std::vector<std::int32_t> PatchesAtFlippedStrips;
+  std::vector<lms3dBeamSphere::GridIndex> ReturnsAtFlippedStrips;
 };
 
 #endif

@@ -32,6 +32,8 @@ constexpr double SmallScan = 256.0;
 constexpr double PatchesDone = 0.4;
 // The number of attempts in which patches may give up a few returns instead of being split.
 constexpr int ReleasingAttempts = 8;
+// The same if beams are not regular: faults have more causes there.
+constexpr int ReleasingAttemptsOnRays = 40;
 // The size of a facet beyond the axis, where neighbours are close together: as if a neighbour were that far
 // away, radians.
 constexpr double AngleBeyondAxis = 1e-3;
@@ -140,6 +142,7 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
   lms3dBoundedMap map;
   std::vector<int> members;
   double done = PatchesDone;
+  const int attempts = this->Sphere.IsRegular() ? ReleasingAttempts : ReleasingAttemptsOnRays;
   int attempt = 0;
   do
   {
@@ -154,7 +157,7 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
     }
     // The number of attempts is unknown.
     done = 0.5 * (done + 1.0);
-  } while (!mesher.TryToMesh(patches, members, ++attempt < ReleasingAttempts, map));
+  } while (!mesher.TryToMesh(patches, members, ++attempt < attempts, map));
   this->AddFacets(patches, map);
   return map;
 }

@@ -23,7 +23,8 @@
  * What fails the check falls back step by step: to patches that give up a few returns, to patches of one
  * return, to a facet for each return. The plain grid and facets (lms3dFacetedGrid) take the place of
  * all patches if patches would have fewer than twenty returns on average, or if the noise of the ranges
- * exceeds three quarters of the bound.
+ * exceeds three quarters of the bound. If beams are not regular, only the returns beside a fault leave their
+ * patch (lms3dPatchSplitter).
  */
 class lms3dBoundedMesher
 {

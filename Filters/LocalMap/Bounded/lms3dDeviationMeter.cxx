@@ -75,10 +75,8 @@ void lms3dDeviationMeter::Measure(
     for (int row = first; row <= last; ++row)
     {
       const GridIndex index = start + row;
-      // A beam that is not regular can hit several triangles. The nearest one counts.
       if (this->Patches.Labels[index] == part.Patch && !this->Sphere.IsPoleRow(row) &&
-        (!this->Sphere.IsRegular() ||
-          !(std::abs(this->Sphere.GetRangeOnBeam(index) - hits.GetRange(row)) <= threshold)))
+        !(std::abs(this->Sphere.GetRange(index) - hits.GetRange(row)) <= threshold))
       {
         const lms3dVector point =
           lms3dScale(this->Sphere.GetDirection(index), this->Sphere.GetRange(index));

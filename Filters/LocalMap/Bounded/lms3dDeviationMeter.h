@@ -17,6 +17,8 @@
 /**
  * The deviation of a return is its distance to the nearest of its patch's triangles that its beam
  * hits. A beam along an edge hits the triangles on both sides. All distances are metres.
+ *
+ * Beams must be regular. lms3dRayCheck measures others.
  */
 class lms3dDeviationMeter
 {

@@ -93,6 +93,11 @@ lms3dPatchMesh lms3dPatchMesher::Mesh(int patch, int members)
     mesh.Added = work.Triangulation.GetAddedVertices();
     mesh.Triangles = work.Triangulation.GetTriangles();
     mesh.DeviationOnBeams = work.DeviationOnBeams;
+    if (!this->Sphere.IsRegular())
+    {
+      mesh.Rays = lms3dCheckRays(
+        this->Sphere, this->Patches, patch, members, work.Triangulation, this->MaximumError);
+    }
   }
   else if (work.CoversOwnBeamsOnly)
   {
@@ -146,7 +151,7 @@ bool lms3dPatchMesher::Check(Work& work)
     work.DeviationOnBeams = std::max(work.DeviationOnBeams, triangle.Deviation);
   }
   work.CoversOwnBeamsOnly = true;
-  return work.Covered == work.Members;
+  return work.Covered == work.Members || !this->Sphere.IsRegular();
 }
 
 std::vector<lms3dPatchMesher::GridIndex> lms3dPatchMesher::FindUncovered(int patch) const
@@ -184,11 +189,12 @@ bool lms3dPatchMesher::CheckBeams(
   for (int row = first; row <= last; ++row)
   {
     const GridIndex index = start + row;
-    if (this->Patches.Labels[index] != work.Patch)
+    const bool isOwn = this->Patches.Labels[index] == work.Patch;
+    if (!isOwn && this->Sphere.IsRegular())
     {
       return false;
     }
-    if (column > 0 && this->Sphere.IsPoleRow(row))
+    if (!isOwn || (column > 0 && this->Sphere.IsPoleRow(row)))
     {
       continue;
     }
@@ -223,18 +229,24 @@ bool lms3dPatchMesher::InsertBeams(Work& work)
       continue; // On the edge of two triangles.
     }
     this->States[violation.Beam] = IsVertex;
-    const double range = this->Sphere.GetRange(violation.Beam);
-    const double halfSpread = this->Sphere.GetPoleHalfSpread(this->Sphere.GetRow(violation.Beam));
-    const double lift = std::max(0.0, this->MaximumLift - halfSpread);
-    const double lifted =
-      violation.Range > this->Sphere.GetRangeOnBeam(violation.Beam) ? range + lift : range - lift;
-    const bool isLiftable = lifted > 0.0 && violation.Range > 0.0;
+    // A beam that is not regular can hit the triangle beside the direction of its return.
     if (!work.Triangulation.Insert(
-          { this->Sphere.GetDirection(violation.Beam), 1.0 / (isLiftable ? lifted : range) },
-          violation.Triangle))
+          this->MakeVertex(violation.Beam, violation.Range), violation.Triangle) &&
+      this->Sphere.IsRegular())
     {
       return false;
     }
   }
   return true;
+}
+
+// The vertex of a beam whose hit is too far from the return.
+lms3dMapVertex lms3dPatchMesher::MakeVertex(GridIndex beam, double hit) const
+{
+  const double range = this->Sphere.GetRangeOnBeam(beam);
+  const double halfSpread = this->Sphere.GetPoleHalfSpread(this->Sphere.GetRow(beam));
+  const double lift = std::max(0.0, this->MaximumLift - halfSpread);
+  const double lifted = hit > range ? range + lift : range - lift;
+  return lms3dPatchTriangulation::MakeVertex(
+    this->Sphere, beam, lifted > 0.0 && hit > 0.0 ? lifted : range);
 }

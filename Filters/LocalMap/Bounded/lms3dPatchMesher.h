@@ -8,6 +8,7 @@
 #define lms3dPatchMesher_h
 
 #include "LocalMap/Bounded/lms3dPatchTriangulation.h"
+#include "LocalMap/Bounded/lms3dRayCheck.h"
 
 #include <array>
 #include <cstdint>
@@ -16,7 +17,7 @@
 /// The triangles of a patch.
 struct lms3dPatchMesh
 {
-  /// If false, only Uncovered has a meaning.
+  /// If false, only Uncovered has a meaning, and Rays if beams are not regular.
   bool IsValid = false;
   /// The vertices that only this patch has. They are numbered from the number of the outlines' vertices.
   std::vector<lms3dMapVertex> Added;
@@ -26,6 +27,8 @@ struct lms3dPatchMesh
   double DeviationOnBeams = 0.0;
   /// If the mesh is not valid only because some beams of the patch hit no triangle: these beams, sorted.
   std::vector<lms3dBeamSphere::GridIndex> Uncovered;
+  /// The check of beams that are not regular.
+  lms3dRayCheck Rays;
 };
 
 /**
@@ -36,7 +39,8 @@ struct lms3dPatchMesh
  * triangle, as far as noise and bound allow, so that the surface does not follow the noise.
  *
  * A mesh is not valid if the outline crosses itself, if a triangle is hit by a beam of another patch, or
- * if a beam of the patch hits no triangle.
+ * if a beam of the patch hits no triangle. If beams are not regular, a mesh is valid if its outline does not
+ * cross itself; lms3dCheckRays() finds which beams hit the triangles.
  */
 class lms3dPatchMesher
 {
@@ -67,6 +71,7 @@ private:
   bool CheckBeams(Work& work, int triangle, const lms3dTriangleRasterizer& beams, int column,
     int first, int last);
   bool InsertBeams(Work& work);
+  lms3dMapVertex MakeVertex(GridIndex beam, double hit) const;
   std::vector<GridIndex> FindUncovered(int patch) const;
 
   const lms3dBeamSphere& Sphere;

@@ -3,6 +3,7 @@
 #include "LocalMap/Bounded/lms3dPatchSetMesher.h"
 
 #include "LocalMap/Bounded/lms3dDeviationMeter.h"
+#include "LocalMap/Bounded/lms3dPatchSplitter.h"
 
 #include <tbb/parallel_for.h>
 
@@ -23,6 +24,15 @@ bool lms3dPatchSetMesher::TryToMesh(lms3dPatches& patches, const std::vector<int
   const lms3dBorderGates gates(this->Sphere, patches, CreaseShare * this->MaximumError);
   const lms3dPatchOutlines outlines(this->Sphere, patches, gates);
   Meshes meshes = this->MakeMeshes(patches, outlines, members);
+  if (!this->Sphere.IsRegular())
+  {
+    if (this->SplitAtFaults(patches, outlines, members, releasesFew, meshes))
+    {
+      return false;
+    }
+    this->Append(patches, outlines, meshes, members, map);
+    return true;
+  }
   std::vector<bool> failed(members.size());
   for (std::size_t i = 0; i < members.size(); ++i)
   {
@@ -45,6 +55,58 @@ bool lms3dPatchSetMesher::TryToMesh(lms3dPatches& patches, const std::vector<int
   }
   this->Append(patches, outlines, meshes, members, map);
   return true;
+}
+
+// The returns that other patches represent, sorted by beam, nearest first.
+std::vector<lms3dRayCheck::Hit> lms3dPatchSetMesher::CollectOthers(const Meshes& meshes)
+{
+  std::vector<lms3dRayCheck::Hit> others;
+  for (const lms3dPatchMesh& mesh : meshes)
+  {
+    others.insert(others.end(), mesh.Rays.Others.begin(), mesh.Rays.Others.end());
+  }
+  std::sort(others.begin(), others.end());
+  return others;
+}
+
+// For beams that are not regular. Returns false if there are no faults: each return is within the bound of its
+// own patch or of another.
+bool lms3dPatchSetMesher::SplitAtFaults(lms3dPatches& patches, const lms3dPatchOutlines& outlines,
+  const std::vector<int>& members, bool isLenient, Meshes& meshes) const
+{
+  const std::vector<lms3dRayCheck::Hit> others = CollectOthers(meshes);
+  lms3dPatchSplitter splitter(this->Sphere, patches, members);
+  for (std::size_t i = 0; i < members.size(); ++i)
+  {
+    const auto patch = static_cast<std::int32_t>(i);
+    lms3dRayCheck& rays = meshes[i].Rays;
+    if (members[i] > 0 && !meshes[i].IsValid)
+    {
+      isLenient ? splitter.Divide(patch) : splitter.Dissolve(patch);
+    }
+    for (GridIndex index : rays.Uncovered)
+    {
+      const auto other =
+        std::lower_bound(others.begin(), others.end(), lms3dRayCheck::Hit{ index, 0.0 });
+      if (other == others.end() || other->first != index)
+      {
+        splitter.Release(index);
+      }
+      else
+      {
+        rays.LargestDeviation = std::max(rays.LargestDeviation, other->second);
+      }
+    }
+    for (GridIndex beam : rays.Blocked)
+    {
+      isLenient ? splitter.ReleaseAround(beam, patch) : splitter.Dissolve(patch);
+    }
+  }
+  for (GridIndex index : outlines.GetReturnsAtFlippedStrips())
+  {
+    splitter.Release(index);
+  }
+  return splitter.Apply();
 }
 
 lms3dPatchSetMesher::Meshes lms3dPatchSetMesher::MakeMeshes(const lms3dPatches& patches,
@@ -99,7 +161,15 @@ void lms3dPatchSetMesher::Append(const lms3dPatches& patches, const lms3dPatchOu
     parts.push_back(
       { static_cast<std::int32_t>(i), first, map.Triangles.size(), meshes[i].DeviationOnBeams });
   }
-  map.LargestDeviation = lms3dDeviationMeter(this->Sphere, patches, map).GetLargest(parts);
+  if (this->Sphere.IsRegular())
+  {
+    map.LargestDeviation = lms3dDeviationMeter(this->Sphere, patches, map).GetLargest(parts);
+    return;
+  }
+  for (const lms3dPatchMesh& mesh : meshes)
+  {
+    map.LargestDeviation = std::max(map.LargestDeviation, mesh.Rays.LargestDeviation);
+  }
 }
 
 void lms3dPatchSetMesher::Split(lms3dPatches& patches, const std::vector<int>& members,

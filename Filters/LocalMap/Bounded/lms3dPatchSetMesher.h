@@ -34,7 +34,8 @@ public:
    *
    * A patch that failed becomes patches of one return each. A patch of one return loses it; the return
    * then has the label lms3dPatches::None. If `releasesFew` and only few returns of a patch were
-   * uncovered, only these leave the patch.
+   * uncovered, only these leave the patch. If beams are not regular and `releasesFew`, only the returns beside
+   * a fault leave their patches (lms3dPatchSplitter); otherwise patches with faults lose all their returns.
    */
   bool TryToMesh(lms3dPatches& patches, const std::vector<int>& members, bool releasesFew,
     lms3dBoundedMap& map) const;
@@ -47,6 +48,9 @@ private:
     const std::vector<int>& members) const;
   void Append(const lms3dPatches& patches, const lms3dPatchOutlines& outlines, const Meshes& meshes,
     const std::vector<int>& members, lms3dBoundedMap& map) const;
+  bool SplitAtFaults(lms3dPatches& patches, const lms3dPatchOutlines& outlines,
+    const std::vector<int>& members, bool isLenient, Meshes& meshes) const;
+  static std::vector<lms3dRayCheck::Hit> CollectOthers(const Meshes& meshes);
   void Split(lms3dPatches& patches, const std::vector<int>& members,
     const std::vector<bool>& failed, const Meshes& meshes) const;
   void MakeSingle(lms3dPatches& patches, GridIndex index) const;

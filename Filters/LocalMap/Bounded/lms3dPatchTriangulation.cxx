@@ -81,13 +81,25 @@ void lms3dPatchTriangulation::Append(const lms3dMapVertex& vertex)
 
 bool lms3dPatchTriangulation::Insert(const lms3dMapVertex& vertex, int near)
 {
-  if (this->Triangulation->Insert(this->GetPoint(vertex.Direction), near) ==
-    lms3dTriangulation::None)
+  if (!(lms3dDot(this->Axes[2], vertex.Direction) > MinimumCosine) ||
+    this->Triangulation->Insert(this->GetPoint(vertex.Direction), near) == lms3dTriangulation::None)
   {
     return false;
   }
   this->Append(vertex);
   return true;
+}
+
+lms3dMapVertex lms3dPatchTriangulation::MakeVertex(
+  const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex beam, double range)
+{
+  if (sphere.IsRegular())
+  {
+    return { sphere.GetDirection(beam), 1.0 / range };
+  }
+  const lms3dVector point = sphere.GetPointOnRay(beam, range);
+  const double inverse = 1.0 / lms3dGetLength(point);
+  return { lms3dScale(point, inverse), inverse };
 }
 
 std::vector<lms3dMapVertex> lms3dPatchTriangulation::GetAddedVertices() const

@@ -45,8 +45,12 @@ public:
   const lms3dTriangleCorner& GetVertex(std::int32_t number) const { return this->Corners[number]; }
 
   /// Adds a vertex inside the patch. The search for it starts at triangle `near`. Returns false if there
-  /// is a vertex or an edge of the outline already.
+  /// is a vertex or an edge of the outline already, or if it lies outside of the patch.
   bool Insert(const lms3dMapVertex& vertex, int near);
+
+  /// The vertex on a beam at a range from the start of the beam, metres.
+  static lms3dMapVertex MakeVertex(
+    const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex beam, double range);
 
   /// All vertices that Insert() added.
   std::vector<lms3dMapVertex> GetAddedVertices() const;

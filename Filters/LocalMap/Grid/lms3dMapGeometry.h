@@ -77,6 +77,14 @@ public:
   /// it stands still.
   const double* GetTurnedSteps(int turn) const;
 
+  /// The first turn of the second half if the halves of the fans do not continue each other, because the
+  /// mirror lies beside the plane of its fan's halves; otherwise 0.
+  int GetSeam() const
+  {
+    return this->IsUnfolded && this->Grid.GetPlatform().AxisOffset[1] != 0.0 ? this->TurnsOfHalf
+                                                                             : 0;
+  }
+
   /// In a fan, beams that many apart leave in the same turn of the mirror. 1 if the platform stands still.
   int GetInterlacedBeams() const;
 

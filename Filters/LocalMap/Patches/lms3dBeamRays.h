@@ -26,6 +26,12 @@ public:
   /// Replaces a ray by the axis, upwards or downwards as the ray points.
   void SetToAxis(std::size_t index);
 
+  /// Whether a ray is vertical, as the axis is.
+  bool IsVertical(std::size_t index) const
+  {
+    return this->Rays[index].Direction[0] == 0.0 && this->Rays[index].Direction[1] == 0.0;
+  }
+
   /// The largest distance of a start from the axis, metres.
   double GetLargestOffset() const { return this->LargestOffset; }
 

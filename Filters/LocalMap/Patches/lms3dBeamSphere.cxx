@@ -32,7 +32,8 @@ lms3dBeamSphere::lms3dBeamSphere(
   betaStep = betaStep > 0.0 ? betaStep : alphaStep;
   this->MakeRows(
     geometry.GetAlphaAngles(), alphaStep, isRegular || mapGeometry->GetDistanceFromAxis() == 0.0);
-  this->MakeColumns(geometry.GetBetaAngles(), betaStep, grid.IsClosed());
+  this->MakeColumns(
+    geometry.GetBetaAngles(), betaStep, grid.IsClosed(), isRegular ? 0 : mapGeometry->GetSeam());
   CheckSize(static_cast<std::int64_t>(this->RowLines.size()),
     static_cast<std::int64_t>(this->ColumnLines.size()));
   this->Rows = static_cast<int>(this->RowLines.size());
@@ -75,9 +76,11 @@ void lms3dBeamSphere::MakeRows(const std::vector<double>& angles, double step, b
   this->RowLines = lines;
 }
 
-void lms3dBeamSphere::MakeColumns(const std::vector<double>& angles, double step, bool isClosed)
+void lms3dBeamSphere::MakeColumns(
+  const std::vector<double>& angles, double step, bool isClosed, int seam)
 {
-  const std::vector<lms3dGridLine> lines = lms3dMakeColumnLines(angles, step, isClosed);
+  const std::vector<lms3dGridLine> lines =
+    lms3dAddSeams(lms3dMakeColumnLines(angles, step, isClosed), seam, isClosed);
   for (const lms3dGridLine& line : lines)
   {
     double sine, cosine;

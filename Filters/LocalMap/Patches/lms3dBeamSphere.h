@@ -211,7 +211,7 @@ private:
   };
 
   void MakeRows(const std::vector<double>& angles, double step, bool arePoles);
-  void MakeColumns(const std::vector<double>& angles, double step, bool isClosed);
+  void MakeColumns(const std::vector<double>& angles, double step, bool isClosed, int seam);
   void Fill(const lms3dRangeGrid& grid);
   int FillColumn(const lms3dRangeGrid& grid, int column);
   void FollowRays(const lms3dMapGeometry& geometry);

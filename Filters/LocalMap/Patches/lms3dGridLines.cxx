@@ -16,6 +16,8 @@ using Lines = std::vector<lms3dGridLine>;
 constexpr double Pole = 90.0;
 constexpr double FullCircle = 360.0;
 constexpr double MaximumGap = 120.0;
+// How far the halo at a seam lies from the turns on both sides, as a share of the angle between these.
+constexpr double SeamShare = 0.4;
 // For the rounding of angles.
 constexpr double AngleTolerance = 1e-6;
 
@@ -77,6 +79,27 @@ Lines FillGaps(const Lines& lines, double step)
   return filled;
 }
 } // namespace
+
+std::vector<lms3dGridLine> lms3dAddSeams(
+  const std::vector<lms3dGridLine>& lines, int seam, bool isClosed)
+{
+  const auto isFirst = [&](const lms3dGridLine& line) { return line.ScanIndex >= seam; };
+  Lines separated;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    const bool isLast = i + 1 == lines.size();
+    const lms3dGridLine& next = lines[isLast ? 0 : i + 1];
+    const double step = next.Angle - lines[i].Angle + (isLast ? FullCircle : 0.0);
+    separated.push_back(lines[i]);
+    if (lines[i].ScanIndex >= 0 && next.ScanIndex >= 0 && isFirst(lines[i]) != isFirst(next) &&
+      (isClosed || !isLast))
+    {
+      separated.push_back({ lines[i].Angle + SeamShare * step, -1 });
+      separated.push_back({ lines[i].Angle + (1.0 - SeamShare) * step, -1 });
+    }
+  }
+  return separated;
+}
 
 std::vector<lms3dGridLine> lms3dMakeRowLines(
   const std::vector<double>& angles, double step, bool arePoles)

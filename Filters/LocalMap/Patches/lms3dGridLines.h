@@ -34,4 +34,9 @@ std::vector<lms3dGridLine> lms3dMakeRowLines(
 std::vector<lms3dGridLine> lms3dMakeColumnLines(
   const std::vector<double>& angles, double step, bool isClosed);
 
+/// Adds two columns of the halo where turns before `seam` lie next to others, so that the map does not join
+/// these. Returns the lines as they are if `seam` is 0.
+std::vector<lms3dGridLine> lms3dAddSeams(
+  const std::vector<lms3dGridLine>& lines, int seam, bool isClosed);
+
 #endif

@@ -71,6 +71,15 @@ std::pair<int, int> CountOpenAndWrongEdges(vtkPolyData* map)
   }
   return { open, wrong };
 }
+
+// Facets are for returns beyond the axis and for returns beside a fault.
+void ExpectFewTriangles(vtkPolyData* map, vtkPolyData* centred)
+{
+  const double facets = GetField(map, "NumberOfReturnsOnFacets");
+  EXPECT_EQ(GetField(map, "NumberOfReturnsOnGrid"), 0.0);
+  EXPECT_LE(map->GetNumberOfCells() - facets, 2.0 * centred->GetNumberOfCells() + 100.0);
+  EXPECT_LE(facets, 0.025 * GetField(map, "NumberOfReturns"));
+}
 } // namespace
 
 TEST_P(EachPlatform, IsMappedWithinTheBound)
@@ -90,6 +99,56 @@ TEST_P(EachPlatform, IsMappedWithinTheBound)
       EXPECT_EQ(CountOpenAndWrongEdges(map).second, 0);
     }
   }
+}
+
+// A fault at one place must not make the plain grid of the whole scan.
+TEST_P(EachPlatform, IsMappedWithFewTriangles)
+{
+  TestPlatform centred = GetParam();
+  centred.AxisOffset = { 0.0, 0.0, 0.0 };
+  centred.TurnRate = 0.0;
+  for (const char* name : Scenes)
+  {
+    SCOPED_TRACE(name);
+    const MapScene scene = MakeMapScene(name);
+    vtkSmartPointer<vtkPolyData> scan = MakeScan(scene, GetParam());
+    for (double bound : { 0.01, 0.02 })
+    {
+      SCOPED_TRACE(bound);
+      ExpectFewTriangles(MakeMap(scan, bound), MakeMap(MakeScan(scene, centred), bound));
+    }
+  }
+}
+
+TEST(MapOfPlatforms, HasFewTrianglesInTheRoom)
+{
+  MapScene scene = MakeMapScene("FurnishedRoom");
+#ifndef LMS3D_FEWER_BEAMS
+  scene.AlphaResolution = 361;
+  scene.BetaResolution = 360;
+#endif
+  const auto makeMap = [&](const Vector& offset, double turnRate)
+  {
+    vtkNew<vtkLMS3DScanFilter> filter;
+    filter->SetInputData(scene.Surface);
+    filter->SetPosition(0.3, -0.2, 1.0);
+    filter->SetAlphaResolution(scene.AlphaResolution);
+    filter->SetBetaResolution(scene.BetaResolution);
+    filter->SetAxisOffset(offset.data());
+    filter->SetTurnRate(turnRate);
+    filter->Update();
+    vtkSmartPointer<vtkPolyData> map = MakeMap(filter->GetOutput(), 0.02);
+    EXPECT_LE(GetLargestDistance(filter->GetOutput(), map), 0.02 + 1e-9);
+    return map;
+  };
+  vtkSmartPointer<vtkPolyData> centred = makeMap({ 0.0, 0.0, 0.0 }, 0.0);
+  for (const Vector& offset : { Vector{ 0.1, 0.0, 0.0 }, Vector{ 0.0, 0.2, 0.0 },
+         Vector{ -0.1, 0.05, 0.1 }, Vector{ 0.0, 0.0, 0.2 } })
+  {
+    SCOPED_TRACE(offset[0]);
+    ExpectFewTriangles(makeMap(offset, 0.0), centred);
+  }
+  ExpectFewTriangles(makeMap({ 0.0, 0.0, 0.0 }, 10.0), centred);
 }
 
 TEST_P(EachPlatform, LeavesFreeSpaceFree)
