@@ -147,7 +147,7 @@ def _check(options):
         check_readable(options.trajectory, "trajectory", (".vtp",))
     if options.angles not in (None, STREAM):
         check_writable("angles", options.angles)
-    if options.link:
+    if options.link is not None:
         check_link(options.link)
 
 
