@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The times of fans in bags are those of the array Time."""
+"""The times of fans in bags equal the array Time."""
 
 import unittest
 

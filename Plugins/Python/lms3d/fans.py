@@ -4,7 +4,7 @@
 
 Its mirror turns 75 times a second and sends a beam at each degree. For a finer fan it turns several
 times: with 0.5 degrees the first turn has every second beam, from the first one, and the next turn
-the beams between them. A step that is no whole part of a degree takes one turn. The times are those of
+the beams between them. A step that is no whole part of a degree takes one turn. The times equal
 the array `Time` (Filters/Device/lms3dFan.h).
 """
 
