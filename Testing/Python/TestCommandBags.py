@@ -144,10 +144,30 @@ class TestScan(BagTest):
                     self.assertAlmostEqual(message.angle_increment, np.radians(increment), 6)
                     self.assertAlmostEqual(message.time_increment, increment * BEAM_TIME, 9)
 
+    def test_other_platforms(self):
+        """The first and the last beam of each fan hit their points with the transforms of their times."""
+        for mounting in ("yawing", "yawing-top", "pitching", "rolling"):
+            with self.subTest(mounting):
+                messages, scan = self.scanned(
+                    f"{mounting}.mcap", "--mounting", mounting, "--axis-offset", 0.1, -0.05, 0.2,
+                    "--turn-rate", 20, "--beta-resolution", TURNS)
+                poses = [self.chain(pose) for pose in select(messages, "/tf")]
+                scans = select(messages, "/scan")
+                grid = self._on_grid(scan).reshape(TURNS, BEAMS, 3)
+                for turn in range(TURNS):
+                    first, last = scans[2 * turn], scans[2 * turn + 1]
+                    for pose, angle, distance, expected in (
+                            (poses[2 * turn], first.angle_min, first.ranges[0], grid[turn, 0]),
+                            (poses[2 * turn + 1], last.angle_max, last.ranges[-1], grid[turn, -2])):
+                        local = distance * np.array((np.cos(angle), np.sin(angle), 0))
+                        np.testing.assert_allclose(pose[:3, :3] @ local + pose[:3, 3], expected,
+                                                   atol=1e-4)
+
     def test_beams_without_a_return(self):
         """They are infinite only if certainly no surface is within the ranges."""
         for name, options, expected in (
                 ("beyond", (), np.inf), ("near", ("--minimum-range", 0.5), np.nan),
+                ("dark", ("--range-at-ten-percent", 0.5), np.nan),
                 ("lost", ("--range-bias", -2, "--maximum-range", 9), np.nan)):
             with self.subTest(name):
                 messages, _ = self.scanned(f"{name}.mcap", *COARSE, *FINE[4:6], *options)

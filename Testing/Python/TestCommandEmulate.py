@@ -89,7 +89,10 @@ class TestLifeOfTheCommand(CommandLineTest):
     def test_problems(self):
         taken = self.folder / "taken"
         taken.touch()
-        for code, words in ((1, (ROOM, *POSE, "--link", taken)),
+        other = self.folder / "other"
+        other.symlink_to(self.folder)
+        for code, words in ((1, (ROOM, *POSE, "--link", taken)), (1, (ROOM, *POSE, "--link", "")),
+                            (1, (ROOM, *POSE, "--link", other)),
                             (1, (ROOM, *POSE, "--link", self.folder / "no" / "link")),
                             (1, (ROOM, *POSE, "--angles", self.folder / "no" / "file")),
                             (2, (ROOM,)), (2, POSE), (2, (ROOM, *POSE, "--scan", "a.vtp")),

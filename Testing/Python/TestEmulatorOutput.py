@@ -63,6 +63,14 @@ class TestRequests(unittest.TestCase):
         turns = round((self.host.device._fans.times[-1] - self.host.device._fans.times[-2]) / TURN)
         self.assertEqual((second[-2] - first[-2]) % 256, turns % 256)
 
+    def test_the_longest_telegram(self):
+        """401 values with their number of scans, sub-range and indices; `ask` checks the check sum"""
+        self.host.ask(0x3B, 100, 0, 25, 0)
+        self.host.configure(availability=2)
+        data = self.host.ask(0x3F, 2, 1, 0, 401 % 256, 1)
+        self.assertEqual(len(data), 1 + 1 + 4 + 2 + 2 * 401 + 2)
+        self.assertEqual(words(data[8:-2]), list(range(1000, 1401)))
+
     def test_a_request_is_answered_within_60_ms(self):
         """TL 24"""
         for step in (100, 50, 25):

@@ -51,7 +51,7 @@ class TestFrames(unittest.TestCase):
     def test_the_check_sum_of_random_bytes(self):
         """TL 107, step by step"""
         random_numbers = random.Random(4)
-        for size in (1, 2, 3, 4, 100, 732, 810):
+        for size in (1, 2, 3, 4, 100, 732, 810, 817):
             data = random_numbers.randbytes(size)
             register = before = 0
             for byte in data:

@@ -92,7 +92,7 @@ class Bag:
     def _add_fan(self, grid, fans, turn, beta, begin):
         """A message for each turn of the mirror; returns the time of the last beam.
 
-        The angle of the platform holds from the first beam to the last.
+        The platform turns evenly from the first beam to the last, as readers interpolate it.
         """
         first = turn * len(grid.alpha)
         ranges = grid.ranges_of_beams(slice(first, first + len(grid.alpha)), self._missing)
@@ -102,19 +102,20 @@ class Bag:
             self._messages.write_scan(start + round(part.delay * _SECOND), part,
                                       ranges[part.beams], self._simulation.sensor)
         end = start + round(fans.duration * _SECOND)
-        self._messages.write_pose(end, grid, beta)
+        self._messages.write_pose(end, grid, beta + grid.platform.turn_rate * fans.duration)
         return end
 
     @property
     def _missing(self):
         """The range without a return: infinite where it is certain that no surface is in range.
 
-        A surface nearer than the minimum range, or a range that the device's errors brought to 0
-        or less, gives no return either. If there may be such beams, all have NaN.
+        A surface that is too dark or nearer than the minimum range, or a range that the device's
+        errors brought to 0 or less, gives no return either. If there may be such beams, all have NaN.
         """
         sensor = self._simulation.sensor
         seen = sensor.GetOutput().GetNumberOfPoints()
-        is_certain = sensor.GetMinimumRange() == 0 and seen == self._simulation.returns
+        is_certain = (sensor.GetMinimumRange() == 0 and sensor.GetRangeAtTenPercent() == 0
+                      and seen == self._simulation.returns)
         return np.inf if is_certain else np.nan
 
     def finish(self, files):
@@ -171,12 +172,10 @@ class _Messages:
 
     def write_pose(self, time, grid, beta):
         """A TFMessage: the sensor in the scene, and the plane of the fan on the sensor."""
-        cos, sin = np.cos(np.radians(beta)), np.sin(np.radians(beta))
-        # The columns are the fan's axes: 0 and 90 degrees of elevation, and their cross product.
-        fan = np.array(((cos, 0, -sin), (-sin, 0, -cos), (0, 1, 0)))
+        fan, mirror = grid.platform.get_fan(beta)
         self._write("/tf", time, self._make("tf2_msgs/msg/TFMessage", transforms=[
             self._transform(time, _WORLD, _SENSOR, grid.position, grid.quaternion),
-            self._transform(time, _SENSOR, _LASER, (0, 0, 0), quaternion(fan))]))
+            self._transform(time, _SENSOR, _LASER, mirror, quaternion(fan))]))
 
     def write_cloud(self, time, grid):
         """A PointCloud2: a row for each turn of the platform, NaN without a return."""

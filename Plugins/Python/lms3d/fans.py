@@ -4,7 +4,8 @@
 
 Its mirror turns 75 times a second and sends a beam at each degree. For a finer fan it turns several
 times: with 0.5 degrees the first turn has every second beam, from the first one, and the next turn
-the beams between them. The platform stands still meanwhile.
+the beams between them. A step that is no whole part of a degree takes one turn. The times equal
+the array `Time` (Filters/Device/lms3dFan.h).
 """
 
 from dataclasses import dataclass
@@ -13,6 +14,7 @@ import numpy as np
 
 SCAN_TIME = 1 / 75  # seconds that a turn of the mirror takes
 _DEGREE_TIME = SCAN_TIME / 360
+_STEP_TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -35,11 +37,11 @@ class Fans:
 
     def __init__(self, alpha):
         step = float(alpha[-1] - alpha[0]) / (len(alpha) - 1) if len(alpha) > 1 else 1.0
-        turns = min(max(1, round(1 / step)), len(alpha))
+        turns = self._turns = _count_turns(abs(step))
         self.parts = [
             Part(beams=slice(turn, None, turns), alpha=alpha[turn::turns], step=turns * step,
-                 delay=turn * SCAN_TIME, beam_time=turns * step * _DEGREE_TIME)
-            for turn in range(turns)]
+                 delay=turn * SCAN_TIME, beam_time=turns * abs(step) * _DEGREE_TIME)
+            for turn in range(min(turns, len(alpha)))]
 
     @property
     def duration(self):
@@ -49,4 +51,10 @@ class Fans:
 
     def time(self, turn):
         """Seconds from the first beam of the scan to the first beam of a turn of the platform."""
-        return turn * len(self.parts) * SCAN_TIME
+        return turn * self._turns * SCAN_TIME
+
+
+def _count_turns(step):
+    """How many turns of the mirror a fan needs."""
+    turns = round(1 / step) if 0 < step <= 1 else 1
+    return turns if abs(turns * step - 1) <= _STEP_TOLERANCE else 1

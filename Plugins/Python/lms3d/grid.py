@@ -6,12 +6,15 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkMath
 
+from .motion import Platform
+
 
 class Grid:
     """All beams of a scan, turn by turn, with and without a return.
 
     alpha, beta: the angles of the beams of a turn, and of the turns, degrees.
     rotation, position: the pose: the sensor's axes (columns), and where the sensor is.
+    platform: how the platform carries and turns the fan.
     ids: the beam of each return, increasing.
     """
 
@@ -20,6 +23,7 @@ class Grid:
         self.beta = _field(scan, "BetaAngles")
         pose = _field(scan, "SensorToWorld").reshape(4, 4)
         self.rotation, self.position = pose[:3, :3], pose[:3, 3]
+        self.platform = Platform(scan)
         points = scan.GetPoints()
         self._points = vtk_to_numpy(points.GetData()) if points else np.empty((0, 3))
         self.ids = _array(scan, "BeamId", np.int32)

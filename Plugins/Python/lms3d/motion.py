@@ -22,6 +22,33 @@ _PLATFORMS = (
 )
 
 
+class Platform:
+    """How a scan's platform carried and turned the fan (Filters/Device/lms3dPlatform.h).
+
+    axes: F, S and A at the platform angle 0, as rows in the sensor's axes. offset: of the mirror's
+    centre at that angle, metres. turn_rate: degrees a second during a fan.
+    """
+
+    def __init__(self, poly):
+        axes, self.is_fan_along_axis = _PLATFORMS[int(_get(poly, "Mounting", [0])[0])]
+        self.axes = np.array(axes)
+        self.offset = _get(poly, "AxisOffset", np.zeros(3))
+        self.turn_rate = float(_get(poly, "TurnRate", [0.0])[0])
+
+    def get_fan(self, angle):
+        """The matrix from a fan at a platform angle to the sensor's axes, and the mirror's place.
+
+        The columns are the directions of the elevations alpha 0 and 90 degrees, and their product.
+        """
+        sine, cosine = np.sin(np.radians(angle)), np.cos(np.radians(angle))
+        turn = self.axes.T @ np.array(((cosine, sine, 0), (-sine, cosine, 0), (0, 0, 1)))
+        first, second = turn[:, 0], turn[:, 2]
+        if self.is_fan_along_axis:
+            first, second = second, first
+        matrix = np.stack((first, second, np.cross(first, second)), axis=1)
+        return matrix, turn @ self.axes @ self.offset
+
+
 def to_trajectory(trajectory):
     """The vtkPolyData of a trajectory: itself, or that of (times, positions[, orientations]).
 
@@ -60,12 +87,12 @@ def undistort(scan):
     poly = getattr(scan, "poly", scan)
     alpha, beta = _need(poly, "AlphaAngles"), _need(poly, "BetaAngles")
     turns, beams = np.divmod(get_array(poly, "BeamId"), len(alpha))
-    (axes, is_fan_along_axis) = _PLATFORMS[int(_get(poly, "Mounting", [0])[0])]
-    axes = np.array(axes)
-    elevations = np.radians(90.0 - alpha if is_fan_along_axis else alpha)[beams]
-    angles = np.radians(beta[turns] + _get(poly, "TurnRate", [0.0])[0] * _fan_times(alpha)[beams])
+    platform = Platform(poly)
+    elevations = np.radians(90.0 - alpha if platform.is_fan_along_axis else alpha)[beams]
+    angles = np.radians(beta[turns] + platform.turn_rate * _fan_times(alpha)[beams])
     # Beam and mirror in the frame of the turn, as components along F and A, and along F, S and A.
-    offset = axes @ _get(poly, "AxisOffset", np.zeros(3))
+    axes = platform.axes
+    offset = axes @ platform.offset
     ranges = get_array(poly, "Range").astype(np.float64)
     forward = ranges * np.cos(elevations) + offset[0]
     along = ranges * np.sin(elevations) + offset[2]

@@ -41,7 +41,8 @@ and fans are lost on a slow line, as on the device. The telegrams do not contain
 platform; --angles writes it beside them.
 
 The device starts at 9600 Bd, in a variant of 180 degrees by 0.5, and sends nothing before it is
-requested. Value i of a telegram is beam i of the fan: alpha is -90 degrees + i/2.
+requested. Value i of a telegram is beam i of the fan: alpha is -90 degrees + i/2. The measuring mode
+limits the ranges, so --device does not change --maximum-range here.
 
 The command runs until Ctrl-C, SIGTERM, or the end of its terminal; that is a success. Hosts may
 come and go. Documentation/drivers.md explains how to start the drivers of robots' software.
@@ -116,8 +117,8 @@ def _add_line(group):
     group.add_argument("--link", metavar="PATH",
                        help="a symbolic link to the pseudo-terminal, which is removed at the end")
     group.add_argument("--pace", choices=_PACES, default=_PACES[0],
-                       help="line: the rate of the line limits the number of fans, as on the "
-                       "device (default); mirror: every scan of the mirror arrives, at any rate")
+                       help="line: the rate of the line limits the number of fans of a stream, as on "
+                       "the device (default); mirror: every scan of the mirror arrives, at any rate")
     group.add_argument("--unit", choices=_UNITS, default="mm",
                        help="the unit that the device was left with (default: mm)")
     group.add_argument("--firmware", choices=FIRMWARES, default=FIRMWARES[0],
@@ -147,7 +148,7 @@ def _check(options):
         check_readable(options.trajectory, "trajectory", (".vtp",))
     if options.angles not in (None, STREAM):
         check_writable("angles", options.angles)
-    if options.link:
+    if options.link is not None:
         check_link(options.link)
 
 

@@ -29,16 +29,6 @@ class Configuration:
         return bytes(self._bytes[:self._size])
 
     @property
-    def blanking(self):
-        """The two bytes of the distance that is not measured."""
-        return bytes(self._bytes[:2])
-
-    @property
-    def stop_threshold(self):
-        """The byte of the stop threshold."""
-        return self._bytes[_STOP_THRESHOLD]
-
-    @property
     def has_indices(self):
         """Whether the mirror's turn and the number of the telegram follow the measured values."""
         return bool(self._bytes[_AVAILABILITY] & _HAS_INDICES)

@@ -10,7 +10,8 @@ each byte, which depends on the byte's value and on how many bytes follow it.
 import numpy as np
 
 _POLYNOMIAL = 0x8005
-_MAXIMUM_SIZE = 812  # bytes of a telegram (TL 22)
+# More than a telegram of a host has (TL 22); 401 values with a sub-range and indices take 819 bytes.
+_MAXIMUM_SIZE = 1024
 
 
 def _shift(registers):

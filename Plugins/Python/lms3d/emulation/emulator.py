@@ -28,31 +28,39 @@ class Emulator:
 
     def run(self):
         """Serve hosts until the end."""
+        has_host = self._terminal.has_host()
         while True:
-            has_host = self._terminal.has_host()
-            if self._wait(has_host):
+            must_end, has_news = self._wait(has_host)
+            if must_end:
                 return
             now = time.monotonic()
-            # A host that was here for a moment only may have left a command.
-            self._receive(now)
-            if not has_host:
+            if has_news:
+                # A host that was here for a moment only may have left a command.
+                self._receive(now)
+            if has_host:
+                self._terminal.flush()
+                self._send()
+                if self._lines:
+                    self._lines.flush()
+            else:
                 self._device.skip(now)
-                continue
-            self._terminal.flush()
-            self._send()
-            if self._lines:
-                self._lines.flush()
+            if has_news:
+                has_host = self._terminal.has_host()
 
     def _wait(self, has_host):
-        """Wait until there is something to do; returns whether the emulator must end."""
+        """Wait until there is something to do.
+
+        Returns whether the emulator must end, and whether bytes may have arrived or the host may have
+        come or gone.
+        """
         if not has_host:
-            return bool(select.select([self._stop], [], [], _PAUSE)[0])
+            return bool(select.select([self._stop], [], [], _PAUSE)[0]), True
         due = self._device.next_time()
         wait = _MAXIMUM_WAIT if due is None else due - time.monotonic()
         writers = [self._terminal] if self._terminal.is_behind else []
         ready = select.select([self._stop, self._terminal], writers, [],
                               min(max(wait, 0.0), _MAXIMUM_WAIT))[0]
-        return self._stop in ready
+        return self._stop in ready, self._terminal in ready
 
     def _receive(self, now):
         data = self._terminal.read()

@@ -38,13 +38,14 @@ class LiveFans:
 
     def __init__(self, sensor, run, errors=None, times=()):
         self._sensor = sensor
-        self._sensor.ComputeStatusOn()
         self._run = run
         self._errors = errors
         self._noise = errors.GetRangeNoise() if errors else 0.0
         self._times = times
         self._set_alphas(0.0, 0.0, 1)
         run(sensor, None)
+        # Without statuses a fan takes less time.
+        sensor.SetComputeStatus(bool(times) or _can_hide(sensor))
         betas = sensor.GetOutput().GetFieldData().GetArray("BetaAngles")
         self.angles = vtk_to_numpy(betas).tolist()
         self._betas = vtkDoubleArray()
@@ -119,6 +120,14 @@ class LiveFans:
 def _ranges(image):
     """The ranges of an image, without a copy."""
     return np.frombuffer(image.GetPointData().GetArray("Range"), np.float64)
+
+
+def _can_hide(sensor):
+    """Whether a surface can be too far or too dark for the sensor, at the pose that it has."""
+    bounds = np.reshape(sensor.GetInputDataObject(0, 0).GetBounds(), (3, 2))
+    position = np.reshape(sensor.GetPosition(), (3, 1))
+    reach = np.linalg.norm(np.abs(bounds - position).max(axis=1))
+    return sensor.GetRangeAtTenPercent() > 0 or not reach < sensor.GetMaximumRange()
 
 
 def _mark(ranges, image):

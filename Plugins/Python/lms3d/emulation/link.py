@@ -14,8 +14,9 @@ def check_link(path):
     path = Path(path)
     if not path.parent.is_dir():
         raise Problem(f"cannot make the link '{path}': there is no folder '{path.parent}'")
-    if path.exists() and not path.is_symlink():
-        raise Problem(f"cannot make the link '{path}': a file has this name")
+    # Only a link of an earlier run may be replaced: to a terminal, or to one that has gone.
+    if path.exists() and not (path.is_symlink() and path.is_char_device()):
+        raise Problem(f"cannot make the link '{path}': something else has this name")
 
 
 @contextmanager
