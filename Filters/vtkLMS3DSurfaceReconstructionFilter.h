@@ -52,8 +52,14 @@
  *   there, about as large as the offset. If the mirror lies behind the axis, beams near the pole pass
  *   the axis, and measure what other turns measure as well: these returns get facets, unless they lie within
  *   MaximumError of the map, and in the plain grid, they are points without triangles.
+ *   With an offset across the fan, the halves of the fans of YawingTop and Rolling do not continue each other:
+ *   at the first turn, the surface has two layers on one side and a slit on the other.
+ *   Near a border between patches, the triangle within MaximumError of a return can belong to the patch beside
+ *   it. Where triangles do not fit the beams, only the returns beside the place leave their patch, and become
+ *   patches or facets of their own. The number of triangles is about that of a mirror on the axis.
  * - TurnRate: neighbours in a fan are compared at one platform angle, so interlaced fans do not tear
- *   the surface into strips.
+ *   the surface into strips. If the platform turns by several steps of beta during one fan, borders between
+ *   patches follow the comb of the interlaced beams, which needs several times as many triangles.
  *
  * The points of a scan with MotionDuringScan assume a resting sensor, and so does the map.
  *

@@ -33,7 +33,7 @@ constexpr double PatchesDone = 0.4;
 // The number of attempts in which patches may give up a few returns instead of being split.
 constexpr int ReleasingAttempts = 8;
 // The same if beams are not regular: faults have more causes there.
-constexpr int ReleasingAttemptsOnRays = 40;
+constexpr int ReleasingAttemptsOnRays = 16;
 // The size of a facet beyond the axis, where neighbours are close together: as if a neighbour were that far
 // away, radians.
 constexpr double AngleBeyondAxis = 1e-3;

@@ -111,13 +111,10 @@ bool lms3dPatchMesher::Refine(Work& work)
   for (int round = 0;; ++round)
   {
     work.KeepsWorstOnly = round < WorstOnlyRounds;
-    if (!this->Check(work))
+    const bool isCovered = this->Check(work);
+    if (!isCovered || work.Violations.empty())
     {
-      return false;
-    }
-    if (work.Violations.empty())
-    {
-      return true;
+      return isCovered;
     }
     if (!this->InsertBeams(work))
     {

@@ -38,11 +38,13 @@ public:
       {
         const GridIndex index = this->Sphere.GetIndex(column, row);
         const double hit = hits.GetRange(row);
-        if (this->IsWithin(index, hit))
+        const lms3dVector point =
+          lms3dScale(this->Sphere.GetDirection(index), this->Sphere.GetRange(index));
+        const double distance = lms3dGetDistance(point, a.Position, b.Position, c.Position);
+        // The margin of the beam can be far from a triangle at a grazing angle.
+        if (this->IsWithin(index, hit) && distance <= this->MaximumError)
         {
-          const lms3dVector point =
-            lms3dScale(this->Sphere.GetDirection(index), this->Sphere.GetRange(index));
-          this->AddHit(index, lms3dGetDistance(point, a.Position, b.Position, c.Position));
+          this->AddHit(index, distance);
         }
         else if (this->IsBlocked(index, hit))
         {
