@@ -23,9 +23,9 @@
  * The input with reported ranges in `Range` (metres), and with points at these ranges on the beams:
  * where the beam starts, which is the sensor's position unless the scan has an AxisOffset, plus range times
  * direction, rounded as vtkLMS3DScanFilter rounds it. Beams belong to a resting sensor with the scan's
- * Mounting, AxisOffset and TurnRate. Points and
- * ranges in single precision stay in single precision. All other arrays are the input's. If all errors are
- * off, the output is the input to the bit, and shares its arrays.
+ * Mounting, AxisOffset and TurnRate. Points and ranges in single precision stay in single precision. All
+ * other arrays are the input's. If all errors are off, the output is the input to the bit, and shares its
+ * arrays.
  *
  * @par Output 1, the range image
  * The range image of output 0, as in vtkLMS3DScanFilter: `Range` (float64, metres) for all beams, NaN

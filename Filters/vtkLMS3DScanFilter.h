@@ -99,9 +99,9 @@
  * @par
  * Surface attributes, Incidence, Intensity and the reflectance come from the process whose triangle was
  * hit. Each process with triangles needs the ReflectanceArray. The first process has the field data
- * `Status`, and each process has its block of it in the range image. For SurfaceAttributes: A cell array must exist on all
- * processes that have returns, or, if there is no return, on all that have triangles. Arrays of
- * vtkIdType become arrays of vtkTypeInt64.
+ * `Status`, and each process has its block of it in the range image. For SurfaceAttributes, a cell array
+ * must exist on all processes that have returns, or, if there is no return, on all that have triangles.
+ * Arrays of vtkIdType become arrays of vtkTypeInt64.
  * @par
  * The filter warns once if the global ids show that cells are missing.
  *
@@ -515,7 +515,8 @@ public:
    * within its cone, each for the same part of the area. From 1 to 1000. 7, 19, 37 and so on complete a
    * ring; the share of n rays on one side of a straight edge is then that of the area within 0.55 / sqrt(n).
    * The range of a ray is measured along the beam's axis, to about 13 digits, so a plane at right angles has
-   * the range of the axis. The default is 1: a beam without width. A scan takes about as long as one scan for each ray.
+   * the range of the axis. The default is 1: a beam without width. A scan takes about as long as one scan for
+   * each ray.
    */
   vtkSetMacro(BeamSamples, int);
   vtkGetMacro(BeamSamples, int);
@@ -599,7 +600,8 @@ public:
    * Why a beam gave a return, or none. NOTHING_MET: there is no surface along the beam at any range.
    * BEYOND_RANGE: the nearest surface is beyond MaximumRange. TOO_WEAK: RangeAtTenPercent removed the return.
    * TOO_NEAR: the nearest surface is nearer than MinimumRange. (vtkLMS3DRangeErrorFilter adds the returns
-   * whose ranges it cannot report.)
+   * whose ranges it cannot report.) For a beam with a width, the echo that it would report without limits
+   * decides between these.
    */
   enum BeamStatus
   {

@@ -42,6 +42,7 @@ std::vector<double> GetFiniteNumbers(vtkFieldData* data, const char* name)
     std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
   return areFinite ? numbers : std::vector<double>();
 }
+
 // Returns `standard` if there is no such array.
 std::vector<double> GetNumbers(
   vtkFieldData* data, const char* name, const std::vector<double>& standard)

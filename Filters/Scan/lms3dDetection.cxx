@@ -123,7 +123,7 @@ void lms3dDetection::RemoveWeakReturns(
           {
             this->IsWeak =
               lms3dFindWeakReturns({ { request.Cast.Caster->GetMesh(), this->Reflectances },
-                                     request.Beams, output.GetOwnTriangles() },
+                                     *request.Beams, output.GetOwnTriangles() },
                 output.GetRanges(), request.Settings.Device.Reflectance.RangeAtTenPercent);
           });
       }

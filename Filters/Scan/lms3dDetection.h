@@ -35,7 +35,9 @@ struct lms3dDetectionRequest
   /// How the scan was cast.
   const lms3dBeamCastRequest& Cast;
 
-  const lms3dMovingBeams& Beams;
+  /// May be null if RangeAtTenPercent is 0.
+  const lms3dMovingBeams* Beams;
+
   vtkMultiProcessController* Controller;
 
   /// The progress of the whole scan.

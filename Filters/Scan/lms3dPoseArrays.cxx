@@ -70,22 +70,8 @@ void AddPoses(const lms3dMovingBeams& beams, vtkPolyData* scan)
       std::copy(orientation.begin(), orientation.end(), orientations + 4 * i);
     });
 }
-} // namespace
 
-void lms3dAddPoseArrays(
-  const lms3dMovingBeams& beams, const lms3dExtraArrays& wanted, vtkPolyData* scan)
-{
-  if (wanted.Time)
-  {
-    AddTimes(beams, scan);
-  }
-  if (wanted.Poses)
-  {
-    AddPoses(beams, scan);
-  }
-}
-
-void lms3dAddTurnPoses(const lms3dMovingBeams& beams, vtkPolyData* scan)
+void AddTurnPoses(const lms3dMovingBeams& beams, vtkPolyData* scan)
 {
   const int turns = beams.GetGeometry().GetNumberOfTurns();
   const auto array =
@@ -96,4 +82,22 @@ void lms3dAddTurnPoses(const lms3dMovingBeams& beams, vtkPolyData* scan)
     std::copy(matrix.begin(), matrix.end(), array->GetPointer(16 * static_cast<vtkIdType>(turn)));
   }
   lms3dAddHiddenArray(array, scan->GetFieldData());
+}
+} // namespace
+
+void lms3dAddPoseArrays(const lms3dMovingBeams& beams, const lms3dExtraArrays& wanted,
+  bool hasTurnPoses, vtkPolyData* scan)
+{
+  if (wanted.Time)
+  {
+    AddTimes(beams, scan);
+  }
+  if (wanted.Poses)
+  {
+    AddPoses(beams, scan);
+  }
+  if (hasTurnPoses)
+  {
+    AddTurnPoses(beams, scan);
+  }
 }

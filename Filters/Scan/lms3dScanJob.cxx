@@ -9,7 +9,6 @@
 #include "Scan/lms3dPoseArrays.h"
 #include "Scan/lms3dSurfaceAttributes.h"
 
-#include <vtkDataObject.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -19,7 +18,6 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
-#include <cmath>
 #include <memory>
 
 namespace
@@ -28,15 +26,6 @@ namespace
 constexpr double BuildShare = 0.3;
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-// `time` is NaN without a trajectory.
-void SetDataTime(double time, vtkDataObject* data)
-{
-  if (!std::isnan(time))
-  {
-    data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-  }
-}
 } // namespace
 
 /// One run: the request, and what all its steps use.
@@ -46,6 +35,10 @@ struct lms3dScanJob::Scan
   const lms3dProcesses& Processes;
   const lms3dScanGeometry& Geometry;
   const lms3dScanStart& Start;
+
+  /// Null if nothing needs them.
+  const lms3dMovingBeams* const Beams;
+
   const lms3dProgress Progress;
   vtkPolyData* const Points;
   vtkImageData* const Image;
@@ -61,7 +54,10 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
   bool isDone = false;
   if (isPrepared)
   {
-    const Scan scan = { request, processes, this->Sensor.GetGeometry(request.Settings), start,
+    const lms3dScanGeometry& geometry = this->Sensor.GetGeometry(request.Settings);
+    std::unique_ptr<const lms3dMovingBeams> beams;
+    processes.RunCollectively([&] { beams = start.MakeBeams(request.Settings, geometry); });
+    const Scan scan = { request, processes, geometry, start, beams.get(),
       lms3dGetStepProgress(request.Progress, BuildShare, 1.0), points, image };
     isDone = processes.IsParallel() ? this->CastInParallel(scan) : this->CastAlone(scan);
     this->Output.Discard();
@@ -75,8 +71,8 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
   {
     lms3dClearOutputs(request.Outputs);
   }
-  SetDataTime(start.Time, points);
-  SetDataTime(start.Time, image);
+  start.SetDataTime(points);
+  start.SetDataTime(image);
   return isDone;
 }
 
@@ -169,17 +165,14 @@ bool lms3dScanJob::CastInParallel(const Scan& scan)
 bool lms3dScanJob::CastAndDetect(const Scan& scan, std::int64_t firstCell)
 {
   const lms3dScanSettings& settings = scan.Request.Settings;
-  const lms3dFootprint& footprint = settings.Device.Footprint;
-  const bool isPlain =
-    settings.Device.Platform.IsCentredAndStepped() && !scan.Start.Motion && !footprint.HasWidth();
-  const lms3dMovingBeams beams = scan.Start.MakeBeams(scan.Geometry);
   const lms3dProgress progress = lms3dDetection::GetCastProgress(scan.Progress, settings);
   const lms3dBeamCastRequest cast = { this->Scene.GetCaster(), firstCell, scan.Geometry,
-    scan.Start.Pose, isPlain ? nullptr : &beams, footprint, settings.Limits, scan.Processes,
-    this->Threads, settings.NumberOfThreads, progress };
+    scan.Start.Pose, scan.Start.HasPlainBeams(settings.Device) ? nullptr : scan.Beams,
+    settings.Device.Footprint, settings.Limits, scan.Processes, this->Threads,
+    settings.NumberOfThreads, progress };
   return lms3dCastBeams(cast, this->Output) &&
     this->Detection.Run(
-      { settings, cast, beams, scan.Request.Controller, scan.Progress }, this->Output);
+      { settings, cast, scan.Beams, scan.Request.Controller, scan.Progress }, this->Output);
 }
 
 void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
@@ -221,25 +214,18 @@ void lms3dScanJob::AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) co
   const lms3dSurfaceArrays wanted(scan.Request.Settings);
   if (wanted.AreAny() && caster)
   {
-    const lms3dMovingBeams beams = scan.Start.MakeBeams(scan.Geometry);
-    lms3dAddSurfaceAttributes({ { caster->GetMesh(), this->Detection.GetReflectances() }, beams,
-                                this->Output.GetOwnTriangles() },
+    lms3dAddSurfaceAttributes({ { caster->GetMesh(), this->Detection.GetReflectances() },
+                                *scan.Beams, this->Output.GetOwnTriangles() },
       wanted, scan.Request.Scene, this->Scene.GetPart().HasGlobalIds, data);
   }
 }
 
 void lms3dScanJob::AddPoses(const Scan& scan)
 {
-  const lms3dDeviceSettings& device = scan.Request.Settings.Device;
-  const bool hasTurnPoses = device.MotionDuringScan && scan.Request.Trajectory;
-  if (device.Arrays.Time || device.Arrays.Poses || hasTurnPoses)
+  if (scan.Beams)
   {
-    const lms3dMovingBeams beams = scan.Start.MakeBeams(scan.Geometry);
-    lms3dAddPoseArrays(beams, device.Arrays, scan.Points);
-    if (hasTurnPoses)
-    {
-      lms3dAddTurnPoses(beams, scan.Points);
-    }
+    const lms3dDeviceSettings& device = scan.Request.Settings.Device;
+    lms3dAddPoseArrays(*scan.Beams, device.Arrays, scan.Start.HasTurnPoses(device), scan.Points);
   }
 }
 

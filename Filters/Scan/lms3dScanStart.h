@@ -11,9 +11,12 @@
 #include "Device/lms3dScanGeometry.h"
 #include "Scan/lms3dMovingBeams.h"
 #include "Scan/lms3dProcesses.h"
+#include "Scan/lms3dScanSettings.h"
 
 #include <cmath>
 #include <memory>
+
+class vtkDataObject;
 
 struct lms3dScanStart
 {
@@ -28,11 +31,22 @@ struct lms3dScanStart
   /// Replaces all by the first process's. Collective.
   void Broadcast(const lms3dProcesses& processes);
 
-  /// Returns the beams of a scan that starts here. Geometry and this object must outlive them.
-  lms3dMovingBeams MakeBeams(const lms3dScanGeometry& geometry) const
+  /// Sets DATA_TIME_STEP of an output if there is a trajectory.
+  void SetDataTime(vtkDataObject* output) const;
+
+  /// Returns whether all beams start at the sensor's position, have no width, and a fan does not move.
+  bool HasPlainBeams(const lms3dDeviceSettings& device) const;
+
+  /// Returns whether the scan has the poses of its turns.
+  bool HasTurnPoses(const lms3dDeviceSettings& device) const
   {
-    return { geometry, this->Pose, this->Motion.get(), std::isnan(this->Time) ? 0.0 : this->Time };
+    return device.MotionDuringScan && !std::isnan(this->Time);
   }
+
+  /// Returns the beams of a scan that starts here; null if nothing in the settings needs them, as by
+  /// default. Geometry and this object must outlive them.
+  std::unique_ptr<const lms3dMovingBeams> MakeBeams(
+    const lms3dScanSettings& settings, const lms3dScanGeometry& geometry) const;
 };
 
 #endif

@@ -89,9 +89,9 @@ void pqLMS3DDeviceWidget::addChoice(QGridLayout* layout)
   {
     this->Choice->addItem(vtkLMS3DScanFilter::GetDeviceName(i));
   }
-  this->Choice->setToolTip(
-    tr("Sets all properties that describe a device, also the maximum range. You can change each of "
-       "them. Custom: they are of no device. Default: Ideal."));
+  this->Choice->setToolTip(tr(
+    "Sets all properties of this filter that describe a device; of LMS3D Scan also Maximum "
+    "Range. You can change each of them. Custom: the values belong to no device. Default: Ideal."));
   layout->addWidget(this->Choice, 0, 0, 1, 2);
   this->connect(this->Choice, SIGNAL(currentIndexChanged(int)), SLOT(setDevice(int)));
 }
@@ -205,7 +205,7 @@ void pqLMS3DDeviceWidget::showDevice()
   {
     this->Choice->addItem(tr("Custom"));
   }
-  else if (device<devices&& this->Choice->count()> devices)
+  else if (this->Choice->count() > devices && device != devices)
   {
     this->Choice->removeItem(devices);
   }

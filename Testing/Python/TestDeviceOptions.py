@@ -92,10 +92,26 @@ class TestOptions(CommandLineTest):
                                ("--status", ("-o", csv)), ("--time", ("--range-image", image))):
             with self.subTest(option):
                 self.assertIn(option, self.refused(2, "scan", ROOM, *POSE, option, *output))
+        for option, value, needed in (("--beam-diameter", 0.01, "--beam-samples"),
+                                      ("--beam-divergence", 0.01, "--beam-samples"),
+                                      ("--reflectance", "Color", "--range-at-ten-percent")):
+            with self.subTest(option):
+                words = self.refused(2, "scan", ROOM, *POSE, option, value, "-o", csv)
+                self.assertIn(option, words)
+                self.assertIn(needed, words)
         self.assertIn("--device: the server has its own sensor", self.refused(
             2, "view", "--server", "corbaloc::x/y", "--device", "lms200-mm"))
         self.assertIn("--mounting: needs --position", self.refused(
             2, "compare", ROOM, ROOM, "--mounting", "rolling"))
+
+    def test_options_that_have_what_they_need(self):
+        for words in (("--beam-diameter", 0.01, "--beam-samples", 7), ("--beam-diameter", 0),
+                      ("--beam-divergence", 0.01, "--device", "lms291"),
+                      ("--reflectance", "Color", "--device", "lms200-mm"),
+                      ("--reflectance", "Color", "--range-at-ten-percent", 5),
+                      ("--reflectance", "Color", "--intensity")):
+            with self.subTest(words):
+                device_options.check(self.options(*words))
 
     def test_the_help_has_units_and_defaults(self):
         words = " ".join(run("scan", "--help", COLUMNS="1000").stdout.split())

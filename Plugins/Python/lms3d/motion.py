@@ -117,8 +117,8 @@ def _to_world(poly, points):
     if positions is not None and quaternions is not None:
         return positions + _rotate(quaternions, points)
     if get_field(poly, "TurnToWorld") is not None:
-        raise ValueError("the sensor moved during the scan, and the scan does not have the pose of "
-                         "each beam: scan with poses=True (ComputePoses)")
+        raise ValueError("the scan is of a sensor that moves, and does not have the pose of each "
+                         "beam: scan with poses=True (ComputePoses)")
     pose = _need(poly, "SensorToWorld").reshape(4, 4)
     return points @ pose[:3, :3].T + pose[:3, 3]
 

@@ -3,7 +3,7 @@
 """Options of the commands that scan: the device, the errors of its ranges, and its platform."""
 
 from .. import vtkLMS3DRangeErrorFilter, vtkLMS3DScanFilter
-from ..device import set_errors, set_platform, set_sensor
+from ..device import name_in_vtk, set_errors, set_platform, set_sensor
 from ..problems import UsageProblem
 from ..properties import DEVICES, MAXIMUM_BEAM_SAMPLES, MOUNTINGS
 from .values import bound, count, number, seed
@@ -29,10 +29,10 @@ def add_device(parser):
                        "ideal)")
     defaults = vtkLMS3DScanFilter()
     for name, convert, unit, text in (
-            ("beam-diameter", bound, "M", "metres; diameter of the beam at the sensor (LMS 200: "
-             "0.012)"),
-            ("beam-divergence", bound, "D", "metres for each metre of range; growth of the diameter "
-             "(LMS 200: 0.0044)"),
+            ("beam-diameter", bound, "M", "metres; diameter of the beam at the sensor; needs "
+             "--beam-samples above 1 (LMS 200: 0.012)"),
+            ("beam-divergence", bound, "D", "metres for each metre of range; growth of the diameter; "
+             "needs --beam-samples above 1 (LMS 200: 0.0044)"),
             ("beam-samples", beam_samples, "N", "number of rays that stand for a beam, up to "
              f"{MAXIMUM_BEAM_SAMPLES}; 1 is a beam without width, 7 and 19 complete a ring"),
             ("pulse-length", bound, "M", "metres; surfaces within this of the nearest mix to one "
@@ -133,19 +133,38 @@ def _words(name, values):
 
 def get_maximum_range(options):
     """The maximum range of the options, or of their device."""
-    if options.maximum_range is not None:
-        return options.maximum_range
-    device = DEVICES[getattr(options, "device", "ideal")]
-    return vtkLMS3DScanFilter.GetDeviceValue(device, "MaximumRange")
+    return _get_value(options, "maximum_range")
 
 
 def check(options):
-    """Raise UsageProblem if the device's options are invalid."""
-    divergence = getattr(options, "beam_divergence", None)
-    if divergence is not None and divergence > 1:
-        raise UsageProblem(f"--beam-divergence {divergence:g}: must be from 0 to 1")
+    """Raise UsageProblem if the device's options are invalid, or have no effect."""
+    if "device" in options:
+        _check_device(options)
     if getattr(options, "motion_during_scan", False) and not options.trajectory:
         raise UsageProblem("--motion-during-scan: needs --trajectory")
+
+
+def _check_device(options):
+    divergence = options.beam_divergence
+    if divergence is not None and divergence > 1:
+        raise UsageProblem(f"--beam-divergence {divergence:g}: must be from 0 to 1")
+    if _get_value(options, "beam_samples") == 1:
+        for name in ("beam_diameter", "beam_divergence"):
+            if getattr(options, name):
+                raise UsageProblem(f"--{name.replace('_', '-')}: needs --beam-samples above 1")
+    needs_light = _get_value(options, "range_at_ten_percent") > 0
+    if options.reflectance and not (needs_light or getattr(options, "intensity", False)):
+        raise UsageProblem("--reflectance: has an effect only with a --device, with "
+                           "--range-at-ten-percent, or, in lms3d scan, with --intensity")
+
+
+def _get_value(options, name):
+    """The value of an option, or of its device."""
+    value = getattr(options, name)
+    if value is not None:
+        return value
+    device = DEVICES[getattr(options, "device", "ideal")]
+    return vtkLMS3DScanFilter.GetDeviceValue(device, name_in_vtk(name))
 
 
 def apply_platform(sensor, options):
