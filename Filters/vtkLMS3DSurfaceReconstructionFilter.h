@@ -56,7 +56,9 @@
  *   at the first turn, the surface has two layers on one side and a slit on the other.
  *   Near a border between patches, the triangle within MaximumError of a return can belong to the patch beside
  *   it. Where triangles do not fit the beams, only the returns beside the place leave their patch, and become
- *   patches or facets of their own. The number of triangles is about that of a mirror on the axis.
+ *   patches or facets of their own. The number of triangles is about that of a mirror on the axis. The map takes
+ *   longer, because all beams are cast at it: about a second for the default scan, and many seconds for
+ *   YawingTop and Rolling with an offset across the fan.
  * - TurnRate: neighbours in a fan are compared at one platform angle, so interlaced fans do not tear
  *   the surface into strips. If the platform turns by several steps of beta during one fan, borders between
  *   patches follow the comb of the interlaced beams, which needs several times as many triangles.
@@ -64,15 +66,17 @@
  * The points of a scan with MotionDuringScan assume a resting sensor, and so does the map.
  *
  * The input needs the point data `Range` and `BeamId`, and the field data `AlphaAngles`, `BetaAngles` and
- * `SensorToWorld` of the scan, and, if not default, `Mounting`, `AxisOffset` and `TurnRate`. Returns may have been removed or moved. Each beam may have at most one
- * return. With a MaximumError above 0, a return lies on its beam at its `Range`; the coordinates of the
- * points are not used. A scan of one turn or of one beam has no cells, so its plain grid has no triangles.
+ * `SensorToWorld` of the scan, and, if not default, `Mounting`, `AxisOffset` and `TurnRate`. Returns may have
+ * been removed or moved. Each beam may have at most one return. With a MaximumError above 0, a return lies on
+ * its beam at its `Range`; the coordinates of the points are not used. A scan of one turn or of one beam has
+ * no cells, so its plain grid has no triangles.
  *
  * The output is a vtkPolyData of triangles that face the sensor, in world coordinates, metres. It has the
- * point data `Range` (float64, metres from the sensor) and `Normals` (float32, unit vectors towards the sensor). The plain
- * grid has normals at its points, the means of the adjacent triangles' normals; a bounded map has normals
- * of its triangles. The points of the plain grid are the returns, with one for each pole; a point without
- * triangles has the direction to the sensor as its normal. A bounded map has these arrays as well:
+ * point data `Range` (float64, metres from the sensor) and `Normals` (float32, unit vectors towards the
+ * sensor). The plain grid has normals at its points, the means of the adjacent triangles' normals; a bounded
+ * map has normals of its triangles. The points of the plain grid are the returns, with one for each pole; a
+ * point without triangles has the direction to the sensor as its normal. A bounded map has these arrays as
+ * well:
  *
  * - cell data `PatchId` (int32): the patch of the triangle; a facet is a patch of its own. It is -1 for
  *   triangles that join two patches along an offset within one surface, and for the plain grid.
