@@ -57,8 +57,8 @@
  *   Near a border between patches, the triangle within MaximumError of a return can belong to the patch beside
  *   it. Where triangles do not fit the beams, only the returns beside the place leave their patch, and become
  *   patches or facets of their own. The number of triangles is about that of a mirror on the axis. The map takes
- *   longer, because all beams are cast at it: about a second for the default scan, and many seconds for
- *   YawingTop and Rolling with an offset across the fan.
+ *   longer, because all beams are cast at it: a quarter of a second for the default scan with a mirror 0.1 m
+ *   ahead of the axis, and several seconds with larger offsets across the fan.
  * - TurnRate: neighbours in a fan are compared at one platform angle, so interlaced fans do not tear
  *   the surface into strips. If the platform turns by several steps of beta during one fan, borders between
  *   patches follow the comb of the interlaced beams, which needs several times as many triangles.

@@ -10,6 +10,9 @@
 
 namespace
 {
+// Radians. Larger than the rounding of rays.
+constexpr double FanTolerance = 1e-6;
+
 // Radians: larger than rounding and margins. Looking at one column more does no harm.
 constexpr double AzimuthTolerance = 1e-6;
 
@@ -53,6 +56,40 @@ lms3dTriangleRasterizer::Edges3 lms3dTriangleRasterizer::MakeEdges(
   const lms3dVector& a, const lms3dVector& b, const lms3dVector& c)
 {
   return { lms3dCross(b, a), lms3dCross(c, b), lms3dCross(a, c) };
+}
+
+// Returns false only if no ray of the column hits the triangle. If the platform stands still during a fan, the
+// rays of a column start at one point and lie in the vertical half-plane through it.
+bool lms3dTriangleRasterizer::MeetsFan(int column, FanView& view) const
+{
+  const lms3dBeamSphere::GridIndex middle =
+    this->Sphere.GetIndex(column, this->Sphere.GetNumberOfRows() / 2);
+  const auto& rays = this->Sphere.GetRays();
+  if (rays.GetLargestTurn() > 0.0 || rays.IsVertical(middle))
+  {
+    return true;
+  }
+  const auto& [origin, direction] = rays[middle];
+  const double length = std::hypot(direction[0], direction[1]);
+  view.IsPlane = true;
+  view.Level[0] = direction[0] / length;
+  view.Level[1] = direction[1] / length;
+  int left = 0;
+  int right = 0;
+  int behind = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const lms3dVector corner = lms3dSubtract(this->Corners[i], origin);
+    const double side = view.Level[0] * corner[1] - view.Level[1] * corner[0];
+    view.Along[i] = view.Level[0] * corner[0] + view.Level[1] * corner[1];
+    view.Up[i] = corner[2];
+    view.Tolerance[i] =
+      (FanTolerance + this->Margin) * (lms3dGetLength(corner) + lms3dGetLength(origin));
+    left += side > view.Tolerance[i] ? 1 : 0;
+    right += side < -view.Tolerance[i] ? 1 : 0;
+    behind += view.Along[i] < -view.Tolerance[i] ? 1 : 0;
+  }
+  return left < 3 && right < 3 && behind < 3;
 }
 
 bool lms3dTriangleRasterizer::IsHitByRay(lms3dBeamSphere::GridIndex index) const

@@ -79,7 +79,11 @@ public:
       int firstRow, lastRow;
       if (!this->Sphere.IsRegular())
       {
-        this->ForEachRay(column, visit);
+        FanView view;
+        if (this->MeetsFan(column, view))
+        {
+          this->ForEachRay(column, view, visit);
+        }
       }
       else if (this->FindRows(column, firstRow, lastRow))
       {
@@ -95,19 +99,49 @@ private:
   static Edges3 MakeEdges(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c);
   static double GetDistanceFromAxis(const lms3dVector& a, const lms3dVector& b);
 
+  /// The corners in the half-plane of a fan, from where its rays start: along the horizontal direction of the
+  /// fan and upwards, metres.
+  struct FanView
+  {
+    /// Returns true only if a ray of the fan passes above all corners, or below all.
+    bool IsMissedBy(const lms3dVector& direction) const
+    {
+      const double level = direction[0] * this->Level[0] + direction[1] * this->Level[1];
+      int above = 0;
+      int below = 0;
+      for (int i = 0; i < 3; ++i)
+      {
+        const double side = direction[2] * this->Along[i] - level * this->Up[i];
+        above += side > this->Tolerance[i] ? 1 : 0;
+        below += side < -this->Tolerance[i] ? 1 : 0;
+      }
+      return above == 3 || below == 3;
+    }
+
+    /// False if the platform turns during the fan. Then nothing else is valid.
+    bool IsPlane = false;
+    double Level[2];
+    double Along[3];
+    double Up[3];
+    double Tolerance[3];
+  };
+
   template <typename Visitor>
-  void ForEachRay(int column, const Visitor& visit) const
+  void ForEachRay(int column, const FanView& view, const Visitor& visit) const
   {
     const lms3dBeamSphere::GridIndex start = this->Sphere.GetIndex(column, 0);
     for (int row = 0; row < this->Sphere.GetNumberOfRows(); ++row)
     {
-      if (this->IsHitByRay(start + row))
+      const bool isMissed =
+        view.IsPlane && view.IsMissedBy(this->Sphere.GetRays()[start + row].Direction);
+      if (!isMissed && this->IsHitByRay(start + row))
       {
         visit(column, row, row);
       }
     }
   }
 
+  bool MeetsFan(int column, FanView& view) const;
   bool IsHitByRay(lms3dBeamSphere::GridIndex index) const;
   double GetRangeOnRay(lms3dBeamSphere::GridIndex index) const;
   double GetParallax(

@@ -160,10 +160,11 @@ def _serve(options):
         terminal = stack.enter_context(Terminal())
         stack.enter_context(linked(options.link, terminal.name))
         device = _make_device(options, fans)
-        print(f"device   {device.state.type_name.decode().strip()}, ranges {options.device}, "
-              f"{options.unit}, {device.rate} Bd, pace of the {options.pace}")
-        print(f"port     {terminal.name}" + (f", link {options.link}" if options.link else ""),
-              flush=True)
+        with closed_terminal():
+            print(f"device   {device.state.type_name.decode().strip()}, ranges {options.device}, "
+                  f"{options.unit}, {device.rate} Bd, pace of the {options.pace}")
+            print(f"port     {terminal.name}" + (f", link {options.link}" if options.link else ""),
+                  flush=True)
         # The objects that exist now stay; a search for garbage among them would delay fans.
         gc.collect()
         gc.freeze()
