@@ -13,6 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ._version import __version__
 from .grid import Grid
+from .interruption import interruptible
 from .pieces import BEAMS, slices
 from .problems import Problem
 
@@ -31,8 +32,12 @@ def write_las(scan, path, failure):
     header.generating_software = _SOFTWARE
     header.offsets, header.scales = _las_grid(points)
     header.add_extra_dim(laspy.ExtraBytesParams("BeamId", arrays["BeamId"].dtype))
-    with _laspy_errors(failure), laspy.open(str(path), "w", header=header) as file:
+    # lazrs takes a KeyboardInterrupt in its calls of the file for an error of the file.
+    with interruptible(lambda: None) as interruptions, _laspy_errors(failure), \
+            laspy.open(str(path), "w", header=header) as file:
         for rows in slices(len(points), BEAMS):
+            if interruptions:
+                break
             record = laspy.ScaleAwarePointRecord.zeros(rows.stop - rows.start, header=header)
             record.x, record.y, record.z = points[rows].T
             record["BeamId"] = arrays["BeamId"][rows]
