@@ -6,6 +6,7 @@
 #include "Casting/lms3dPacketBeams.h"
 #include "Casting/lms3dTriangle.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -14,6 +15,9 @@
 
 namespace
 {
+// Enough for the preparations of a task to cost little.
+constexpr std::size_t TrianglesOfTask = 64;
+
 float RoundUp(double x)
 {
   return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
@@ -40,12 +44,15 @@ void lms3dExactView::MakeNarrowTriangles()
   const std::size_t count = this->Mesh.GetNumberOfTriangles();
   // A vector would write zeros first.
   this->NarrowTriangles.reset(new lms3dNarrowTriangle[count]);
-  tbb::parallel_for(std::size_t(0), count,
-    [this](std::size_t i)
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, TrianglesOfTask),
+    [this](const tbb::blocked_range<std::size_t>& range)
     {
-      const lms3dCorners corners = lms3dGetCorners(this->Mesh, i);
-      this->NarrowTriangles[i] = this->Kernels.MakeNarrowTriangle(
-        lms3dToSensorFrame(corners, this->Origin.Position), this->Unit);
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        const lms3dCorners corners = lms3dGetCorners(this->Mesh, i);
+        this->NarrowTriangles[i] = this->Kernels.MakeNarrowTriangle(
+          lms3dToSensorFrame(corners, this->Origin.Position), this->Unit);
+      }
     });
 }
 

@@ -26,7 +26,7 @@ void lms3dStoreHitRanges(Intersector& intersector, double maximumRange, PacketT*
     while (remaining != 0)
     {
       const std::int32_t triangle = packet.Triangle[lms3dGetFirstBit(remaining)];
-      double ranges[lms3dBeamPacket::Size];
+      alignas(64) double ranges[lms3dBeamPacket::Size];
       intersector.Intersect(triangle, packet, ranges);
       remaining &= ~kernels.StoreRanges(ranges, triangle, maximumRange, packet);
     }

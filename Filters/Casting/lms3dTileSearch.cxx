@@ -5,6 +5,7 @@
 #include "Casting/lms3dPacketBeams.h"
 #include "Casting/lms3dTriangle.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -17,6 +18,9 @@ constexpr std::size_t MaximumTriangles = 5000;
 constexpr double MaximumCandidatesPerPacket = 0.75;
 constexpr std::size_t MaximumCandidatesOfTile = 64;
 constexpr std::size_t MaximumCandidatesOfPacket = 16;
+
+// Enough for the preparations of a task to cost little.
+constexpr std::size_t TrianglesOfTask = 64;
 } // namespace
 
 /// The packets of one tile, in an array that has the packets of several tiles side by side.
@@ -64,11 +68,14 @@ lms3dTileSearch::lms3dTileSearch(const lms3dExactView& view, const lms3dBeamGrid
 
 bool lms3dTileSearch::Divide()
 {
-  tbb::parallel_for(std::size_t(0), this->Corners.size(),
-    [this](std::size_t i)
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Corners.size(), TrianglesOfTask),
+    [this](const tbb::blocked_range<std::size_t>& range)
     {
-      this->Corners[i] = lms3dGetCornerDirections(lms3dToSensorFrame(
-        lms3dGetCorners(this->View.GetMesh(), i), this->View.GetOrigin().Position));
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        this->Corners[i] = lms3dGetCornerDirections(lms3dToSensorFrame(
+          lms3dGetCorners(this->View.GetMesh(), i), this->View.GetOrigin().Position));
+      }
     });
   const std::vector<lms3dTileCandidates> candidates = this->DivideGrid();
   std::size_t total = 0;
@@ -198,6 +205,7 @@ void lms3dTileSearch::FindInParts(const lms3dTileCandidate* candidates, std::siz
   const lms3dTileCandidateLists parts = this->ClassifyParts(candidates, count, present, tiles);
   const std::uint32_t decided = parts.GetDecided();
   lms3dTileCandidates ofPacket;
+  ofPacket.reserve(count);
   packets.ForEach(
     [&](int i, lms3dBeamPacket& packet)
     {

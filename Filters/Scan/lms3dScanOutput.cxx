@@ -14,12 +14,20 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numeric>
+
+namespace
+{
+// Beams whose returns are filled together: enough for long streams of memory, few enough to share the work
+// among threads.
+constexpr int BeamsToFill = 8192;
+} // namespace
 
 void lms3dScanOutput::Discard()
 {
@@ -164,19 +172,12 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeo
   const std::unique_ptr<const lms3dBeams> beams = geometry.GetPlatform().IsCentredAndStepped()
     ? nullptr
     : std::make_unique<lms3dBeams>(geometry, pose);
-  tbb::parallel_for(0, geometry.GetNumberOfTurns(),
-    [&](int turn)
-    {
-      const int returnsOfTurn = static_cast<int>(first[turn + 1] - first[turn]);
-      if (returnsOfTurn > 0)
-      {
-        const std::size_t beam = static_cast<std::size_t>(turn) * geometry.GetNumberOfBeams();
-        const lms3dTurn source = { geometry, directions, beams.get(), pose.Position, turn,
-          this->Ranges->GetPointer(static_cast<vtkIdType>(beam)), this->Triangles.data() + beam,
-          mesh, mesh ? nullptr : this->Part.Cells.data() + beam };
-        source.Fill(first[turn], returnsOfTurn, returns, cellId);
-      }
-    });
+  const lms3dTurnReturns source = { geometry, directions, beams.get(), pose.Position,
+    this->Ranges->GetPointer(0), this->Triangles.data(), mesh, this->Part.Cells.data() };
+  const int turns = std::max(1, BeamsToFill / geometry.GetNumberOfBeams());
+  tbb::parallel_for(tbb::blocked_range<int>(0, geometry.GetNumberOfTurns(), turns),
+    [&](const tbb::blocked_range<int>& range)
+    { source.Fill(range.begin(), range.end(), first, returns, cellId); });
   returns.MoveTo(geometry, pose, scan);
   scan->GetPointData()->AddArray(cellIds);
   this->Pool.FreeUnused();

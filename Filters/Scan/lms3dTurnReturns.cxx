@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/lms3dTurnReturns.h"
 
-#include "Kernels/lms3dBeamPacket.h"
 #include "Kernels/lms3dPacketKernels.h"
+#include "Scan/lms3dReturnRuns.h"
 
 #include <algorithm>
 #include <vector>
@@ -13,33 +13,8 @@ namespace
 // From this mean length on, it pays to fill the arrays run by run.
 constexpr int MinimumRunLength = 8;
 
-// A run is a number of neighbouring beams with a return, between beams without one.
-int CountRuns(const std::int32_t* triangles, int count)
-{
-  // Compilers vectorize a count that is as wide as the elements.
-  std::int32_t runs = triangles[0] != lms3dBeamPacket::NoTriangle ? 1 : 0;
-  for (int beam = 1; beam < count; ++beam)
-  {
-    const bool isFirst = (triangles[beam] != lms3dBeamPacket::NoTriangle) &
-      (triangles[beam - 1] == lms3dBeamPacket::NoTriangle);
-    runs += isFirst ? 1 : 0;
-  }
-  return runs;
-}
-
-// Returns the beams of a turn that gave a return.
-std::vector<int> GetHits(const std::int32_t* triangles, int count)
-{
-  std::vector<int> hits(count);
-  int found = 0;
-  for (int beam = 0; beam < count; ++beam)
-  {
-    hits[found] = beam;
-    found += triangles[beam] != lms3dBeamPacket::NoTriangle ? 1 : 0;
-  }
-  hits.resize(found);
-  return hits;
-}
+using Piece = lms3dReturnPiece;
+using Run = lms3dReturnRun;
 
 template <typename T, typename ValueOf>
 void FillEach(T* out, int count, const ValueOf& valueOf)
@@ -50,130 +25,195 @@ void FillEach(T* out, int count, const ValueOf& valueOf)
   }
 }
 
-// `beamOf` maps a return to its beam. The choice between the three sources stands outside the loops, so
-// that the compiler can vectorize them.
-template <typename BeamOf>
-void FillCells(const lms3dTurn& turn, int count, vtkIdType* cellIds, const BeamOf& beamOf)
+/// Fills the arrays of one scan. In the methods, `beamOf` maps a return of a piece to its beam in the turn.
+class Filler
 {
-  if (!turn.Mesh)
+public:
+  Filler(const lms3dTurnReturns& turns, const lms3dReturns& returns, vtkIdType* cellIds)
+    : Turns(turns)
+    , Returns(returns)
+    , CellIds(cellIds)
   {
-    FillEach(cellIds, count, [&](int i) { return turn.Cells[beamOf(i)]; });
   }
-  else if (turn.Mesh->Cells.empty())
+
+  // Each array has a loop of its own: memory is written faster in one long stream than in several at once.
+  void FillRuns(const std::vector<Run>& runs) const
   {
-    FillEach(cellIds, count, [&](int i) { return vtkIdType(turn.Triangles[beamOf(i)]); });
+    const auto forEach = [&runs](const auto& fill)
+    {
+      for (const Run& run : runs)
+      {
+        fill(run.Returns, [first = run.FirstBeam](int i) { return first + i; });
+      }
+    };
+    forEach([this](const Piece& piece, const auto& beamOf) { this->FillRange(piece, beamOf); });
+    forEach([this](const Piece& piece, const auto& beamOf) { this->FillCells(piece, beamOf); });
+    forEach([this](const Piece& piece, const auto& beamOf) { this->FillAlpha(piece, beamOf); });
+    forEach([this](const Piece& piece, const auto&) { this->FillBeta(piece); });
+    forEach([this](const Piece& piece, const auto& beamOf) { this->FillBeamId(piece, beamOf); });
+    this->FillVertices(runs);
+    for (const Run& run : runs)
+    {
+      this->Locate(run.Returns, this->GetGeometry().GetAlphaCosines().data() + run.FirstBeam,
+        this->GetGeometry().GetAlphaSines().data() + run.FirstBeam);
+    }
   }
-  else
+
+  void FillHits(const Piece& piece, const std::vector<int>& hits) const
   {
-    const std::int64_t* cells = turn.Mesh->Cells.data();
-    FillEach(cellIds, count, [&](int i) { return vtkIdType(cells[turn.Triangles[beamOf(i)]]); });
+    this->FillArrays(piece, hits);
+    std::vector<double> cosines(piece.Count), sines(piece.Count);
+    for (int i = 0; i < piece.Count; ++i)
+    {
+      cosines[i] = this->GetGeometry().GetAlphaCosine(hits[i]);
+      sines[i] = this->GetGeometry().GetAlphaSine(hits[i]);
+    }
+    this->Locate(piece, cosines.data(), sines.data());
   }
-}
 
-// `beamOf` maps a return to its beam. Each array has a loop of its own, so that the compiler can
-// vectorize the loops, at least for a run.
-template <typename BeamOf>
-void FillArrays(const lms3dTurn& turn, int count, std::size_t slot, const lms3dReturns& returns,
-  vtkIdType* cellIds, const BeamOf& beamOf)
-{
-  FillEach(returns.Range + slot, count, [&](int i) { return turn.Ranges[beamOf(i)]; });
-  const double* alpha = turn.Geometry.GetAlphaAngles().data();
-  FillEach(
-    returns.Alpha + slot, count, [&](int i) { return static_cast<float>(alpha[beamOf(i)]); });
-  const int firstBeam = turn.Number * turn.Geometry.GetNumberOfBeams();
-  FillEach(returns.BeamId + slot, count, [&](int i) { return firstBeam + beamOf(i); });
-  FillCells(turn, count, cellIds + slot, beamOf);
-  std::fill_n(
-    returns.Beta + slot, count, static_cast<float>(turn.Geometry.GetBetaAngles()[turn.Number]));
-  const vtkIdType first = static_cast<vtkIdType>(slot);
-  returns.FillVertices(first, first + count);
-}
-
-void Locate(const lms3dTurn& turn, int count, std::size_t slot, const lms3dReturns& returns,
-  const double* cosines, const double* sines)
-{
-  const lms3dReturnsOfTurn located = { cosines, sines, returns.Range + slot, count,
-    turn.Directions.GetFanAxis(turn.Number).data(), turn.Directions.GetUp().data(),
-    turn.Position.data() };
-  lms3dGetPacketKernels().Locate(located, returns.Point + 3 * slot);
-}
-
-void FillRun(const lms3dTurn& turn, int first, int count, std::size_t slot,
-  const lms3dReturns& returns, vtkIdType* cellIds)
-{
-  FillArrays(turn, count, slot, returns, cellIds, [first](int i) { return first + i; });
-  Locate(turn, count, slot, returns, turn.Geometry.GetAlphaCosines().data() + first,
-    turn.Geometry.GetAlphaSines().data() + first);
-}
-
-void FillRuns(
-  const lms3dTurn& turn, std::size_t slot, const lms3dReturns& returns, vtkIdType* cellIds)
-{
-  const std::int32_t* begin = turn.Triangles;
-  const std::int32_t* end = begin + turn.Geometry.GetNumberOfBeams();
-  const auto isReturn = [](std::int32_t triangle)
-  { return triangle != lms3dBeamPacket::NoTriangle; };
-  for (const std::int32_t* first = std::find_if(begin, end, isReturn); first != end;)
+  // For beams that start anywhere, and at any angles of the platform.
+  void FillAnywhere(const Piece& piece, const std::vector<int>& hits) const
   {
-    const std::int32_t* last = std::find_if_not(first, end, isReturn);
-    const int count = static_cast<int>(last - first);
-    FillRun(turn, static_cast<int>(first - begin), count, slot, returns, cellIds);
-    slot += count;
-    first = std::find_if(last, end, isReturn);
+    this->FillArrays(piece, hits);
+    const lms3dTurnFrame frame = this->Turns.Beams->GetFrame(piece.Turn);
+    const lms3dFan& fan = this->Turns.Beams->GetFan();
+    const double beta = this->GetGeometry().GetBetaAngles()[piece.Turn];
+    const double* ranges = this->Turns.Ranges + this->GetFirst(piece);
+    for (int i = 0; i < piece.Count; ++i)
+    {
+      const lms3dVector point = lms3dAdd(frame.ToPoint(fan.Origins[hits[i]]),
+        lms3dScale(frame.ToWorld(fan.Directions[hits[i]]), ranges[hits[i]]));
+      std::copy(point.begin(), point.end(), this->Returns.Point + 3 * (piece.Slot + i));
+      this->Returns.Beta[piece.Slot + i] = static_cast<float>(beta + fan.TurnedAngles[hits[i]]);
+    }
   }
-}
 
-void FillHits(const lms3dTurn& turn, const std::vector<int>& hits, std::size_t slot,
-  const lms3dReturns& returns, vtkIdType* cellIds)
-{
-  const int count = static_cast<int>(hits.size());
-  FillArrays(turn, count, slot, returns, cellIds, [&hits](int i) { return hits[i]; });
-  std::vector<double> cosines(count), sines(count);
-  for (int i = 0; i < count; ++i)
-  {
-    cosines[i] = turn.Geometry.GetAlphaCosine(hits[i]);
-    sines[i] = turn.Geometry.GetAlphaSine(hits[i]);
-  }
-  Locate(turn, count, slot, returns, cosines.data(), sines.data());
-}
+private:
+  const lms3dScanGeometry& GetGeometry() const { return this->Turns.Geometry; }
 
-// For beams that start anywhere, and at any angles of the platform.
-void FillAnywhere(const lms3dTurn& turn, const std::vector<int>& hits, std::size_t slot,
-  const lms3dReturns& returns, vtkIdType* cellIds)
-{
-  const int count = static_cast<int>(hits.size());
-  FillArrays(turn, count, slot, returns, cellIds, [&hits](int i) { return hits[i]; });
-  const lms3dTurnFrame frame = turn.Beams->GetFrame(turn.Number);
-  const lms3dFan& fan = turn.Beams->GetFan();
-  const double beta = turn.Geometry.GetBetaAngles()[turn.Number];
-  for (int i = 0; i < count; ++i)
+  // Returns the number of the first beam of the piece's turn.
+  std::size_t GetFirst(const Piece& piece) const
   {
-    const lms3dVector point = lms3dAdd(frame.ToPoint(fan.Origins[hits[i]]),
-      lms3dScale(frame.ToWorld(fan.Directions[hits[i]]), turn.Ranges[hits[i]]));
-    std::copy(point.begin(), point.end(), returns.Point + 3 * (slot + i));
-    returns.Beta[slot + i] = static_cast<float>(beta + fan.TurnedAngles[hits[i]]);
+    return static_cast<std::size_t>(piece.Turn) * this->GetGeometry().GetNumberOfBeams();
   }
-}
+
+  void FillArrays(const Piece& piece, const std::vector<int>& hits) const
+  {
+    const auto beamOf = [&hits](int i) { return hits[i]; };
+    this->FillRange(piece, beamOf);
+    this->FillCells(piece, beamOf);
+    this->FillAlpha(piece, beamOf);
+    this->FillBeta(piece);
+    this->FillBeamId(piece, beamOf);
+    const vtkIdType first = static_cast<vtkIdType>(piece.Slot);
+    this->Returns.FillVertices(first, first + piece.Count);
+  }
+
+  template <typename BeamOf>
+  void FillRange(const Piece& piece, const BeamOf& beamOf) const
+  {
+    const double* ranges = this->Turns.Ranges + this->GetFirst(piece);
+    FillEach(
+      this->Returns.Range + piece.Slot, piece.Count, [&](int i) { return ranges[beamOf(i)]; });
+  }
+
+  // The choice between the three sources stands outside the loops, so that the compiler can vectorize them.
+  template <typename BeamOf>
+  void FillCells(const Piece& piece, const BeamOf& beamOf) const
+  {
+    vtkIdType* cellIds = this->CellIds + piece.Slot;
+    const std::size_t first = this->GetFirst(piece);
+    if (!this->Turns.Mesh)
+    {
+      const vtkIdType* cells = this->Turns.Cells + first;
+      FillEach(cellIds, piece.Count, [&](int i) { return cells[beamOf(i)]; });
+      return;
+    }
+    const std::int32_t* triangles = this->Turns.Triangles + first;
+    if (this->Turns.Mesh->Cells.empty())
+    {
+      FillEach(cellIds, piece.Count, [&](int i) { return vtkIdType(triangles[beamOf(i)]); });
+    }
+    else
+    {
+      const std::int64_t* cells = this->Turns.Mesh->Cells.data();
+      FillEach(cellIds, piece.Count, [&](int i) { return vtkIdType(cells[triangles[beamOf(i)]]); });
+    }
+  }
+
+  template <typename BeamOf>
+  void FillAlpha(const Piece& piece, const BeamOf& beamOf) const
+  {
+    const double* alpha = this->GetGeometry().GetAlphaAngles().data();
+    FillEach(this->Returns.Alpha + piece.Slot, piece.Count,
+      [&](int i) { return static_cast<float>(alpha[beamOf(i)]); });
+  }
+
+  void FillBeta(const Piece& piece) const
+  {
+    std::fill_n(this->Returns.Beta + piece.Slot, piece.Count,
+      static_cast<float>(this->GetGeometry().GetBetaAngles()[piece.Turn]));
+  }
+
+  template <typename BeamOf>
+  void FillBeamId(const Piece& piece, const BeamOf& beamOf) const
+  {
+    const int first = static_cast<int>(this->GetFirst(piece));
+    FillEach(
+      this->Returns.BeamId + piece.Slot, piece.Count, [&](int i) { return first + beamOf(i); });
+  }
+
+  void FillVertices(const std::vector<Run>& runs) const
+  {
+    for (const Run& run : runs)
+    {
+      const vtkIdType first = static_cast<vtkIdType>(run.Returns.Slot);
+      this->Returns.FillVertices(first, first + run.Returns.Count);
+    }
+  }
+
+  // Needs the piece's Range.
+  void Locate(const Piece& piece, const double* cosines, const double* sines) const
+  {
+    const lms3dReturnsOfTurn located = { cosines, sines, this->Returns.Range + piece.Slot,
+      piece.Count, this->Turns.Directions.GetFanAxis(piece.Turn).data(),
+      this->Turns.Directions.GetUp().data(), this->Turns.Position.data() };
+    lms3dGetPacketKernels().Locate(located, this->Returns.Point + 3 * piece.Slot);
+  }
+
+  const lms3dTurnReturns& Turns;
+  const lms3dReturns& Returns;
+  vtkIdType* const CellIds;
+};
+
 } // namespace
 
-void lms3dTurn::Fill(
-  std::size_t slot, int count, const lms3dReturns& returns, vtkIdType* cellIds) const
+void lms3dTurnReturns::Fill(int begin, int end, const std::vector<std::size_t>& slots,
+  const lms3dReturns& returns, vtkIdType* cellIds) const
 {
   const int beams = this->Geometry.GetNumberOfBeams();
-  if (this->Beams)
+  const Filler filler(*this, returns, cellIds);
+  std::vector<Run> runs;
+  for (int turn = begin; turn < end; ++turn)
   {
-    FillAnywhere(*this, GetHits(this->Triangles, beams), slot, returns, cellIds);
+    const Piece piece = { turn, static_cast<int>(slots[turn + 1] - slots[turn]), slots[turn] };
+    const std::int32_t* triangles = this->Triangles + static_cast<std::ptrdiff_t>(turn) * beams;
+    if (piece.Count > 0 && this->Beams)
+    {
+      filler.FillAnywhere(piece, lms3dFindHits(triangles, beams));
+    }
+    else if (piece.Count == beams)
+    {
+      runs.push_back({ piece, 0 });
+    }
+    else if (MinimumRunLength * lms3dCountRuns(triangles, beams) <= piece.Count)
+    {
+      lms3dFindRuns(triangles, beams, piece, runs);
+    }
+    else
+    {
+      filler.FillHits(piece, lms3dFindHits(triangles, beams));
+    }
   }
-  else if (count == beams)
-  {
-    FillRun(*this, 0, count, slot, returns, cellIds);
-  }
-  else if (MinimumRunLength * CountRuns(this->Triangles, beams) <= count)
-  {
-    FillRuns(*this, slot, returns, cellIds);
-  }
-  else
-  {
-    FillHits(*this, GetHits(this->Triangles, beams), slot, returns, cellIds);
-  }
+  filler.FillRuns(runs);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The returns of one turn: the step from ranges of beams to points and arrays.
+ * @brief The returns of some turns: the step from ranges of beams to points and arrays.
  */
 #ifndef lms3dTurnReturns_h
 #define lms3dTurnReturns_h
@@ -17,14 +17,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
-/// The input of one turn. Pointers and references must outlive it. Ranges, Triangles and Cells have
-/// one value for each beam of the turn.
-struct lms3dTurn
+/// The hits of a scan. Pointers and references must outlive it. Ranges, Triangles and Cells have one value
+/// for each beam, ordered by turn, then by beam.
+struct lms3dTurnReturns
 {
-  /// Fills the slots of the turn's returns, from `slot` on, in the arrays and in `cellIds`. `count`
-  /// is the number of beams with a return.
-  void Fill(std::size_t slot, int count, const lms3dReturns& returns, vtkIdType* cellIds) const;
+  /// Fills the slots of the returns of the turns from `begin` up to, but not including, `end`, in the arrays
+  /// and in `cellIds`. `slots` has the slot of the first return of each turn of the scan, and the number of
+  /// returns at the end. Several turns in one call take less time than one by one.
+  void Fill(int begin, int end, const std::vector<std::size_t>& slots, const lms3dReturns& returns,
+    vtkIdType* cellIds) const;
 
   const lms3dScanGeometry& Geometry;
   const lms3dBeamDirections& Directions;
@@ -34,9 +37,6 @@ struct lms3dTurn
 
   /// The sensor's position in world coordinates, metres.
   const std::array<double, 3>& Position;
-
-  /// The number of the turn, from 0.
-  const int Number;
 
   /// Metres. Used only for beams with a return.
   const double* const Ranges;
