@@ -102,6 +102,11 @@ lms3dNarrowMasks UpdateNarrow(const lms3dNarrowTriangle& triangle, std::int32_t 
     farther.Set(i, inverse[i] < hits.InverseRange[i] - margin);
   }
   const std::uint32_t changed = beams & nearer.GetBits();
+  const std::uint32_t uncertain = beams & ~changed & ~farther.GetBits();
+  if (changed == 0)
+  {
+    return { 0, uncertain };
+  }
   for (int i = 0; i < Size; ++i)
   {
     const bool isChanged = (changed >> i) & 1u;
@@ -109,7 +114,7 @@ lms3dNarrowMasks UpdateNarrow(const lms3dNarrowTriangle& triangle, std::int32_t 
     hits.Error[i] = isChanged ? error : hits.Error[i];
     packet.Triangle[i] = isChanged ? number : packet.Triangle[i];
   }
-  return { changed, beams & ~changed & ~farther.GetBits() };
+  return { changed, uncertain };
 }
 
 void NarrowRanges(

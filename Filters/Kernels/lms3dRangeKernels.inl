@@ -39,9 +39,10 @@ lms3dDoubleDoublePlane MakeDoubleDoublePlane(const double* const* corners, const
 {
   // The dot product normal.direction; `error` sums the rounding errors of its products and sums
   // (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005).
-  double slope = 0.0;
-  double error = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
+  const Pair first = Multiply(normal[0].High, directions[0][i]);
+  double slope = first.High;
+  double error = first.Low + normal[0].Low * directions[0][i];
+  for (int axis = 1; axis < 3; ++axis)
   {
     const double direction = directions[axis][i];
     const Pair product = Multiply(normal[axis].High, direction);
@@ -59,17 +60,13 @@ lms3dDoubleDoublePlane MakeDoubleDoublePlane(const double* const* corners, const
   return quotient + remainder / whole.High;
 }
 
+// `ranges` must not overlap the input, so that the compiler can vectorize the loop.
 void IntersectDoubleDoublePlane(
-  const lms3dDoubleDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges)
+  const lms3dDoubleDoublePlane& plane, const lms3dBeamPacket& packet, double* __restrict ranges)
 {
-  alignas(64) double measured[Size];
   for (int i = 0; i < Size; ++i)
   {
-    measured[i] = Intersect(plane.Normal, plane.Offset, packet.Direction, i);
-  }
-  for (int i = 0; i < Size; ++i)
-  {
-    ranges[i] = measured[i];
+    ranges[i] = Intersect(plane.Normal, plane.Offset, packet.Direction, i);
   }
 }
 
@@ -82,24 +79,56 @@ void IntersectDoublePlane(
   }
 }
 
-std::uint32_t StoreRanges(
+// Returns whether all ranges are above 0 and not above a maximum.
+bool AreWithin(const double* ranges, double maximumRange)
+{
+  // As wide as the ranges, so that the compiler can vectorize the loop.
+  std::int64_t areWithin = -1;
+  for (int i = 0; i < Size; ++i)
+  {
+    areWithin &= (ranges[i] > 0.0) & (ranges[i] <= maximumRange) ? -1 : 0;
+  }
+  return areWithin != 0;
+}
+
+// For packets with several triangles, and where hits are lost.
+void StoreSomeRanges(
   const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet)
 {
-  Mask measured;
   Mask lost;
   for (int i = 0; i < Size; ++i)
   {
     const bool isMeasured = packet.Triangle[i] == triangle;
     const bool isHit = (ranges[i] > 0.0) & (ranges[i] <= maximumRange);
     packet.Range[i] = isMeasured ? (isHit ? ranges[i] : lms3dBeamPacket::NoRange) : packet.Range[i];
-    measured.Set(i, isMeasured);
     lost.Set(i, isMeasured & !isHit);
   }
   for (int i = 0; i < Size; ++i)
   {
     packet.Triangle[i] |= lost.Beams[i];
   }
-  return measured.GetBits();
+}
+
+std::uint32_t StoreRanges(
+  const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet)
+{
+  constexpr std::uint32_t all = (1u << Size) - 1u;
+  Mask measured;
+  for (int i = 0; i < Size; ++i)
+  {
+    measured.Set(i, packet.Triangle[i] == triangle);
+  }
+  const std::uint32_t bits = measured.GetBits();
+  if (bits != all || !AreWithin(ranges, maximumRange))
+  {
+    StoreSomeRanges(ranges, triangle, maximumRange, packet);
+    return bits;
+  }
+  for (int i = 0; i < Size; ++i)
+  {
+    packet.Range[i] = ranges[i];
+  }
+  return bits;
 }
 } // namespace
 

@@ -179,6 +179,10 @@ lms3dTileMasks CompareWithCover(const lms3dTiles& tiles, const lms3dNarrowTriang
   masks.Met &= ~behind.GetBits();
   masks.Covered &= masks.Met & isWithin.GetBits();
   masks.Nearest = masks.Covered & nearest.GetBits();
+  if (masks.Nearest == 0)
+  {
+    return masks;
+  }
   for (int i = 0; i < Size; ++i)
   {
     const bool isNearest = (masks.Nearest >> i) & 1u;

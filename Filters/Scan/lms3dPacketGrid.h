@@ -59,7 +59,7 @@ struct lms3dPacketGrid
     }
   }
 
-  /// Does so for those of one turn of the grid. The packet must begin at a multiple of Side.
+  /// Copies the active beams of one turn of a packet. Packets begin at a multiple of Side.
   void StoreTurn(
     int turn, int firstBeam, const lms3dBeamPacket& packet, const lms3dBeamHits& hits) const
   {
