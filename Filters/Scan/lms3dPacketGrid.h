@@ -53,29 +53,22 @@ struct lms3dPacketGrid
     int firstTurn, int firstBeam, const lms3dBeamPacket& packet, const lms3dBeamHits& hits) const
   {
     const int turns = std::min(Side, this->Turns - firstTurn);
-    for (int turn = 0; turn < turns; ++turn)
-    {
-      this->StoreTurn(firstTurn + turn, firstBeam, packet, hits);
-    }
-  }
-
-  /// Copies the active beams of one turn of a packet. Packets begin at a multiple of Side.
-  void StoreTurn(
-    int turn, int firstBeam, const lms3dBeamPacket& packet, const lms3dBeamHits& hits) const
-  {
     const int beams = std::min(Side, this->Beams - firstBeam);
-    const std::size_t slot = static_cast<std::size_t>(turn) * this->Beams + firstBeam;
-    const double* range = packet.Range + turn % Side * Side;
-    const std::int32_t* triangle = packet.Triangle + turn % Side * Side;
-    if (beams == Side)
+    std::size_t slot = static_cast<std::size_t>(firstTurn) * this->Beams + firstBeam;
+    for (int turn = 0; turn < turns; ++turn, slot += this->Beams)
     {
-      // Without a call, unlike std::copy_n.
-      std::memcpy(hits.Ranges + slot, range, Side * sizeof(*range));
-      std::memcpy(hits.Triangles + slot, triangle, Side * sizeof(*triangle));
-      return;
+      const double* range = packet.Range + Side * turn;
+      const std::int32_t* triangle = packet.Triangle + Side * turn;
+      if (beams == Side)
+      {
+        // Without a call, unlike std::copy_n.
+        std::memcpy(hits.Ranges + slot, range, Side * sizeof(*range));
+        std::memcpy(hits.Triangles + slot, triangle, Side * sizeof(*triangle));
+        continue;
+      }
+      std::copy_n(range, beams, hits.Ranges + slot);
+      std::copy_n(triangle, beams, hits.Triangles + slot);
     }
-    std::copy_n(range, beams, hits.Ranges + slot);
-    std::copy_n(triangle, beams, hits.Triangles + slot);
   }
 };
 

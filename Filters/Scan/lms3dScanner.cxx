@@ -173,18 +173,15 @@ private:
     }
   }
 
-  // Turn by turn, in long streams of memory.
   void Store(const lms3dPacketRectangle& rectangle, const lms3dBeamPacket* packets,
     const lms3dBeamHits& hits) const
   {
-    const int turns = std::min(rectangle.Rows * Side, this->Turns - rectangle.FirstTurn);
-    for (int turn = 0; turn < turns; ++turn)
+    for (int row = 0; row < rectangle.Rows; ++row)
     {
-      const lms3dBeamPacket* row = packets + turn / Side * rectangle.Columns;
-      for (int column = 0; column < rectangle.Columns; ++column)
+      for (int column = 0; column < rectangle.Columns; ++column, ++packets)
       {
-        this->Grid.StoreTurn(
-          rectangle.FirstTurn + turn, rectangle.FirstBeam + column * Side, row[column], hits);
+        this->Grid.Store(
+          rectangle.FirstTurn + row * Side, rectangle.FirstBeam + column * Side, *packets, hits);
       }
     }
   }

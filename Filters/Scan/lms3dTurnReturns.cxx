@@ -198,7 +198,11 @@ void lms3dTurnReturns::Fill(int begin, int end, const std::vector<std::size_t>& 
   {
     const Piece piece = { turn, static_cast<int>(slots[turn + 1] - slots[turn]), slots[turn] };
     const std::int32_t* triangles = this->Triangles + static_cast<std::ptrdiff_t>(turn) * beams;
-    if (piece.Count > 0 && this->Beams)
+    if (piece.Count == 0)
+    {
+      continue;
+    }
+    if (this->Beams)
     {
       filler.FillAnywhere(piece, lms3dFindHits(triangles, beams));
     }
