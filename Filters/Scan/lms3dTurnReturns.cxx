@@ -51,7 +51,7 @@ public:
     forEach([this](const Piece& piece, const auto& beamOf) { this->FillAlpha(piece, beamOf); });
     forEach([this](const Piece& piece, const auto&) { this->FillBeta(piece); });
     forEach([this](const Piece& piece, const auto& beamOf) { this->FillBeamId(piece, beamOf); });
-    this->FillVertices(runs);
+    forEach([this](const Piece& piece, const auto&) { this->FillVertices(piece); });
     for (const Run& run : runs)
     {
       this->Locate(run.Returns, this->GetGeometry().GetAlphaCosines().data() + run.FirstBeam,
@@ -105,8 +105,7 @@ private:
     this->FillAlpha(piece, beamOf);
     this->FillBeta(piece);
     this->FillBeamId(piece, beamOf);
-    const vtkIdType first = static_cast<vtkIdType>(piece.Slot);
-    this->Returns.FillVertices(first, first + piece.Count);
+    this->FillVertices(piece);
   }
 
   template <typename BeamOf>
@@ -163,13 +162,10 @@ private:
       this->Returns.BeamId + piece.Slot, piece.Count, [&](int i) { return first + beamOf(i); });
   }
 
-  void FillVertices(const std::vector<Run>& runs) const
+  void FillVertices(const Piece& piece) const
   {
-    for (const Run& run : runs)
-    {
-      const vtkIdType first = static_cast<vtkIdType>(run.Returns.Slot);
-      this->Returns.FillVertices(first, first + run.Returns.Count);
-    }
+    const vtkIdType first = static_cast<vtkIdType>(piece.Slot);
+    this->Returns.FillVertices(first, first + piece.Count);
   }
 
   // Needs the piece's Range.
@@ -185,7 +181,6 @@ private:
   const lms3dReturns& Returns;
   vtkIdType* const CellIds;
 };
-
 } // namespace
 
 void lms3dTurnReturns::Fill(int begin, int end, const std::vector<std::size_t>& slots,
