@@ -3,6 +3,7 @@
 """The panels of chart F: a row for each effect, a mark for each number."""
 
 import drawing
+from matplotlib import ticker
 
 # The label of a panel, its columns with their names, colours and markers, and its scale.
 PANELS = (
@@ -11,7 +12,7 @@ PANELS = (
     ("returns lost, %", (("lost %", "", 0, "o"),), "linear"),
     ("map to scene, mm", (("map to scene mean mm", "mean", 0, "o"),
                           ("map to scene 95% mm", "95 %", 1, "D")), "log"),
-    ("triangles of the map", (("triangles", "", 0, "o"),), "log"),
+    ("triangles of the map", (("triangles", "", 0, "o"),), "linear"),
     ("time of the scan, x ideal", (("x ideal", "", 0, "o"),), "log"),
 )
 SMALLEST = 0.01  # of what a logarithmic axis shows; smaller numbers are left out
@@ -26,6 +27,7 @@ def draw_all(axes, table):
         panel.set_xscale(scale)
         panel.set_xlabel(label, fontsize=8)
         panel.xaxis.set_major_formatter(lambda x, _: f"{x:,.0f}" if x >= 1 else f"{x:g}")
+        panel.xaxis.set_minor_formatter(ticker.NullFormatter())
         panel.tick_params(labelsize=7)
         if len(columns) > 1:
             panel.legend(fontsize=7, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=len(columns),
