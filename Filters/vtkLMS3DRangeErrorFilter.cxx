@@ -9,9 +9,11 @@
 #include "Pipeline/lms3dFailure.h"
 #include "Pipeline/lms3dPipelineRequests.h"
 #include "RangeErrors/lms3dRangeErrorJob.h"
+#include "RangeErrors/lms3dRangeErrors.h"
 #include "Scan/lms3dProcesses.h"
 
 #include <vtkDataObject.h>
+#include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -22,12 +24,18 @@
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <limits>
 #include <string>
 
 vtkStandardNewMacro(vtkLMS3DRangeErrorFilter);
 
 struct vtkLMS3DRangeErrorFilter::Internals
 {
+  static lms3dRangeErrorSettings GetSettings(const vtkLMS3DRangeErrorFilter* filter)
+  {
+    return { filter->RangeBias, filter->RangeNoise, filter->RangeResolution, filter->NoiseSeed };
+  }
+
   vtkSmartPointer<vtkMultiProcessController> Controller;
   lms3dRangeErrorJob Job;
   lms3dErrorReport Errors;
@@ -170,8 +178,7 @@ int vtkLMS3DRangeErrorFilter::RequestData(
   {
     return 1;
   }
-  const lms3dRangeErrorSettings settings = { this->RangeBias, this->RangeNoise,
-    this->RangeResolution, this->NoiseSeed };
+  const lms3dRangeErrorSettings settings = Internals::GetSettings(this);
   std::string error = lms3dFindRangeErrorProblem(settings);
   bool isDone = false;
   if (error.empty())
@@ -192,6 +199,41 @@ int vtkLMS3DRangeErrorFilter::RequestData(
     lms3dClearOutputs(outputVector);
   }
   return 1;
+}
+
+bool vtkLMS3DRangeErrorFilter::AddErrors(double time, int turn, vtkDoubleArray* ranges)
+{
+  if (!ranges)
+  {
+    vtkErrorMacro("There is no array of ranges. Pass a vtkDoubleArray.");
+    return false;
+  }
+  const lms3dRangeErrorSettings settings = Internals::GetSettings(this);
+  std::string error = lms3dFindRangeErrorProblem(settings);
+  if (error.empty() && turn < 0)
+  {
+    error = "The turn is below 0. Turns count from 0.";
+  }
+  if (error.empty() && ranges->GetNumberOfValues() > std::numeric_limits<int>::max())
+  {
+    error = "A turn has more beams than an int can count. Pass one turn at a time.";
+  }
+  if (error.empty() && !settings.AreOff())
+  {
+    error = lms3dRunAndGetError(
+      [&]
+      {
+        lms3dAddRangeErrors(settings, lms3dGetScanNumber(time), turn,
+          static_cast<int>(ranges->GetNumberOfValues()), ranges->GetPointer(0));
+        ranges->Modified();
+      },
+      "There is not enough memory for the errors of a turn.");
+  }
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+  }
+  return error.empty();
 }
 
 void vtkLMS3DRangeErrorFilter::PrintSelf(ostream& os, vtkIndent indent)

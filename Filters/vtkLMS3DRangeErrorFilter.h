@@ -73,6 +73,7 @@
 
 #include <memory> // For std::unique_ptr
 
+class vtkDoubleArray;
 class vtkImageData;
 class vtkMultiProcessController;
 
@@ -189,6 +190,17 @@ public:
    * Output 1, the range image.
    */
   vtkImageData* GetRangeImage();
+
+  /**
+   * Replaces the ranges of one turn of a scan by the ones that the device reports, without the pipeline: for
+   * a device in real time. The results equal the ranges of the filter's output for a scan with the
+   * DATA_TIME_STEP `time` (seconds). `turn` counts from 0. `ranges` are metres, above 0, or NaN without a
+   * return; a return that the errors remove becomes NaN. The error code does not change.
+   *
+   * Returns false after an error (vtkErrorMacro): without `ranges`, for a `turn` below 0, or for bad
+   * properties. `ranges` then stay.
+   */
+  bool AddErrors(double time, int turn, vtkDoubleArray* ranges);
 
 protected:
   vtkLMS3DRangeErrorFilter();

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLMS3DScanFilter.h"
 
+#include "vtkLMS3DScanFilterInternals.h"
+
 #include "Casting/lms3dRayCaster.h"
 #include "Device/lms3dRangeImage.h"
 #include "Pipeline/lms3dAlgorithmProgress.h"
-#include "Pipeline/lms3dErrorReport.h"
 #include "Pipeline/lms3dFailure.h"
 #include "Pipeline/lms3dPipelineRequests.h"
 #include "Scan/lms3dProcesses.h"
-#include "Scan/lms3dScanJob.h"
-#include "Scan/lms3dScanSettings.h"
 
 #include <vtkDataSet.h>
 #include <vtkErrorCode.h>
@@ -20,10 +19,6 @@
 #include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-
-#include <exception>
-#include <vector>
 
 vtkStandardNewMacro(vtkLMS3DScanFilter);
 
@@ -42,51 +37,6 @@ static_assert(
     static_cast<int>(vtkLMS3DScanFilter::PITCHING) == static_cast<int>(lms3dMounting::Pitching) &&
     static_cast<int>(vtkLMS3DScanFilter::ROLLING) == static_cast<int>(lms3dMounting::Rolling),
   "the property and the platform number the mountings alike");
-
-struct vtkLMS3DScanFilter::Internals
-{
-  static lms3dScanSettings GetSettings(const vtkLMS3DScanFilter* filter)
-  {
-    const auto vector = [](const double v[3]) { return lms3dVector{ v[0], v[1], v[2] }; };
-    const auto range = [](const double v[2]) { return std::array<double, 2>{ v[0], v[1] }; };
-    return { vector(filter->Position), vector(filter->Orientation), range(filter->AlphaRange),
-      filter->AlphaResolution, range(filter->BetaRange), filter->BetaResolution,
-      { filter->MinimumRange, filter->MaximumRange }, filter->IntersectionMethod,
-      filter->NumberOfThreads, filter->SurfaceAttributes, GetDeviceSettings(filter) };
-  }
-
-  static lms3dDeviceSettings GetDeviceSettings(const vtkLMS3DScanFilter* filter)
-  {
-    const double* offset = filter->AxisOffset;
-    const char* reflectance = filter->ReflectanceArray;
-    return { { static_cast<lms3dMounting>(filter->Mounting), { offset[0], offset[1], offset[2] },
-               filter->TurnRate },
-      filter->MotionDuringScan,
-      { filter->BeamDiameter, filter->BeamDivergence, filter->BeamSamples, filter->PulseLength },
-      { filter->RangeAtTenPercent, reflectance ? reflectance : "" },
-      { filter->ComputeIncidence, filter->ComputeIntensity, filter->ComputeTime,
-        filter->ComputeStatus, filter->ComputePoses } };
-  }
-
-  // RequestData reports a bad trajectory.
-  void PublishTimeSteps(
-    vtkPolyData* poses, const lms3dVector& orientation, vtkInformationVector* outputVector)
-  {
-    try
-    {
-      const std::vector<double>& times = this->Job.GetTrajectory(poses, orientation).GetTimes();
-      lms3dSetTimeSteps(times, outputVector->GetInformationObject(0));
-      lms3dSetTimeSteps(times, outputVector->GetInformationObject(1));
-    }
-    catch (const std::exception&)
-    {
-    }
-  }
-
-  vtkSmartPointer<vtkMultiProcessController> Controller;
-  lms3dScanJob Job;
-  lms3dErrorReport Errors;
-};
 
 vtkLMS3DScanFilter::vtkLMS3DScanFilter()
   : Internal(new Internals)
@@ -263,8 +213,8 @@ int vtkLMS3DScanFilter::RequestData(
   {
     const auto warn = [this](const std::string& text) { vtkWarningMacro(<< text); };
     const lms3dScanJobRequest scan = { settings, controller, vtkDataObject::GetData(inputVector[0]),
-      vtkPolyData::GetData(inputVector[1]), output, outputVector, lms3dReportTo(this, 0.0, 1.0),
-      warn };
+      vtkPolyData::GetData(inputVector[1]), lms3dGetRequestedTime(output), outputVector,
+      lms3dReportTo(this, 0.0, 1.0), warn };
     error = lms3dRunAndGetError([&] { this->Internal->Job.Run(scan); },
       "There is not enough memory for the scan. Simplify the scene, or lower the resolutions.");
   }

@@ -171,8 +171,10 @@
 
 #include <memory> // For std::unique_ptr
 
+class vtkDoubleArray;
 class vtkImageData;
 class vtkMultiProcessController;
+class vtkUnsignedCharArray;
 
 class VTKLMS3DFILTERS_EXPORT vtkLMS3DScanFilter : public vtkPolyDataAlgorithm
 {
@@ -664,6 +666,22 @@ public:
    * Output 1, the range image.
    */
   vtkImageData* GetRangeImage();
+
+  /**
+   * Casts the fan at one platform angle `beta` (degrees, finite), without the pipeline: for a device in real
+   * time, where an update of a single fan would take most of its time in the pipeline. Fills `ranges` (metres,
+   * NaN without a return) with one value for each beam, and `status`, if it is not null, with one of
+   * BeamStatus. The values equal the range image of an update for `time` (seconds; for a trajectory) with
+   * BetaRange (beta, beta) and BetaResolution 1.
+   *
+   * Uses the inputs as they are: their own filters are not updated. If the scene has changed, its acceleration
+   * structure is built first. The outputs and the error code do not change. It cannot be aborted. Do not call
+   * it during an update.
+   *
+   * Returns false after an error (vtkErrorMacro): for example without `ranges`, without a scene, or with a
+   * controller of several processes. The values in the arrays are then undefined.
+   */
+  bool CastFan(double beta, double time, vtkDoubleArray* ranges, vtkUnsignedCharArray* status);
 
 protected:
   vtkLMS3DScanFilter();

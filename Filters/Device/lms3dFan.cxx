@@ -43,19 +43,26 @@ lms3dFan::lms3dFan(const lms3dScanGeometry& geometry)
   const double measuredStep = turns * std::abs(geometry.GetAlphaStep());
   const lms3dPlatform& platform = geometry.GetPlatform();
   const lms3dVector offset = lms3dToPlatformAxes(platform.Mounting, platform.AxisOffset);
+  double sine = 0.0;
+  double cosine = 1.0;
   for (int beam = 0; beam < beams; ++beam)
   {
     const int mirrorTurn = beam % turns;
     const int step = beam / turns;
     const double time = mirrorTurn / lms3dMirrorRate + step * measuredStep / DegreesPerSecond;
     const double angle = platform.TurnRate * time;
-    double sine, cosine;
-    lms3dSinCosDegrees(angle, sine, cosine);
+    // All angles are equal while the platform stands.
+    if (beam == 0 || angle != this->TurnedAngles.back())
+    {
+      lms3dSinCosDegrees(angle, sine, cosine);
+    }
     const lms3dVector direction = { geometry.GetAlphaCosine(beam), 0.0,
       geometry.GetAlphaSine(beam) };
     this->Times.push_back(time);
     this->Directions.push_back(Turn(direction, sine, cosine));
     this->Origins.push_back(Turn(offset, sine, cosine));
     this->TurnedAngles.push_back(angle);
+    this->TurnedSines.push_back(sine);
+    this->TurnedCosines.push_back(cosine);
   }
 }

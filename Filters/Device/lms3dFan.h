@@ -50,6 +50,10 @@ struct lms3dFan
 
   /// How far the platform has turned since the start of the fan, degrees.
   std::vector<double> TurnedAngles;
+
+  /// Sines and cosines of these angles.
+  std::vector<double> TurnedSines;
+  std::vector<double> TurnedCosines;
 };
 
 #endif

@@ -3,12 +3,12 @@
 #include "Device/lms3dScanChecks.h"
 
 #include "Device/lms3dScanGeometry.h"
+#include "Pipeline/lms3dText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 
 namespace
 {
@@ -41,55 +41,51 @@ bool lms3dIsPosition(const lms3dVector& position)
 
 std::string lms3dFindPoseError(const lms3dVector& position, const lms3dVector& orientation)
 {
-  std::ostringstream error;
   if (!lms3dIsPosition(position) || !lms3dIsFinite(orientation))
   {
-    error << "The pose is Position " << position[0] << ' ' << position[1] << ' ' << position[2]
-          << ", Orientation " << orientation[0] << ' ' << orientation[1] << ' ' << orientation[2]
-          << "; finite numbers are expected, positions up to 1e18 m.";
+    return lms3dJoinText("The pose is Position ", position[0], ' ', position[1], ' ', position[2],
+      ", Orientation ", orientation[0], ' ', orientation[1], ' ', orientation[2],
+      "; finite numbers are expected, positions up to 1e18 m.");
   }
-  return error.str();
+  return std::string();
 }
 
 std::string lms3dFindAngleError(
   const double alphaRange[2], int alphaResolution, const double betaRange[2], int betaResolution)
 {
-  std::ostringstream error;
   if (alphaResolution < 1 || betaResolution < 1)
   {
-    error << "AlphaResolution x BetaResolution is " << alphaResolution << " x " << betaResolution
-          << "; each must be at least 1.";
+    return lms3dJoinText("AlphaResolution x BetaResolution is ", alphaResolution, " x ",
+      betaResolution, "; each must be at least 1.");
   }
-  else if (static_cast<std::int64_t>(alphaResolution) * betaResolution >
+  if (static_cast<std::int64_t>(alphaResolution) * betaResolution >
     std::numeric_limits<std::int32_t>::max())
   {
-    error << "AlphaResolution x BetaResolution is " << alphaResolution << " x " << betaResolution
-          << " beams; at most 2147483647 are possible.";
+    return lms3dJoinText("AlphaResolution x BetaResolution is ", alphaResolution, " x ",
+      betaResolution, " beams; at most 2147483647 are possible.");
   }
-  else if (!IsProperRange(alphaRange, alphaResolution) || alphaRange[0] < -90.0 ||
-    alphaRange[1] > 90.0)
+  if (!IsProperRange(alphaRange, alphaResolution) || alphaRange[0] < -90.0 || alphaRange[1] > 90.0)
   {
-    error << "AlphaRange is " << alphaRange[0] << " to " << alphaRange[1]
-          << " degrees; it must increase, within -90 to 90.";
+    return lms3dJoinText("AlphaRange is ", alphaRange[0], " to ", alphaRange[1],
+      " degrees; it must increase, within -90 to 90.");
   }
-  else if (!IsFiniteRange(betaRange) || !IsProperRange(betaRange, betaResolution) ||
+  if (!IsFiniteRange(betaRange) || !IsProperRange(betaRange, betaResolution) ||
     !IsWithinACircle(betaRange))
   {
-    error << "BetaRange is " << betaRange[0] << " to " << betaRange[1]
-          << " degrees; it must increase, by at most 360.";
+    return lms3dJoinText("BetaRange is ", betaRange[0], " to ", betaRange[1],
+      " degrees; it must increase, by at most 360.");
   }
-  return error.str();
+  return std::string();
 }
 
 std::string lms3dFindLimitError(const lms3dRangeLimits& limits)
 {
-  std::ostringstream error;
   const bool areGood = limits.Minimum >= 0.0 && std::isfinite(limits.Minimum) &&
     limits.Minimum <= limits.Maximum && limits.Maximum > 0.0;
   if (!areGood)
   {
-    error << "MinimumRange and MaximumRange are " << limits.Minimum << " and " << limits.Maximum
-          << " m; 0 <= minimum <= maximum and 0 < maximum are expected.";
+    return lms3dJoinText("MinimumRange and MaximumRange are ", limits.Minimum, " and ",
+      limits.Maximum, " m; 0 <= minimum <= maximum and 0 < maximum are expected.");
   }
-  return error.str();
+  return std::string();
 }

@@ -30,6 +30,12 @@ bool lms3dIsFirstPiece(vtkInformation* output)
   return !output->Has(piece) || output->Get(piece) <= 0;
 }
 
+std::optional<double> lms3dGetRequestedTime(vtkInformation* output)
+{
+  const auto time = Pipeline::UPDATE_TIME_STEP();
+  return output->Has(time) ? std::optional<double>(output->Get(time)) : std::nullopt;
+}
+
 void lms3dRequestPiece(int piece, int pieces, vtkInformation* input)
 {
   input->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);

@@ -7,6 +7,7 @@
 #ifndef lms3dPipelineRequests_h
 #define lms3dPipelineRequests_h
 
+#include <optional>
 #include <vector>
 
 class vtkAlgorithm;
@@ -19,6 +20,9 @@ vtkInformation* lms3dGetRequestedOutput(
 
 /// Returns whether the consumer of an output requests its first piece, or no piece in particular.
 bool lms3dIsFirstPiece(vtkInformation* output);
+
+/// Returns the time that the consumer of an output requests, if it requests one.
+std::optional<double> lms3dGetRequestedTime(vtkInformation* output);
 
 /// Requests piece `piece` of `pieces` of an input, without ghost levels; of a structured input the
 /// extent of this piece.

@@ -11,8 +11,8 @@
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <memory>
+#include <optional>
 
 /**
  * A TBB arena that a filter keeps from update to update.
@@ -34,8 +34,11 @@ public:
     const int cores = tbb::info::default_concurrency();
     const int wanted = threads > 0 ? threads : cores;
     // By default TBB starts no more threads than there are cores.
-    const tbb::global_control allowance(
-      tbb::global_control::max_allowed_parallelism, std::max(wanted, cores));
+    std::optional<tbb::global_control> allowance;
+    if (wanted > cores)
+    {
+      allowance.emplace(tbb::global_control::max_allowed_parallelism, wanted);
+    }
     if (!this->Arena || this->Arena->max_concurrency() != wanted)
     {
       this->Arena = std::make_unique<tbb::task_arena>(wanted);

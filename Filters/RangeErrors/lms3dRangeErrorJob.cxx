@@ -21,8 +21,6 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -33,16 +31,12 @@ namespace
 constexpr double GridShare = 0.3;
 constexpr double ErrorShare = 0.7;
 
-// Returns a number for the time of a scan: different times have different numbers.
-std::uint64_t GetScanNumber(vtkPolyData* scan)
+// Returns the time of a scan, 0 if it has none.
+double GetTime(vtkPolyData* scan)
 {
   vtkInformation* info = scan->GetInformation();
   const auto time = vtkDataObject::DATA_TIME_STEP();
-  // The sum makes a negative zero positive.
-  const double value = info->Has(time) ? info->Get(time) + 0.0 : 0.0;
-  std::uint64_t number;
-  std::memcpy(&number, &value, sizeof number);
-  return number;
+  return info->Has(time) ? info->Get(time) : 0.0;
 }
 
 void CheckAngles(const lms3dScanInput& scan, const lms3dScanGeometry& geometry)
@@ -152,7 +146,7 @@ bool lms3dRangeErrorJob::Report(const lms3dRangeErrorJobRequest& request,
     output->ShallowCopy(request.Scan);
     return true;
   }
-  lms3dAddRangeErrors(request.Settings, GetScanNumber(request.Scan), geometry, grid);
+  lms3dAddRangeErrors(request.Settings, lms3dGetScanNumber(GetTime(request.Scan)), geometry, grid);
   if (!request.Progress(ErrorShare))
   {
     return false;

@@ -41,4 +41,11 @@ std::string lms3dFindRangeErrorProblem(const lms3dRangeErrorSettings& settings);
 void lms3dAddRangeErrors(const lms3dRangeErrorSettings& settings, std::uint64_t scan,
   const lms3dScanGeometry& geometry, double* grid);
 
+/// Does the same with the ranges of one turn, by the calling thread.
+void lms3dAddRangeErrors(
+  const lms3dRangeErrorSettings& settings, std::uint64_t scan, int turn, int beams, double* ranges);
+
+/// Returns the number of a scan for its time (seconds): different times have different numbers.
+std::uint64_t lms3dGetScanNumber(double time);
+
 #endif

@@ -9,6 +9,7 @@
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace
@@ -153,6 +154,17 @@ void lms3dDetection::AddStatus(
     lms3dAddStatus(this->Status, scan->GetFieldData());
   }
   lms3dAddStatus(this->Status, geometry.GetNumberOfBeams(), image);
+}
+
+void lms3dDetection::CopyStatus(vtkUnsignedCharArray* status) const
+{
+  if (this->Status)
+  {
+    const vtkIdType beams = this->Status->GetNumberOfValues();
+    status->SetNumberOfValues(beams);
+    std::copy_n(this->Status->GetPointer(0), beams, status->GetPointer(0));
+    status->Modified();
+  }
 }
 
 void lms3dDetection::Discard()

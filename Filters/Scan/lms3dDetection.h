@@ -73,6 +73,9 @@ public:
   /// `scan`, if it is not null.
   void AddStatus(const lms3dScanGeometry& geometry, vtkPolyData* scan, vtkImageData* image) const;
 
+  /// Copies the status of each beam, if there is one.
+  void CopyStatus(vtkUnsignedCharArray* status) const;
+
   /// Frees what only one scan needs.
   void Discard();
 

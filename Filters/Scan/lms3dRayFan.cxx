@@ -56,8 +56,8 @@ lms3dRayFan::lms3dRayFan(const lms3dScanGeometry& geometry, const lms3dFan& fan,
   this->Cosine = 1.0 / length;
   for (std::size_t beam = 0; beam < fan.Times.size(); ++beam)
   {
-    double sine, cosine;
-    lms3dSinCosDegrees(fan.TurnedAngles[beam], sine, cosine);
+    const double sine = fan.TurnedSines[beam];
+    const double cosine = fan.TurnedCosines[beam];
     const double fanSine = geometry.GetAlphaSine(static_cast<int>(beam));
     const lms3dVector inPlane = { -cosine * fanSine, sine * fanSine,
       geometry.GetAlphaCosine(static_cast<int>(beam)) };

@@ -4,19 +4,14 @@
 
 #include "Pipeline/lms3dPipelineRequests.h"
 #include "Scan/lms3dBeamCasting.h"
-#include "Scan/lms3dEmptyArrays.h"
 #include "Scan/lms3dMovingBeams.h"
 #include "Scan/lms3dPoseArrays.h"
 #include "Scan/lms3dSurfaceAttributes.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
-#include <vtkInformation.h>
-#include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <memory>
 
@@ -24,25 +19,7 @@ namespace
 {
 // The share of the progress bar for building.
 constexpr double BuildShare = 0.3;
-
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 } // namespace
-
-/// One run: the request, and what all its steps use.
-struct lms3dScanJob::Scan
-{
-  const lms3dScanJobRequest& Request;
-  const lms3dProcesses& Processes;
-  const lms3dScanGeometry& Geometry;
-  const lms3dScanStart& Start;
-
-  /// Null if nothing needs them.
-  const lms3dMovingBeams* const Beams;
-
-  const lms3dProgress Progress;
-  vtkPolyData* const Points;
-  vtkImageData* const Image;
-};
 
 bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
 {
@@ -87,8 +64,7 @@ bool lms3dScanJob::Prepare(
     {
       if (processes.IsFirst())
       {
-        start =
-          this->Sensor.GetStart(request.Settings, request.Trajectory, *request.RequestedOutput);
+        start = this->Sensor.GetStart(request.Settings, request.Trajectory, request.Time);
       }
       this->Sensor.GetGeometry(request.Settings);
       isBuilt = this->Build(request, processes.IsParallel());
@@ -120,44 +96,53 @@ bool lms3dScanJob::Build(const lms3dScanJobRequest& request, bool isParallel)
   return request.Progress(BuildShare);
 }
 
-bool lms3dScanJob::CastAlone(const Scan& scan)
+bool lms3dScanJob::CastRanges(
+  const lms3dScanJobRequest& request, vtkDoubleArray* ranges, vtkUnsignedCharArray* status)
 {
-  const lms3dRayCaster* caster = this->Scene.GetCaster();
-  lms3dCheckScene(caster != nullptr, this->Scene.GetPart(), this->Scene.GetSkippedCells());
-  this->WarnIfIncomplete(this->Scene.GetPart(), scan);
-  if (!this->CastAndDetect(scan, 0))
+  const lms3dProcesses alone(nullptr);
+  lms3dScanStart start;
+  if (!this->Prepare(request, alone, start))
   {
     return false;
   }
+  const lms3dScanGeometry& geometry = this->Sensor.GetGeometry(request.Settings);
+  const auto beams = start.MakeBeams(request.Settings, geometry);
+  const bool isDone = this->CastWhole({ request, alone, geometry, start, beams.get(),
+    lms3dGetStepProgress(request.Progress, BuildShare, 1.0), nullptr, nullptr });
+  if (isDone)
+  {
+    this->Output.CopyRanges(ranges);
+    this->Detection.CopyStatus(status);
+  }
+  this->Output.Discard();
+  this->Detection.Discard();
+  return isDone;
+}
+
+bool lms3dScanJob::CastWhole(const Scan& scan)
+{
+  lms3dCheckScene(
+    this->Scene.GetCaster() != nullptr, this->Scene.GetPart(), this->Scene.GetSkippedCells());
+  this->WarnIfIncomplete(this->Scene.GetPart(), scan);
+  return this->CastAndDetect(scan, 0);
+}
+
+bool lms3dScanJob::CastAlone(const Scan& scan)
+{
+  if (!this->CastWhole(scan))
+  {
+    return false;
+  }
+  const lms3dTriangleMesh& mesh = this->Scene.GetCaster()->GetMesh();
   this->Threads.Run(scan.Request.Settings.NumberOfThreads,
     [&]
     {
-      this->Output.FillScan(&caster->GetMesh(), scan.Geometry, scan.Start.Pose, scan.Points);
+      this->Output.FillScan(&mesh, scan.Geometry, scan.Start.Pose, scan.Points);
       AddPoses(scan);
       this->Output.FillRangeImage(scan.Geometry, scan.Image);
       this->AddSurfaceAttributes(scan, scan.Points->GetPointData());
     });
   this->Detection.AddStatus(scan.Geometry, scan.Points, scan.Image);
-  return true;
-}
-
-// In the following functions, collective calls stay outside of Threads.Run: MPI need not allow calls from
-// other threads.
-bool lms3dScanJob::CastInParallel(const Scan& scan)
-{
-  const lms3dProcesses& processes = scan.Processes;
-  const lms3dRayCaster* caster = this->Scene.GetCaster();
-  const lms3dProcesses::Cells cells = processes.GatherCells(this->Scene.GetPart());
-  lms3dCheckScene(processes.AnyOf(caster != nullptr), cells.Whole, this->Scene.GetSkippedCells());
-  if (processes.IsFirst())
-  {
-    this->WarnIfIncomplete(cells.Whole, scan);
-  }
-  if (!this->CastAndDetect(scan, cells.First))
-  {
-    return false;
-  }
-  this->FillOutputsInParallel(scan);
   return true;
 }
 
@@ -173,39 +158,6 @@ bool lms3dScanJob::CastAndDetect(const Scan& scan, std::int64_t firstCell)
   return lms3dCastBeams(cast, this->Output) &&
     this->Detection.Run(
       { settings, cast, scan.Beams, scan.Request.Controller, scan.Progress }, this->Output);
-}
-
-void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
-{
-  const lms3dProcesses& processes = scan.Processes;
-  const lms3dScanSettings& settings = scan.Request.Settings;
-  const auto run = [&](const auto& work) { this->Threads.Run(settings.NumberOfThreads, work); };
-  vtkInformation* image = scan.Request.Outputs->GetInformationObject(1);
-  const lms3dImagePiece piece = { processes.GetRank(), processes.GetCount(),
-    image->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) };
-  processes.RunCollectively(
-    [&]
-    {
-      if (processes.IsFirst())
-      {
-        run(
-          [&]
-          {
-            this->Output.FillScan(nullptr, scan.Geometry, scan.Start.Pose, scan.Points);
-            AddPoses(scan);
-          });
-      }
-      this->Output.FillRangeImagePiece(scan.Geometry, piece, scan.Image);
-      this->Detection.AddStatus(
-        scan.Geometry, processes.IsFirst() ? scan.Points : nullptr, scan.Image);
-    });
-  if (lms3dSurfaceArrays(settings).AreAny())
-  {
-    vtkNew<vtkFieldData> own;
-    processes.RunCollectively([&] { run([&] { this->AddSurfaceAttributes(scan, own); }); });
-    lms3dGatherSurfaceAttributes(processes, this->Output.GetOwnTriangles(), own, scan.Points);
-  }
-  lms3dAddEmptyArrays(processes, scan.Points->GetPointData());
 }
 
 void lms3dScanJob::AddSurfaceAttributes(const Scan& scan, vtkFieldData* data) const

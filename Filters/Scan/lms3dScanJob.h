@@ -21,15 +21,17 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 class vtkDataObject;
+class vtkDoubleArray;
 class vtkFieldData;
 class vtkImageData;
-class vtkInformation;
 class vtkInformationVector;
 class vtkMultiProcessController;
 class vtkPolyData;
+class vtkUnsignedCharArray;
 
 /// What one update needs. Everything that a pointer or reference refers to must outlive the update.
 struct lms3dScanJobRequest
@@ -44,8 +46,8 @@ struct lms3dScanJobRequest
   /// Null if the sensor stands at the settings' pose.
   vtkPolyData* Trajectory;
 
-  /// The output whose consumer runs the filter; it has the requested time.
-  vtkInformation* RequestedOutput;
+  /// The requested time, seconds.
+  std::optional<double> Time;
 
   /// Output 0, a vtkPolyData, and output 1, a vtkImageData. Both must be empty.
   vtkInformationVector* Outputs;
@@ -68,6 +70,14 @@ public:
    */
   bool Run(const lms3dScanJobRequest& request);
 
+  /**
+   * Fills `ranges`, and `status` if the settings want it, with the values of the range image that Run
+   * gives. The request's controller must be null, and its outputs are not used. Throws and returns as Run
+   * does.
+   */
+  bool CastRanges(
+    const lms3dScanJobRequest& request, vtkDoubleArray* ranges, vtkUnsignedCharArray* status);
+
   /// Returns the poses, read again only if the trajectory or the orientation (degrees, for points
   /// without one) changed. Throws std::runtime_error, with a text for the user, if they are bad.
   const lms3dTrajectory& GetTrajectory(vtkPolyData* poses, const lms3dVector& orientation)
@@ -79,11 +89,30 @@ public:
   vtkMTimeType GetBuildTime() const { return this->Scene.GetBuildTime(); }
 
 private:
-  struct Scan;
+  /// One run: the request, and what all its steps use.
+  struct Scan
+  {
+    const lms3dScanJobRequest& Request;
+    const lms3dProcesses& Processes;
+    const lms3dScanGeometry& Geometry;
+    const lms3dScanStart& Start;
+
+    /// Null if nothing needs them.
+    const lms3dMovingBeams* const Beams;
+
+    const lms3dProgress Progress;
+
+    ///@{
+    /// Null if only the ranges are needed.
+    vtkPolyData* const Points;
+    vtkImageData* const Image;
+    ///@}
+  };
 
   bool Prepare(
     const lms3dScanJobRequest& request, const lms3dProcesses& processes, lms3dScanStart& start);
   bool Build(const lms3dScanJobRequest& request, bool isParallel);
+  bool CastWhole(const Scan& scan);
   bool CastAlone(const Scan& scan);
   bool CastInParallel(const Scan& scan);
   bool CastAndDetect(const Scan& scan, std::int64_t firstCell);

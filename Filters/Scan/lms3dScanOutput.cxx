@@ -119,6 +119,13 @@ void lms3dScanOutput::ReduceToNearest(
     processes, caster, firstCell, this->Ranges->GetPointer(0), this->Triangles.data());
 }
 
+void lms3dScanOutput::CopyRanges(vtkDoubleArray* ranges) const
+{
+  ranges->SetNumberOfValues(this->Ranges->GetNumberOfValues());
+  std::copy_n(this->GetRanges(), this->Ranges->GetNumberOfValues(), ranges->GetPointer(0));
+  ranges->Modified();
+}
+
 bool lms3dScanOutput::HasMissingReturns() const
 {
   return std::any_of(this->Triangles.begin(), this->Triangles.end(),

@@ -70,6 +70,9 @@ public:
   /// Returns the range of each beam, metres, NaN without a return. Valid until FillRangeImage or Discard.
   const double* GetRanges() const { return this->Ranges->GetPointer(0); }
 
+  /// Copies the range of each beam. Valid until FillRangeImage or Discard.
+  void CopyRanges(vtkDoubleArray* ranges) const;
+
   /// Returns whether some beams have no return.
   bool HasMissingReturns() const;
 

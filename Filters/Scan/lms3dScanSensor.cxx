@@ -4,9 +4,7 @@
 
 #include "Device/lms3dFan.h"
 
-#include <vtkInformation.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <utility>
 
@@ -43,9 +41,8 @@ const lms3dTrajectory& lms3dScanSensor::GetTrajectory(
 }
 
 lms3dScanStart lms3dScanSensor::GetStart(
-  const lms3dScanSettings& settings, vtkPolyData* trajectory, vtkInformation& output)
+  const lms3dScanSettings& settings, vtkPolyData* trajectory, std::optional<double> time)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   lms3dScanStart start;
   if (!trajectory)
   {
@@ -53,9 +50,7 @@ lms3dScanStart lms3dScanSensor::GetStart(
     return start;
   }
   const lms3dTrajectory& poses = this->GetTrajectory(trajectory, settings.Orientation);
-  const int step = output.Has(Pipeline::UPDATE_TIME_STEP())
-    ? poses.FindStep(output.Get(Pipeline::UPDATE_TIME_STEP()))
-    : 0;
+  const int step = time ? poses.FindStep(*time) : 0;
   start.Time = poses.GetTimes()[step];
   start.Pose = poses.GetPose(step);
   if (settings.Device.MotionDuringScan)

@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The fans that the emulator casts one by one equal the turns of a whole scan, to the bit."""
+"""The fans that the emulator casts one by one equal the turns of a whole scan, to the bit.
+
+They are cast without VTK's pipeline.
+"""
 
 import unittest
 
@@ -16,8 +19,16 @@ from lms3d.emulation.variants import VARIANTS, Variant
 TURNS = 70
 
 
-def update(algorithm, time):
-    algorithm.Update()
+class Failed(Exception):
+    """VTK has reported an error."""
+
+
+def no_check():
+    """All VTK calls succeed."""
+
+
+def fail():
+    raise Failed
 
 
 class TestLiveFans(unittest.TestCase):
@@ -26,17 +37,17 @@ class TestLiveFans(unittest.TestCase):
         cls.scene = room()
 
     def fans(self, device, seed=0, with_errors=True):
-        sensor = lms3d.vtkLMS3DScanFilter()
+        self.sensor = sensor = lms3d.vtkLMS3DScanFilter()
         sensor.SetInputDataObject(self.scene)
         sensor.SetPosition(POSITION)
         sensor.SetBetaResolution(TURNS)
-        errors = None
+        self.errors = errors = None
         set_device(sensor, device)
         if with_errors and device != "ideal":
-            errors = lms3d.vtkLMS3DRangeErrorFilter()
+            self.errors = errors = lms3d.vtkLMS3DRangeErrorFilter()
             set_device(errors, device)
             errors.SetNoiseSeed(seed)
-        return LiveFans(sensor, update, errors)
+        return LiveFans(sensor, no_check, errors)
 
     def scan(self, variant, device, seed=0):
         low = variant.first_alpha
@@ -56,6 +67,26 @@ class TestLiveFans(unittest.TestCase):
                 with self.subTest(device=device, variant=variant):
                     found = [fans.cast_turn(variant, 0, turn, 1) for turn in range(TURNS)]
                     np.testing.assert_array_equal(found, self.scan(variant, device, 7))
+
+    def test_no_pipeline(self):
+        """An update of the pipeline would take most of a fan's time."""
+        fans = self.fans("lms200-mm")
+        updates = []
+        for algorithm in (self.sensor, self.errors):
+            algorithm.AddObserver("StartEvent", lambda *_: updates.append(1))
+        fans.cast_turn(Variant(), 0, 3, 1)
+        fans.cast_part(Variant(), 1, 20.0, 1.0, 2)
+        self.assertEqual(updates, [])
+
+    def test_errors(self):
+        for name, value in (("sensor", "MaximumRange"), ("errors", "RangeBias")):
+            fans = self.fans("lms200-mm")
+            fans._check = fail
+            algorithm = getattr(self, name)
+            algorithm.AddObserver("ErrorEvent", lambda *_: None)
+            getattr(algorithm, "Set" + value)(np.nan)
+            with self.assertRaises(Failed):
+                fans.cast_turn(Variant(), 0, 0, 1)
 
     def test_a_turn_again_is_the_same(self):
         """A telegram that a host has not received is cast again."""

@@ -105,6 +105,22 @@ class TestStreams(unittest.TestCase):
                 times, _ = self.stream(rate, variant, (0x20, 0x24))
                 np.testing.assert_allclose(np.diff(times), 1 / hertz, atol=1e-9)
 
+    def test_wake_ups(self):
+        """A fan is cast when its last mirror turn begins; at 75 a second this is one time for both."""
+        for step, wake_ups in ((100, 1), (50, 2)):
+            with self.subTest(step=step):
+                host = Host()
+                host.ask(0x20, 0x48)
+                host.ask(0x3B, 180, 0, step, 0)
+                host.write(frame(b"\x20\x24"))
+                host.run(0.1)
+                sent = 0
+                for _ in range(50 * wake_ups):
+                    host.now = host.device.next_time() + 1e-5
+                    while host.device.take(host.now):
+                        sent += 1
+                self.assertEqual(sent, 50)
+
     def test_the_pace_of_the_mirror(self):
         times, _ = self.stream(38400, (180, 50), (0x20, 0x24), is_paced_by_line=False)
         np.testing.assert_allclose(np.diff(times), 2 * TURN, atol=1e-9)

@@ -113,7 +113,7 @@ class PortHost:
                 size = int.from_bytes(data[2:4], "little") + 6
                 found.append((now, split(data[:size])[0]))
                 data = data[size:]
-        return found
+        return found[:count]  # the last bytes can have more than one
 
     def go_to(self, rate):
         """Switch device and host to a rate."""

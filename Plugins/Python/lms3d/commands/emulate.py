@@ -186,8 +186,9 @@ def _live_fans(options, stack):
         times = TrajectoryScan(simulation, read_data(options.trajectory, "trajectory")).times
     device_options.apply_device(simulation.sensor, options)
     errors, has_errors = device_options.make_errors(options)
-    run = _updater(stack.enter_context(VTKMessages()))
-    return LiveFans(simulation.sensor, run, errors if has_errors else None, times)
+    messages = stack.enter_context(VTKMessages())
+    return LiveFans(simulation.sensor, lambda: _check_messages(messages),
+                    errors if has_errors else None, times)
 
 
 def _stored_fans(options):
@@ -199,17 +200,9 @@ def _stored_fans(options):
     return StoredFans(errors.GetOutput(), errors.GetRangeImage(), options.scan)
 
 
-def _updater(messages):
-    """Updates a filter without a progress bar, for a time or for None; raises Problem."""
-    def run(algorithm, time_of_pose):
-        if time_of_pose is None:
-            algorithm.Update()
-        else:
-            algorithm.UpdateTimeStep(time_of_pose)
-        if messages.errors:
-            messages.report("cannot scan")
-
-    return run
+def _check_messages(messages):
+    if messages.errors:
+        messages.report("cannot scan")
 
 
 def _open_lines(path, stack):

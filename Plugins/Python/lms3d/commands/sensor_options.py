@@ -9,7 +9,7 @@ from ..problems import UsageProblem
 from ..properties import MAXIMUM_COUNT, METHODS
 from ..simulation import Simulation
 from . import device_options, scene_options
-from .values import bound, count, number, positive, thread_count
+from .values import bound, count, gap_size, group_size, number, positive, thread_count
 
 _MAXIMUM_COORDINATE = 1e18  # metres, as in vtkLMS3DScanFilter
 
@@ -94,6 +94,16 @@ def add_map(parser):
                         "has as few triangles as the bound allows, 0 makes every return a vertex "
                         f"(default: {error:g})")
     add_depth_step(parser)
+    parser.add_argument("--maximum-gap-size", type=gap_size, metavar="N", default=-1,
+                        help="the map closes groups of up to N neighbouring beams without a return, if "
+                        "the returns around them lie on one plane; -1: 25 if the scan has the array "
+                        "Status, otherwise 0 (default: -1)")
+    parser.add_argument("--maximum-speckle-size", type=group_size, metavar="N", default=0,
+                        help="the surface goes on behind groups of up to N neighbouring returns that "
+                        "lie off the plane around them (default: 0)")
+    parser.add_argument("--drop-speckles", action="store_true",
+                        help="leave these groups out of the map; otherwise each of their returns gets "
+                        "a small triangle")
 
 
 def add_depth_step(parser):
@@ -153,6 +163,9 @@ def simulation(options):
     sensor.SetIntersectionMethod(METHODS[options.method])
     result.reconstruction.SetMaximumError(options.maximum_error)
     result.reconstruction.SetDepthStep(options.depth_step)
+    result.reconstruction.SetMaximumGapSize(options.maximum_gap_size)
+    result.reconstruction.SetMaximumSpeckleSize(options.maximum_speckle_size)
+    result.reconstruction.SetKeepSpeckles(not options.drop_speckles)
     return result
 
 

@@ -4,7 +4,7 @@
 
 Each step shifts the register of 16 bits by one, with feedback, and adds the byte together with the
 byte before it. All of that is linear: so the check sum is the sum (exclusive or) of one number for
-each byte, which depends on the byte's value and on how many bytes follow it.
+each bit that is set, which depends on the bit's place and on how many bytes follow it.
 """
 
 import numpy as np
@@ -19,14 +19,14 @@ def _shift(registers):
 
 
 def _make_table():
-    """The number of each byte value, by the number of bytes that follow."""
-    values = np.arange(256)
+    """The numbers of the bits of the longest telegram, in their order."""
+    values = 0x80 >> np.arange(8)
     rows = [values]
     current, before = _shift(values), values << 8
     for _ in range(1, _MAXIMUM_SIZE):
         rows.append(current ^ before)
         current, before = _shift(current), _shift(before)
-    return np.array(rows, np.uint16)[::-1]
+    return np.array(rows, np.uint16)[::-1].ravel()
 
 
 _TABLE = _make_table()
@@ -34,6 +34,6 @@ _TABLE = _make_table()
 
 def compute_crc(data):
     """The check sum of bytes, as two bytes, low byte first."""
-    values = np.frombuffer(data, np.uint8)
-    numbers = _TABLE[np.arange(_MAXIMUM_SIZE - len(values), _MAXIMUM_SIZE), values]
+    bits = np.unpackbits(np.frombuffer(data, np.uint8))
+    numbers = bits * _TABLE[len(_TABLE) - len(bits):]
     return int(np.bitwise_xor.reduce(numbers)).to_bytes(2, "little")

@@ -22,7 +22,9 @@ SLOW_ANSWER_DELAY = 0.4  # for the permanent memory
 # A driver that receives the end of the reset with its beginning loses one of both.
 RESET_TIME = 2.0
 
-CAST_LEAD = 0.006  # a fan is cast this much before it is sent
+# A fan is cast when the last of its mirror turns begins. In a stream this is often the moment when the
+# telegram before it is sent, so the process wakes up once for both.
+CAST_LEAD = 1 / TURNS_PER_SECOND
 
 _POWER_ON = 0x90
 

@@ -14,112 +14,106 @@ import math
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
 
 from .. import vtkLMS3DScanFilter
 from ..problems import Problem
 from .variants import FANS, VARIANTS
 
 _SAME_ANGLE = 1e-6  # degrees
-_BLOCK = 30  # turns that are added to a grid at once
 
 
 class LiveFans:
     """Casts fans in a scene when they are requested.
 
-    sensor: a vtkLMS3DScanFilter with its scene, pose, ranges and platform angles. run: updates a
-    filter, for a time or for None, and raises its errors. errors: a vtkLMS3DRangeErrorFilter, or
-    None; its noise is the noise of `lms3d scan`: the first scan is equal, and every scan has noise
-    of its own. times: the times of the sensor's trajectory, or nothing.
+    sensor: a vtkLMS3DScanFilter with its scene, pose, ranges and platform angles. check: raises the
+    errors that VTK has reported. errors: a vtkLMS3DRangeErrorFilter, or None; its noise is the noise
+    of `lms3d scan`: the first scan is equal, and every scan has noise of its own. times: the times of
+    the sensor's trajectory, or nothing.
     """
 
     variants = FANS
 
-    def __init__(self, sensor, run, errors=None, times=()):
+    def __init__(self, sensor, check, errors=None, times=()):
         self._sensor = sensor
-        self._run = run
+        self._check = check
         self._errors = errors
         self._noise = errors.GetRangeNoise() if errors else 0.0
         self._times = times
+        self._means = 1
+        self._alphas = None
+        self._buffers = {}
         self._set_alphas(0.0, 0.0, 1)
-        run(sensor, None)
-        # Without statuses a fan takes less time.
-        sensor.SetComputeStatus(bool(times) or _can_hide(sensor))
+        sensor.Update()
+        check()
         betas = sensor.GetOutput().GetFieldData().GetArray("BetaAngles")
         self.angles = vtk_to_numpy(betas).tolist()
-        self._betas = vtkDoubleArray()
-        self._betas.SetName("BetaAngles")
-        self._fan = vtkPolyData()
-        self._ids = vtkIntArray()
-        self._ids.SetName("BeamId")
-        if errors:
-            errors.SetInputDataObject(self._fan)
+        # Without statuses a fan takes less time.
+        self._has_status = bool(times) or _can_hide(sensor)
 
     def cast_turn(self, variant, scan, turn, means):
         """A turn of a scan. Each scan has the next pose of the trajectory; the last one stays."""
-        time, number = None, float(scan)
+        time, number = 0.0, float(scan)
         if self._times:
             time = self._times[min(scan, len(self._times) - 1)]
             number = time + max(scan - len(self._times) + 1, 0)
         self._set_alphas(variant.first_alpha, -variant.first_alpha, variant.count)
-        return self._cast(self.angles[turn], time, (number, turn, True), means)
+        return self._cast(self.angles[turn], time, (number, turn), means)
 
     def cast_part(self, variant, part, angle, time, means):
         """A part of a fan. The trajectory begins when the device starts."""
         alphas = variant.alphas[part::variant.parts]
         self._set_alphas(alphas[0], alphas[-1], len(alphas))
-        pose_time = self._times[0] + time if self._times else None
-        return self._cast(angle, pose_time, (time, 0, False), means)
+        pose_time = self._times[0] + time if self._times else 0.0
+        return self._cast(angle, pose_time, (time, 0), means)
 
     def _set_alphas(self, first, last, count):
-        self._sensor.SetAlphaRange(first, last)
-        self._sensor.SetAlphaResolution(count)
+        if (first, last, count) != self._alphas:
+            self._alphas = first, last, count
+            self._sensor.SetAlphaRange(first, last)
+            self._sensor.SetAlphaResolution(count)
 
     def _cast(self, angle, time, noise, means):
-        self._sensor.SetBetaRange(angle, angle)
-        self._sensor.SetBetaResolution(1)
-        self._run(self._sensor, time)
-        image = self._sensor.GetRangeImage()
-        ranges = self._add_errors(noise, means) if self._errors else _ranges(image).copy()
-        return _mark(ranges, image)
+        """The beams at an angle. `noise`: a number for the scan, and the turn."""
+        fan = self._buffer()
+        status = fan.status if self._has_status else None
+        # An update of the pipeline takes several times as long as the cast.
+        if not self._sensor.CastFan(angle, time, fan.ranges, status):
+            self._fail("cannot cast a fan")
+        if self._errors:
+            self._add_errors(fan.ranges, *noise, means)
+        ranges = fan.range_values.copy()
+        return _mark(ranges, fan.status_values) if self._has_status else ranges
 
-    def _add_errors(self, noise, means):
-        """The ranges with errors. Those depend on a number for the scan, and on turn and beam."""
-        number, turn, is_in_scan = noise
-        beams = self._sensor.GetAlphaResolution()
-        first_beam = turn * beams
-        fan = self._fan
-        fan.ShallowCopy(self._sensor.GetOutput())
-        fan.GetFieldData().RemoveArray("Status")  # of the fan's own beams
-        fan.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), number)
-        if is_in_scan:
-            self._place_in_scan(turn, first_beam)
-        # The noise of a mean of n independent errors.
-        self._errors.SetRangeNoise(self._noise / math.sqrt(means))
-        self._run(self._errors, None)
-        return _ranges(self._errors.GetRangeImage())[first_beam:first_beam + beams].copy()
+    def _add_errors(self, ranges, number, turn, means):
+        if means != self._means:
+            # The noise of a mean of n independent errors.
+            self._errors.SetRangeNoise(self._noise / math.sqrt(means))
+            self._means = means
+        if not self._errors.AddErrors(number, turn, ranges):
+            self._fail("cannot add the errors of ranges")
 
-    def _place_in_scan(self, turn, first_beam):
-        """Number the beams of the fan as in its whole scan."""
-        beams = self._fan.GetPointData()
-        self._ids.DeepCopy(beams.GetArray("BeamId"))
-        if self._ids.GetNumberOfValues() > 0:
-            ids = np.frombuffer(self._ids, np.int32)
-            np.add(ids, first_beam, out=ids)
-        beams.AddArray(self._ids)
-        # The filter works on a grid of all turns. It needs this turn and the turns before it.
-        count = min((turn // _BLOCK + 1) * _BLOCK, len(self.angles))
-        if self._betas.GetNumberOfValues() != count:
-            self._betas.SetNumberOfValues(count)
-            np.frombuffer(self._betas, np.float64)[:] = self.angles[:count]
-            self._betas.Modified()
-        self._fan.GetFieldData().AddArray(self._betas)
+    def _fail(self, what):
+        self._check()
+        raise Problem(what)
+
+    def _buffer(self):
+        """The arrays for the present number of beams."""
+        count = self._alphas[-1]
+        if count not in self._buffers:
+            self._buffers[count] = _Buffer(count)
+        return self._buffers[count]
 
 
-def _ranges(image):
-    """The ranges of an image, without a copy."""
-    return np.frombuffer(image.GetPointData().GetArray("Range"), np.float64)
+class _Buffer:
+    """VTK arrays for a fan, and their values as numpy arrays."""
+
+    def __init__(self, count):
+        self.ranges, self.status = vtkDoubleArray(), vtkUnsignedCharArray()
+        for array in (self.ranges, self.status):
+            array.SetNumberOfValues(count)
+        self.range_values = np.frombuffer(self.ranges, np.float64)
+        self.status_values = np.frombuffer(self.status, np.uint8)
 
 
 def _can_hide(sensor):
@@ -130,10 +124,9 @@ def _can_hide(sensor):
     return sensor.GetRangeAtTenPercent() > 0 or not reach < sensor.GetMaximumRange()
 
 
-def _mark(ranges, image):
-    """Replace ranges of beams without a return by the reason, if the image says it."""
-    if image.GetPointData().HasArray("Status"):
-        status = np.frombuffer(image.GetPointData().GetArray("Status"), np.uint8)
+def _mark(ranges, status):
+    """Replace ranges of beams without a return by the reason."""
+    if status.any():  # a beam without a return
         ranges[status == vtkLMS3DScanFilter.BEYOND_RANGE] = np.inf
         ranges[status == vtkLMS3DScanFilter.TOO_WEAK] = -np.inf
     return ranges
@@ -156,7 +149,10 @@ class StoredFans:
         if not set(self.variants).intersection(VARIANTS):
             raise Problem(f"cannot play '{name}': its fan has not the beams of any variant of the "
                           "device; scan with --alpha-range -90 90 --alpha-resolution 361")
-        ranges = _mark(_ranges(image).copy(), image)
+        beams = image.GetPointData()
+        ranges = vtk_to_numpy(beams.GetArray("Range")).copy()
+        if beams.HasArray("Status"):
+            _mark(ranges, vtk_to_numpy(beams.GetArray("Status")))
         self._ranges = ranges.reshape(len(self._betas), -1)
 
     def cast_turn(self, variant, _scan, turn, _means):

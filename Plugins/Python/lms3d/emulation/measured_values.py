@@ -12,6 +12,8 @@ UNITS_PER_METRE = {CENTIMETRES: 100, MILLIMETRES: 1000, DECIMETRES: 10}
 DISTANCE_BITS = {0x00: 13, 0x01: 13, 0x02: 13, 0x03: 14, 0x04: 14, 0x05: 15, 0x06: 15,
                  0x0F: 16, 0x3F: 16}
 
+_WORD = np.dtype("<u2")
+
 # Codes in place of a distance: how far they are below the largest number.
 _NO_SIGNAL = 0
 _TOO_WEAK = 4
@@ -28,9 +30,10 @@ def encode_ranges(ranges, unit, measuring_mode):
     """An array of ranges in metres as unsigned words; NaN is no signal, minus infinity too weak a signal."""
     top = (1 << DISTANCE_BITS[measuring_mode]) - 1
     values = np.fmin(np.rint(ranges * UNITS_PER_METRE[unit]), top - _TOO_FAR)
-    values = np.where(np.isnan(ranges), top - _NO_SIGNAL, values)
-    values = np.where(np.isneginf(ranges), top - _TOO_WEAK, values)
-    return values.astype("<u2")
+    if not ranges.min() > -np.inf:  # the minimum is NaN if any range is
+        values[np.isnan(ranges)] = top - _NO_SIGNAL
+        values[ranges == -np.inf] = top - _TOO_WEAK
+    return values.astype(_WORD)
 
 
 def encode_count(count, unit, part=None, parts=1):

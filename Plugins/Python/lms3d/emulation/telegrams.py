@@ -28,7 +28,7 @@ def frame(payload, address=0):
 
 def frame_answer(code, data=b"", address=0):
     """The telegram of an answer."""
-    return frame(bytes((code, *data, ALL_IS_WELL)), _FROM_DEVICE + address)
+    return frame(bytes((code,)) + data + bytes((ALL_IS_WELL,)), _FROM_DEVICE + address)
 
 
 class TelegramReader:

@@ -4,6 +4,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Optional
 
 from .telegrams import FRAME_SIZE
@@ -19,22 +20,22 @@ class Variant:
     angle: int = 180
     step: int = 50
 
-    @property
+    @cached_property
     def parts(self):
         """Number of mirror turns that the whole fan needs; each measures one part of it."""
         return 100 // self.step
 
-    @property
+    @cached_property
     def first_alpha(self):
         """The elevation of the first beam; the first beam is the device's right."""
         return -self.angle / 2 if self.angle == 180 else -50.0
 
-    @property
+    @cached_property
     def count(self):
         """Number of beams."""
         return self.angle * self.parts + 1
 
-    @property
+    @cached_property
     def alphas(self):
         """The elevations of all beams."""
         return [self.first_alpha + i * self.step / 100 for i in range(self.count)]
@@ -44,6 +45,7 @@ class Variant:
 VARIANTS = (Variant(180, 100), Variant(180, 50),
             Variant(100, 100), Variant(100, 50), Variant(100, 25))
 FANS = (*VARIANTS, Variant(180, 25))
+_HALF_CIRCLES = {variant.step: variant for variant in FANS if variant.angle == 180}
 
 
 @dataclass(frozen=True)
@@ -76,7 +78,7 @@ class Output:
 
     def fan(self, variant):
         """The variant that is measured. A partial scan has 180 degrees always (TL 46)."""
-        return Variant(180, variant.step) if self.is_partial else variant
+        return _HALF_CIRCLES[variant.step] if self.is_partial else variant
 
     def value_count(self, variant, part=0):
         """Number of values in a telegram."""
