@@ -128,8 +128,8 @@ struct lms3dEmbreeCandidates::Internals
     }
     lms3dPacketSearch& search = query->Search;
     const lms3dRayRange rays = GetRays(args);
-    const std::uint32_t beams = search.Packet->Active & GetBeams(rays);
-    const std::uint32_t changed = query->View->Test(self->GetTriangle(args->primID), beams, search);
+    const std::uint32_t changed = query->View->Test(
+      self->GetTriangle(args->primID), search.Packet->Active & GetBeams(rays), search);
     if (changed != 0)
     {
       query->Rays->Clip(search.Hits, changed, args->geomID, rays);
@@ -139,9 +139,8 @@ struct lms3dEmbreeCandidates::Internals
   void TestFreeCandidate(const RTCIntersectFunctionNArguments* args, const FreeCast& cast) const
   {
     const lms3dRayRange rays = GetRays(args);
-    const std::uint32_t beams = cast.Packet->Active & GetBeams(rays);
-    const std::uint32_t changed =
-      cast.Test->Test(this->GetTriangle(args->primID), beams, *cast.Packet);
+    const std::uint32_t changed = cast.Test->Test(
+      this->GetTriangle(args->primID), cast.Packet->Active & GetBeams(rays), *cast.Packet);
     if (changed != 0)
     {
       cast.Rays->Clip(*cast.Packet, changed, args->geomID, rays);
@@ -209,6 +208,7 @@ void lms3dEmbreeCandidates::Cast(
   Query query;
   query.View = &view;
   query.Rays = &rays;
+  query.Search.Kept = view.GetKept();
   for (int i = 0; i < count; ++i)
   {
     lms3dBeamPacket& packet = packets[i];

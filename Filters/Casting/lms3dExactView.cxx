@@ -49,11 +49,16 @@ void lms3dExactView::MakeNarrowTriangles()
     {
       for (std::size_t i = range.begin(); i < range.end(); ++i)
       {
-        const lms3dCorners corners = lms3dGetCorners(this->Mesh, i);
-        this->NarrowTriangles[i] = this->Kernels.MakeNarrowTriangle(
-          lms3dToSensorFrame(corners, this->Origin.Position), this->Unit);
+        this->NarrowTriangles[i] = this->MakeNarrowTriangle(i);
       }
     });
+}
+
+lms3dNarrowTriangle lms3dExactView::MakeNarrowTriangle(std::size_t triangle) const
+{
+  const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
+  return this->Kernels.MakeNarrowTriangle(
+    lms3dToSensorFrame(corners, this->Origin.Position), this->Unit);
 }
 
 void lms3dExactView::Begin(lms3dBeamPacket& packet, lms3dPacketSearch& search) const
@@ -70,18 +75,31 @@ void lms3dExactView::Begin(lms3dBeamPacket& packet, lms3dPacketSearch& search) c
 std::uint32_t lms3dExactView::Test(
   std::uint32_t triangle, std::uint32_t beams, lms3dPacketSearch& search) const
 {
-  if (!this->NarrowTriangles || this->NarrowTriangles[triangle].PlaneError < 0.0f)
+  const std::int32_t number = static_cast<std::int32_t>(triangle);
+  lms3dNarrowMasks masks = { 0, beams };
+  if (this->NarrowTriangles || search.Kept)
   {
-    return this->TestWide(triangle, beams, search);
+    const lms3dNarrowTriangle& narrow = this->NarrowTriangles
+      ? this->NarrowTriangles[triangle]
+      : search.Kept->Get(number, [this](std::int32_t t) { return this->MakeNarrowTriangle(t); });
+    if (narrow.PlaneError >= 0.0f)
+    {
+      masks = this->Kernels.UpdateNarrow(narrow, number, beams, *search.Packet, search.Hits);
+    }
   }
-  const lms3dNarrowMasks masks = this->Kernels.UpdateNarrow(this->NarrowTriangles[triangle],
-    static_cast<std::int32_t>(triangle), beams, *search.Packet, search.Hits);
+  else
+  {
+    const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
+    masks = this->Kernels.UpdateFromCorners(
+      { { corners[0], corners[1], corners[2] }, this->Origin.Position, this->Unit }, number, beams,
+      *search.Packet, search.Hits);
+  }
   search.HaveRange &= ~masks.Changed;
   return masks.Uncertain == 0 ? masks.Changed
                               : masks.Changed | this->TestWide(triangle, masks.Uncertain, search);
 }
 
-// Without the narrow triangle: single precision only rejects, double precision and exact arithmetic
+// For beams in doubt: single precision only rejects, double precision and exact arithmetic
 // decide.
 std::uint32_t lms3dExactView::TestWide(
   std::uint32_t triangle, std::uint32_t beams, lms3dPacketSearch& search) const

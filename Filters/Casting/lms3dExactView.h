@@ -12,12 +12,18 @@
 #ifndef lms3dExactView_h
 #define lms3dExactView_h
 
+#include "Casting/lms3dPlaneCache.h"
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Kernels/lms3dPacketKernels.h"
+
+#include <tbb/enumerable_thread_specific.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+
+/// The narrow triangles that one thread used last, 256 KiB: neighbouring packets meet the same ones.
+using lms3dNarrowCache = lms3dPlaneCache<lms3dNarrowTriangle, 4096>;
 
 /// A packet while its nearest hits are searched. The packet's Triangle is always up to date.
 struct lms3dPacketSearch
@@ -29,6 +35,9 @@ struct lms3dPacketSearch
 
   /// The beams whose Range in the packet is that of their triangle, with about 13 digits.
   std::uint32_t HaveRange;
+
+  /// Null, or where narrow triangles are kept.
+  lms3dNarrowCache* Kept = nullptr;
 };
 
 /// The methods are const, so that several threads can test different packets at once.
@@ -39,8 +48,14 @@ public:
   lms3dExactView(const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, double unit);
 
   /// Computes what single precision needs, 64 bytes for each triangle, with the threads of the calling
-  /// TBB arena. Without this call, single precision only rejects.
+  /// TBB arena. Without this call, they are computed for each test, or kept by KeepNarrowTriangles.
   void MakeNarrowTriangles();
+
+  /// Keeps the narrow triangles that each thread used last. Pays for many packets.
+  void KeepNarrowTriangles() { this->Kept = std::make_unique<NarrowCaches>(); }
+
+  /// Returns the calling thread's cache for lms3dPacketSearch, or null.
+  lms3dNarrowCache* GetKept() const { return this->Kept ? &this->Kept->local() : nullptr; }
 
   /// Begins the search of a packet whose directions are set.
   void Begin(lms3dBeamPacket& packet, lms3dPacketSearch& search) const;
@@ -65,6 +80,9 @@ public:
   }
 
 private:
+  using NarrowCaches = tbb::enumerable_thread_specific<lms3dNarrowCache>;
+
+  lms3dNarrowTriangle MakeNarrowTriangle(std::size_t triangle) const;
   std::uint32_t TestWide(
     std::uint32_t triangle, std::uint32_t beams, lms3dPacketSearch& search) const;
   std::uint32_t Update(const lms3dCorners& corners, const lms3dSensorFrameTriangle& inSensorFrame,
@@ -80,6 +98,7 @@ private:
   const double Unit;
   const float MinimumInverse;
   std::unique_ptr<lms3dNarrowTriangle[]> NarrowTriangles;
+  std::unique_ptr<NarrowCaches> Kept;
 };
 
 #endif

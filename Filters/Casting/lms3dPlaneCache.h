@@ -33,6 +33,20 @@ public:
     return this->Planes[entry];
   }
 
+  /// Returns the plane of a triangle if it is kept, otherwise null.
+  const Plane* Find(std::int32_t triangle) const
+  {
+    const std::int32_t entry = triangle % NumberOfEntries;
+    return this->Triangles[entry] == triangle ? &this->Planes[entry] : nullptr;
+  }
+
+  void Set(std::int32_t triangle, const Plane& plane)
+  {
+    const std::int32_t entry = triangle % NumberOfEntries;
+    this->Triangles[entry] = triangle;
+    this->Planes[entry] = plane;
+  }
+
 private:
   std::array<std::int32_t, NumberOfEntries> Triangles;
   std::array<Plane, NumberOfEntries> Planes;

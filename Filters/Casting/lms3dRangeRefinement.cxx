@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dRangeRefinement.h"
 
+#include "Casting/lms3dDoubleDoubleIntersector.h"
 #include "Casting/lms3dHitRanges.h"
 #include "Casting/lms3dPlaneCache.h"
 #include "Casting/lms3dTriangle.h"
@@ -9,70 +10,13 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include <algorithm>
-
 namespace
 {
-// Enough for the packets of one call, and for a whole scan of a small scene.
+// Enough for the packets of one call.
 constexpr int EntriesOfCall = 64;
-constexpr int EntriesOfScan = 1024;
 
-/// Intersects beams with a triangle's plane, with about 31 digits.
-class DoubleDoubleIntersector
-{
-public:
-  explicit DoubleDoubleIntersector(const lms3dTriangleMesh& mesh)
-    : Mesh(mesh)
-  {
-  }
-
-  /// Keeps the planes if the origin is the one of the last call.
-  void SetOrigin(const lms3dRayOrigin& origin)
-  {
-    if (!std::equal(this->Origin, this->Origin + 3, origin.Position))
-    {
-      std::copy_n(origin.Position, 3, this->Origin);
-      this->Planes.Clear();
-    }
-  }
-
-  void Intersect(std::int32_t triangle, const lms3dBeamPacket& packet, double* ranges)
-  {
-    const Plane& plane =
-      this->Planes.Get(triangle, [this](std::int32_t t) { return MakePlane(t); });
-    if (plane.IsNear)
-    {
-      lms3dIntersectNearPlane(lms3dGetCorners(this->Mesh, triangle), this->Origin, packet, ranges);
-    }
-    else
-    {
-      this->Kernels.IntersectDoubleDoublePlane(plane.Value, packet, ranges);
-    }
-  }
-
-private:
-  struct Plane
-  {
-    lms3dDoubleDoublePlane Value;
-    bool IsNear;
-  };
-
-  Plane MakePlane(std::int32_t triangle) const
-  {
-    const lms3dCorners corners = lms3dGetCorners(this->Mesh, triangle);
-    const lms3dDoubleDoublePlane plane =
-      this->Kernels.MakeDoubleDoublePlane(corners.data(), this->Origin);
-    return { plane, lms3dIsNearPlane(corners, this->Origin, plane) };
-  }
-
-  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
-  const lms3dTriangleMesh& Mesh;
-  double Origin[3] = { 0.0, 0.0, 0.0 };
-  lms3dPlaneCache<Plane, EntriesOfScan> Planes;
-};
-
-/// The same in double precision. Planes that double precision cannot represent well are computed with
-/// more digits and rounded.
+/// Intersects beams with planes in double precision. Planes that double precision cannot represent well
+/// are computed with more digits and rounded.
 class DoubleIntersector
 {
 public:
@@ -123,12 +67,12 @@ void lms3dRefineRangesInDouble(
 
 struct lms3dRangeRefinement::Internals
 {
-  tbb::enumerable_thread_specific<DoubleDoubleIntersector> Intersectors;
+  tbb::enumerable_thread_specific<lms3dDoubleDoubleIntersector> Intersectors;
 };
 
 lms3dRangeRefinement::lms3dRangeRefinement(const lms3dTriangleMesh& mesh)
-  : Internal(new Internals{ tbb::enumerable_thread_specific<DoubleDoubleIntersector>(
-      [&mesh] { return DoubleDoubleIntersector(mesh); }) })
+  : Internal(new Internals{ tbb::enumerable_thread_specific<lms3dDoubleDoubleIntersector>(
+      [&mesh] { return lms3dDoubleDoubleIntersector(mesh); }) })
 {
 }
 
@@ -137,7 +81,10 @@ lms3dRangeRefinement::~lms3dRangeRefinement() = default;
 void lms3dRangeRefinement::Refine(
   const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const
 {
-  DoubleDoubleIntersector& intersector = this->Internal->Intersectors.local();
-  intersector.SetOrigin(origin);
-  lms3dStoreHitRanges(intersector, origin.MaximumRange, packets, count);
+  lms3dDoubleDoubleIntersector& intersector = this->Internal->Intersectors.local();
+  intersector.SetOrigin(origin.Position);
+  for (int i = 0; i < count; ++i)
+  {
+    intersector.Refine(origin.MaximumRange, packets[i]);
+  }
 }

@@ -10,6 +10,8 @@
 #include "Kernels/lms3dPacketMask.inl"
 #include "Kernels/lms3dPairArithmetic.inl"
 
+#include <cstddef>
+
 namespace
 {
 // Embree loses coherent packets with a tiny negative direction component: it sorts the packet by the
@@ -69,14 +71,38 @@ std::uint32_t ShiftOrigins(
   return near.GetBits();
 }
 
-// Ends a ray at `tfar` if that is nearer, and sets its geometry.
-[[gnu::always_inline]] inline void EndRay(
-  bool isChanged, float tfar, unsigned int geometry, const lms3dRayRange& rays, int i)
+// Ends the rays of changed beams. Beams without a ray may have any values.
+void EndRays(const lms3dNarrowHits& hits, std::uint32_t changed, float rayOffset,
+  unsigned int geometry, float (&tfar)[Size], unsigned int (&geometries)[Size])
 {
-  // False if an extreme scale makes tfar no number.
-  const bool isShorter = isChanged & (tfar < rays.TFar[i]);
-  rays.TFar[i] = isShorter ? Maximum(0.0f, tfar) : rays.TFar[i];
-  rays.Geometry[i] = isChanged ? geometry : rays.Geometry[i];
+  alignas(64) float end[Size];
+  Mask isShorter;
+  for (int i = 0; i < Size; ++i)
+  {
+    const float tfarOfHit = 1.0f / (hits.InverseRange[i] - hits.Error[i]) - rayOffset;
+    // False if an extreme scale makes the end no number.
+    isShorter.Set(i, tfarOfHit < tfar[i]);
+    end[i] = Maximum(0.0f, tfarOfHit);
+  }
+  const std::uint32_t shorter = changed & isShorter.GetBits();
+  for (int i = 0; i < Size; ++i)
+  {
+    tfar[i] = (shorter >> i) & 1u ? end[i] : tfar[i];
+    geometries[i] = (changed >> i) & 1u ? geometry : geometries[i];
+  }
+}
+
+// Vector instructions need arrays of a fixed length that overlap nothing else, so the rays are copied.
+[[gnu::always_inline]] inline void ClipPart(const lms3dNarrowHits& hits, std::uint32_t changed,
+  float rayOffset, unsigned int geometry, const lms3dRayRange& rays, std::size_t count)
+{
+  alignas(64) float tfar[Size];
+  alignas(64) unsigned int geometries[Size];
+  __builtin_memcpy(tfar + rays.First, rays.TFar, count * sizeof(float));
+  __builtin_memcpy(geometries + rays.First, rays.Geometry, count * sizeof(unsigned int));
+  EndRays(hits, changed, rayOffset, geometry, tfar, geometries);
+  __builtin_memcpy(rays.TFar, tfar + rays.First, count * sizeof(float));
+  __builtin_memcpy(rays.Geometry, geometries + rays.First, count * sizeof(unsigned int));
 }
 
 // The error bound of a hit is larger than all rounding here, and than what Embree loses by the single
@@ -84,13 +110,18 @@ std::uint32_t ShiftOrigins(
 void ClipRays(const lms3dNarrowHits& hits, std::uint32_t changed, float rayOffset,
   unsigned int geometry, const lms3dRayRange& rays)
 {
-  const float* inverse = hits.InverseRange + rays.First;
-  const float* error = hits.Error + rays.First;
-  const std::uint32_t bits = changed >> rays.First;
-  for (int i = 0; i < rays.Count; ++i)
+  // Embree's own lengths have copies without a call.
+  switch (rays.Count)
   {
-    const bool isChanged = (bits >> i) & 1u;
-    EndRay(isChanged, 1.0f / (inverse[i] - error[i]) - rayOffset, geometry, rays, i);
+    case 16:
+      return ClipPart(hits, changed, rayOffset, geometry, rays, 16);
+    case 8:
+      return ClipPart(hits, changed, rayOffset, geometry, rays, 8);
+    case 4:
+      return ClipPart(hits, changed, rayOffset, geometry, rays, 4);
+    default:
+      return ClipPart(
+        hits, changed, rayOffset, geometry, rays, static_cast<std::size_t>(rays.Count));
   }
 }
 

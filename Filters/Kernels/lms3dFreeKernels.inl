@@ -115,6 +115,16 @@ std::uint32_t ShiftStarts(const lms3dSceneFrame& frame, const double* rayOffsets
   return near;
 }
 
+// Ends a ray at `tfar` if that is nearer, and sets its geometry.
+[[gnu::always_inline]] inline void EndRay(
+  bool isChanged, float tfar, unsigned int geometry, const lms3dRayRange& rays, int i)
+{
+  // False if an extreme scale makes tfar no number.
+  const bool isShorter = isChanged & (tfar < rays.TFar[i]);
+  rays.TFar[i] = isShorter ? Maximum(0.0f, tfar) : rays.TFar[i];
+  rays.Geometry[i] = isChanged ? geometry : rays.Geometry[i];
+}
+
 // The margin is that of the other ClipRays, and exceeds all rounding here as it does there.
 void ClipFreeRays(const lms3dFreePacket& packet, std::uint32_t changed, double unit,
   const float* rayOffsets, unsigned int geometry, const lms3dRayRange& rays)

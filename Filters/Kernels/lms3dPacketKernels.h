@@ -20,6 +20,7 @@
 #include "Kernels/lms3dFreeKernels.h"
 #include "Kernels/lms3dNarrowTriangle.h"
 #include "Kernels/lms3dNormalStrip.h"
+#include "Kernels/lms3dPacketPlanes.h"
 #include "Kernels/lms3dRangeErrorRow.h"
 #include "Kernels/lms3dTile.h"
 
@@ -54,28 +55,6 @@ struct lms3dHitMasks
 
   /// Beams so near to an edge that double precision cannot decide.
   std::uint32_t Uncertain;
-};
-
-/// The plane of a triangle in the sensor frame, Normal.p = Offset, with about 31 digits. Normal is
-/// the cross product of two edges.
-struct lms3dDoubleDoublePlane
-{
-  lms3dDoubleDouble Normal[3];
-  lms3dDoubleDouble Offset;
-};
-
-/// The same plane in double precision.
-struct lms3dDoublePlane
-{
-  double Normal[3];
-  double Offset;
-
-  /// The range of a beam has at least 13 digits if |Normal.direction| is above this number.
-  double MinimumSlope;
-
-  /// False if Offset itself has fewer than 13 digits, because the triangle is very narrow or its
-  /// plane passes very near to the sensor.
-  bool IsWellConditioned;
 };
 
 /// The returns of one turn, and where their beams start. The arrays belong to the caller.
@@ -164,6 +143,10 @@ struct lms3dPacketKernels
   lms3dNarrowMasks (*UpdateNarrow)(const lms3dNarrowTriangle& triangle, std::int32_t number,
     std::uint32_t beams, lms3dBeamPacket& packet, lms3dNarrowHits& hits);
 
+  /// The same for a triangle without its narrow form, which is computed as far as the beams need it.
+  lms3dNarrowMasks (*UpdateFromCorners)(const lms3dCornerPoints& points, std::int32_t number,
+    std::uint32_t beams, lms3dBeamPacket& packet, lms3dNarrowHits& hits);
+
   /// Sets the hits of changed beams to the packet's Range. `unit` is that of MakeNarrowTriangle.
   void (*NarrowRanges)(
     const lms3dBeamPacket& packet, std::uint32_t changed, double unit, lms3dNarrowHits& hits);
@@ -192,6 +175,10 @@ struct lms3dPacketKernels
   lms3dDoubleDoublePlane (*MakeDoubleDoublePlane)(
     const double* const* corners, const double* origin);
 
+  /// Does so for the first `count` triangles, a multiple of lms3dPacketPlanes::Step.
+  void (*MakeDoubleDoublePlanes)(
+    const lms3dPacketCorners& corners, int count, const double* origin, lms3dPacketPlanes& planes);
+
   /// Computes the plane of a triangle in the sensor frame.
   lms3dDoublePlane (*MakeDoublePlane)(const lms3dSensorFrameTriangle& triangle);
 
@@ -199,6 +186,10 @@ struct lms3dPacketKernels
   /// triangle has an area.
   void (*IntersectDoubleDoublePlane)(
     const lms3dDoubleDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges);
+
+  /// The same for beams that each have a plane of their own.
+  void (*IntersectDoubleDoublePlanes)(
+    const lms3dPacketPlanes& planes, const lms3dBeamPacket& packet, double* ranges);
 
   /// The same with the rounding of double precision.
   void (*IntersectDoublePlane)(
@@ -208,6 +199,10 @@ struct lms3dPacketKernels
   /// removed if its range is 0 or less, or above the maximum.
   std::uint32_t (*StoreRanges)(
     const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet);
+
+  /// Stores the range of some beams likewise.
+  void (*StoreRangesOfBeams)(
+    const double* ranges, std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet);
 
   /// Removes hits that are nearer than a minimum, and makes the range of beams without a hit NaN.
   void (*ApplyMinimumRange)(double minimumRange, lms3dBeamPacket& packet);

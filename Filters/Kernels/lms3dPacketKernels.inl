@@ -26,13 +26,14 @@
     IntersectFreeDoublePlane
 
 // In the order of lms3dPacketKernels.
-#define LMS3D_PACKET_KERNELS                                                                  \
-  GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, MakeNarrowTriangle,  \
-    UpdateNarrow, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles, FindHits,           \
-    MakeDoubleDoublePlane, MakeDoublePlane, IntersectDoubleDoublePlane, IntersectDoublePlane, \
-    StoreRanges, ApplyMinimumRange, Locate, AddStrip, DrawNormals, ReportRanges,              \
-  {                                                                                           \
-    LMS3D_FREE_KERNELS                                                                        \
+#define LMS3D_PACKET_KERNELS                                                                    \
+  GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, MakeNarrowTriangle,    \
+    UpdateNarrow, UpdateFromCorners, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles,    \
+    FindHits, MakeDoubleDoublePlane, MakeDoubleDoublePlanes, MakeDoublePlane,                   \
+    IntersectDoubleDoublePlane, IntersectDoubleDoublePlanes, IntersectDoublePlane, StoreRanges, \
+    StoreRangesOfBeams, ApplyMinimumRange, Locate, AddStrip, DrawNormals, ReportRanges,         \
+  {                                                                                             \
+    LMS3D_FREE_KERNELS                                                                          \
   }
 
 #endif

@@ -12,25 +12,74 @@
 
 namespace
 {
+// The four numbers of a plane, for the inner loop of several triangles at once.
+struct PairPlane
+{
+  Pair X, Y, Z, Offset;
+};
+
+// One axis of a triangle: two edges, and the first corner relative to the origin.
+struct PairAxis
+{
+  Pair P, Q, A;
+};
+
+[[gnu::always_inline]] inline PairAxis MakeAxis(double a, double b, double c, double origin)
+{
+  return { lms3dTwoDifference(b, a), lms3dTwoDifference(c, a), lms3dTwoDifference(a, origin) };
+}
+
+[[gnu::always_inline]] inline Pair GetNormal(const PairAxis& next, const PairAxis& last)
+{
+  return Add(Multiply(next.P, last.Q), Negate(Multiply(last.P, next.Q)));
+}
+
+// Straight through, without arrays of axes, so that compilers keep all numbers in registers.
+[[gnu::always_inline]] inline PairPlane MakePairPlane(
+  const PairAxis& x, const PairAxis& y, const PairAxis& z)
+{
+  const PairPlane normal = { GetNormal(y, z), GetNormal(z, x), GetNormal(x, y), { 0.0, 0.0 } };
+  Pair offset = Add(normal.Offset, Multiply(normal.X, x.A));
+  offset = Add(offset, Multiply(normal.Y, y.A));
+  offset = Add(offset, Multiply(normal.Z, z.A));
+  return { normal.X, normal.Y, normal.Z, offset };
+}
+
 lms3dDoubleDoublePlane MakeDoubleDoublePlane(const double* const* corners, const double* origin)
 {
-  Pair p[3], q[3], a[3];
-  for (int axis = 0; axis < 3; ++axis)
+  const double* const a = corners[0];
+  const double* const b = corners[1];
+  const double* const c = corners[2];
+  const PairPlane plane = MakePairPlane(MakeAxis(a[0], b[0], c[0], origin[0]),
+    MakeAxis(a[1], b[1], c[1], origin[1]), MakeAxis(a[2], b[2], c[2], origin[2]));
+  return { { plane.X, plane.Y, plane.Z }, plane.Offset };
+}
+
+// `planes` must not overlap the input, so that the compiler can vectorize the loop.
+void MakeDoubleDoublePlanes(const lms3dPacketCorners& corners, int count, const double* origin,
+  lms3dPacketPlanes& __restrict planes)
+{
+  constexpr int Step = lms3dPacketPlanes::Step;
+  const double o[3] = { origin[0], origin[1], origin[2] };
+  const auto& a = corners.Corner[0];
+  const auto& b = corners.Corner[1];
+  const auto& c = corners.Corner[2];
+  for (int first = 0; first < count; first += Step)
   {
-    p[axis] = lms3dTwoDifference(corners[1][axis], corners[0][axis]);
-    q[axis] = lms3dTwoDifference(corners[2][axis], corners[0][axis]);
-    a[axis] = lms3dTwoDifference(corners[0][axis], origin[axis]);
+    for (int i = first; i < first + Step; ++i)
+    {
+      const PairPlane plane = MakePairPlane(MakeAxis(a[0][i], b[0][i], c[0][i], o[0]),
+        MakeAxis(a[1][i], b[1][i], c[1][i], o[1]), MakeAxis(a[2][i], b[2][i], c[2][i], o[2]));
+      planes.High[0][i] = plane.X.High;
+      planes.High[1][i] = plane.Y.High;
+      planes.High[2][i] = plane.Z.High;
+      planes.High[3][i] = plane.Offset.High;
+      planes.Low[0][i] = plane.X.Low;
+      planes.Low[1][i] = plane.Y.Low;
+      planes.Low[2][i] = plane.Z.Low;
+      planes.Low[3][i] = plane.Offset.Low;
+    }
   }
-  lms3dDoubleDoublePlane plane;
-  plane.Offset = { 0.0, 0.0 };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int next = (axis + 1) % 3;
-    const int last = (axis + 2) % 3;
-    plane.Normal[axis] = Add(Multiply(p[next], q[last]), Negate(Multiply(p[last], q[next])));
-    plane.Offset = Add(plane.Offset, Multiply(plane.Normal[axis], a[axis]));
-  }
-  return plane;
 }
 
 // Returns offset / normal.direction of beam i, with one rounding.
@@ -70,6 +119,17 @@ void IntersectDoubleDoublePlane(
   }
 }
 
+void IntersectDoubleDoublePlanes(
+  const lms3dPacketPlanes& planes, const lms3dBeamPacket& packet, double* __restrict ranges)
+{
+  for (int i = 0; i < Size; ++i)
+  {
+    const Pair normal[3] = { { planes.High[0][i], planes.Low[0][i] },
+      { planes.High[1][i], planes.Low[1][i] }, { planes.High[2][i], planes.Low[2][i] } };
+    ranges[i] = Intersect(normal, { planes.High[3][i], planes.Low[3][i] }, packet.Direction, i);
+  }
+}
+
 void IntersectDoublePlane(
   const lms3dDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges)
 {
@@ -106,6 +166,26 @@ void StoreSomeRanges(
   for (int i = 0; i < Size; ++i)
   {
     packet.Triangle[i] |= lost.Beams[i];
+  }
+}
+
+void StoreRangesOfBeams(
+  const double* ranges, std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet)
+{
+  Mask isHit;
+  for (int i = 0; i < Size; ++i)
+  {
+    isHit.Set(i, (ranges[i] > 0.0) & (ranges[i] <= maximumRange));
+  }
+  const std::uint32_t lost = beams & ~isHit.GetBits();
+  for (int i = 0; i < Size; ++i)
+  {
+    packet.Range[i] = (beams >> i) & 1u ? ranges[i] : packet.Range[i];
+  }
+  for (int i = 0; i < Size; ++i)
+  {
+    packet.Range[i] = (lost >> i) & 1u ? lms3dBeamPacket::NoRange : packet.Range[i];
+    packet.Triangle[i] = (lost >> i) & 1u ? lms3dBeamPacket::NoTriangle : packet.Triangle[i];
   }
 }
 

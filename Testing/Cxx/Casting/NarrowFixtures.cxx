@@ -16,10 +16,10 @@ lms3dCorners GetPointers(const Corners& corners)
 }
 } // namespace
 
-Corners MakeTriangle(Random& random)
+Corners MakeTriangle(Random& random, const Exponents& sizes)
 {
   const double distance = std::pow(10.0, random.Get(-3.0, 2.0));
-  const double size = distance * std::pow(10.0, random.Get(-4.0, 1.0));
+  const double size = distance * std::pow(10.0, random.Get(sizes.Minimum, sizes.Maximum));
   const Vector a = distance * random.GetDirection();
   const Vector p = size * random.GetDirection();
   Vector q = size * random.GetDirection();
@@ -53,6 +53,12 @@ SeenTriangle::SeenTriangle(const Corners& corners, const Vector& sensor)
 lms3dSensorFrameTriangle SeenTriangle::GetInSensorFrame() const
 {
   return lms3dToSensorFrame(GetPointers(this->World), this->Sensor.data());
+}
+
+lms3dCornerPoints SeenTriangle::GetPoints() const
+{
+  return { { this->World[0].data(), this->World[1].data(), this->World[2].data() },
+    this->Sensor.data(), 1.0 };
 }
 
 double SeenTriangle::GetRange(const Vector& direction) const

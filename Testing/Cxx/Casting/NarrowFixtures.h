@@ -15,9 +15,22 @@
 /// Metres.
 using Corners = std::array<Vector, 3>;
 
+/// Powers of ten.
+struct Exponents
+{
+  double Minimum;
+  double Maximum;
+};
+
+///@{
+/// Sizes of triangles relative to their distance: of any triangles, and of the small ones of large scenes.
+constexpr Exponents AllSizes = { -4.0, 1.0 };
+constexpr Exponents SmallSizes = { -7.0, -1.0 };
+///@}
+
 /// Returns a triangle relative to the sensor, at a distance of a millimetre to a hundred metres. Half of
 /// them are very narrow or seen nearly edge-on.
-Corners MakeTriangle(Random& random);
+Corners MakeTriangle(Random& random, const Exponents& sizes = AllSizes);
 
 /// Returns the origin of world coordinates, or in half of the cases a point up to a hundred metres away.
 Vector MakeSensor(Random& random);
@@ -31,6 +44,9 @@ public:
   SeenTriangle(const Corners& corners, const Vector& sensor);
 
   lms3dSensorFrameTriangle GetInSensorFrame() const;
+
+  /// Returns pointers to this object, with a metre as unit.
+  lms3dCornerPoints GetPoints() const;
 
   /// Returns the range of a beam with all digits, metres; infinite if the beam passes by or the triangle
   /// is behind the sensor.

@@ -22,8 +22,16 @@ namespace
 {
 constexpr int Size = lms3dBeamPacket::Size;
 
-// Within a few roundings of single precision of an edge or a corner, or anywhere in the triangle.
-Vector MakeDirection(const Corners& corners, Random& random)
+// How near to an edge beams pass, as powers of ten of the triangle's size: a few roundings of single
+// precision, and for triangles of as small an angle as SmallSizes more of them.
+constexpr double MinimumWeight = -9.0;
+constexpr double MaximumWeight = -5.0;
+constexpr double MaximumWeightOfSmall = -0.5;
+
+constexpr int Pairs = 60000 / Fewer;
+
+// Near to an edge or a corner, or anywhere in the triangle.
+Vector MakeDirection(const Corners& corners, double maximumWeight, Random& random)
 {
   std::array<double, 3> weights = { random.Get(), random.Get(), random.Get() };
   const std::uint32_t kind = random.GetBits() % 8;
@@ -31,19 +39,20 @@ Vector MakeDirection(const Corners& corners, Random& random)
   {
     if (lms3dHasBit(kind, i))
     {
-      weights[i] = std::pow(10.0, random.Get(-9.0, -5.0)) * (random.GetBits() % 2 ? 1.0 : -1.0);
+      weights[i] = std::pow(10.0, random.Get(MinimumWeight, maximumWeight)) *
+        (random.GetBits() % 2 ? 1.0 : -1.0);
     }
   }
   const Vector point = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
   return GetLength(point) > 0.0 ? Normalize(point) : random.GetDirection();
 }
 
-Beams MakeBeams(const Corners& corners, Random& random)
+Beams MakeBeams(const Corners& corners, double maximumWeight, Random& random)
 {
   Beams beams;
   for (Vector& beam : beams)
   {
-    beam = MakeDirection(corners, random);
+    beam = MakeDirection(corners, maximumWeight, random);
   }
   return beams;
 }
@@ -55,12 +64,29 @@ struct NarrowTally
   std::int64_t Wrong = 0;
 };
 
-void JudgePair(const Corners& first, const Corners& second, Random& random, NarrowTally& tally)
+// Tests one triangle against a packet, like the kernels.
+using Update = lms3dNarrowMasks (*)(
+  const SeenTriangle& triangle, int number, lms3dBeamPacket& packet, lms3dNarrowHits& hits);
+
+lms3dNarrowMasks UpdateNarrow(
+  const SeenTriangle& triangle, int number, lms3dBeamPacket& packet, lms3dNarrowHits& hits)
 {
   const lms3dPacketKernels& kernels = lms3dGetPacketKernels();
-  const Vector sensor = MakeSensor(random);
-  const SeenTriangle triangles[] = { { first, sensor }, { second, sensor } };
-  const Beams beams = MakeBeams(second, random);
+  const lms3dNarrowTriangle narrow = kernels.MakeNarrowTriangle(triangle.GetInSensorFrame(), 1.0);
+  return narrow.PlaneError < 0.0f ? lms3dNarrowMasks{ 0, 0xffffu }
+                                  : kernels.UpdateNarrow(narrow, number, 0xffffu, packet, hits);
+}
+
+lms3dNarrowMasks UpdateFromCorners(
+  const SeenTriangle& triangle, int number, lms3dBeamPacket& packet, lms3dNarrowHits& hits)
+{
+  return lms3dGetPacketKernels().UpdateFromCorners(
+    triangle.GetPoints(), number, 0xffffu, packet, hits);
+}
+
+void JudgePair(
+  const SeenTriangle (&triangles)[2], const Beams& beams, Update update, NarrowTally& tally)
+{
   lms3dBeamPacket packet = MakePacket(beams);
   std::fill_n(packet.Triangle, Size, lms3dBeamPacket::NoTriangle);
   lms3dNarrowHits hits = {};
@@ -69,13 +95,7 @@ void JudgePair(const Corners& first, const Corners& second, Random& random, Narr
   std::uint32_t followed = 0xffffu;
   for (int number = 0; number < 2; ++number)
   {
-    const lms3dNarrowTriangle narrow =
-      kernels.MakeNarrowTriangle(triangles[number].GetInSensorFrame(), 1.0);
-    if (narrow.PlaneError < 0.0f)
-    {
-      return;
-    }
-    const lms3dNarrowMasks masks = kernels.UpdateNarrow(narrow, number, 0xffffu, packet, hits);
+    const lms3dNarrowMasks masks = update(triangles[number], number, packet, hits);
     // A beam in doubt would go to double precision, so it is not followed any further.
     followed &= ~masks.Uncertain;
     for (int i = 0; i < Size; ++i)
@@ -92,24 +112,52 @@ void JudgePair(const Corners& first, const Corners& second, Random& random, Narr
   }
 }
 
-} // namespace
-
-TEST(NarrowBeams, AreDecidedRightly)
+NarrowTally JudgePairs(const Exponents& sizes, double maximumWeight, Update update)
 {
   Random random(17);
   NarrowTally tally;
-  for (std::size_t i = 0; i < 60000 / Fewer; ++i)
+  for (int i = 0; i < Pairs; ++i)
   {
-    const Corners second = MakeTriangle(random);
-    Corners first = MakeTriangle(random);
+    const Corners second = MakeTriangle(random, sizes);
+    Corners first = MakeTriangle(random, sizes);
     if (random.GetBits() % 2)
     {
       // Almost the same plane, nearer or farther by less than single precision resolves, or by more.
       const double factor = 1.0 + std::pow(10.0, random.Get(-9.0, -3.0)) * random.Get(-1.0, 1.0);
       first = { factor * second[0], factor * second[1], factor * second[2] };
     }
-    JudgePair(first, second, random, tally);
+    const Vector sensor = MakeSensor(random);
+    const SeenTriangle triangles[] = { { first, sensor }, { second, sensor } };
+    JudgePair(triangles, MakeBeams(second, maximumWeight, random), update, tally);
   }
+  return tally;
+}
+} // namespace
+
+TEST(NarrowBeams, AreDecidedRightly)
+{
+  const NarrowTally tally = JudgePairs(AllSizes, MaximumWeight, UpdateNarrow);
   EXPECT_EQ(tally.Wrong, 0);
   EXPECT_GT(tally.Decided, static_cast<std::int64_t>(400000 / Fewer));
+}
+
+TEST(NarrowBeams, AreDecidedRightlyFromCorners)
+{
+  const NarrowTally tally = JudgePairs(AllSizes, MaximumWeight, UpdateFromCorners);
+  EXPECT_EQ(tally.Wrong, 0);
+  EXPECT_GT(tally.Decided, static_cast<std::int64_t>(400000 / Fewer));
+}
+
+TEST(NarrowBeams, AreDecidedRightlyBesideSmallTriangles)
+{
+  const NarrowTally tally = JudgePairs(SmallSizes, MaximumWeightOfSmall, UpdateNarrow);
+  EXPECT_EQ(tally.Wrong, 0);
+  EXPECT_GT(tally.Decided, static_cast<std::int64_t>(300000 / Fewer));
+}
+
+TEST(NarrowBeams, AreDecidedRightlyFromCornersOfSmallTriangles)
+{
+  const NarrowTally tally = JudgePairs(SmallSizes, MaximumWeightOfSmall, UpdateFromCorners);
+  EXPECT_EQ(tally.Wrong, 0);
+  EXPECT_GT(tally.Decided, static_cast<std::int64_t>(300000 / Fewer));
 }

@@ -153,6 +153,9 @@ struct NarrowResults
   lms3dBeamPacket Packet;
   lms3dNarrowHits Hits;
   lms3dNarrowMasks Masks;
+  lms3dBeamPacket PacketOfCorners;
+  lms3dNarrowHits HitsOfCorners;
+  lms3dNarrowMasks MasksOfCorners;
   lms3dTiles Tiles;
   lms3dTileCover Cover;
   lms3dTileMasks TileMasks;
@@ -200,6 +203,11 @@ std::string ComputeNarrow(const lms3dPacketKernels& kernels, const KernelInput& 
     results.Triangle = triangle;
     results.Masks = kernels.UpdateNarrow(triangle, 7, 0xfffb, results.Packet, results.Hits);
   }
+  results.PacketOfCorners = results.Packet;
+  results.HitsOfCorners = results.Hits;
+  results.MasksOfCorners =
+    kernels.UpdateFromCorners({ { corners[0], corners[1], corners[2] }, input.Origin.data(), 2.0 },
+      8, 0xfffb, results.PacketOfCorners, results.HitsOfCorners);
   return { reinterpret_cast<const char*>(&results), sizeof(results) };
 }
 } // namespace

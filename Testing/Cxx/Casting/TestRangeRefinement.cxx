@@ -126,6 +126,25 @@ TEST(RangeRefinement, TakesAnyNumberOfTriangles)
   }
 }
 
+TEST(RangeRefinement, TakesManyTrianglesInAPacket)
+{
+  Random random(25);
+  const lms3dTriangleMesh mesh = MakeTriangles(random);
+  // Without planes through the sensor, which are intersected one by one. Some share a slot, some are new.
+  for (int triangles : { 2, 3, 5, 8, 9, 16, 800 })
+  {
+    SCOPED_TRACE(triangles);
+    ExpectRangesOfEachTriangle(mesh,
+      MakePackets(100, random,
+        [&](int i)
+        {
+          const int group = static_cast<int>(random.GetBits() % triangles);
+          const bool isElsewhere = i % 7 == 0;
+          return i % 11 == 0 ? -1 : (5 * group + 1 + (isElsewhere ? 1025 : 0)) % 4095;
+        }));
+  }
+}
+
 TEST(RangeRefinement, KeepsPlanesApartThatShareASlot)
 {
   Random random(22);
