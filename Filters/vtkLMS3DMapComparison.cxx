@@ -212,6 +212,7 @@ void vtkLMS3DMapComparison::Internals::SetResults(
   filter->Completeness = results.Completeness;
   filter->FScore = results.FScore;
   filter->AreaInFreeSpace = results.AreaInFreeSpace;
+  filter->ClosedGapAreaInFreeSpace = results.ClosedGapAreaInFreeSpace;
   filter->MapArea = results.MapArea;
   filter->VisibleArea = results.VisibleArea;
   filter->MapTriangles = static_cast<vtkIdType>(results.MapTriangles);
@@ -244,6 +245,7 @@ void vtkLMS3DMapComparison::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Completeness: " << this->Completeness << '\n';
   os << indent << "FScore: " << this->FScore << '\n';
   os << indent << "AreaInFreeSpace: " << this->AreaInFreeSpace << '\n';
+  os << indent << "ClosedGapAreaInFreeSpace: " << this->ClosedGapAreaInFreeSpace << '\n';
   os << indent << "MapArea: " << this->MapArea << '\n';
   os << indent << "VisibleArea: " << this->VisibleArea << '\n';
   os << indent << "MapTriangles: " << this->MapTriangles << '\n';

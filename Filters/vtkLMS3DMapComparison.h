@@ -36,7 +36,7 @@
  * - `MapToScene`, `SceneToMap` (metres) and `NormalError` (degrees): each the mean, the root mean
  *   square, the 95th percentile and the maximum;
  * - `Correctness`, `Completeness` and `FScore`;
- * - `AreaInFreeSpace`, `MapArea`, `VisibleArea` (square metres) and `MapTriangles`;
+ * - `AreaInFreeSpace`, `ClosedGapAreaInFreeSpace`, `MapArea`, `VisibleArea` (square metres) and `MapTriangles`;
  * - if the scan has returns: `ReturnsWithinTolerance` and `LargestReturnDistance` (metres).
  *
  * Output 1 is a vtkPolyData of vertices: the samples of the visible scene, with the point data
@@ -180,11 +180,16 @@ public:
   vtkGetMacro(FScore, double);
   ///@}
 
+  ///@{
   /**
    * The area of the map in space that the sensor has seen to be empty, square metres: farther than
-   * Tolerance from the scene, and in front of the scene by more than Tolerance.
+   * Tolerance from the scene, and in front of the scene by more than Tolerance. Where the map closes gaps
+   * between returns, beams have seen nothing. So the area there, around the beams of the map's field data
+   * `ClosedBeamIds`, counts as ClosedGapAreaInFreeSpace instead.
    */
   vtkGetMacro(AreaInFreeSpace, double);
+  vtkGetMacro(ClosedGapAreaInFreeSpace, double);
+  ///@}
 
   ///@{
   /**
@@ -244,6 +249,7 @@ private:
   double Completeness = NAN;
   double FScore = NAN;
   double AreaInFreeSpace = NAN;
+  double ClosedGapAreaInFreeSpace = NAN;
   double MapArea = NAN;
   double VisibleArea = NAN;
   vtkIdType MapTriangles = 0;

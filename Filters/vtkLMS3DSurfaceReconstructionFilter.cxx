@@ -3,8 +3,8 @@
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 
 #include "Device/lms3dScanInput.h"
-#include "LocalMap/Bounded/lms3dBoundedMesher.h"
 #include "LocalMap/Bounded/lms3dBoundedOutput.h"
+#include "LocalMap/Bounded/lms3dGapMapper.h"
 #include "LocalMap/Grid/lms3dGridMap.h"
 #include "LocalMap/Grid/lms3dMapGeometry.h"
 #include "LocalMap/Grid/lms3dMapScan.h"
@@ -15,8 +15,11 @@
 #include "Pipeline/lms3dFailure.h"
 #include "Pipeline/lms3dPipelineRequests.h"
 #include "Pipeline/lms3dThreads.h"
+#include "vtkLMS3DScanFilter.h"
 
+#include <vtkDataArray.h>
 #include <vtkErrorCode.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -26,13 +29,18 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkLMS3DSurfaceReconstructionFilter);
 
 namespace
 {
-// The share of the time, for the progress bar, that building the grid takes.
-constexpr double GridShare = 0.3;
+// The share of the time, for the progress bar, that building the grid takes, and that finding the joins of the plain
+// grid takes as well.
+constexpr double GridShare = 0.2;
+constexpr double JoinsShare = 0.3;
+// The largest gap that is closed if the scan says why beams have no returns.
+constexpr int GapSizeWithStatus = 25;
 
 void CheckLength(const char* name, double value)
 {
@@ -42,6 +50,24 @@ void CheckLength(const char* name, double value)
       std::string(name) + " is not a number; 0 or more metres are expected.");
   }
 }
+
+// For each BeamId of the scan: whether there is nothing along the beam. Empty if the scan does not say it.
+std::vector<bool> FindFreeBeams(vtkPolyData* scan, const lms3dScanGeometry& geometry)
+{
+  vtkDataArray* status = scan->GetFieldData()->GetArray("Status");
+  if (!status || status->GetNumberOfValues() != geometry.CountBeamsOfAllTurns())
+  {
+    return {};
+  }
+  std::vector<bool> isFree(status->GetNumberOfValues());
+  for (vtkIdType i = 0; i < status->GetNumberOfValues(); ++i)
+  {
+    const double value = status->GetTuple1(i);
+    isFree[i] =
+      value == vtkLMS3DScanFilter::NOTHING_MET || value == vtkLMS3DScanFilter::BEYOND_RANGE;
+  }
+  return isFree;
+}
 } // namespace
 
 /// Keeps memory and tables from run to run.
@@ -49,8 +75,9 @@ struct vtkLMS3DSurfaceReconstructionFilter::Internals
 {
   /// Fills an empty map. The scan must have returns. Lengths are metres. Uses the threads of the calling
   /// TBB arena.
-  void MakeMap(const lms3dScanInput& scan, double maximumError, double depthStep,
-    const lms3dProgress& progress, vtkPolyData* map);
+  /// `isFree` is that of lms3dSurfaceGaps.
+  void MakeMap(const lms3dScanInput& scan, const lms3dGapSettings& settings, bool keepsSpeckles,
+    const std::vector<bool>& isFree, const lms3dProgress& progress, vtkPolyData* map);
 
   lms3dThreads Threads;
   lms3dErrorReport Errors;
@@ -73,7 +100,8 @@ private:
 };
 
 void vtkLMS3DSurfaceReconstructionFilter::Internals::MakeMap(const lms3dScanInput& scan,
-  double maximumError, double depthStep, const lms3dProgress& progress, vtkPolyData* map)
+  const lms3dGapSettings& settings, bool keepsSpeckles, const std::vector<bool>& isFree,
+  const lms3dProgress& progress, vtkPolyData* map)
 {
   scan.CheckPoints();
   const lms3dMapGeometry& geometry = this->GetGeometry(scan);
@@ -84,24 +112,28 @@ void vtkLMS3DSurfaceReconstructionFilter::Internals::MakeMap(const lms3dScanInpu
   }
   this->Grid.Build(
     geometry.GetGrid(), mapScan.GetRanges(), mapScan.GetBeamIds(), mapScan.GetNumberOfReturns());
-  this->Joins.Find(this->Grid, depthStep, &geometry);
-  if (!progress(GridShare))
+  const bool isBounded = settings.MaximumError > 0.0;
+  if (!isBounded)
+  {
+    this->Joins.Find(this->Grid, settings.DepthStep, &geometry);
+  }
+  const double share = isBounded ? GridShare : JoinsShare;
+  if (!progress(share))
   {
     return;
   }
-  const auto progressOfRest = [&progress](double done)
-  { return progress(GridShare + done * (1.0 - GridShare)); };
-  if (maximumError > 0.0)
-  {
-    lms3dBoundedMesher mesher(this->Grid, this->Joins, maximumError, &geometry);
-    if (const std::optional<lms3dBoundedMap> bounded = mesher.MakeMap(progressOfRest))
-    {
-      lms3dFillBoundedOutput(mapScan, *bounded, map);
-    }
-  }
-  else
+  const auto progressOfRest = [&progress, share](double done)
+  { return progress(share + done * (1.0 - share)); };
+  if (!isBounded)
   {
     this->GridMap.Fill(mapScan, this->Grid, this->Joins, progressOfRest, map);
+    return;
+  }
+  lms3dGapMapper mapper(mapScan, this->Grid, this->Joins, settings, keepsSpeckles, isFree);
+  if (const std::optional<lms3dBoundedMap> bounded = mapper.MakeMap(progressOfRest))
+  {
+    lms3dFillBoundedOutput(mapScan, *bounded, map);
+    mapper.FillOutput(*bounded, map);
   }
 }
 
@@ -129,13 +161,21 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
     {
       CheckLength("DepthStep", this->DepthStep);
       CheckLength("MaximumError", this->MaximumError);
-      const lms3dScanInput scan(vtkPolyData::GetData(inputVector[0]));
+      vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
+      const lms3dScanInput scan(input);
       if (scan.GetNumberOfReturns() > 0)
       {
+        const bool usesStatus = this->MaximumGapSize != 0 || this->MaximumSpeckleSize > 0;
+        const std::vector<bool> isFree =
+          usesStatus ? FindFreeBeams(input, scan.GetGeometry()) : std::vector<bool>();
+        const int automatic = isFree.empty() ? 0 : GapSizeWithStatus;
+        const lms3dGapSettings settings = { this->MaximumGapSize < 0 ? automatic
+                                                                     : this->MaximumGapSize,
+          this->MaximumSpeckleSize, this->MaximumError, this->DepthStep };
         this->Internal->Threads.Run(this->NumberOfThreads,
           [&]
           {
-            this->Internal->MakeMap(scan, this->MaximumError, this->DepthStep, progress,
+            this->Internal->MakeMap(scan, settings, this->KeepSpeckles, isFree, progress,
               vtkPolyData::GetData(outputVector));
           });
       }
@@ -158,5 +198,8 @@ void vtkLMS3DSurfaceReconstructionFilter::PrintSelf(ostream& os, vtkIndent inden
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumError: " << this->MaximumError << '\n';
   os << indent << "DepthStep: " << this->DepthStep << '\n';
+  os << indent << "MaximumGapSize: " << this->MaximumGapSize << '\n';
+  os << indent << "MaximumSpeckleSize: " << this->MaximumSpeckleSize << '\n';
+  os << indent << "KeepSpeckles: " << this->KeepSpeckles << '\n';
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << '\n';
 }

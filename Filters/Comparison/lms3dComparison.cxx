@@ -105,8 +105,10 @@ bool lms3dComparison::Compare(const lms3dSurfaceQuery& map, const lms3dSurfaceQu
   {
     return false;
   }
-  const lms3dMapErrors mapErrors(map, scene, view, this->Tolerance, this->NumberOfSamples,
-    lms3dGetStepProgress(progress, 0.6, 0.8));
+  const lms3dClosedBeams closedBeams(
+    this->Map->GetFieldData(), (this->Scan ? this->Scan : this->Map)->GetFieldData());
+  const lms3dMapErrors mapErrors(map, scene, view, closedBeams, this->Tolerance,
+    this->NumberOfSamples, lms3dGetStepProgress(progress, 0.6, 0.8));
   const std::vector<double> vertexErrors =
     GetVertexErrors(scene, this->Map, lms3dGetStepProgress(progress, 0.8, 0.85));
   const std::vector<double> returnDistances =

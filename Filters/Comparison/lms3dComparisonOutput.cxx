@@ -105,6 +105,7 @@ void lms3dAddResults(const lms3dComparisonResults& results, vtkFieldData* output
   Add("MapArea", results.MapArea, output);
   Add("VisibleArea", results.VisibleArea, output);
   Add("AreaInFreeSpace", results.AreaInFreeSpace, output);
+  Add("ClosedGapAreaInFreeSpace", results.ClosedGapAreaInFreeSpace, output);
 
   Add("MapToScene", results.MapToScene, output);
   Add("SceneToMap", results.SceneToMap, output);

@@ -27,6 +27,7 @@ lms3dComparisonResults lms3dSummarize(const lms3dTriangleMesh& map, const lms3dM
   results.MapArea = lms3dGetArea(map);
   results.VisibleArea = sceneErrors.VisibleShare * lms3dGetArea(scene);
   results.AreaInFreeSpace = mapErrors.ShareInFreeSpace * results.MapArea;
+  results.ClosedGapAreaInFreeSpace = mapErrors.ShareOfClosedGapsInFreeSpace * results.MapArea;
 
   results.Correctness = lms3dGetShareWithin(mapErrors.Distances, tolerance);
   results.Completeness = lms3dGetShareWithin(sceneErrors.Distances, tolerance);

@@ -27,6 +27,7 @@ struct lms3dComparisonResults
   double MapArea = std::numeric_limits<double>::quiet_NaN();
   double VisibleArea = std::numeric_limits<double>::quiet_NaN();
   double AreaInFreeSpace = std::numeric_limits<double>::quiet_NaN();
+  double ClosedGapAreaInFreeSpace = std::numeric_limits<double>::quiet_NaN();
 
   double Correctness = std::numeric_limits<double>::quiet_NaN();
   double Completeness = std::numeric_limits<double>::quiet_NaN();

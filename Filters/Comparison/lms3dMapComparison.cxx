@@ -119,6 +119,22 @@ lms3dSurfaceQuery::Points GetVisible(const lms3dSurfaceQuery& scene, const lms3d
   return visible;
 }
 
+bool IsInClosedGap(
+  const lms3dSensorView& view, const lms3dClosedBeams& closedBeams, const lms3dVector& point)
+{
+  for (int way = 0; !closedBeams.IsEmpty() && way < view.GetNumberOfWays(); ++way)
+  {
+    for (const auto& [alpha, beta] : view.GetAngles(point, way))
+    {
+      if (closedBeams.AreBeside(alpha, beta))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 double GetShare(std::size_t part, std::size_t whole)
 {
   return static_cast<double>(part) / static_cast<double>(whole);
@@ -132,7 +148,8 @@ std::vector<double> lms3dGetDistances(const lms3dSurfaceQuery& surface,
 }
 
 lms3dMapErrors::lms3dMapErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
-  const lms3dSensorView& view, double tolerance, std::int64_t count, const lms3dProgress& progress)
+  const lms3dSensorView& view, const lms3dClosedBeams& closedBeams, double tolerance,
+  std::int64_t count, const lms3dProgress& progress)
   : Samples(map.GetMesh(), count)
 {
   const std::vector<lms3dNearest> nearest =
@@ -151,14 +168,20 @@ lms3dMapErrors::lms3dMapErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQ
   this->Distances = GetDistances(nearest);
   this->Angles.resize(nearest.size());
   std::size_t samplesInFreeSpace = 0;
+  std::size_t samplesOfClosedGaps = 0;
   for (std::size_t i = 0; i < nearest.size(); ++i)
   {
     this->Angles[i] = GetNormalError(lms3dGetCorners(map.GetMesh(), this->Samples.Triangles[i]),
       lms3dGetCorners(scene.GetMesh(), nearest[i].Triangle),
       GetSensor(view, this->Samples.Points[i]));
-    samplesInFreeSpace += isInFront[i] && nearest[i].Distance > tolerance ? 1 : 0;
+    if (isInFront[i] && nearest[i].Distance > tolerance)
+    {
+      const bool isInGap = IsInClosedGap(view, closedBeams, this->Samples.Points[i]);
+      ++(isInGap ? samplesOfClosedGaps : samplesInFreeSpace);
+    }
   }
   this->ShareInFreeSpace = GetShare(samplesInFreeSpace, nearest.size());
+  this->ShareOfClosedGapsInFreeSpace = GetShare(samplesOfClosedGaps, nearest.size());
 }
 
 lms3dSceneErrors::lms3dSceneErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,

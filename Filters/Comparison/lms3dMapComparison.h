@@ -7,6 +7,7 @@
 #ifndef lms3dMapComparison_h
 #define lms3dMapComparison_h
 
+#include "Comparison/lms3dClosedBeams.h"
 #include "Comparison/lms3dSensorView.h"
 #include "Comparison/lms3dSurfaceQuery.h"
 #include "Comparison/lms3dSurfaceSamples.h"
@@ -22,8 +23,8 @@ struct lms3dMapErrors
 {
   /// Takes `count` samples, at least 1. `tolerance` is in metres.
   lms3dMapErrors(const lms3dSurfaceQuery& map, const lms3dSurfaceQuery& scene,
-    const lms3dSensorView& view, double tolerance, std::int64_t count,
-    const lms3dProgress& progress);
+    const lms3dSensorView& view, const lms3dClosedBeams& closedBeams, double tolerance,
+    std::int64_t count, const lms3dProgress& progress);
 
   lms3dSurfaceSamples Samples;
 
@@ -38,8 +39,9 @@ struct lms3dMapErrors
 
   /// The share of samples in space that the sensor has seen to be empty: the view covers them, they
   /// are farther than the tolerance from the scene, and they are nearer to the sensor than the scene
-  /// along their beam by more than the tolerance.
+  /// along their beam by more than the tolerance. Samples in closed gaps have a share of their own.
   double ShareInFreeSpace;
+  double ShareOfClosedGapsInFreeSpace;
 };
 
 /// Errors at samples of the visible scene.

@@ -165,6 +165,22 @@ bool lms3dSensorView::Covers(const lms3dVector& point, int way) const
     (this->IsCentred && this->CoversAngles(-alpha, beam.Beta + 0.5 * FullCircle));
 }
 
+std::array<std::array<double, 2>, 2> lms3dSensorView::GetAngles(
+  const lms3dVector& point, int way) const
+{
+  const Beam beam = this->FindBeam(point, way);
+  const auto getAngles = [this](double alpha, double beta) -> std::array<double, 2> {
+    return { alpha, beta - this->TurnedByDegree * std::abs(alpha - this->FirstAlpha) };
+  };
+  const double elevation = lms3dDegreesPerRadian * std::atan2(beam.Along, beam.Forward);
+  if (!this->Platform.IsFanAlongAxis())
+  {
+    return { getAngles(elevation, beam.Beta), getAngles(elevation, beam.Beta) };
+  }
+  const double alpha = 0.25 * FullCircle - elevation;
+  return { getAngles(alpha, beam.Beta), getAngles(-alpha, beam.Beta + 0.5 * FullCircle) };
+}
+
 bool lms3dSensorView::CoversAlpha(double alpha) const
 {
   return alpha >= this->LowestAlpha - BorderTolerance &&

@@ -49,6 +49,10 @@ public:
   /// position.
   lms3dVector GetStart(const lms3dVector& point, int way = 0) const;
 
+  /// Alpha and beta, degrees, of the beams that lead to a point. There are two if both halves of a fan along the
+  /// axis reach it; otherwise, both are equal. They may lie outside of the scan.
+  std::array<std::array<double, 2>, 2> GetAngles(const lms3dVector& point, int way = 0) const;
+
 private:
   /// A beam in the frame of its turn (lms3dPlatform.h): metres along F and A from its start to the point.
   struct Beam

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
 
+#include "MapCauses.h"
 #include "MapContender.h"
 #include "Scenes.h"
 #include "Table.h"
@@ -15,7 +16,9 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <set>
@@ -132,6 +135,20 @@ void AddRow(const Subject& subject, const MapContender& contender, double bound,
     std::to_string(subject.HitTriangles) });
 }
 
+const Table::Row ColumnsOfCauses = { "scene", "noise mm", "bound mm", "triangles", "strips",
+  "inside", "borders", "creases", "corners", "patches and holes", "small patches",
+  "on small patches" };
+
+void AddRowOfCauses(const Subject& subject, const MapContender& map, double bound, Table& causes)
+{
+  const MapCauses count = CountMapCauses(map.Map);
+  causes.AddRow({ subject.Scene.Name, Table::Format(Millimetres * subject.Noise, 0),
+    Table::Format(Millimetres * bound, 0), std::to_string(map.Map->GetNumberOfCells()),
+    std::to_string(count.Strips), std::to_string(count.Inside), std::to_string(count.Borders),
+    std::to_string(count.Creases), std::to_string(count.Corners), std::to_string(count.Patches),
+    std::to_string(count.SmallPatches), std::to_string(count.OnSmallPatches) });
+}
+
 void CompareDecimations(
   const Subject& subject, const Maps& maps, const BenchmarkOptions& options, Table& table)
 {
@@ -149,13 +166,18 @@ void CompareDecimations(
   AddRow(subject, DecimatePro(grid, triangles, GetBudget(options)), fairBound, table);
 }
 
-void CompareMaps(const Subject& subject, const BenchmarkOptions& options, Table& table)
+void CompareMaps(
+  const Subject& subject, const BenchmarkOptions& options, Table& table, Table& causes)
 {
   Maps maps;
   for (double bound : Bounds)
   {
     maps[bound] = MakeLocalMap(subject.Scan, bound, subject.Scene.DepthStep, GetBudget(options));
     AddRow(subject, maps[bound], bound, table);
+    if (bound > 0.0)
+    {
+      AddRowOfCauses(subject, maps[bound], bound, causes);
+    }
   }
   if (!options.IsQuick || subject.Noise == 0.0)
   {
@@ -168,7 +190,8 @@ void CompareMaps(const Subject& subject, const BenchmarkOptions& options, Table&
   table.Print();
 }
 
-void CompareOnScene(const std::string& name, const BenchmarkOptions& options, Table& table)
+void CompareOnScene(
+  const std::string& name, const BenchmarkOptions& options, Table& table, Table& causes)
 {
   const BenchmarkScene scene = MakeScene(name);
   vtkNew<vtkLMS3DScanFilter> scan;
@@ -183,20 +206,30 @@ void CompareOnScene(const std::string& name, const BenchmarkOptions& options, Ta
       scan->Update();
     });
   const std::size_t hit = CountHitTriangles(scan->GetOutput());
-  CompareMaps({ scene, scan->GetOutput(), ms, 0.0, hit }, options, table);
-  CompareMaps({ scene, AddRangeNoise(scan->GetOutput(), Noise), ms, Noise, hit }, options, table);
+  CompareMaps({ scene, scan->GetOutput(), ms, 0.0, hit }, options, table, causes);
+  CompareMaps(
+    { scene, AddRangeNoise(scan->GetOutput(), Noise), ms, Noise, hit }, options, table, causes);
 }
 } // namespace
 
 void RunMapBenchmark(const BenchmarkOptions& options)
 {
   Table table(Columns);
+  Table causes(ColumnsOfCauses);
   for (const std::string& name : options.Scenes)
   {
-    CompareOnScene(name, options, table);
+    CompareOnScene(name, options, table, causes);
   }
+  causes.Print();
   if (!options.CSVFile.empty())
   {
     table.Save(options.CSVFile);
+  }
+  if (std::count(options.Scenes.begin(), options.Scenes.end(), "room") > 0)
+  {
+    const std::filesystem::path file(options.CSVFile);
+    CompareDamagedScans(
+      file.empty() ? "" : file.parent_path() / (file.stem().string() + "-damage.csv"),
+      GetBudget(options));
   }
 }

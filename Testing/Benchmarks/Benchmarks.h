@@ -42,7 +42,13 @@ void RunFirstBenchmark(const BenchmarkOptions& options);
 void RunReadBenchmark(const BenchmarkOptions& options);
 
 /// Local maps within several error bounds, without and with noise, beside what else makes maps:
-/// time, triangles and errors.
+/// time, triangles and errors. If the room is among the scenes, there is a second table, which
+/// CompareDamagedScans makes; its file has "-damage" in its name.
 void RunMapBenchmark(const BenchmarkOptions& options);
+
+/// Local maps of scans of the room with beams lost, stray returns, noise and steps, with gaps left open
+/// and closed. Each time is the best of the runs within a budget (ms). Without a file name, the table is
+/// only printed.
+void CompareDamagedScans(const std::string& csvFile, double budget);
 
 #endif

@@ -92,12 +92,15 @@ vtkSmartPointer<vtkPolyData> AddRangeNoise(vtkPolyData* scan, double sigma)
   return noisy;
 }
 
-MapContender MakeLocalMap(vtkPolyData* scan, double maximumError, double depthStep, double budget)
+MapContender MakeLocalMap(
+  vtkPolyData* scan, double maximumError, double depthStep, double budget, const MapGaps& gaps)
 {
   vtkNew<vtkLMS3DSurfaceReconstructionFilter> filter;
   filter->SetInputData(scan);
   filter->SetMaximumError(maximumError);
   filter->SetDepthStep(depthStep);
+  filter->SetMaximumGapSize(gaps.MaximumGapSize);
+  filter->SetMaximumSpeckleSize(gaps.MaximumSpeckleSize);
   filter->SetNumberOfThreads(1);
   const double ms = GetBestMilliseconds(budget,
     [&]

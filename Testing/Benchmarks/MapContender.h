@@ -25,8 +25,16 @@ vtkSmartPointer<vtkPolyData> AddRangeNoise(vtkPolyData* scan, double sigma);
 
 /// The time of each is the best of the runs within a budget (ms), or that of the first and only one.
 
+/// MaximumGapSize and MaximumSpeckleSize of vtkLMS3DSurfaceReconstructionFilter.
+struct MapGaps
+{
+  int MaximumGapSize = -1;
+  int MaximumSpeckleSize = 0;
+};
+
 /// vtkLMS3DSurfaceReconstructionFilter with a bound and a DepthStep in metres, on one thread.
-MapContender MakeLocalMap(vtkPolyData* scan, double maximumError, double depthStep, double budget);
+MapContender MakeLocalMap(vtkPolyData* scan, double maximumError, double depthStep, double budget,
+  const MapGaps& gaps = {});
 
 /// The grid, decimated to a number of triangles.
 MapContender DecimateByQuadrics(const MapContender& grid, vtkIdType triangles, double budget);

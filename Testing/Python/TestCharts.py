@@ -80,6 +80,7 @@ class RenewalTest(unittest.TestCase):
     def test_pages_follow_their_tables(self):
         for name, part, column in (
                 ("A-casting", "", "ns/beam"), ("B-mapping", "", "ms"),
+                ("B-mapping", "-damage", "triangles"),
                 ("D-growth", "", "time exponent"), ("E-sampling", "", "triangles"),
                 ("S-speed", "-scenes", "scan ms")):
             self.change(name + part, column, "7654.3")

@@ -65,7 +65,7 @@ class TestView(CommandLineTest):
 
 
 class TestDemo(CommandLineTest):
-    """Both figures of the paper, and the picture of a real device's errors."""
+    """Both figures of the paper, and the pictures of a real device's errors and map."""
 
     def test_files_and_table(self):
         words = self.done("demo", "--data", DATA, "--output", self.folder / "demo")
@@ -78,10 +78,11 @@ class TestDemo(CommandLineTest):
             self.assertEqual(row[2], f"{image.GetNumberOfPoints():,}")
             self.assertEqual(row[3], f"{scan.GetNumberOfPoints():,}")
             self.assertEqual(row[5], f"{local_map.GetNumberOfPolys():,}")
-        for name in ("figure5_room.png", "figure6_teapot.png", "device_room.png"):
+        for name in ("figure5_room.png", "figure6_teapot.png", "device_room.png",
+                     "device_map_room.png"):
             self.assertEqual(pixels(self.folder / "demo" / name).shape, (620, 1600, 3))
             self.assertIn(name, words)
-        self.assertEqual(len(list((self.folder / "demo").iterdir())), 10)
+        self.assertEqual(len(list((self.folder / "demo").iterdir())), 12)
         self.assertIn("z is up", words)
         self.check_reported(words)
 
@@ -97,6 +98,9 @@ class TestDemo(CommandLineTest):
         np.testing.assert_allclose(millimetres, np.round(millimetres), atol=1e-9)
         self.assertTrue(0.003 < np.nanmedian(abs(error)) < 0.004)  # 0.67 standard deviations
         self.assertIn(f"lms200-mm: {len(error):,} returns", words)
+        local_map = read(vtkXMLPolyDataReader(), self.folder / "demo" / "room_reported_map.vtp")
+        self.assertIn(f"{local_map.GetNumberOfPolys():,} map triangles", words)
+        self.assertLess(local_map.GetNumberOfPolys(), 10_000)
 
 
 if __name__ == "__main__":

@@ -57,6 +57,8 @@ class TestProblems(CommandLineTest):
             "error below zero": ("scan", ROOM, *POSE, *output, "--maximum-error", -0.01),
             "endless error": ("scan", ROOM, *POSE, *output, "--maximum-error", "inf"),
             "error of a demo": ("demo", "--output", self.folder, "--maximum-error", -1),
+            "gap below -1": ("scan", ROOM, *POSE, *output, "--maximum-gap-size", -2),
+            "speckle too large": ("scan", ROOM, *POSE, *output, "--maximum-speckle-size", 1000001),
             "no depth": ("scan", ROOM, *POSE, *output, "--depth-step", 0),
             "attributes in a format without": ("scan", ROOM, *POSE, "--surface-attributes", "-o",
                                                self.folder / "out.csv"),

@@ -192,6 +192,19 @@ class TestOptions(CommandLineTest):
         self.assertEqual(counts, sorted(counts, reverse=True))
         self.assertLess(counts[2], counts[0])
 
+    def test_closes_gaps_where_surfaces_are_too_dark(self):
+        counts = []
+        for size in (-1, 0, 1000000):
+            path = self.folder / "gaps.vtp"
+            self.done("scan", ROOM, *POSE, "--range-noise", 0.005, "--maximum-error", 0.02,
+                      "--maximum-gap-size", size, "--maximum-speckle-size", 4,
+                      "--drop-speckles", "--map", path)
+            local_map = read(vtkXMLPolyDataReader(), path)
+            counts.append(local_map.GetNumberOfPolys())
+            self.assertEqual(local_map.GetFieldData().HasArray("NumberOfClosedGaps"), size > 0)
+            self.assertTrue(local_map.GetFieldData().HasArray("NumberOfSpeckles"))
+        self.assertEqual(counts[0], counts[1])
+
     def test_without_a_maximum_error_every_return_is_a_corner(self):
         scan_path, map_path = self.folder / "all.vtp", self.folder / "all_map.vtp"
         self.done("scan", ROOM, *POSE, *COARSE, "--maximum-error", 0, "-o", scan_path,

@@ -9,6 +9,7 @@ import unittest
 import warnings
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 
@@ -251,13 +252,29 @@ class TestReconstruct(unittest.TestCase):
         again = lms3d.scan(grid, POSITION, **COARSE)
         self.assertGreater(np.isfinite(again.ranges).mean(), 0.9)
 
+    def test_goes_on_behind_speckles(self):
+        resolution = {"alpha_resolution": 181, "beta_resolution": 180}
+        whole = len(lms3d.reconstruct(lms3d.scan(room(), POSITION, **resolution)).triangles)
+        strays = lms3d.scan(room(), POSITION, **resolution)
+        ranges = vtk_to_numpy(strays.poly.GetPointData().GetArray("Range"))
+        ranges[::100] *= 0.5
+        torn = len(lms3d.reconstruct(strays).triangles)
+        kept = len(lms3d.reconstruct(strays, maximum_speckle_size=1).triangles)
+        dropped = len(lms3d.reconstruct(strays, maximum_speckle_size=1,
+                                        keep_speckles=False).triangles)
+        self.assertLess(whole, dropped)
+        self.assertLess(dropped, kept)
+        self.assertLess(2 * kept, torn)
+
     def test_without_returns_it_is_empty_or_an_error(self):
         scan = lms3d.scan(ball(), (0, 0, 500), **COARSE)
         self.assertEqual(lms3d.reconstruct(scan).triangles.shape, (0, 3))
 
     def test_invalid_arguments(self):
         scan = tetrahedron()
-        for name, value in (("maximum_error", -1), ("maximum_error", np.nan), ("depth_step", "x")):
+        for name, value in (("maximum_error", -1), ("maximum_error", np.nan), ("depth_step", "x"),
+                            ("maximum_gap_size", -2), ("maximum_gap_size", 0.5),
+                            ("maximum_speckle_size", 1000001)):
             with self.subTest(name, value=value), self.assertRaisesRegex(ValueError, name):
                 lms3d.reconstruct(scan, **{name: value})
 

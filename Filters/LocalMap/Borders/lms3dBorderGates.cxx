@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Borders/lms3dBorderGates.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +13,6 @@ namespace
 // could reach behind the sensor otherwise.
 constexpr double WideCosine = 0.6;
 constexpr double WideMargin = 0.45;
-constexpr double MaximumFewReturns = 6.0;
 // Two planes count as parallel if their difference changes by less than this share of the limit.
 constexpr double ParallelShare = 1e-6;
 } // namespace
@@ -29,6 +30,31 @@ lms3dBorderGates::lms3dBorderGates(
 void lms3dBorderGates::FindGates()
 {
   this->GateOf.assign(2 * static_cast<std::size_t>(this->Sphere.GetSize()), NoGate);
+  const int columns = this->Sphere.GetNumberOfColumns();
+  std::vector<std::vector<Gate>> ofColumns(columns);
+  tbb::parallel_for(0, columns, [&](int column) { ofColumns[column] = this->FindGates(column); });
+  std::size_t count = 0;
+  for (const std::vector<Gate>& ofColumn : ofColumns)
+  {
+    count += ofColumn.size();
+  }
+  this->Gates.reserve(count);
+  for (const std::vector<Gate>& ofColumn : ofColumns)
+  {
+    for (const Gate& gate : ofColumn)
+    {
+      const int side =
+        gate.Ends[1] == gate.Ends[0] + 1 ? lms3dBeamSphere::Up : lms3dBeamSphere::Right;
+      this->GateOf[2 * static_cast<std::size_t>(gate.Ends[0]) + side] =
+        static_cast<std::int32_t>(this->Gates.size());
+      this->Gates.push_back(gate);
+    }
+  }
+}
+
+// The gates in a column, and between it and the next one.
+std::vector<lms3dBorderGates::Gate> lms3dBorderGates::FindGates(int column) const
+{
   const int rows = this->Sphere.GetNumberOfRows();
   const std::int32_t* labels = this->Patches.Labels.data();
   // A depth step can end inside a patch, as a slit.
@@ -37,32 +63,37 @@ void lms3dBorderGates::FindGates()
     return labels[index] != labels[neighbor] ||
       (labels[index] >= 0 && !this->Sphere.IsJoined(index, side));
   };
-  for (int column = 0; column < this->Sphere.GetNumberOfColumns(); ++column)
+  const GridIndex start = this->Sphere.GetIndex(column, 0);
+  const GridIndex toRight = this->Sphere.GetNeighbor(start, lms3dBeamSphere::Right) - start;
+  std::vector<Gate> gates;
+  for (GridIndex index = start; index < start + rows; ++index)
   {
-    const GridIndex start = this->Sphere.GetIndex(column, 0);
-    const GridIndex toRight = this->Sphere.GetNeighbor(start, lms3dBeamSphere::Right) - start;
-    for (GridIndex index = start; index < start + rows; ++index)
+    if (index + 1 < start + rows && isGate(index, lms3dBeamSphere::Up, index + 1))
     {
-      if (index + 1 < start + rows && isGate(index, lms3dBeamSphere::Up, index + 1))
-      {
-        this->AddGate(index, lms3dBeamSphere::Up);
-      }
-      if (isGate(index, lms3dBeamSphere::Right, index + toRight))
-      {
-        this->AddGate(index, lms3dBeamSphere::Right);
-      }
+      gates.push_back(this->MakeGate(index, lms3dBeamSphere::Up));
+    }
+    if (isGate(index, lms3dBeamSphere::Right, index + toRight))
+    {
+      gates.push_back(this->MakeGate(index, lms3dBeamSphere::Right));
     }
   }
+  return gates;
 }
 
-void lms3dBorderGates::AddGate(GridIndex index, int side)
+double lms3dBorderGates::GetMargin(GridIndex index, int side) const
 {
   const GridIndex other = this->Sphere.GetNeighbor(index, side);
-  this->GateOf[2 * static_cast<std::size_t>(index) + side] =
-    static_cast<std::int32_t>(this->Gates.size());
+  const bool isOneSurface = this->Patches.Labels[index] >= 0 && this->Patches.Labels[other] >= 0 &&
+    this->Sphere.IsJoined(index, side);
+  return isOneSurface || !this->Sphere.IsRegular() ? Margin : DepthStepMargin;
+}
+
+lms3dBorderGates::Gate lms3dBorderGates::MakeGate(GridIndex index, int side) const
+{
+  const GridIndex other = this->Sphere.GetNeighbor(index, side);
   const bool isWide =
     lms3dDot(this->Sphere.GetDirection(index), this->Sphere.GetDirection(other)) < WideCosine;
-  const double margin = isWide ? WideMargin : Margin;
+  const double margin = isWide ? WideMargin : this->GetMargin(index, side);
   Gate gate = { { index, other }, DepthStep, margin, 1.0 - margin, 0.5 };
   // A return with a facet of its own belongs to no patch.
   if (this->Patches.Labels[index] >= 0 && this->Patches.Labels[other] >= 0 &&
@@ -70,7 +101,7 @@ void lms3dBorderGates::AddGate(GridIndex index, int side)
   {
     this->Classify(gate);
   }
-  this->Gates.push_back(gate);
+  return gate;
 }
 
 // Along the chord of a gate, the inverse ranges of both planes are linear, and so is their difference.
@@ -108,27 +139,17 @@ void lms3dBorderGates::Classify(Gate& gate) const
     return;
   }
   // Wide gates keep their margin.
-  if (low <= high && gate.Low <= Margin)
+  if (low <= high && gate.Low < WideMargin)
   {
     gate = { gate.Ends, Crease, low, high, std::min(high, std::max(low, center)) };
   }
 }
 
-bool lms3dBorderGates::HasFewReturns(std::int32_t patch) const
-{
-  return this->Patches.Patches[patch].Fit.GetNumberOfReturns() <= MaximumFewReturns;
-}
-
 void lms3dBorderGates::LinkEdges()
 {
   this->Next.assign(this->GetNumberOfEdges(), NoGate);
-  for (int edge = 0; edge < this->GetNumberOfEdges(); ++edge)
-  {
-    if (!this->IsVoid(edge))
-    {
-      this->Next[edge] = this->FindNext(edge);
-    }
-  }
+  tbb::parallel_for(0, this->GetNumberOfEdges(),
+    [this](int edge) { this->Next[edge] = this->IsVoid(edge) ? NoGate : this->FindNext(edge); });
 }
 
 int lms3dBorderGates::GetSide(int edge) const

@@ -71,6 +71,8 @@ public:
 
   /// The share of a gate at each end that borders keep clear, so that no border grazes a beam.
   static constexpr double Margin = 0.1;
+  /// The same at depth steps if beams are regular. There, a border has no strip beside it.
+  static constexpr double DepthStepMargin = 0.02;
   /// The same at creases. There a grazed beam meets either side at the right range.
   static constexpr double CreaseMargin = 0.001;
   /// Stands for a gate or an edge that does not exist.
@@ -78,7 +80,8 @@ public:
 
   /**
    * `tolerance` is the largest difference between the two planes of a crease, metres along the beam;
-   * it is above 0. Keeps references to the sphere and the patches, which must not change afterwards.
+   * it is above 0. Keeps references to the sphere and the patches, which must not change afterwards. Uses the threads of
+   * the calling TBB arena.
    */
   lms3dBorderGates(const lms3dBeamSphere& sphere, const lms3dPatches& patches, double tolerance);
 
@@ -97,7 +100,7 @@ public:
   double GetTolerance() const { return this->Tolerance; }
 
   /// Whether a patch has too few returns for its plane to be reliable beyond them.
-  bool HasFewReturns(std::int32_t patch) const;
+  bool HasFewReturns(std::int32_t patch) const { return this->Patches.HasFewReturns(patch); }
 
   /// The edge that follows an edge around the same patch; NoGate for void edges.
   int GetNext(int edge) const { return this->Next[edge]; }
@@ -134,7 +137,9 @@ public:
 
 private:
   void FindGates();
-  void AddGate(GridIndex index, int side);
+  std::vector<Gate> FindGates(int column) const;
+  Gate MakeGate(GridIndex index, int side) const;
+  double GetMargin(GridIndex index, int side) const;
   void Classify(Gate& gate) const;
   void LinkEdges();
   int FindNext(int edge) const;

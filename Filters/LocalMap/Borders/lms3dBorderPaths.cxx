@@ -13,6 +13,9 @@ using Gates = lms3dBorderGates;
 constexpr double HalfStrip = 0.04;
 // How far a border may reach into a gate if it must not meet the border beyond a depth step.
 constexpr double MaximumAtSlit = 0.42;
+// How far a border may reach into a gate in any case. A part of the gate without width would bend the border in each
+// gate.
+constexpr double MinimumExtension = 0.05;
 // A depth step of at least this many tolerances cannot be bridged, however much both surfaces tilt.
 constexpr double SafeStep = 6.0;
 } // namespace
@@ -58,7 +61,8 @@ void lms3dBorderPaths::LimitExtension(int edge, Path::Gate& gate) const
   {
     gate.High = std::max(gate.Low, std::min(gate.High, MaximumAtSlit));
   }
-  gate.High = std::max(gate.Low, this->BorderRanges.GetExtension(edge, gate.High));
+  gate.High = std::max(
+    std::max(gate.Low, MinimumExtension), this->BorderRanges.GetExtension(edge, gate.High));
   gate.Best = std::min(gate.Best, gate.High);
 }
 

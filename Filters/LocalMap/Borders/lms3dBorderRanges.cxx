@@ -160,13 +160,13 @@ lms3dMapVertex lms3dBorderRanges::GetVertexInCell(
   lms3dRangeInterval interval =
     this->Support.GetIntervalInCell(cell, corners, isContinuous, point.Unit);
   // Beside a depth step, a vertex on the planes and nearer to the returns is better than one off them.
-  for (int step = 1; !isContinuous && step < StepsInCell && !interval.Contains(point.Mean); ++step)
+  for (int step = 1; !isContinuous && step < StepsInCell && !interval.Contains(point.Best); ++step)
   {
     point = this->GetPointInCell(
       cell, corners, MoveTowards(corners, weights, MaximumShareInCell * step / (StepsInCell - 1)));
     interval = this->Support.GetIntervalInCell(cell, corners, isContinuous, point.Unit);
   }
-  return { point.Unit, interval.Clamp(point.Mean) };
+  return { point.Unit, interval.Clamp(point.Best) };
 }
 
 // The direction of a corner. Beside a depth step, corners without the junction's patches count at the range
@@ -198,6 +198,8 @@ lms3dBorderRanges::CellPoint lms3dBorderRanges::GetPointInCell(
   std::array<std::int32_t, 4> labels = { -1, -1, -1, -1 };
   double total = 0.0;
   int count = 0;
+  double most = 0.0;
+  double inverseOfMost = 0.0;
   for (int i = 0; i < 4; ++i)
   {
     const std::int32_t label = this->Patches.Labels[cell.Corners[i]];
@@ -209,9 +211,17 @@ lms3dBorderRanges::CellPoint lms3dBorderRanges::GetPointInCell(
       point.Maximum = std::max(point.Maximum, inverse);
       total += inverse;
       ++count;
+      const double returns = this->Patches.Patches[label].Fit.GetNumberOfReturns();
+      if (inverse > 0.0 && returns > most)
+      {
+        most = returns;
+        inverseOfMost = inverse;
+      }
     }
   }
-  point.Mean = total / count;
+  // Off the plane of a large patch, a vertex would pull large triangles away from their returns.
+  const bool isBetween = most == 0.0 || this->AreSameSurface(point.Minimum, point.Maximum);
+  point.Best = isBetween ? total / count : inverseOfMost;
   return point;
 }
 

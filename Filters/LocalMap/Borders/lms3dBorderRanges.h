@@ -65,7 +65,8 @@ private:
     lms3dVector Unit;
     double Minimum = std::numeric_limits<double>::infinity();
     double Maximum = -std::numeric_limits<double>::infinity();
-    double Mean = 0.0;
+    /// The mean of all planes or, if they do not meet there, the plane of the patch of most returns.
+    double Best = 0.0;
   };
 
   lms3dVector GetPointInGate(int edge, double at) const;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Borders/lms3dCreaseIntersection.h"
 
-#include "LocalMap/Borders/lms3dBorderGates.h"
-
 #include <algorithm>
 
 namespace
@@ -11,7 +9,7 @@ namespace
 // The coordinates of a cell's corners.
 constexpr double X[4] = { 0.0, 0.0, 1.0, 1.0 };
 constexpr double Y[4] = { 0.0, 1.0, 1.0, 0.0 };
-constexpr double Margin = lms3dBorderGates::Margin;
+constexpr double Margin = 0.1;
 constexpr double Damping = 1e-9;
 } // namespace
 

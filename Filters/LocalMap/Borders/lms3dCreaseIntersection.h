@@ -17,7 +17,7 @@
  * bilinear; a crease is where it is 0. The search starts in the middle of the cell.
  *
  * Coordinates in the cell are 0 to 1, x to the right and y upwards. The point keeps a margin of
- * lms3dBorderGates::Margin from the cell's sides. Corners are numbered clockwise from the lower left.
+ * 0.1 from the cell's sides. Corners are numbered clockwise from the lower left.
  */
 class lms3dCreaseIntersection
 {

@@ -13,6 +13,9 @@ constexpr double MinimumCosine = 0.5;
 // How far a vertex in the middle moves towards the left end of its gate.
 constexpr double LeftOfMiddle = 0.25;
 
+// The positions in the reachable part of a gate, beside the preferred one, from which a vertex can start.
+constexpr double Candidates[] = { 0.02, 0.98 };
+
 // Positive where c lies left of the arc from a to b, as the sensor sees it.
 double GetTurn(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c)
 {
@@ -71,42 +74,84 @@ struct lms3dMinimumLinkPath::Wedge
     return left == right ? gate.Best : left / (left - right);
   }
 
-  double GetBest(const Gate& gate) const
+  /// Keeps the part of a gate that the wedge covers.
+  Gate Clip(const Gate& gate) const
   {
-    const double low = std::max(gate.Low, this->GetCrossing(gate, this->Left));
-    const double high = std::min(gate.High, this->GetCrossing(gate, this->Right));
-    if (low > high)
+    Gate part = gate;
+    part.Low = std::max(gate.Low, this->GetCrossing(gate, this->Left));
+    part.High = std::min(gate.High, this->GetCrossing(gate, this->Right));
+    if (part.Low > part.High)
     {
-      return std::min(gate.High, std::max(gate.Low, 0.5 * (low + high)));
+      part.Low = std::min(gate.High, std::max(gate.Low, 0.5 * (part.Low + part.High)));
+      part.High = part.Low;
     }
-    return std::min(high, std::max(low, gate.Best));
+    part.Best = std::min(part.High, std::max(part.Low, gate.Best));
+    return part;
   }
 };
 
-// The next vertex from an apex. Gate numbers count from `shift` on and wrap around.
-lms3dMinimumLinkPath::Vertex lms3dMinimumLinkPath::FindNext(const lms3dVector& apex, int first,
-  int count, int shift, const lms3dVector& end, bool& reachesEnd) const
+/// The part of the path's gates that lies ahead. Numbers count from `Shift` on and wrap around.
+struct lms3dMinimumLinkPath::Rest
+{
+  int First;
+  int Count;
+  int Shift;
+  lms3dVector End;
+};
+
+/// How far one arc reaches.
+struct lms3dMinimumLinkPath::Reach
+{
+  /// The number of the last gate that the arc passes, or the number of all gates if it reaches the end.
+  int Gate;
+  /// The part of this gate that arcs from the apex reach.
+  lms3dMinimumLinkPath::Gate Part;
+};
+
+lms3dMinimumLinkPath::Reach lms3dMinimumLinkPath::FindReach(
+  const lms3dVector& apex, const Rest& rest) const
 {
   const int size = static_cast<int>(this->Gates.size());
-  const auto gate = [&](int i) -> const Gate& { return this->Gates[(i + shift) % size]; };
+  const auto gate = [&](int i) -> const Gate& { return this->Gates[(i + rest.Shift) % size]; };
   Wedge wedge{ apex };
-  reachesEnd = false;
-  for (int i = first; i < count; ++i)
+  for (int i = rest.First; i < rest.Count; ++i)
   {
     const lms3dVector left = gate(i).GetPoint(gate(i).Low);
     const lms3dVector right = gate(i).GetPoint(gate(i).High);
     const bool isFar = IsFar(apex, left) || IsFar(apex, right);
-    if (i > first && (isFar || !wedge.Narrow(left, right)))
+    if (i > rest.First && (isFar || !wedge.Narrow(left, right)))
     {
-      return { i - 1, wedge.GetBest(gate(i - 1)) };
+      return { i - 1, wedge.Clip(gate(i - 1)) };
     }
-    if (i == first)
+    if (i == rest.First)
     {
       wedge.Narrow(left, right);
     }
   }
-  reachesEnd = first >= count || (!IsFar(apex, end) && wedge.Narrow(end, end));
-  return reachesEnd ? Vertex{ count, 0.0 } : Vertex{ count - 1, wedge.GetBest(gate(count - 1)) };
+  const bool reachesEnd =
+    rest.First >= rest.Count || (!IsFar(apex, rest.End) && wedge.Narrow(rest.End, rest.End));
+  return reachesEnd ? Reach{ rest.Count, {} }
+                    : Reach{ rest.Count - 1, wedge.Clip(gate(rest.Count - 1)) };
+}
+
+// Chooses the vertex in a gate from which the next arc reaches farthest, and follows this arc.
+lms3dMinimumLinkPath::Vertex lms3dMinimumLinkPath::Bend(Reach& reach, const Rest& rest) const
+{
+  const Reach from = reach;
+  Vertex best = { from.Gate, from.Part.Best };
+  const Rest ahead = { from.Gate + 1, rest.Count, rest.Shift, rest.End };
+  reach = this->FindReach(from.Part.GetPoint(best.At), ahead);
+  for (double share : Candidates)
+  {
+    const double at = from.Part.Low + share * (from.Part.High - from.Part.Low);
+    const Reach next = this->FindReach(from.Part.GetPoint(at), ahead);
+    if (next.Gate > reach.Gate)
+    {
+      best.At = at;
+      reach = next;
+    }
+  }
+  return best;
 }
 
 std::vector<lms3dMinimumLinkPath::Vertex> lms3dMinimumLinkPath::Straighten(
@@ -125,7 +170,7 @@ std::vector<lms3dMinimumLinkPath::Vertex> lms3dMinimumLinkPath::Straighten(
   }
   const bool hasLast = bendsInLast && first < size;
   const int count = hasLast ? size - 1 : size;
-  this->Append(apex, first, count, hasLast ? getBest(count) : end, path);
+  this->Append(apex, { first, count, 0, hasLast ? getBest(count) : end }, path);
   if (hasLast)
   {
     path.push_back({ count, this->Gates[count].Best });
@@ -133,21 +178,16 @@ std::vector<lms3dMinimumLinkPath::Vertex> lms3dMinimumLinkPath::Straighten(
   return path;
 }
 
-// Appends the vertices from an apex through the gates from `first` to before `count`.
+// Appends the vertices from an apex through the rest of the gates.
 void lms3dMinimumLinkPath::Append(
-  lms3dVector apex, int first, int count, const lms3dVector& end, std::vector<Vertex>& path) const
+  const lms3dVector& apex, const Rest& rest, std::vector<Vertex>& path) const
 {
-  bool reachesEnd = false;
-  while (true)
+  const int size = static_cast<int>(this->Gates.size());
+  Reach reach = this->FindReach(apex, rest);
+  while (reach.Gate < rest.Count)
   {
-    const Vertex vertex = this->FindNext(apex, first, count, 0, end, reachesEnd);
-    if (reachesEnd)
-    {
-      return;
-    }
-    path.push_back(vertex);
-    apex = this->Gates[vertex.Gate].GetPoint(vertex.At);
-    first = vertex.Gate + 1;
+    const Vertex vertex = this->Bend(reach, rest);
+    path.push_back({ (vertex.Gate + rest.Shift) % size, vertex.At });
   }
 }
 
@@ -166,27 +206,12 @@ std::vector<lms3dMinimumLinkPath::Vertex> lms3dMinimumLinkPath::StraightenClosed
 {
   const int count = static_cast<int>(this->Gates.size());
   const lms3dVector origin = this->Gates[0].GetPoint(this->Gates[0].Best);
-  bool reachesEnd;
-  Vertex vertex = this->FindNext(origin, 1, count, 0, origin, reachesEnd);
-  vertex = reachesEnd ? Vertex{ 0, this->Gates[0].Best } : vertex;
-
-  const int shift = vertex.Gate;
-  const lms3dVector start = this->Gates[shift].GetPoint(vertex.At);
-  std::vector<Vertex> path = { vertex };
-  lms3dVector apex = start;
-  int first = 1;
-  while (true)
-  {
-    vertex = this->FindNext(apex, first, count, shift, start, reachesEnd);
-    if (reachesEnd)
-    {
-      break;
-    }
-    first = vertex.Gate + 1;
-    vertex.Gate = (vertex.Gate + shift) % count;
-    apex = this->Gates[vertex.Gate].GetPoint(vertex.At);
-    path.push_back(vertex);
-  }
+  const Reach reach = this->FindReach(origin, { 1, count, 0, origin });
+  const Vertex first =
+    reach.Gate < count ? Vertex{ reach.Gate, reach.Part.Best } : Vertex{ 0, this->Gates[0].Best };
+  const lms3dVector start = this->Gates[first.Gate].GetPoint(first.At);
+  std::vector<Vertex> path = { first };
+  this->Append(start, { 1, count, first.Gate, start }, path);
   if (path.size() < 3)
   {
     path.clear();

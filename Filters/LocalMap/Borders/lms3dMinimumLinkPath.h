@@ -71,11 +71,12 @@ public:
 
 private:
   struct Wedge;
+  struct Rest;
+  struct Reach;
 
-  void Append(lms3dVector apex, int first, int count, const lms3dVector& end,
-    std::vector<Vertex>& path) const;
-  Vertex FindNext(const lms3dVector& apex, int first, int count, int shift, const lms3dVector& end,
-    bool& reachesEnd) const;
+  void Append(const lms3dVector& apex, const Rest& rest, std::vector<Vertex>& path) const;
+  Vertex Bend(Reach& reach, const Rest& rest) const;
+  Reach FindReach(const lms3dVector& apex, const Rest& rest) const;
 
   const std::vector<Gate>& Gates;
 };

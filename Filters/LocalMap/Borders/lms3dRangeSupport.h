@@ -8,6 +8,7 @@
 #define lms3dRangeSupport_h
 
 #include "LocalMap/Borders/lms3dBorderGates.h"
+#include "LocalMap/Borders/lms3dDepthStepMargins.h"
 
 #include <algorithm>
 #include <limits>
@@ -63,11 +64,11 @@ public:
     : Sphere(sphere)
     , Patches(patches)
     , Gates(gates)
+    , Margins(sphere, patches, gates.GetTolerance())
   {
   }
 
-  /// Metres by which the range may differ from its edge's owner at a depth step. The margins of both
-  /// sides leave half of the step open, for any tolerance.
+  /// Metres by which the range may differ from its edge's owner at a depth step.
   double GetMarginAtDepthStep(int edge) const;
 
   /// The range of a return plus or minus `margin`, metres. The far end also contains the plane through
@@ -89,13 +90,11 @@ public:
 private:
   lms3dRangeInterval GetIntervalAround(
     GridIndex index, double change, const lms3dVector& unit) const;
-  double GetSlope(GridIndex index, int side) const;
-  double GetSlopeOfPlane(GridIndex index, int side) const;
-  bool HasSlope(GridIndex index, int back) const;
 
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;
   const lms3dBorderGates& Gates;
+  const lms3dDepthStepMargins Margins;
 };
 
 #endif

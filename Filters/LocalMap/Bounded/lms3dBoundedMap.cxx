@@ -21,9 +21,9 @@ constexpr double AxisTolerance = 1e-12;
 constexpr double BeamMargin = 1e-6;
 
 // To the point of a neighbour's ray at the same range, as the sensor sees it.
-double GetAngleToNeighborOnRays(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index)
+double GetAngleToNeighborOnRays(
+  const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range)
 {
-  const double range = sphere.GetRangeOnBeam(index);
   const lms3dVector point = sphere.GetPointOnRay(index, range);
   double nearest = MaximumAngle * lms3dGetLength(point);
   for (int side = lms3dBeamSphere::Up; side <= lms3dBeamSphere::Left; ++side)
@@ -38,12 +38,9 @@ double GetAngleToNeighborOnRays(const lms3dBeamSphere& sphere, lms3dBeamSphere::
   return nearest / lms3dGetLength(point);
 }
 
+// If beams are regular.
 double GetAngleToNeighbor(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index)
 {
-  if (!sphere.IsRegular())
-  {
-    return GetAngleToNeighborOnRays(sphere, index);
-  }
   const int row = sphere.GetRow(index);
   const lms3dVector direction = sphere.GetDirection(index);
   double smallest = MaximumAngle;
@@ -66,13 +63,25 @@ void lms3dBoundedMap::AddFacet(
 {
   if (!sphere.IsRegular())
   {
-    this->AddFacet(
-      lms3dScale(sphere.GetDirection(index), range), GetAngleToNeighbor(sphere, index));
+    this->AddFacet(lms3dScale(sphere.GetDirection(index), range),
+      GetAngleToNeighborOnRays(sphere, index, sphere.GetRangeOnBeam(index)));
     return;
   }
   const std::array<double, 2>& horizontal = sphere.GetHorizontal(sphere.GetColumn(index));
   this->AddFacet(sphere.GetDirection(index), { horizontal[1], -horizontal[0], 0.0 }, range,
     GetAngleToNeighbor(sphere, index));
+}
+
+void lms3dBoundedMap::AddFacetOnBeam(
+  const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range)
+{
+  if (sphere.IsRegular())
+  {
+    this->AddFacet(sphere, index, range);
+    return;
+  }
+  this->AddFacet(
+    sphere.GetPointOnRay(index, range), GetAngleToNeighborOnRays(sphere, index, range));
 }
 
 void lms3dBoundedMap::AddFacet(const lms3dVector& point, double angle)
@@ -103,26 +112,50 @@ void lms3dBoundedMap::AddFacet(
   this->PatchIds.push_back(this->NumberOfPatches++);
 }
 
+bool lms3dBoundedMap::IsHit(
+  const std::array<std::int32_t, 3>& triangle, const lms3dVector& point) const
+{
+  const double margin = BeamMargin * lms3dGetLength(point);
+  const auto isInside = [&](std::int32_t p, std::int32_t q)
+  {
+    const lms3dVector edge = lms3dCross(this->Points[q], this->Points[p]);
+    return lms3dDot(edge, point) >= -margin * lms3dGetLength(edge);
+  };
+  return isInside(triangle[0], triangle[1]) && isInside(triangle[1], triangle[2]) &&
+    isInside(triangle[2], triangle[0]);
+}
+
 double lms3dBoundedMap::GetDeviation(const lms3dVector& point) const
 {
-  const double range = lms3dGetLength(point);
   double nearest = std::numeric_limits<double>::infinity();
   for (const std::array<std::int32_t, 3>& triangle : this->Triangles)
   {
-    const lms3dVector& a = this->Points[triangle[0]];
-    const lms3dVector& b = this->Points[triangle[1]];
-    const lms3dVector& c = this->Points[triangle[2]];
-    const auto isInside = [&](const lms3dVector& p, const lms3dVector& q)
+    if (this->IsHit(triangle, point))
     {
-      const lms3dVector edge = lms3dCross(q, p);
-      return lms3dDot(edge, point) >= -BeamMargin * range * lms3dGetLength(edge);
-    };
-    if (isInside(a, b) && isInside(b, c) && isInside(c, a))
-    {
-      nearest = std::min(nearest, lms3dGetDistance(point, a, b, c));
+      nearest = std::min(nearest,
+        lms3dGetDistance(
+          point, this->Points[triangle[0]], this->Points[triangle[1]], this->Points[triangle[2]]));
     }
   }
   return nearest;
+}
+
+lms3dBoundedMap lms3dBoundedMap::GetPart(const lms3dVector& direction) const
+{
+  lms3dBoundedMap part;
+  for (const std::array<std::int32_t, 3>& triangle : this->Triangles)
+  {
+    if (this->IsHit(triangle, direction))
+    {
+      const auto first = static_cast<std::int32_t>(part.Points.size());
+      for (std::int32_t corner : triangle)
+      {
+        part.Points.push_back(this->Points[corner]);
+      }
+      part.Triangles.push_back({ first, first + 1, first + 2 });
+    }
+  }
+  return part;
 }
 
 bool lms3dBoundedMap::IsFacing(const std::array<std::int32_t, 3>& triangle) const
@@ -148,4 +181,25 @@ void lms3dBoundedMap::RemoveUnusedPoints()
     }
   }
   this->Points = std::move(used);
+}
+
+void lms3dBoundedMap::RemoveUnusedPatches()
+{
+  std::vector<std::int32_t> numbers(this->NumberOfPatches, NoPatch);
+  for (std::int32_t patch : this->PatchIds)
+  {
+    if (patch != NoPatch)
+    {
+      numbers[patch] = 0;
+    }
+  }
+  this->NumberOfPatches = 0;
+  for (std::int32_t& number : numbers)
+  {
+    number = number == NoPatch ? NoPatch : this->NumberOfPatches++;
+  }
+  for (std::int32_t& patch : this->PatchIds)
+  {
+    patch = patch == NoPatch ? NoPatch : numbers[patch];
+  }
 }

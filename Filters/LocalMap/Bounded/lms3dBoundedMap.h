@@ -31,7 +31,10 @@ struct lms3dBoundedMap
   std::int64_t ReturnsOnPatches = 0;
   std::int64_t ReturnsOnGrid = 0;
   std::int64_t ReturnsOnFacets = 0;
+  std::int64_t ReturnsOnSpeckles = 0;
   ///@}
+  /// The filled beams (lms3dRangeGrid) behind which the surface goes on: turn * number of beams + beam, sorted.
+  std::vector<int> FilledBeams;
   /// The largest distance, metres, from a return to the triangle that its beam hits.
   double LargestDeviation = 0.0;
 
@@ -41,6 +44,10 @@ struct lms3dBoundedMap
    */
   void AddFacet(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range);
 
+  /// The same at a range along the beam from where it starts.
+  void AddFacetOnBeam(
+    const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range);
+
   /// The same around a point that is not the origin. `angle`, radians, is that to the nearest neighbour as
   /// the sensor sees it.
   void AddFacet(const lms3dVector& point, double angle);
@@ -49,14 +56,23 @@ struct lms3dBoundedMap
   /// infinite if it hits none. Looks at all triangles.
   double GetDeviation(const lms3dVector& point) const;
 
+  /// The triangles that a beam hits.
+  lms3dBoundedMap GetPart(const lms3dVector& direction) const;
+
   /// Whether the sensor sees a triangle's corners counter-clockwise.
   bool IsFacing(const std::array<std::int32_t, 3>& triangle) const;
 
   /// Adds a facet. `direction` and `right` have length 1 and a right angle between them.
   void AddFacet(const lms3dVector& direction, const lms3dVector& right, double range, double angle);
 
+  /// Whether the beam through a point hits a triangle.
+  bool IsHit(const std::array<std::int32_t, 3>& triangle, const lms3dVector& point) const;
+
   /// Removes the points that belong to no triangle and renumbers the others.
   void RemoveUnusedPoints();
+
+  /// Renumbers the patches without gaps. A patch without triangles loses its number.
+  void RemoveUnusedPatches();
 };
 
 #endif

@@ -3,6 +3,7 @@
 #include "LocalMap/Bounded/lms3dBoundedMesher.h"
 
 #include "LocalMap/Bounded/lms3dFacetedGrid.h"
+#include "LocalMap/Bounded/lms3dMapSimplifier.h"
 #include "LocalMap/Bounded/lms3dPatchSetMesher.h"
 #include "LocalMap/Bounded/lms3dPoleRanges.h"
 #include "LocalMap/Patches/lms3dPatchGrower.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -22,6 +24,12 @@ namespace
 // surfaces: this share of the bound, or this number of standard deviations of the noise.
 constexpr double GrowingShare = 0.3;
 constexpr double GrowingDeviations = 4.0;
+// The largest bound of patches: a share of the mean range, but at least this number of standard deviations of the
+// noise. Above, planes would cut the corners of a room, and the patches would fail the proof.
+constexpr double MaximumShareOfRange = 0.1;
+constexpr double PatchDeviations = 8.0;
+// More than a few operations round.
+constexpr double Rounding = 1.0 + 1e-12;
 // The standard deviation of the noise, as a share of the bound, above which the plain grid is made.
 constexpr double MaximumNoise = 0.75;
 // The number of patches above which the plain grid is made: a share of the returns, and a number that
@@ -30,6 +38,8 @@ constexpr double MaximumPatchShare = 0.05;
 constexpr double SmallScan = 256.0;
 // The share of the time that finding patches takes.
 constexpr double PatchesDone = 0.4;
+// Scans of fewer returns leave too much open between the beams for vertices to move.
+constexpr int MinimumReturnsToSimplify = 5000;
 // The number of attempts in which patches may give up a few returns instead of being split.
 constexpr int ReleasingAttempts = 8;
 // The same if beams are not regular: faults have more causes there.
@@ -38,15 +48,26 @@ constexpr int ReleasingAttemptsOnRays = 16;
 // away, radians.
 constexpr double AngleBeyondAxis = 1e-3;
 
-double GetLargestRange(const lms3dRangeGrid& grid)
+// A share of the mean range, or `length` if it is smaller.
+double LimitToShareOfMeanRange(const lms3dBeamSphere& sphere, double share, double length)
 {
-  double largest = 0.0;
-  for (int turn = 0; turn < grid.GetNumberOfTurns(); ++turn)
+  double sum = 0.0;
+  std::int64_t count = 0;
+  // A part of the returns is often enough: the mean of all is at least their sum by the number of all entries.
+  const double enough = length / share * sphere.GetSize() * Rounding;
+  for (lms3dBeamSphere::GridIndex index = 0; index < sphere.GetSize(); ++index)
   {
-    const double* ranges = grid.GetRanges(turn);
-    largest = std::max(largest, *std::max_element(ranges, ranges + grid.GetNumberOfBeams()));
+    if (sphere.HasReturn(index))
+    {
+      sum += sphere.GetRange(index);
+      ++count;
+      if (sum > enough)
+      {
+        return length;
+      }
+    }
   }
-  return largest;
+  return std::min(length, count > 0 ? share * (sum / static_cast<double>(count)) : 0.0);
 }
 } // namespace
 
@@ -54,19 +75,22 @@ lms3dBoundedMesher::lms3dBoundedMesher(const lms3dRangeGrid& grid, const lms3dRa
   double maximumError, const lms3dMapGeometry* geometry)
   : Grid(grid)
   , Joins(joins)
-  , MaximumError(std::min(maximumError, GetLargestRange(grid)))
+  , MaximumError(grid.LimitToLargestRange(maximumError))
   , Sphere(grid, joins, geometry)
   , Noise(lms3dEstimateNoise(this->Sphere))
+  , PatchError(
+      std::max(LimitToShareOfMeanRange(this->Sphere, MaximumShareOfRange, this->MaximumError),
+        std::min(this->MaximumError, PatchDeviations * this->Noise)))
 {
 }
 
 lms3dPatches lms3dBoundedMesher::FindPatches() const
 {
   const double tolerance =
-    std::max(GrowingShare * this->MaximumError, GrowingDeviations * this->Noise);
+    std::max(GrowingShare * this->PatchError, GrowingDeviations * this->Noise);
   lms3dPatches patches = lms3dPatchGrower(this->Sphere, tolerance).Grow();
-  lms3dPatchMerger(this->Sphere, patches, this->MaximumError).Merge();
-  lms3dPatchRelabeler relabeler(this->Sphere, patches, this->MaximumError, this->Noise);
+  lms3dPatchMerger(this->Sphere, patches, this->PatchError).Merge();
+  lms3dPatchRelabeler relabeler(this->Sphere, patches, this->PatchError, this->Noise);
   relabeler.RelabelBorders();
   relabeler.AbsorbSpikes();
   return patches;
@@ -81,31 +105,14 @@ bool lms3dBoundedMesher::AreTooMany(const std::vector<int>& members) const
 
 std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakeMap(const lms3dProgress& progress)
 {
-  const std::vector<lms3dVector> extremes =
-    lms3dSetPoleRanges(this->Grid, this->MaximumError, this->Sphere);
+  const lms3dPoleRanges poles(this->Grid, this->MaximumError, this->Sphere);
   std::optional<lms3dBoundedMap> map = this->MakePatchMap(progress);
   if (map)
   {
-    for (const lms3dVector& point : extremes)
-    {
-      map->LargestDeviation = std::max(map->LargestDeviation, map->GetDeviation(point));
-    }
-    this->CountPoles(*map);
+    poles.AddTo(*map);
     this->AddReturnsBeyondAxis(*map);
   }
   return map;
-}
-
-// Counts all returns of a pole like the first one, which a patch, the grid or a facet represents.
-void lms3dBoundedMesher::CountPoles(lms3dBoundedMap& map) const
-{
-  std::int64_t& count = map.ReturnsOnPatches > 0 ? map.ReturnsOnPatches
-    : map.ReturnsOnGrid > 0                      ? map.ReturnsOnGrid
-                                                 : map.ReturnsOnFacets;
-  for (const std::vector<double>& ranges : this->Grid.GetRangesOfPoles())
-  {
-    count += static_cast<std::int64_t>(ranges.size()) - (ranges.empty() ? 0 : 1);
-  }
 }
 
 // Adds a facet for each return beyond the axis, unless it lies within the bound of a patch.
@@ -131,14 +138,22 @@ void lms3dBoundedMesher::AddReturnsBeyondAxis(lms3dBoundedMap& map) const
   }
 }
 
-std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgress& progress) const
+std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePlainGrid()
+{
+  this->IsFilledInVain = this->Grid.HasFilledBeams();
+  return this->IsFilledInVain
+    ? std::nullopt
+    : std::optional(lms3dFacetedGrid(this->Grid, this->Joins, this->Sphere).MakeMap());
+}
+
+std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgress& progress)
 {
   if (this->Noise > MaximumNoise * this->MaximumError)
   {
-    return lms3dFacetedGrid(this->Grid, this->Joins, this->Sphere).MakeMap();
+    return this->MakePlainGrid();
   }
   lms3dPatches patches = this->FindPatches();
-  const lms3dPatchSetMesher mesher(this->Sphere, this->MaximumError, this->Noise);
+  lms3dPatchSetMesher mesher(this->Sphere, this->PatchError, this->Noise);
   lms3dBoundedMap map;
   std::vector<int> members;
   double done = PatchesDone;
@@ -146,10 +161,10 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
   int attempt = 0;
   do
   {
-    members = patches.CountMembers(this->Sphere);
+    members = this->RemoveFilled(patches);
     if (this->AreTooMany(members))
     {
-      return lms3dFacetedGrid(this->Grid, this->Joins, this->Sphere).MakeMap();
+      return this->MakePlainGrid();
     }
     if (!progress(done))
     {
@@ -158,8 +173,71 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
     // The number of attempts is unknown.
     done = 0.5 * (done + 1.0);
   } while (!mesher.TryToMesh(patches, members, ++attempt < attempts, map));
+  const bool isSimplified = this->Sphere.GetNumberOfReturns() >= MinimumReturnsToSimplify &&
+    lms3dMapSimplifier(this->Sphere, patches, this->MaximumError, this->Noise)
+      .Simplify(members, map);
+  if (this->Sphere.IsRegular() && !isSimplified)
+  {
+    map.LargestDeviation = mesher.GetLargestDeviation(patches, map);
+  }
   this->AddFacets(patches, map);
+  map.FilledBeams = this->CollectFilled();
   return map;
+}
+
+// Removes the filled entries that lost their patches or that make up a patch alone. Returns how
+// many members each patch has.
+std::vector<int> lms3dBoundedMesher::RemoveFilled(lms3dPatches& patches)
+{
+  const std::vector<int> members = patches.CountMembers(this->Sphere);
+  for (GridIndex index = 0; this->Sphere.HasFilled() && index < this->Sphere.GetSize(); ++index)
+  {
+    std::int32_t& label = patches.Labels[index];
+    if (this->Sphere.IsFilled(index) && (label < 0 || members[label] == 0))
+    {
+      label = lms3dPatches::None;
+      this->Sphere.Remove(index);
+    }
+  }
+  return members;
+}
+
+std::vector<int> lms3dBoundedMesher::CollectFilled() const
+{
+  std::vector<int> filled;
+  for (GridIndex index = 0; this->Sphere.HasFilled() && index < this->Sphere.GetSize(); ++index)
+  {
+    if (this->Sphere.IsFilled(index))
+    {
+      filled.push_back(
+        this->Sphere.GetTurn(index) * this->Grid.GetNumberOfBeams() + this->Sphere.GetBeam(index));
+    }
+  }
+  std::sort(filled.begin(), filled.end());
+  return filled;
+}
+
+void lms3dBoundedMesher::AddSpeckles(
+  const std::vector<lms3dGapBeam>& beams, lms3dBoundedMap& map) const
+{
+  std::vector<std::pair<int, double>> ranges;
+  ranges.reserve(beams.size());
+  for (const lms3dGapBeam& beam : beams)
+  {
+    ranges.emplace_back(beam.Turn * this->Grid.GetNumberOfBeams() + beam.Beam, beam.Range);
+  }
+  std::sort(ranges.begin(), ranges.end());
+  for (GridIndex index = 0; !ranges.empty() && index < this->Sphere.GetSize(); ++index)
+  {
+    const int turn = this->Sphere.GetTurn(index);
+    const int beam = this->Sphere.GetBeam(index);
+    const std::pair<int, double> place = { turn * this->Grid.GetNumberOfBeams() + beam, 0.0 };
+    const auto found = std::lower_bound(ranges.begin(), ranges.end(), place);
+    if (turn >= 0 && beam >= 0 && found != ranges.end() && found->first == place.first)
+    {
+      map.AddFacetOnBeam(this->Sphere, index, found->second);
+    }
+  }
 }
 
 // Adds a facet for each return that left its patch.

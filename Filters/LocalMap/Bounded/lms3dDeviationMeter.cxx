@@ -3,7 +3,10 @@
 #include "LocalMap/Bounded/lms3dDeviationMeter.h"
 
 #include "Geometry/lms3dTriangleDistance.h"
-#include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +19,7 @@ constexpr double FirstShare = 0.7;
 constexpr double Margin = 1e-6;
 } // namespace
 
-double lms3dDeviationMeter::GetLargest(std::vector<Part> parts) const
+double lms3dDeviationMeter::GetLargest(std::vector<Part> parts)
 {
   std::stable_sort(parts.begin(), parts.end(),
     [](const Part& a, const Part& b) { return a.MaximumAlongBeams > b.MaximumAlongBeams; });
@@ -33,20 +36,35 @@ double lms3dDeviationMeter::GetLargest(std::vector<Part> parts) const
 }
 
 // The largest deviation of a patch, or any number below the threshold if none exceeds it.
-double lms3dDeviationMeter::GetLargest(const Part& part, double threshold) const
+double lms3dDeviationMeter::GetLargest(const Part& part, double threshold)
 {
   const double share = std::max(threshold, FirstShare * part.MaximumAlongBeams);
   const double largest = this->GetLargestAbove(part, share);
   return largest >= share ? largest : this->GetLargestAbove(part, std::max(threshold, largest));
 }
 
-double lms3dDeviationMeter::GetLargestAbove(const Part& part, double threshold) const
+double lms3dDeviationMeter::GetLargestAbove(const Part& part, double threshold)
 {
+  ++this->Pass;
+  tbb::enumerable_thread_specific<Distances> ofThreads;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(part.First, part.End),
+    [&](const tbb::blocked_range<std::size_t>& triangles)
+    {
+      Distances& distances = ofThreads.local();
+      for (std::size_t triangle = triangles.begin(); triangle < triangles.end(); ++triangle)
+      {
+        this->Measure(part, triangle, threshold, distances);
+      }
+    });
   Distances distances;
-  for (std::size_t triangle = part.First; triangle < part.End; ++triangle)
+  for (const Distances& ofThread : ofThreads)
   {
-    this->Measure(part, triangle, threshold, distances);
+    distances.insert(distances.end(), ofThread.begin(), ofThread.end());
   }
+  // A beam that passes an edge at a depth step can hit a triangle of the other side, too.
+  distances.erase(std::remove_if(distances.begin(), distances.end(),
+                    [this](const auto& entry) { return this->Near[entry.first] == this->Pass; }),
+    distances.end());
   // For each return, the smallest distance comes first.
   std::sort(distances.begin(), distances.end());
   double largest = 0.0;
@@ -60,27 +78,39 @@ double lms3dDeviationMeter::GetLargestAbove(const Part& part, double threshold) 
 }
 
 void lms3dDeviationMeter::Measure(
-  const Part& part, std::size_t triangle, double threshold, Distances& distances) const
+  const Part& part, std::size_t triangle, double threshold, Distances& distances)
 {
-  const auto getCorner = [&](int i)
-  { return lms3dTriangleCorner(this->Map.Points[this->Map.Triangles[triangle][i]]); };
-  const lms3dTriangleCorner a = getCorner(0);
-  const lms3dTriangleCorner b = getCorner(1);
-  const lms3dTriangleCorner c = getCorner(2);
+  const std::array<std::int32_t, 3>& corners = this->Map.Triangles[triangle];
+  const lms3dTriangleCorner& a = this->Corners[corners[0]];
+  const lms3dTriangleCorner& b = this->Corners[corners[1]];
+  const lms3dTriangleCorner& c = this->Corners[corners[2]];
   const lms3dTriangleRasterizer beams(this->Sphere, a, b, c, Margin);
+  const int rows = this->Sphere.GetNumberOfRows();
+  const int lowest = this->Sphere.IsPoleRow(0) ? 1 : 0;
+  const int highest = this->Sphere.IsPoleRow(rows - 1) ? rows - 2 : rows - 1;
   const auto measure = [&](int column, int first, int last)
   {
     const lms3dTriangleRasterizer::ColumnRanges hits(beams, column);
     const GridIndex start = this->Sphere.GetIndex(column, 0);
-    for (int row = first; row <= last; ++row)
+    const double* const ranges = this->Sphere.GetRanges() + start;
+    const std::int32_t* const labels = this->Patches.Labels.data() + start;
+    std::atomic<std::int32_t>* const near = this->Near.data() + start;
+    for (int row = std::max(first, lowest); row <= std::min(last, highest); ++row)
     {
-      const GridIndex index = start + row;
-      if (this->Patches.Labels[index] == part.Patch && !this->Sphere.IsPoleRow(row) &&
-        !(std::abs(this->Sphere.GetRange(index) - hits.GetRange(row)) <= threshold))
+      const bool isOwn = part.Patch == AllPatches ? labels[row] >= 0 : labels[row] == part.Patch;
+      if (!isOwn || this->Sphere.IsFilled(start + row))
       {
-        const lms3dVector point =
-          lms3dScale(this->Sphere.GetDirection(index), this->Sphere.GetRange(index));
-        distances.emplace_back(index, lms3dGetDistance(point, a.Position, b.Position, c.Position));
+        continue;
+      }
+      if (std::abs(ranges[row] - hits.GetRange(row)) <= threshold)
+      {
+        near[row].store(this->Pass, std::memory_order_relaxed);
+      }
+      else
+      {
+        const lms3dVector point = lms3dScale(this->Sphere.GetDirection(start + row), ranges[row]);
+        distances.emplace_back(
+          start + row, lms3dGetDistance(point, a.Position, b.Position, c.Position));
       }
     }
   };

@@ -8,8 +8,10 @@
 #define lms3dDeviationMeter_h
 
 #include "LocalMap/Bounded/lms3dBoundedMap.h"
+#include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
 #include "LocalMap/Patches/lms3dPatches.h"
 
+#include <atomic>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -23,9 +25,13 @@
 class lms3dDeviationMeter
 {
 public:
+  /// Stands for all patches.
+  static constexpr std::int32_t AllPatches = -1;
+
   /// The triangles of one patch.
   struct Part
   {
+    /// Or AllPatches: then the returns of all patches count, and the triangles make up the whole map.
     std::int32_t Patch;
     /// The numbers of the patch's triangles in the map, from First to before End.
     std::size_t First;
@@ -40,25 +46,35 @@ public:
     : Sphere(sphere)
     , Patches(patches)
     , Map(map)
+    , Near(sphere.GetSize())
   {
+    this->Corners.reserve(map.Points.size());
+    for (const lms3dVector& point : map.Points)
+    {
+      this->Corners.emplace_back(point);
+    }
   }
 
   /// The largest deviation of all returns of the patches, except the returns of poles. Measures only
-  /// the few returns whose deviation can be the largest.
-  double GetLargest(std::vector<Part> parts) const;
+  /// the few returns whose deviation can be the largest. Uses the threads of the calling TBB arena.
+  double GetLargest(std::vector<Part> parts);
 
 private:
   using GridIndex = lms3dBeamSphere::GridIndex;
   using Distances = std::vector<std::pair<GridIndex, double>>;
 
-  double GetLargest(const Part& part, double threshold) const;
-  double GetLargestAbove(const Part& part, double threshold) const;
-  void Measure(
-    const Part& part, std::size_t triangle, double threshold, Distances& distances) const;
+  double GetLargest(const Part& part, double threshold);
+  double GetLargestAbove(const Part& part, double threshold);
+  void Measure(const Part& part, std::size_t triangle, double threshold, Distances& distances);
 
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;
   const lms3dBoundedMap& Map;
+  /// The number of the pass over triangles in which a beam last hit one within the threshold, by grid index.
+  std::vector<std::atomic<std::int32_t>> Near;
+  std::int32_t Pass = 0;
+  /// The points of the map.
+  std::vector<lms3dTriangleCorner> Corners;
 };
 
 #endif

@@ -157,7 +157,7 @@ std::vector<lms3dPatchMesher::GridIndex> lms3dPatchMesher::FindUncovered(int pat
   for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
     if (this->Patches.Labels[index] == patch && this->States[index] == IsUncovered &&
-      !this->Sphere.IsPoleCopy(index))
+      !this->Sphere.IsPoleCopy(index) && !this->Sphere.IsFilled(index))
     {
       uncovered.push_back(index);
     }
@@ -180,38 +180,42 @@ bool lms3dPatchMesher::CheckTriangle(Work& work, int triangle)
 bool lms3dPatchMesher::CheckBeams(
   Work& work, int triangle, const lms3dTriangleRasterizer& beams, int column, int first, int last)
 {
-  const lms3dTriangleRasterizer::ColumnRanges ranges(beams, column);
+  const bool isRegular = this->Sphere.IsRegular();
+  const bool hasFilled = this->Sphere.HasFilled();
   const GridIndex start = this->Sphere.GetIndex(column, 0);
+  const std::int32_t* const labels = this->Patches.Labels.data() + start;
+  const auto isOwn = [patch = work.Patch](std::int32_t label) { return label == patch; };
+  if (isRegular && !std::all_of(labels + first, labels + last + 1, isOwn))
+  {
+    return false;
+  }
+  const lms3dTriangleRasterizer::ColumnRanges hits(beams, column);
+  const double maximumError = this->MaximumError;
+  State* const states = this->States.data() + start;
   double largest = work.Triangles[triangle].Deviation;
+  int covered = 0;
   for (int row = first; row <= last; ++row)
   {
-    const GridIndex index = start + row;
-    const bool isOwn = this->Patches.Labels[index] == work.Patch;
-    if (!isOwn && this->Sphere.IsRegular())
-    {
-      return false;
-    }
-    if (!isOwn || (column > 0 && this->Sphere.IsPoleRow(row)))
+    if ((!isRegular && !isOwn(labels[row])) || (column > 0 && this->Sphere.IsPoleRow(row)))
     {
       continue;
     }
-    if (this->States[index] == IsUncovered)
+    const bool isFilled = hasFilled && this->Sphere.IsFilled(start + row);
+    covered += states[row] == IsUncovered && !isFilled ? 1 : 0;
+    states[row] = states[row] == IsUncovered ? IsCovered : states[row];
+    const double hit = hits.GetRange(row);
+    const double deviation = std::abs(this->Sphere.GetRangeOnBeam(start + row) - hit) +
+      this->Sphere.GetPoleHalfSpread(row);
+    if (deviation <= maximumError)
     {
-      this->States[index] = IsCovered;
-      ++work.Covered;
+      largest = isFilled ? largest : std::max(largest, deviation);
     }
-    const double hit = ranges.GetRange(row);
-    const double deviation =
-      std::abs(this->Sphere.GetRangeOnBeam(index) - hit) + this->Sphere.GetPoleHalfSpread(row);
-    if (deviation <= this->MaximumError)
+    else if (states[row] != IsVertex)
     {
-      largest = std::max(largest, deviation);
-    }
-    else if (this->States[index] != IsVertex)
-    {
-      work.AddViolation({ index, triangle, hit, deviation });
+      work.AddViolation({ start + row, triangle, hit, deviation });
     }
   }
+  work.Covered += covered;
   work.Triangles[triangle].Deviation = largest;
   return true;
 }

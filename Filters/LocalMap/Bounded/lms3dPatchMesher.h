@@ -40,7 +40,8 @@ struct lms3dPatchMesh
  *
  * A mesh is not valid if the outline crosses itself, if a triangle is hit by a beam of another patch, or
  * if a beam of the patch hits no triangle. If beams are not regular, a mesh is valid if its outline does not
- * cross itself; lms3dCheckRays() finds which beams hit the triangles.
+ * cross itself; lms3dCheckRays() finds which beams hit the triangles. A filled entry of the sphere belongs to the
+ * patch and has the same bound as a return, but need not hit a triangle.
  */
 class lms3dPatchMesher
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dPatchSetMesher.h"
 
-#include "LocalMap/Bounded/lms3dDeviationMeter.h"
+#include "LocalMap/Bounded/lms3dFailedPatches.h"
 #include "LocalMap/Bounded/lms3dPatchSplitter.h"
 
 #include <tbb/parallel_for.h>
@@ -12,16 +12,15 @@
 
 namespace
 {
-// The largest difference between the two planes of a crease, as a share of the bound.
-constexpr double CreaseShare = 0.85;
 // The largest share of a patch's returns that may leave the patch before all of it is split.
 constexpr double MaximumReleasedShare = 0.01;
 } // namespace
 
-bool lms3dPatchSetMesher::TryToMesh(lms3dPatches& patches, const std::vector<int>& members,
-  bool releasesFew, lms3dBoundedMap& map) const
+bool lms3dPatchSetMesher::TryToMesh(
+  lms3dPatches& patches, const std::vector<int>& members, bool releasesFew, lms3dBoundedMap& map)
 {
-  const lms3dBorderGates gates(this->Sphere, patches, CreaseShare * this->MaximumError);
+  const lms3dBorderGates gates(
+    this->Sphere, patches, lms3dPatches::CreaseShare * this->MaximumError);
   const lms3dPatchOutlines outlines(this->Sphere, patches, gates);
   Meshes meshes = this->MakeMeshes(patches, outlines, members);
   if (!this->Sphere.IsRegular())
@@ -30,7 +29,7 @@ bool lms3dPatchSetMesher::TryToMesh(lms3dPatches& patches, const std::vector<int
     {
       return false;
     }
-    this->Append(patches, outlines, meshes, members, map);
+    this->Append(outlines, meshes, members, map);
     return true;
   }
   std::vector<bool> failed(members.size());
@@ -50,10 +49,17 @@ bool lms3dPatchSetMesher::TryToMesh(lms3dPatches& patches, const std::vector<int
   }
   if (std::find(failed.begin(), failed.end(), true) != failed.end())
   {
-    this->Split(patches, members, failed, meshes);
+    if (releasesFew)
+    {
+      lms3dDivideFailedPatches(this->Sphere, members, failed, meshes, patches);
+    }
+    else
+    {
+      this->Split(patches, members, failed, meshes);
+    }
     return false;
   }
-  this->Append(patches, outlines, meshes, members, map);
+  this->Append(outlines, meshes, members, map);
   return true;
 }
 
@@ -125,8 +131,8 @@ lms3dPatchSetMesher::Meshes lms3dPatchSetMesher::MakeMeshes(const lms3dPatches& 
   return meshes;
 }
 
-void lms3dPatchSetMesher::Append(const lms3dPatches& patches, const lms3dPatchOutlines& outlines,
-  const Meshes& meshes, const std::vector<int>& members, lms3dBoundedMap& map) const
+void lms3dPatchSetMesher::Append(const lms3dPatchOutlines& outlines, const Meshes& meshes,
+  const std::vector<int>& members, lms3dBoundedMap& map)
 {
   const auto addPoint = [&](const lms3dMapVertex& vertex)
   {
@@ -137,7 +143,7 @@ void lms3dPatchSetMesher::Append(const lms3dPatches& patches, const lms3dPatchOu
   const std::int32_t shared = static_cast<std::int32_t>(map.Points.size());
   map.Triangles = outlines.GetStripTriangles();
   map.PatchIds.assign(map.Triangles.size(), lms3dBoundedMap::NoPatch);
-  std::vector<lms3dDeviationMeter::Part> parts;
+  this->Parts.clear();
   for (std::size_t i = 0; i < meshes.size(); ++i)
   {
     if (members[i] == 0)
@@ -158,13 +164,8 @@ void lms3dPatchSetMesher::Append(const lms3dPatches& patches, const lms3dPatchOu
     }
     ++map.NumberOfPatches;
     map.ReturnsOnPatches += members[i];
-    parts.push_back(
+    this->Parts.push_back(
       { static_cast<std::int32_t>(i), first, map.Triangles.size(), meshes[i].DeviationOnBeams });
-  }
-  if (this->Sphere.IsRegular())
-  {
-    map.LargestDeviation = lms3dDeviationMeter(this->Sphere, patches, map).GetLargest(parts);
-    return;
   }
   for (const lms3dPatchMesh& mesh : meshes)
   {
@@ -188,7 +189,7 @@ void lms3dPatchSetMesher::Split(lms3dPatches& patches, const std::vector<int>& m
     {
       continue;
     }
-    if (members[label] == 1)
+    if (members[label] == 1 || this->Sphere.IsFilled(index))
     {
       patches.Labels[index] = lms3dPatches::None;
     }

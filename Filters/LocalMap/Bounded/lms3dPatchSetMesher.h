@@ -8,6 +8,7 @@
 #define lms3dPatchSetMesher_h
 
 #include "LocalMap/Bounded/lms3dBoundedMap.h"
+#include "LocalMap/Bounded/lms3dDeviationMeter.h"
 #include "LocalMap/Bounded/lms3dPatchMesher.h"
 
 #include <vector>
@@ -33,12 +34,21 @@ public:
    * TBB arena.
    *
    * A patch that failed becomes patches of one return each. A patch of one return loses it; the return
-   * then has the label lms3dPatches::None. If `releasesFew` and only few returns of a patch were
-   * uncovered, only these leave the patch. If beams are not regular and `releasesFew`, only the returns beside
+   * then has the label lms3dPatches::None. So does a filled entry of the sphere at once. If `releasesFew`, a large
+   * patch is divided into four parts instead; if only few returns of a patch were uncovered, only these leave
+   * the patch; and the return of a patch of one moves to a patch beside it first (lms3dDivideFailedPatches()). If beams are not regular and `releasesFew`, only the returns beside
    * a fault leave their patches (lms3dPatchSplitter); otherwise patches with faults lose all their returns.
+   *
+   * The map has its LargestDeviation only if beams are not regular.
    */
-  bool TryToMesh(lms3dPatches& patches, const std::vector<int>& members, bool releasesFew,
-    lms3dBoundedMap& map) const;
+  bool TryToMesh(
+    lms3dPatches& patches, const std::vector<int>& members, bool releasesFew, lms3dBoundedMap& map);
+
+  /// The largest deviation of a map of regular beams that TryToMesh() has just made.
+  double GetLargestDeviation(const lms3dPatches& patches, const lms3dBoundedMap& map) const
+  {
+    return lms3dDeviationMeter(this->Sphere, patches, map).GetLargest(this->Parts);
+  }
 
 private:
   using GridIndex = lms3dBeamSphere::GridIndex;
@@ -46,8 +56,8 @@ private:
 
   Meshes MakeMeshes(const lms3dPatches& patches, const lms3dPatchOutlines& outlines,
     const std::vector<int>& members) const;
-  void Append(const lms3dPatches& patches, const lms3dPatchOutlines& outlines, const Meshes& meshes,
-    const std::vector<int>& members, lms3dBoundedMap& map) const;
+  void Append(const lms3dPatchOutlines& outlines, const Meshes& meshes,
+    const std::vector<int>& members, lms3dBoundedMap& map);
   bool SplitAtFaults(lms3dPatches& patches, const lms3dPatchOutlines& outlines,
     const std::vector<int>& members, bool isLenient, Meshes& meshes) const;
   static std::vector<lms3dRayCheck::Hit> CollectOthers(const Meshes& meshes);
@@ -58,6 +68,8 @@ private:
   const lms3dBeamSphere& Sphere;
   const double MaximumError;
   const double Noise;
+  /// The patches of the map.
+  std::vector<lms3dDeviationMeter::Part> Parts;
 };
 
 #endif

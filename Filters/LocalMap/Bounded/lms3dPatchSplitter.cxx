@@ -18,6 +18,7 @@ lms3dPatchSplitter::lms3dPatchSplitter(
   , Members(members)
   , IsReleased(sphere.GetSize(), false)
   , IsDivided(members.size(), false)
+  , IsScattered(members.size(), false)
   , IsDissolved(members.size(), false)
 {
 }
@@ -108,12 +109,15 @@ void lms3dPatchSplitter::FindExtents()
 
 std::int32_t lms3dPatchSplitter::GetNewLabel(GridIndex index, std::int32_t label)
 {
-  const bool isAffected = this->IsReleased[index] || this->IsDivided[label];
-  if (this->IsDissolved[label] || (isAffected && this->Members[label] == 1))
+  const bool isReleased = this->IsReleased[index] || this->IsScattered[label];
+  const bool isAffected = isReleased || this->IsDivided[label];
+  const bool isLost =
+    this->Sphere.IsFilled(index) ? isReleased : isAffected && this->Members[label] == 1;
+  if (this->IsDissolved[label] || isLost)
   {
     return lms3dPatches::None;
   }
-  if (this->IsReleased[index])
+  if (isReleased)
   {
     return this->AddPatch(nullptr, index);
   }

@@ -14,8 +14,8 @@
 #include <vector>
 
 /**
- * Collects what to change, for beams that are not regular. Only the neighbourhood of a fault leaves its patch, so
- * that a fault at one place does not cost a large patch.
+ * Collects what to change. If beams are not regular, only the neighbourhood of a fault leaves its patch, so that a
+ * fault at one place does not cost a large patch.
  */
 class lms3dPatchSplitter
 {
@@ -35,6 +35,9 @@ public:
 
   /// Divides a patch into up to four parts.
   void Divide(std::int32_t patch) { this->IsDivided[patch] = true; }
+
+  /// Gives each return of a patch a patch of its own.
+  void Scatter(std::int32_t patch) { this->IsScattered[patch] = true; }
 
   /// Lets all returns of a patch lose it.
   void Dissolve(std::int32_t patch) { this->IsDissolved[patch] = true; }
@@ -67,6 +70,7 @@ private:
   ///@{
   /// By patch.
   std::vector<bool> IsDivided;
+  std::vector<bool> IsScattered;
   std::vector<bool> IsDissolved;
   std::vector<Extent> Extents;
   ///@}

@@ -3,56 +3,72 @@
 #include "LocalMap/Bounded/lms3dPoleRanges.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace
 {
-using Extremes = std::array<double, 2>;
-
-// The nearest and the farthest of the returns that one vertex can represent.
-Extremes FindRepresentable(
-  const std::vector<double>& ranges, double median, const Extremes& all, double maximumError)
-{
-  if (all[1] - all[0] <= 2.0 * maximumError)
-  {
-    return all;
-  }
-  Extremes near = { median, median };
-  for (double range : ranges)
-  {
-    if (std::abs(range - median) <= maximumError)
-    {
-      near = { std::min(near[0], range), std::max(near[1], range) };
-    }
-  }
-  return near;
-}
+// The returns of one facet span this share of twice the bound, because of rounding.
+constexpr double FacetSpan = 1.0 - 1e-9;
 } // namespace
 
-std::vector<lms3dVector> lms3dSetPoleRanges(
+lms3dPoleRanges::lms3dPoleRanges(
   const lms3dRangeGrid& grid, double maximumError, lms3dBeamSphere& sphere)
+  : Sphere(sphere)
+  , MaximumError(maximumError)
 {
-  std::vector<lms3dVector> extremes;
   for (std::size_t i = 0; i < grid.GetPoles().size(); ++i)
   {
-    const std::vector<double>& ranges = grid.GetRangesOfPoles()[i];
+    std::vector<double> ranges = grid.GetRangesOfPoles()[i];
     if (ranges.empty())
     {
       continue;
     }
+    std::sort(ranges.begin(), ranges.end());
     const int row = sphere.GetBeam(0) == grid.GetPoles()[i] ? 0 : sphere.GetNumberOfRows() - 1;
-    const lms3dBeamSphere::GridIndex index = sphere.GetIndex(0, row);
-    const auto [nearest, farthest] = std::minmax_element(ranges.begin(), ranges.end());
-    const Extremes near =
-      FindRepresentable(ranges, sphere.GetRange(index), { *nearest, *farthest }, maximumError);
-    sphere.SetPole(row, near[0], near[1]);
-    extremes.push_back(lms3dScale(sphere.GetDirection(index), *nearest));
-    if (*nearest < *farthest)
+    Pole pole = { sphere.GetIndex(0, row), {}, {} };
+    const double median = sphere.GetRange(pole.Index);
+    const bool areAllNear = ranges.back() - ranges.front() <= 2.0 * maximumError;
+    std::partition_copy(ranges.begin(), ranges.end(), std::back_inserter(pole.Near),
+      std::back_inserter(pole.Others),
+      [&](double range) { return areAllNear || std::abs(range - median) <= maximumError; });
+    sphere.SetPole(row, pole.Near.front(), pole.Near.back());
+    this->Poles.push_back(pole);
+  }
+}
+
+// The first return of a pole was counted with the patch, the grid or the facet that represents it.
+void lms3dPoleRanges::AddTo(lms3dBoundedMap& map) const
+{
+  std::int64_t& count = map.ReturnsOnPatches > 0 ? map.ReturnsOnPatches
+    : map.ReturnsOnGrid > 0                      ? map.ReturnsOnGrid
+                                                 : map.ReturnsOnFacets;
+  for (const Pole& pole : this->Poles)
+  {
+    count += static_cast<std::int64_t>(pole.Near.size()) - 1;
+    this->AddFacets(pole, map);
+    const lms3dVector direction = this->Sphere.GetDirection(pole.Index);
+    const lms3dBoundedMap onPole = map.GetPart(direction);
+    for (const std::vector<double>* ranges : { &pole.Near, &pole.Others })
     {
-      extremes.push_back(lms3dScale(sphere.GetDirection(index), *farthest));
+      for (double range : *ranges)
+      {
+        map.LargestDeviation =
+          std::max(map.LargestDeviation, onPole.GetDeviation(lms3dScale(direction, range)));
+      }
     }
   }
-  return extremes;
+}
+
+void lms3dPoleRanges::AddFacets(const Pole& pole, lms3dBoundedMap& map) const
+{
+  const double span = 2.0 * FacetSpan * this->MaximumError;
+  for (auto first = pole.Others.begin(); first != pole.Others.end();)
+  {
+    const auto last = std::upper_bound(first, pole.Others.end(), *first + span);
+    map.AddFacet(this->Sphere, pole.Index, 0.5 * (*first + *(last - 1)));
+    map.ReturnsOnFacets += last - first;
+    first = last;
+  }
 }

@@ -37,6 +37,10 @@ public:
       for (int row = first; row <= last; ++row)
       {
         const GridIndex index = this->Sphere.GetIndex(column, row);
+        if (this->Sphere.IsFilled(index))
+        {
+          continue;
+        }
         const double hit = hits.GetRange(row);
         const lms3dVector point =
           lms3dScale(this->Sphere.GetDirection(index), this->Sphere.GetRange(index));
@@ -115,7 +119,7 @@ private:
       const bool isCovered = next != this->Own.end() && next->first == index;
       next += isCovered ? 1 : 0;
       if (!isCovered && this->Patches.Labels[index] == this->Patch &&
-        !this->Sphere.IsPoleCopy(index))
+        !this->Sphere.IsPoleCopy(index) && !this->Sphere.IsFilled(index))
       {
         this->Result.Uncovered.push_back(index);
       }

@@ -3,6 +3,7 @@
 #include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
 
 #include "Geometry/lms3dAngle.h"
+#include "LocalMap/Bounded/lms3dSortedSearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -170,11 +171,21 @@ void lms3dTriangleRasterizer::FindColumns(
   double low = a.Azimuth + std::min({ 0.0, ab, ab + bc }) - tolerance;
   low -= 2.0 * lms3dPi * std::floor((low - azimuths.front()) / (2.0 * lms3dPi));
   const double high = low + width + 2.0 * tolerance;
-  const auto first = std::lower_bound(azimuths.begin(), azimuths.end(), low);
-  const auto last = std::upper_bound(first, azimuths.end(), high);
-  const auto wrapped = std::upper_bound(azimuths.begin(), first, high - 2.0 * lms3dPi);
-  this->FirstColumn = first == azimuths.end() ? 0 : static_cast<int>(first - azimuths.begin());
-  this->NumberOfColumns = static_cast<int>((last - first) + (wrapped - azimuths.begin()));
+  // Where the columns would be if they were evenly spaced.
+  const double density = columns / (2.0 * lms3dPi);
+  const auto findEnd = [&](double angle, const auto& isBefore)
+  {
+    const double near = std::max(0.0, (angle - azimuths.front()) * density);
+    return lms3dFindEndOf(azimuths, static_cast<int>(std::min<double>(near, columns)), isBefore);
+  };
+  const int first = findEnd(low, [low](double azimuth) { return azimuth < low; });
+  const int last = findEnd(high, [high](double azimuth) { return azimuth <= high; });
+  const double wrappedHigh = high - 2.0 * lms3dPi;
+  const int wrapped = wrappedHigh < azimuths.front()
+    ? 0
+    : findEnd(wrappedHigh, [wrappedHigh](double azimuth) { return azimuth <= wrappedHigh; });
+  this->FirstColumn = first == columns ? 0 : first;
+  this->NumberOfColumns = last - first + std::min(wrapped, first);
 }
 
 bool lms3dTriangleRasterizer::FindRows(int column, int& first, int& last) const
@@ -204,9 +215,12 @@ bool lms3dTriangleRasterizer::FindRows(int column, int& first, int& last) const
     return false;
   }
   const std::vector<double>& tangents = this->Sphere.GetTangents();
-  const auto begin = std::lower_bound(tangents.begin(), tangents.end(), low);
-  const auto end = std::upper_bound(begin, tangents.end(), high);
-  first = static_cast<int>(begin - tangents.begin());
-  last = static_cast<int>(end - tangents.begin()) - 1;
+  if (first == NoRow)
+  {
+    first = this->Sphere.GetRowNear(low);
+    last = this->Sphere.GetRowNear(high);
+  }
+  first = lms3dFindEndOf(tangents, first, [low](double tangent) { return tangent < low; });
+  last = lms3dFindEndOf(tangents, last, [high](double tangent) { return tangent <= high; }) - 1;
   return first <= last;
 }

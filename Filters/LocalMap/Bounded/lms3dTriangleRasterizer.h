@@ -53,19 +53,21 @@ public:
       : Triangle(triangle)
       , Plane(triangle.Plane, triangle.Sphere, column)
       , Start(triangle.Sphere.GetIndex(column, 0))
+      , IsRegular(triangle.Sphere.IsRegular())
     {
     }
 
     double GetRange(int row) const
     {
-      return this->Triangle.Sphere.IsRegular() ? 1.0 / this->Plane.GetInverseRange(row)
-                                               : this->Triangle.GetRangeOnRay(this->Start + row);
+      return this->IsRegular ? 1.0 / this->Plane.GetInverseRange(row)
+                             : this->Triangle.GetRangeOnRay(this->Start + row);
     }
 
   private:
     const lms3dTriangleRasterizer& Triangle;
     const lms3dColumnPlane Plane;
     const lms3dBeamSphere::GridIndex Start;
+    const bool IsRegular;
   };
 
   /// Calls visit(column, firstRow, lastRow), rows included, for each column with beams that hit.
@@ -74,9 +76,11 @@ public:
   {
     const int columns = this->Sphere.GetNumberOfColumns();
     int column = this->FirstColumn;
+    // The rows of the next column are near.
+    int firstRow = NoRow;
+    int lastRow = NoRow;
     for (int i = 0; i < this->NumberOfColumns; ++i)
     {
-      int firstRow, lastRow;
       if (!this->Sphere.IsRegular())
       {
         FanView view;
@@ -94,6 +98,7 @@ public:
   }
 
 private:
+  static constexpr int NoRow = -1;
   using Edges3 = std::array<lms3dVector, 3>;
 
   static Edges3 MakeEdges(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c);
@@ -148,6 +153,8 @@ private:
     const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c) const;
   void FindColumns(
     const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c);
+  /// `first` and `last` are the rows of another column, or NoRow, and become the rows of this one. Returns false if no
+  /// beam of the column hits.
   bool FindRows(int column, int& first, int& last) const;
 
   const lms3dBeamSphere& Sphere;

@@ -22,6 +22,7 @@ void lms3dRangeGrid::Build(
 {
   this->Geometry = &geometry;
   this->Closed = geometry.IsClosed();
+  this->HasFilled = false;
   this->AssignReturns(ranges, beamIds, count);
   this->Poles.clear();
   this->RangesOfPoles.clear();
@@ -45,6 +46,25 @@ void lms3dRangeGrid::Build(
     this->CopyPoleToTurns(beam);
     this->HasPole |= this->HasReturn(0, beam);
   }
+  this->FillHalo();
+}
+
+void lms3dRangeGrid::Fill(const std::vector<lms3dFilledBeam>& beams)
+{
+  this->HasFilled = !beams.empty();
+  for (const lms3dFilledBeam& filled : beams)
+  {
+    this->Ranges.GetRow(filled.Turn)[filled.Beam] = filled.Range;
+    this->Vertices.GetRow(filled.Turn)[filled.Beam] = NoVertex;
+  }
+  if (this->HasFilled)
+  {
+    this->FillHalo();
+  }
+}
+
+void lms3dRangeGrid::FillHalo()
+{
   this->FillHaloBeams(0, -1);
   this->FillHaloBeams(this->GetNumberOfBeams() - 1, 1);
   this->Ranges.FillHalo(this->Closed);
@@ -54,6 +74,24 @@ void lms3dRangeGrid::Build(
 const std::int32_t* lms3dRangeGrid::GetReturnsOfTurn(int turn) const
 {
   return this->ReturnOfBeam.data() + static_cast<std::ptrdiff_t>(turn) * this->GetNumberOfBeams();
+}
+
+double lms3dRangeGrid::LimitToLargestRange(double length) const
+{
+  double largest = 0.0;
+  for (int turn = 0; turn < this->GetNumberOfTurns(); ++turn)
+  {
+    const double* const ranges = this->GetRanges(turn);
+    for (int beam = 0; beam < this->GetNumberOfBeams(); ++beam)
+    {
+      if (ranges[beam] >= length)
+      {
+        return length;
+      }
+      largest = std::max(largest, ranges[beam]);
+    }
+  }
+  return std::min(length, largest);
 }
 
 void lms3dRangeGrid::AssignReturns(const double* ranges, const int* beamIds, std::int64_t count)

@@ -14,6 +14,15 @@
 #include <cstdint>
 #include <vector>
 
+/// A beam that gets a range instead of its return.
+struct lms3dFilledBeam
+{
+  int Turn;
+  int Beam;
+  /// Metres.
+  double Range;
+};
+
 /**
  * Each beam of each turn has a range, metres, 0 without a return, and a vertex number. Vertices are
  * numbered by turn, then by beam.
@@ -41,6 +50,10 @@ public:
    */
   void Build(const lms3dScanGeometry& geometry, const double* ranges, const int* beamIds,
     std::int64_t count);
+
+  /// Gives beams a range and takes their vertices away. None of them may be a pole. The numbers of vertices
+  /// and returns do not change.
+  void Fill(const std::vector<lms3dFilledBeam>& beams);
 
   const lms3dScanGeometry& GetGeometry() const { return *this->Geometry; }
   int GetNumberOfBeams() const { return this->Geometry->GetNumberOfBeams(); }
@@ -70,6 +83,18 @@ public:
   std::int32_t GetVertex(int turn, int beam) const { return this->GetVertices(turn)[beam]; }
   bool HasReturn(int turn, int beam) const { return this->GetRange(turn, beam) > 0.0; }
 
+  /// The length or the largest range, metres, whichever is smaller.
+  double LimitToLargestRange(double length) const;
+
+  ///@{
+  /// Whether Fill() gave a range to any beam, and to this one.
+  bool HasFilledBeams() const { return this->HasFilled; }
+  bool IsFilled(int turn, int beam) const
+  {
+    return this->HasReturn(turn, beam) && this->GetVertex(turn, beam) == NoVertex;
+  }
+  ///@}
+
   /// The number of the return of each vertex, as in the arrays given to Build().
   const std::vector<std::int32_t>& GetReturns() const { return this->Returns; }
 
@@ -79,6 +104,7 @@ private:
   void CountVertices();
   void FillTurn(int turn, const double* ranges);
   void CopyPoleToTurns(int beam);
+  void FillHalo();
   void FillHaloBeams(int end, int outwards);
   double GetOppositeRange(int turn, int beam) const;
 
@@ -87,6 +113,7 @@ private:
   const lms3dScanGeometry* Geometry = nullptr;
   bool Closed = false;
   bool HasPole = false;
+  bool HasFilled = false;
   std::vector<int> Poles;
   std::vector<std::vector<double>> RangesOfPoles;
   /// The return of each BeamId.

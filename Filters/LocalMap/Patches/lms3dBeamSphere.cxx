@@ -19,6 +19,8 @@ namespace
 constexpr double DefaultStep = 1.0;
 // The range at which a beam counts if no neighbour has a return, metres.
 constexpr double DefaultRange = 1000.0;
+// Radians. Only so that there is no division by 0.
+constexpr double MinimumHeight = 1e-9;
 } // namespace
 
 lms3dBeamSphere::lms3dBeamSphere(
@@ -73,7 +75,22 @@ void lms3dBeamSphere::MakeRows(const std::vector<double>& angles, double step, b
     this->Tangents.push_back(
       cosine > 0.0 ? sine / cosine : std::copysign(std::numeric_limits<double>::infinity(), sine));
   }
+  this->LowestElevation = lines.front().Angle * lms3dRadiansPerDegree;
+  this->RowDensity = static_cast<double>(lines.size() - 1) /
+    std::max(lines.back().Angle * lms3dRadiansPerDegree - this->LowestElevation, MinimumHeight);
   this->RowLines = lines;
+}
+
+int lms3dBeamSphere::GetRowNear(double tangent) const
+{
+  // The arc tangent within 0.004 radians.
+  constexpr double Slope = 0.273;
+  const double size = std::abs(tangent);
+  const double x = size <= 1.0 ? size : 1.0 / size;
+  const double part = x * (lms3dPi / 4.0 + Slope * (1.0 - x));
+  const double elevation = std::copysign(size <= 1.0 ? part : lms3dPi / 2.0 - part, tangent);
+  const double row = std::max(0.0, (elevation - this->LowestElevation) * this->RowDensity + 0.5);
+  return static_cast<int>(std::min<double>(row, this->Rows));
 }
 
 void lms3dBeamSphere::MakeColumns(
@@ -95,6 +112,7 @@ void lms3dBeamSphere::Fill(const lms3dRangeGrid& grid)
 {
   this->Ranges.assign(this->GetSize(), 0.0);
   this->PoleHalfSpreads.assign(this->Rows, 0.0);
+  this->Filled.assign(grid.HasFilledBeams() ? this->GetSize() : 0, 0);
   std::vector<int> returns(this->Columns);
   tbb::parallel_for(
     0, this->Columns, [&](int column) { returns[column] = this->FillColumn(grid, column); });
@@ -115,7 +133,12 @@ int lms3dBeamSphere::FillColumn(const lms3dRangeGrid& grid, int column)
     if (beam >= 0 && (turn >= 0 || isPole))
     {
       ranges[row] = grid.GetRange(std::max(turn, 0), beam);
-      returns += ranges[row] > 0.0 && !(isPole && column > 0);
+      const bool isFilled = !isPole && !this->Filled.empty() && grid.IsFilled(turn, beam);
+      if (isFilled)
+      {
+        this->Filled[this->GetIndex(column, row)] = 1;
+      }
+      returns += ranges[row] > 0.0 && !(isPole && column > 0) && !isFilled;
     }
   }
   return returns;
@@ -191,6 +214,22 @@ void lms3dBeamSphere::SetPole(int row, double nearest, double farthest)
     }
   }
   this->PoleHalfSpreads[row] = 0.5 * (farthest - nearest);
+}
+
+void lms3dBeamSphere::Remove(GridIndex index)
+{
+  this->Filled[index] = 0;
+  this->Ranges[index] = 0.0;
+  if (this->Rays)
+  {
+    this->RangesOnBeams[index] = 0.0;
+  }
+  this->Joins[index] = 0;
+  this->Joins[this->GetNeighbor(index, Left)] &= static_cast<std::uint8_t>(~JoinedRight);
+  if (this->HasNeighbor(index, Down))
+  {
+    this->Joins[this->GetNeighbor(index, Down)] &= static_cast<std::uint8_t>(~JoinedUp);
+  }
 }
 
 void lms3dBeamSphere::Join(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins)

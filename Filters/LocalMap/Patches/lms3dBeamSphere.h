@@ -122,6 +122,14 @@ public:
   const double* GetRanges() const { return this->Ranges.data(); }
   bool HasReturn(GridIndex index) const { return this->Ranges[index] > 0.0; }
 
+  ///@{
+  /// Whether an entry has a range that is no return (lms3dRangeGrid::Fill). Such an entry is a part of its patch
+  /// and does not count. Remove() takes the range away.
+  bool IsFilled(GridIndex index) const { return !this->Filled.empty() && this->Filled[index] != 0; }
+  bool HasFilled() const { return !this->Filled.empty(); }
+  void Remove(GridIndex index);
+  ///@}
+
   /// Sets the nearest and the farthest return of a pole. Its range becomes their mean.
   void SetPole(int row, double nearest, double farthest);
   /// Half of the distance between these two returns, metres; 0 for rows that are not poles.
@@ -141,7 +149,7 @@ public:
   int GetBeam(GridIndex index) const { return this->RowLines[this->GetRow(index)].ScanIndex; }
   int GetTurn(GridIndex index) const { return this->ColumnLines[this->GetColumn(index)].ScanIndex; }
 
-  /// Counts each pole once.
+  /// Counts each pole once, and no filled entries.
   int GetNumberOfReturns() const { return this->Returns; }
 
   /// The cosines and sines of the rows' elevations.
@@ -149,6 +157,8 @@ public:
   const double* GetSines() const { return this->Sines.data(); }
   /// The tangents of the rows' elevations, growing; infinite at poles.
   const std::vector<double>& GetTangents() const { return this->Tangents; }
+  /// The row of a tangent if rows were evenly spaced, or nearly that row. 0 to the number of rows.
+  int GetRowNear(double tangent) const;
   /// The platform angles of the columns, growing, over less than a full circle.
   const std::vector<double>& GetAzimuths() const { return this->Azimuths; }
   /// The x and y of the horizontal direction of a column. A beam is the row's cosine times this, plus
@@ -237,10 +247,15 @@ private:
   std::vector<double> Cosines;
   std::vector<double> Sines;
   std::vector<double> Tangents;
+  /// The lowest elevation, radians, and the rows per radian.
+  double LowestElevation = 0.0;
+  double RowDensity = 0.0;
   std::vector<double> Azimuths;
   std::vector<std::array<double, 2>> Horizontals;
   std::vector<double> Ranges;
   std::vector<double> PoleHalfSpreads;
+  /// By grid index. Empty if there are none.
+  std::vector<std::uint8_t> Filled;
   /// Null if beams are regular; then the arrays after it are empty.
   std::unique_ptr<lms3dBeamRays> Rays;
   std::vector<lms3dVector> Directions;

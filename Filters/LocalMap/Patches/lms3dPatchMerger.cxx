@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Patches/lms3dPatchMerger.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 
 namespace
@@ -10,6 +14,8 @@ namespace
 // If the ratio of the returns exceeds this, the larger patch keeps its plane.
 constexpr double MuchLargerRatio = 16.0;
 constexpr int MaximumPasses = 4;
+// The number of labels that a thread writes at least.
+constexpr std::size_t LabelsOfTask = 16384;
 } // namespace
 
 lms3dPatchMerger::lms3dPatchMerger(
@@ -24,33 +30,43 @@ lms3dPatchMerger::lms3dPatchMerger(
 
 std::vector<lms3dPatchMerger::Pair> lms3dPatchMerger::FindNeighbors() const
 {
-  const std::vector<std::int32_t>& labels = this->Patches.Labels;
+  const int columns = this->Sphere.GetNumberOfColumns();
+  std::vector<std::vector<Pair>> ofColumns(columns);
+  tbb::parallel_for(
+    0, columns, [&](int column) { this->AppendNeighbors(column, ofColumns[column]); });
   std::vector<Pair> pairs;
-  const auto add = [&](GridIndex index, int side)
+  for (const std::vector<Pair>& ofColumn : ofColumns)
   {
-    const std::int32_t a = labels[index];
-    const std::int32_t b = labels[this->Sphere.GetNeighbor(index, side)];
-    if (a != b && this->Sphere.IsJoined(index, side))
-    {
-      pairs.emplace_back(std::min(a, b), std::max(a, b));
-    }
-  };
-  const int rows = this->Sphere.GetNumberOfRows();
-  for (int column = 0; column < this->Sphere.GetNumberOfColumns(); ++column)
-  {
-    for (int row = 0; row < rows; ++row)
-    {
-      const GridIndex index = this->Sphere.GetIndex(column, row);
-      add(index, lms3dBeamSphere::Right);
-      if (row + 1 < rows)
-      {
-        add(index, lms3dBeamSphere::Up);
-      }
-    }
+    pairs.insert(pairs.end(), ofColumn.begin(), ofColumn.end());
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
+}
+
+// The pairs in a column, and between it and the next one.
+void lms3dPatchMerger::AppendNeighbors(int column, std::vector<Pair>& pairs) const
+{
+  const int rows = this->Sphere.GetNumberOfRows();
+  const GridIndex start = this->Sphere.GetIndex(column, 0);
+  const std::int32_t* const labels = this->Patches.Labels.data() + start;
+  const std::int32_t* const toRight =
+    this->Patches.Labels.data() + this->Sphere.GetNeighbor(start, lms3dBeamSphere::Right);
+  const auto add = [&](int row, std::int32_t other, int side)
+  {
+    if (labels[row] != other && this->Sphere.IsJoined(start + row, side))
+    {
+      pairs.emplace_back(std::min(labels[row], other), std::max(labels[row], other));
+    }
+  };
+  for (int row = 0; row < rows; ++row)
+  {
+    add(row, toRight[row], lms3dBeamSphere::Right);
+    if (row + 1 < rows)
+    {
+      add(row, labels[row + 1], lms3dBeamSphere::Up);
+    }
+  }
 }
 
 int lms3dPatchMerger::FindRoot(int patch)
@@ -144,8 +160,18 @@ void lms3dPatchMerger::Join(int large, int small, const lms3dPlane& plane)
 
 void lms3dPatchMerger::WriteLabels()
 {
-  for (std::int32_t& label : this->Patches.Labels)
+  std::vector<std::int32_t> roots(this->Parents.size());
+  for (std::size_t i = 0; i < roots.size(); ++i)
   {
-    label = label < 0 ? label : this->FindRoot(label);
+    roots[i] = this->FindRoot(static_cast<int>(i));
   }
+  std::vector<std::int32_t>& labels = this->Patches.Labels;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, labels.size(), LabelsOfTask),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        labels[i] = labels[i] < 0 ? labels[i] : roots[labels[i]];
+      }
+    });
 }

@@ -24,7 +24,8 @@ public:
   /// is lms3dPatches::MergedShare of it.
   lms3dPatchMerger(const lms3dBeamSphere& sphere, lms3dPatches& patches, double maximumError);
 
-  /// Merges the patches and updates their labels. The larger patch keeps its number.
+  /// Merges the patches and updates their labels. The larger patch keeps its number. Uses the threads of the calling
+  /// TBB arena.
   void Merge();
 
 private:
@@ -32,6 +33,7 @@ private:
   using Pair = std::pair<std::int32_t, std::int32_t>;
 
   std::vector<Pair> FindNeighbors() const;
+  void AppendNeighbors(int column, std::vector<Pair>& pairs) const;
   int FindRoot(int patch);
   bool TryToMerge(int large, int small);
   bool Explains(const lms3dPlane& plane, const lms3dPatches::Patch& patch) const;

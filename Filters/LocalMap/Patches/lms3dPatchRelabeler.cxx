@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Patches/lms3dPatchRelabeler.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,10 +14,10 @@ namespace
 constexpr double ExplainedDeviations = 4.0;
 constexpr int MaximumPasses = 3;
 // The largest number of returns of a spike.
-constexpr int MaximumSpike = 8;
+constexpr int MaximumSpike = 16;
 // The largest distance of a spike from the plane around it, in error bounds and in standard deviations of
 // the noise.
-constexpr double SpikeInBounds = 1.5;
+constexpr double SpikeInBounds = 3.0;
 constexpr double SpikeInDeviations = 5.0;
 } // namespace
 
@@ -65,32 +67,42 @@ void lms3dPatchRelabeler::SetLabel(GridIndex index, std::int32_t label)
 // The entries on both sides of all borders, sorted.
 std::vector<lms3dPatchRelabeler::GridIndex> lms3dPatchRelabeler::FindBorder() const
 {
-  const std::vector<std::int32_t>& labels = this->Patches.Labels;
+  const int columns = this->Sphere.GetNumberOfColumns();
+  std::vector<std::vector<GridIndex>> ofColumns(columns);
+  tbb::parallel_for(0, columns, [&](int column) { this->AppendBorder(column, ofColumns[column]); });
   std::vector<GridIndex> border;
-  const auto look = [&](GridIndex index, int side)
+  for (const std::vector<GridIndex>& ofColumn : ofColumns)
   {
-    const GridIndex other = this->Sphere.GetNeighbor(index, side);
+    border.insert(border.end(), ofColumn.begin(), ofColumn.end());
+  }
+  std::sort(border.begin(), border.end());
+  border.erase(std::unique(border.begin(), border.end()), border.end());
+  return border;
+}
+
+// The border in a column, and between it and the next one.
+void lms3dPatchRelabeler::AppendBorder(int column, std::vector<GridIndex>& border) const
+{
+  const int rows = this->Sphere.GetNumberOfRows();
+  const GridIndex start = this->Sphere.GetIndex(column, 0);
+  const GridIndex toRight = this->Sphere.GetNeighbor(start, lms3dBeamSphere::Right) - start;
+  const std::int32_t* const labels = this->Patches.Labels.data();
+  const auto look = [&](GridIndex index, GridIndex other, int side)
+  {
     if (labels[index] != labels[other] && this->Sphere.IsJoined(index, side))
     {
       border.push_back(index);
       border.push_back(other);
     }
   };
-  const int rows = this->Sphere.GetNumberOfRows();
-  for (GridIndex start = 0; start < this->Sphere.GetSize(); start += rows)
+  for (GridIndex index = start; index < start + rows; ++index)
   {
-    for (GridIndex index = start; index < start + rows; ++index)
+    look(index, index + toRight, lms3dBeamSphere::Right);
+    if (index + 1 < start + rows)
     {
-      look(index, lms3dBeamSphere::Right);
-      if (index + 1 < start + rows)
-      {
-        look(index, lms3dBeamSphere::Up);
-      }
+      look(index, index + 1, lms3dBeamSphere::Up);
     }
   }
-  std::sort(border.begin(), border.end());
-  border.erase(std::unique(border.begin(), border.end()), border.end());
-  return border;
 }
 
 void lms3dPatchRelabeler::RelabelBorders()

@@ -22,7 +22,8 @@ public:
     const lms3dBeamSphere& sphere, lms3dPatches& patches, double maximumError, double noise);
 
   /// Moves each return at a border to the joined patch that explains it best: if both planes do, the
-  /// patch on whose side of their crease the return lies, otherwise the patch of the nearer plane.
+  /// patch on whose side of their crease the return lies, otherwise the patch of the nearer plane. Uses the
+  /// threads of the calling TBB arena.
   void RelabelBorders();
 
   /**
@@ -36,6 +37,7 @@ private:
   using GridIndex = lms3dBeamSphere::GridIndex;
 
   std::vector<GridIndex> FindBorder() const;
+  void AppendBorder(int column, std::vector<GridIndex>& border) const;
   bool MoveToBestNeighbor(GridIndex index);
   bool IsBetter(GridIndex index, std::int32_t label, std::int32_t than) const;
   double GetDeviation(GridIndex index, int patch) const;

@@ -27,6 +27,9 @@ struct lms3dPatches
   /// the rest.
   static constexpr double MergedShare = 0.8;
 
+  /// The largest difference between the two planes of a crease, as a share of the error bound.
+  static constexpr double CreaseShare = 0.85;
+
   /// Consecutive returns of one column, both ends included.
   struct Span
   {
@@ -42,13 +45,24 @@ struct lms3dPatches
     std::vector<Span> Spans;
   };
 
-  /// The number of returns that have the label of each patch. A pole counts once.
+  /// Whether a patch has too few returns for its plane to be reliable beyond them.
+  bool HasFewReturns(std::int32_t patch) const
+  {
+    constexpr double MaximumFewReturns = 6.0;
+    return this->Patches[patch].Fit.GetNumberOfReturns() <= MaximumFewReturns;
+  }
+
+  /// The number of returns that have the label of each patch. A pole counts once, a filled entry of the sphere not
+  /// at all.
   std::vector<int> CountMembers(const lms3dBeamSphere& sphere) const;
 
   /// By grid index: the number of a patch, None or Free. All entries of a pole have the same label.
   std::vector<std::int32_t> Labels;
   /// Patches without returns keep their number.
   std::vector<Patch> Patches;
+  /// By grid index: whether a return that could not be a patch of its own has moved to the patch of a neighbour. Empty
+  /// if none has.
+  std::vector<bool> HasMoved;
 };
 
 #endif

@@ -30,7 +30,7 @@ lms3dVector Solve(const std::array<double, 6>& m, const lms3dVector& right)
 }
 } // namespace
 
-void lms3dPlaneFit::AddPoint(const lms3dVector& point)
+void lms3dPlaneFit::Add(const lms3dVector& point)
 {
   const auto& [x, y, z] = point;
   const std::array<double, 6> products = { x * x, x * y, x * z, y * y, y * z, z * z };
@@ -51,7 +51,7 @@ void lms3dPlaneFit::Add(const lms3dBeamSphere& sphere, int column, int firstRow,
       const lms3dBeamSphere::GridIndex index = sphere.GetIndex(column, row);
       if (!sphere.IsPoleCopy(index))
       {
-        this->AddPoint(lms3dScale(sphere.GetDirection(index), sphere.GetRange(index)));
+        this->Add(lms3dScale(sphere.GetDirection(index), sphere.GetRange(index)));
       }
     }
     return;

@@ -37,6 +37,8 @@ public:
   lms3dColumnPlane(const lms3dPlane& plane, const lms3dBeamSphere& sphere, int column)
     : Plane(plane)
     , Sphere(sphere)
+    , Cosines(sphere.GetCosines())
+    , Sines(sphere.GetSines())
     , Start(sphere.GetIndex(column, 0))
     , IsRegular(sphere.IsRegular())
     , Horizontal(
@@ -49,14 +51,15 @@ public:
   double GetInverseRange(int row) const
   {
     return this->IsRegular
-      ? this->Horizontal * this->Sphere.GetCosines()[row] +
-        this->Vertical * this->Sphere.GetSines()[row]
+      ? this->Horizontal * this->Cosines[row] + this->Vertical * this->Sines[row]
       : this->Plane.GetInverseRange(this->Sphere.GetDirection(this->Start + row));
   }
 
 private:
   const lms3dPlane& Plane;
   const lms3dBeamSphere& Sphere;
+  const double* const Cosines;
+  const double* const Sines;
   const lms3dBeamSphere::GridIndex Start;
   const bool IsRegular;
   const double Horizontal;
@@ -79,6 +82,8 @@ public:
   void Add(const lms3dBeamSphere& sphere, int column, int firstRow, int lastRow);
   /// Adds one return.
   void Add(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index);
+  /// Adds a point.
+  void Add(const lms3dVector& point);
   /// Adds all returns of another fit.
   void Add(const lms3dPlaneFit& other);
 
@@ -94,8 +99,6 @@ public:
   lms3dPlane GetPlane() const;
 
 private:
-  void AddPoint(const lms3dVector& point);
-
   double Count = 0.0;
   lms3dVector Sum = { 0.0, 0.0, 0.0 };
   /// The sums of xx, xy, xz, yy, yz, zz.

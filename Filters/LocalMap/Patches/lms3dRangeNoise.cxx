@@ -14,6 +14,12 @@ constexpr int Stride = 8;
 // The standard deviation of a normal distribution, in medians of the absolute value.
 constexpr double DeviationOfMedian = 1.4826;
 
+// Whether one of three beams is filled.
+bool HasFilled(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, int step)
+{
+  return sphere.IsFilled(index - step) || sphere.IsFilled(index) || sphere.IsFilled(index + step);
+}
+
 void AppendResiduals(const lms3dBeamSphere& sphere, int column, std::vector<double>& residuals)
 {
   const double* ranges = sphere.GetRanges() + sphere.GetIndex(column, 0);
@@ -21,7 +27,8 @@ void AppendResiduals(const lms3dBeamSphere& sphere, int column, std::vector<doub
   const double* sines = sphere.GetSines();
   for (int row = 1; row + 1 < sphere.GetNumberOfRows(); ++row)
   {
-    if (ranges[row - 1] > 0.0 && ranges[row] > 0.0 && ranges[row + 1] > 0.0)
+    if (ranges[row - 1] > 0.0 && ranges[row] > 0.0 && ranges[row + 1] > 0.0 &&
+      !HasFilled(sphere, sphere.GetIndex(column, row), 1))
     {
       // The cosine of half of the angle from the row below to the row above.
       const double cosine = 0.5 *
@@ -45,7 +52,7 @@ void AppendResidualsOnRays(
     const double below = sphere.GetRangeOnBeam(index - step);
     const double range = sphere.GetRangeOnBeam(index);
     const double above = sphere.GetRangeOnBeam(index + step);
-    if (below > 0.0 && range > 0.0 && above > 0.0)
+    if (below > 0.0 && range > 0.0 && above > 0.0 && !HasFilled(sphere, index, step))
     {
       const lms3dBeamRays& rays = sphere.GetRays();
       const double cosine = 0.5 *
@@ -66,6 +73,11 @@ double lms3dEstimateNoise(const lms3dBeamSphere& sphere)
     sphere.IsRegular() ? AppendResiduals(sphere, column, residuals)
                        : AppendResidualsOnRays(sphere, column, residuals);
   }
+  return lms3dGetNoiseOfResiduals(residuals);
+}
+
+double lms3dGetNoiseOfResiduals(std::vector<double>& residuals)
+{
   if (residuals.empty())
   {
     return 0.0;

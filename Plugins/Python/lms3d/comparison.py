@@ -39,6 +39,7 @@ class Comparison:
         self.map_area = algorithm.GetMapArea()
         self.visible_area = algorithm.GetVisibleArea()
         self.area_in_free_space = algorithm.GetAreaInFreeSpace()
+        self.closed_gap_area_in_free_space = algorithm.GetClosedGapAreaInFreeSpace()
         self.map_to_scene = _errors(algorithm, "MapToScene")
         self.scene_to_map = _errors(algorithm, "SceneToMap")
         self.normal_error = _errors(algorithm, "NormalError")

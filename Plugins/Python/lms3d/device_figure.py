@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A picture of one scan twice: ideal, left, and as a device reports it, right, with its errors."""
+"""Pictures of what a device reports: the errors of a scan, and the local map of it."""
 
 import numpy as np
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 renders the texts
@@ -32,6 +32,17 @@ def range_errors(ideal, reported):
     Both are outputs of vtkLMS3DScanFilter or vtkLMS3DRangeErrorFilter with the same beams.
     """
     return _array(reported, "Range") - _by_beam(ideal, "Range", reported)
+
+
+class DeviceMapFigure(Figure):
+    """The scene of a simulation, and another map of it, with the edges of its triangles."""
+
+    def __init__(self, simulation, reconstruction, size=DEFAULT_SIZE):
+        self._reconstruction = reconstruction
+        super().__init__(simulation, size, edges=True)
+
+    def _map_port(self):
+        return self._reconstruction.GetOutputPort()
 
 
 class DeviceFigure(Figure):

@@ -12,7 +12,7 @@ from .mesh import from_vtk, to_vtk
 from .messages import VTKMessages
 from .motion import to_trajectory
 from .problems import Problem
-from .properties import MAXIMUM_THREADS, METHODS, MINIMUM_SEED
+from .properties import MAXIMUM_GROUP, MAXIMUM_THREADS, METHODS, MINIMUM_SEED
 from .vtkLMS3DFilters import (
     vtkLMS3DRangeErrorFilter,
     vtkLMS3DScanFilter,
@@ -120,12 +120,20 @@ def _set_poses(sensor, given):
         sensor.SetPosition(to_numbers("position", given["position"], 3))
 
 
-def reconstruct(scan, *, maximum_error=0.01, depth_step=0.1):
+def reconstruct(scan, *, maximum_error=0.01, depth_step=0.1, maximum_gap_size=-1,
+                maximum_speckle_size=0, keep_speckles=True):
     """Return the local map of a Scan: a Mesh of few triangles, which face the sensor.
 
     maximum_error: bound on the distance of every return from the map, metres; 0 makes every return
         a vertex.
     depth_step: the map has a gap where neighbouring ranges differ by more than this, metres.
+    maximum_gap_size: the surface goes on across groups of at most this number of neighbouring beams without
+        a return, if the returns around a group lie on one plane. -1 stands for 25 if the scan has its
+        status, otherwise for 0.
+    maximum_speckle_size: the surface goes on behind groups of at most this number of neighbouring returns
+        that lie off the plane of the returns around them.
+    keep_speckles: whether each return of these groups gets a small triangle; if not, the map leaves
+        them out.
 
     Raises ValueError if an argument is invalid.
     """
@@ -133,6 +141,10 @@ def reconstruct(scan, *, maximum_error=0.01, depth_step=0.1):
     mapping.SetInputDataObject(scan.poly)
     mapping.SetMaximumError(to_bound("maximum_error", maximum_error))
     mapping.SetDepthStep(to_bound("depth_step", depth_step))
+    mapping.SetMaximumGapSize(to_count("maximum_gap_size", maximum_gap_size, -1, MAXIMUM_GROUP))
+    mapping.SetMaximumSpeckleSize(to_count("maximum_speckle_size", maximum_speckle_size, 0,
+                                            MAXIMUM_GROUP))
+    mapping.SetKeepSpeckles(bool(keep_speckles))
     _update(mapping, "cannot build the local map")
     return from_vtk(mapping.GetOutput())
 

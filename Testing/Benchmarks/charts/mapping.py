@@ -3,9 +3,11 @@
 """Chart B: what maps cost in time and triangles, and how far they are from the scene."""
 
 import pathlib
+import shutil
 import subprocess
 import tempfile
 
+import damage_tables
 import drawing
 import mapping_panels
 import numpy
@@ -24,6 +26,7 @@ SUMMARY = "time and triangles of maps against their error, without and with nois
 
 SCENES = ("room", "teapot", "terrain1e5")
 SCENES_WHEN_QUICK = ("room", "teapot")
+TABLE, DAMAGE = "map.csv", "map-damage.csv"  # the second is of the room alone
 
 
 def measure(quick, csv_file):
@@ -36,6 +39,8 @@ def measure(quick, csv_file):
             print(f"   {scene}", flush=True)
             some = [{**row, "version": "-"} for row in _run_benchmark(scene, quick, folder)]
             rows += some
+            if (folder / DAMAGE).exists():
+                shutil.copy(folder / DAMAGE, csv_file.with_name(damage_tables.FILE))
             if version != "-":
                 same = {key: some[0][key] for key in ("scene triangles", "hit triangles")}
                 empty = {**dict.fromkeys(some[0], "-"), **same, "scene": scene, "version": version}
@@ -54,7 +59,8 @@ def _install():
 
 
 def _run_benchmark(scene, quick, folder):
-    table = folder / "map.csv"
+    table = folder / TABLE
+    (folder / DAMAGE).unlink(missing_ok=True)
     command = [BENCHMARK, "map", "--scenes", scene, "--csv", table] + ["--quick"] * quick
     subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
     return tables.read(table)

@@ -5,6 +5,7 @@
 Everything here depends on the CSV files alone, so that the same files give the same bytes.
 """
 
+import damage_tables
 import speed_tables
 from places import HERE
 from tables import (BEAMS, find, name_scene, read, select, to_error, to_markdown, to_number,
@@ -194,7 +195,10 @@ PAGES = {
 def _make_sections(folder, name):
     if name == speed_tables.NAME:
         return speed_tables.make_sections(folder)
-    return PAGES[name][1](read(folder / f"{name}.csv"))
+    sections = [*PAGES[name][1](read(folder / f"{name}.csv"))]
+    if name == damage_tables.NAME:
+        sections += damage_tables.make_sections(folder)
+    return sections
 
 
 def make_page(folder, name):

@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace
 {
@@ -207,6 +208,36 @@ TEST(LMS3DMapComparison, CountsOnlySpaceThatTheSensorSawToBeEmpty)
   EXPECT_NEAR(allAround.Update()->GetAreaInFreeSpace(), 4.0, 1e-4);
   allAround.Filter->SetMaximumRange(2.9);
   EXPECT_EQ(allAround.Update()->GetAreaInFreeSpace(), 0.0);
+}
+
+TEST(LMS3DMapComparison, CountsClosedGapsApart)
+{
+  const auto scene = MakePolygon({ { 2, -9, -9 }, { 2, 9, -9 }, { 2, 9, 9 }, { 2, -9, 9 } });
+  const auto map =
+    MakePolygon({ { 1.5, -0.5, -0.5 }, { 1.5, 0.5, -0.5 }, { 1.5, 0.5, 0.5 }, { 1.5, -0.5, 0.5 } });
+  std::vector<double> angles;
+  for (int i = -30; i <= 30; ++i)
+  {
+    angles.push_back(i);
+  }
+  vtkSmartPointer<vtkPolyData> pose = MakePose({ 0, 0, 0 }, angles, angles);
+  Comparison open(map, scene, pose);
+  EXPECT_NEAR(open.Update()->GetAreaInFreeSpace(), 1.0, 1e-9);
+  EXPECT_EQ(open.Update()->GetClosedGapAreaInFreeSpace(), 0.0);
+
+  // The turns before the middle one, where y is above 0.
+  std::vector<double> closed(30 * 61);
+  std::iota(closed.begin(), closed.end(), 0.0);
+  AddDoubles(map, "ClosedBeamIds", closed);
+  Comparison half(map, scene, pose);
+  EXPECT_NEAR(half.Update()->GetAreaInFreeSpace(), 0.5, 1e-3);
+  EXPECT_NEAR(half.Update()->GetClosedGapAreaInFreeSpace(), 0.5, 1e-3);
+  EXPECT_EQ(
+    half.GetField("ClosedGapAreaInFreeSpace"), half.Update()->GetClosedGapAreaInFreeSpace());
+  // Numbers beyond the scan.
+  AddDoubles(map, "ClosedBeamIds", { 61.0 * 61.0 + 1.0, -1.0 });
+  Comparison none(map, scene, pose);
+  EXPECT_NEAR(none.Update()->GetAreaInFreeSpace(), 1.0, 1e-9);
 }
 
 TEST(LMS3DMapComparison, TurnsTheViewWithTheSensor)

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace
 {
@@ -42,12 +44,12 @@ bool IsContinuous(const MapCase& map, const TriangleTree& surface, const Beam& a
   }
   return true;
 }
-} // namespace
 
-void JudgeDepthSteps(const MapCase& map, const MapNeighbours& neighbours,
-  const TriangleTree& surface, MapVerdict& verdict)
+using IsJudged = std::function<bool(const Beam& beam, const Beam& next)>;
+
+void JudgePairs(const MapCase& map, const TriangleTree* scene, const TriangleTree& surface,
+  const IsJudged& isJudged, MapVerdict& verdict)
 {
-  const TriangleTree* scene = neighbours.GetScene();
   for (int turn = 0; turn < map.Grid.GetNumberOfTurns(); ++turn)
   {
     for (int number = 0; number < map.Grid.GetNumberOfBeams(); ++number)
@@ -55,7 +57,8 @@ void JudgeDepthSteps(const MapCase& map, const MapNeighbours& neighbours,
       const Beam beam = { turn, number };
       for (const Beam& next : { Beam{ turn, number + 1 }, Beam{ turn + 1, number } })
       {
-        if (map.Steps.AreApart(beam, next) && IsContinuous(map, surface, beam, next) &&
+        if (map.Steps.AreApart(beam, next) && isJudged(beam, next) &&
+          IsContinuous(map, surface, beam, next) &&
           !(scene && IsContinuous(map, *scene, beam, next)))
         {
           verdict.Add(
@@ -63,5 +66,62 @@ void JudgeDepthSteps(const MapCase& map, const MapNeighbours& neighbours,
         }
       }
     }
+  }
+}
+
+// Whether a beam meets the surface first where the beam has its return.
+bool MeetsItsReturn(const MapCase& map, const TriangleTree& surface, const Beam& beam)
+{
+  const vtkIdType number = map.Grid.GetReturn(beam);
+  const Vector& point = map.Grid.GetPoints()[number];
+  std::vector<TriangleTree::Hit> hits;
+  surface.Cast(Normalize(point), BeamMargin, hits);
+  const auto nearest = std::min_element(hits.begin(), hits.end(),
+    [](const TriangleTree::Hit& p, const TriangleTree::Hit& q) { return p.Range < q.Range; });
+  return nearest != hits.end() &&
+    GetDistance(point, surface.GetCorners(nearest->Triangle)) <=
+    map.Promise.MaximumError + map.Promise.Noise + MapCase::GetRounding(GetLength(point));
+}
+
+// Judges steps that the scan itself does not show, because it has lost a return beside them. Errors cannot
+// hide such a step if it exceeds them.
+void JudgeLostSteps(const MapCase& map, const MapCase& ideal, const TriangleTree* scene,
+  const TriangleTree& surface, MapVerdict& verdict)
+{
+  const double errors = 2.0 * (map.Promise.MaximumError + map.Promise.Noise);
+  const auto isLost = [&](const Beam& beam)
+  { return map.Grid.GetReturn(beam) == ScanGrid::NoReturn; };
+  const auto getRange = [&](const Beam& beam)
+  { return ideal.Grid.GetRange(ideal.Grid.GetReturn(beam)); };
+  const auto isJudged = [&](const Beam& beam, const Beam& next)
+  {
+    return (isLost(beam) || isLost(next)) &&
+      std::abs(getRange(beam) - getRange(next)) > ideal.Steps.GetTolerance(beam, next) + errors &&
+      MeetsItsReturn(ideal, surface, beam) && MeetsItsReturn(ideal, surface, next);
+  };
+  JudgePairs(ideal, scene, surface, isJudged, verdict);
+}
+} // namespace
+
+void JudgeDepthSteps(const MapCase& map, const MapNeighbours& neighbours,
+  const TriangleTree& surface, MapVerdict& verdict)
+{
+  const TriangleTree* scene = neighbours.GetScene();
+  const MapCase* ideal = neighbours.GetIdeal() ? &neighbours.GetIdeal()->GetMap() : nullptr;
+  // Behind a stray return, and behind a speckle that is left out, the surface goes on.
+  const auto isJudged = [&](const Beam& beam, const Beam& next)
+  {
+    if (!map.Promise.KeepSpeckles &&
+      (!MeetsItsReturn(map, surface, beam) || !MeetsItsReturn(map, surface, next)))
+    {
+      return false;
+    }
+    return !ideal || !ideal->Steps.AreJoined(beam, next) ||
+      !MeetsItsReturn(*ideal, surface, beam) || !MeetsItsReturn(*ideal, surface, next);
+  };
+  JudgePairs(map, scene, surface, isJudged, verdict);
+  if (ideal)
+  {
+    JudgeLostSteps(map, *ideal, scene, surface, verdict);
   }
 }

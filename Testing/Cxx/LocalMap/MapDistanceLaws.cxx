@@ -13,28 +13,19 @@ namespace
 {
 using Beam = ScanGrid::Beam;
 
-// Whether one vertex can be within the bound of all returns of a pole.
-bool CanBeOneVertex(const MapCase& map, const Beam& pole)
-{
-  std::vector<double> ranges;
-  for (vtkIdType number : map.Grid.GetReturns(pole))
-  {
-    ranges.push_back(map.Grid.GetRange(number));
-  }
-  const auto [nearest, farthest] = std::minmax_element(ranges.begin(), ranges.end());
-  return *farthest - *nearest <= 2.0 * map.Promise.MaximumError;
-}
-
-// How far from the surface a return may be. If the vertex of a pole cannot be within the bound of all
-// returns, the return of median range counts.
+// How far from the surface a return may be. In a plain grid, the return of median range counts at a pole.
 double GetBound(const MapCase& map, vtkIdType number)
 {
   const ScanGrid& grid = map.Grid;
-  const Beam beam = grid.GetBeam(number);
   const double range = grid.GetRange(number);
-  const double offMedian = std::abs(range - grid.GetRange(grid.GetReturn(beam)));
-  return map.Promise.MaximumError + MapCase::GetRounding(range) +
-    (CanBeOneVertex(map, beam) ? 0.0 : offMedian);
+  const double offMedian = std::abs(range - grid.GetRange(grid.GetReturn(grid.GetBeam(number))));
+  return map.Promise.MaximumError + MapCase::GetRounding(range) + (map.IsPlain() ? offMedian : 0.0);
+}
+
+// Whether speckles are no part of the map.
+bool MayLeaveOut(const MapCase& map)
+{
+  return !map.Promise.KeepSpeckles && map.Promise.MaximumSpeckleSize > 0 && !map.IsPlain();
 }
 
 // The distance from the nearest triangle that the return's beam hits.
@@ -84,11 +75,24 @@ void JudgeDistances(const MapCase& map, const TriangleTree& surface, MapVerdict&
 {
   const std::vector<double> deviations =
     map.IsPlain() ? GetDeviationsFromVertices(map) : GetDeviations(map, surface, verdict);
+  const std::set<int> speckles =
+    MayLeaveOut(map) ? GetFieldNumbers(map.Map, "SpeckleBeamIds") : std::set<int>();
+  std::vector<vtkIdType> leftOut;
   for (std::size_t i = 0; i < deviations.size(); ++i)
   {
-    verdict.LargestDeviation = std::max(verdict.LargestDeviation, deviations[i]);
     const auto number = static_cast<vtkIdType>(i);
-    if (!(deviations[i] <= GetBound(map, number)))
+    const bool isWithin = deviations[i] <= GetBound(map, number);
+    if (!isWithin && MayLeaveOut(map))
+    {
+      leftOut.push_back(number);
+      continue;
+    }
+    const Beam beam = map.Grid.GetBeam(number);
+    if (speckles.count(beam.Turn * map.Grid.GetNumberOfBeams() + beam.Number) == 0)
+    {
+      verdict.LargestDeviation = std::max(verdict.LargestDeviation, deviations[i]);
+    }
+    if (!isWithin)
     {
       verdict.Add("bound",
         map.Grid.Describe(map.Grid.GetBeam(number)) + " is " + std::to_string(deviations[i]) +
@@ -96,4 +100,5 @@ void JudgeDistances(const MapCase& map, const TriangleTree& surface, MapVerdict&
         deviations[i]);
     }
   }
+  JudgeSpeckles(map, leftOut, verdict);
 }

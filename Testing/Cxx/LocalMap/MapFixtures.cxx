@@ -56,7 +56,7 @@ void MixIn(vtkFieldData* data, std::vector<std::uint64_t>& hashes)
 }
 } // namespace
 
-vtkSmartPointer<vtkPolyData> MakeScan(const MapScene& scene)
+vtkSmartPointer<vtkPolyData> MakeScan(const MapScene& scene, bool hasStatus)
 {
   vtkNew<vtkLMS3DScanFilter> scan;
   scan->SetInputData(scene.Surface);
@@ -67,6 +67,7 @@ vtkSmartPointer<vtkPolyData> MakeScan(const MapScene& scene)
   scan->SetBetaRange(scene.BetaRange.data());
   scan->SetAlphaResolution(scene.AlphaResolution);
   scan->SetBetaResolution(scene.BetaResolution);
+  scan->SetComputeStatus(hasStatus);
   scan->Update();
   return scan->GetOutput();
 }
@@ -140,26 +141,6 @@ vtkSmartPointer<vtkPolyData> AddNoise(vtkPolyData* scan, double sigma, Random& r
     ranges->SetTuple1(i, moved);
   }
   return noisy;
-}
-
-vtkSmartPointer<vtkPolyData> Keep(
-  vtkPolyData* scan, const std::function<bool(vtkIdType number)>& isKept)
-{
-  auto rest = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  rest->SetPoints(points);
-  rest->GetPointData()->CopyAllocate(scan->GetPointData());
-  rest->GetFieldData()->ShallowCopy(scan->GetFieldData());
-  for (vtkIdType i = 0; i < scan->GetNumberOfPoints(); ++i)
-  {
-    if (isKept(i))
-    {
-      rest->GetPointData()->CopyData(
-        scan->GetPointData(), i, points->InsertNextPoint(scan->GetPoint(i)));
-    }
-  }
-  return rest;
 }
 
 namespace

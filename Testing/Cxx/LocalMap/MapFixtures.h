@@ -7,6 +7,7 @@
 #ifndef MapFixtures_h
 #define MapFixtures_h
 
+#include "Fixtures/ScanDamage.h"
 #include "LocalMap/MapLaws.h"
 #include "LocalMap/MapScenes.h"
 
@@ -14,7 +15,8 @@
 #include <functional>
 #include <vector>
 
-vtkSmartPointer<vtkPolyData> MakeScan(const MapScene& scene);
+/// A scan of a scene, with the array Status if a test wants it.
+vtkSmartPointer<vtkPolyData> MakeScan(const MapScene& scene, bool hasStatus = false);
 
 /// `getRange` returns the range of each turn and beam, metres, 0 for no return. The sensor is at the
 /// origin.
@@ -27,10 +29,6 @@ std::vector<double> MakeAngles(double first, double last, int count);
 /// The same returns, each moved along its beam by a normally distributed distance of at most 4 sigma and
 /// half of its range.
 vtkSmartPointer<vtkPolyData> AddNoise(vtkPolyData* scan, double sigma, Random& random);
-
-/// The returns for which `isKept` returns true.
-vtkSmartPointer<vtkPolyData> Keep(
-  vtkPolyData* scan, const std::function<bool(vtkIdType number)>& isKept);
 
 /// The same scan with its turns in reverse order.
 vtkSmartPointer<vtkPolyData> ReverseTurns(vtkPolyData* scan);

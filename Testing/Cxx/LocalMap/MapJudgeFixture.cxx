@@ -68,6 +68,28 @@ void MapJudge::MovePoint(vtkIdType number, double factor)
   this->Map->GetPointData()->GetArray("Range")->SetTuple1(number, GetLength(to));
 }
 
+void MapJudge::AddFacet(double aside, double factor)
+{
+  constexpr double Size = 0.01;
+  const double range = factor * this->Scan->GetPointData()->GetArray("Range")->GetTuple1(0);
+  const auto add = [&](double x, double y) {
+    return this->AddPoint(range * Normalize({ aside + Size * x, Size * y, -1.0 }));
+  };
+  const vtkIdType a = add(1.0, 0.0);
+  const vtkIdType b = add(-1.0, 1.0);
+  this->Triangles.push_back({ a, b, add(-1.0, -1.0) });
+}
+
+void MapJudge::MoveReturn(vtkIdType number, double factor)
+{
+  Vector point;
+  this->Scan->GetPoint(number, point.data());
+  const Vector to = factor * point;
+  this->Scan->GetPoints()->SetPoint(number, to.data());
+  vtkDataArray* ranges = this->Scan->GetPointData()->GetArray("Range");
+  ranges->SetTuple1(number, factor * ranges->GetTuple1(number));
+}
+
 MapVerdict MapJudge::Judge()
 {
   vtkNew<vtkCellArray> cells;
@@ -80,7 +102,8 @@ MapVerdict MapJudge::Judge()
   }
   this->Map->SetPolys(cells);
   this->Map->GetCellData()->AddArray(patches);
-  return JudgeMap(this->Scan, this->Map, { 0.01, 0.1, this->Scene.Surface });
+  this->Promise.Scene = this->Scene.Surface;
+  return JudgeMap(this->Scan, this->Map, this->Promise);
 }
 
 void MapJudge::ExpectBreach(const std::string& law)

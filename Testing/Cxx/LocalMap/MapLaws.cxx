@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <ostream>
 #include <set>
 #include <sstream>
@@ -66,6 +67,7 @@ MapCase::MapCase(vtkPolyData* scan, vtkPolyData* map, const MapPromise& promise)
   : Promise(promise)
   , Grid(scan)
   , Steps(this->Grid, promise.DepthStep)
+  , Scan(scan)
   , Map(map)
 {
   for (vtkIdType i = 0; i < map->GetNumberOfPoints(); ++i)
@@ -80,6 +82,24 @@ MapCase::MapCase(vtkPolyData* scan, vtkPolyData* map, const MapPromise& promise)
     map->GetCellPoints(cell, corners);
     this->Triangles.push_back({ corners->GetId(0), corners->GetId(1), corners->GetId(2) });
   }
+}
+
+std::unique_ptr<const MapCase> MapCase::MakeIdeal() const
+{
+  return this->Promise.Ideal
+    ? std::make_unique<const MapCase>(this->Promise.Ideal, this->Map, this->Promise)
+    : nullptr;
+}
+
+std::set<int> GetFieldNumbers(vtkPolyData* map, const char* name)
+{
+  std::set<int> numbers;
+  vtkDataArray* array = map->GetFieldData()->GetArray(name);
+  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+  {
+    numbers.insert(static_cast<int>(array->GetTuple1(i)));
+  }
+  return numbers;
 }
 
 namespace
@@ -177,9 +197,11 @@ MapVerdict JudgeMap(vtkPolyData* scan, vtkPolyData* map, const MapPromise& promi
   JudgeShape(subject, verdict);
   JudgeEdges(subject, verdict);
   const TriangleTree surface(subject.Points, subject.Triangles);
-  const MapNeighbours neighbours(subject);
+  const std::unique_ptr<const MapCase> ideal = subject.MakeIdeal();
+  const MapNeighbours neighbours(subject, ideal.get());
   JudgeDistances(subject, surface, verdict);
   JudgeBeams(subject, neighbours, surface, verdict);
+  JudgeGaps(subject, surface, verdict);
   JudgeDepthSteps(subject, neighbours, surface, verdict);
   JudgeFieldData(subject, verdict);
   return verdict;

@@ -7,10 +7,10 @@
  * The judge uses the scan, the map and, if there is one, the scene. It shares no code with the filter.
  * Lengths have a tolerance of 1e-9 of the range, directions of 1e-9 radians.
  *
- * - bound: no return is farther from the surface than MaximumError. With a MaximumError of 0, each return
- *   is a vertex. A pole is one vertex: if no range is within MaximumError of all its returns, the return
- *   of median range counts.
- * - beam: each beam that returned hits the surface. (In a plain grid, if its return has a triangle.)
+ * - bound: no return is farther from the surface than MaximumError, also at poles. With a MaximumError of 0,
+ *   each return is a vertex; a pole is one vertex, at its return of median range.
+ * - beam: each beam that returned hits the surface. (In a plain grid, if its return has a triangle. Not
+ *   if its return is a speckle that is left out.)
  * - free space: what a beam that returned hits is within MaximumError and the noise of the scene, or no
  *   farther from it than what joined neighbours span, as the plain grid is at a crease.
  * - between beams: there, where nothing was measured, the surface may be off by half a cell more. A
@@ -25,7 +25,9 @@
  * - crack: between four beams whose ranges are within DepthStep, there is surface.
  * - overhang: no vertex is a whole cell away from all returns.
  * - edge: at most two triangles share an edge, in opposite directions.
- * - boundary: an edge of one triangle lies at a depth step, a miss or the border of the scan.
+ * - boundary: an edge of one triangle lies at a depth step, a miss or the border of the scan. (Not if the
+ *   triangle is the facet of returns at a pole that are farther than MaximumError from their median, while all
+ *   returns of the pole span more than twice MaximumError.)
  * - T-junction: no vertex lies inside an edge.
  * - facing: each triangle faces the sensor.
  * - area: each triangle has an area and three corners.
@@ -33,6 +35,19 @@
  * - range, normal: `Range` is the distance from the sensor. `Normals` of points are unit vectors towards
  *   it; `Normals` of triangles are the triangles' normals.
  * - field data: the field data of the map are right.
+ *
+ * If there is a scan without the errors of the first, surface may also be where this ideal scan and the
+ * scene explain it. Then there are more laws:
+ *
+ * - miss: gaps that the filter may close can have surface: groups of at most MaximumGapSize beams without a
+ *   return, away from the edge of the scan, if no beam of the group met nothing or a surface beyond the
+ *   range, by the scan's `Status`. (Beams are neighbours along the fan and along the turn.)
+ * - closed gap: the field data name just these beams, and count their groups.
+ * - passage: where such a gap is closed, no beam of the ideal scan meets a surface behind the map, farther
+ *   than MaximumError and the noise from it.
+ * - bridge: the surface does not join what lies apart in the ideal scan.
+ * - speckle: the field data name and count the returns of speckles, groups of at most MaximumSpeckleSize
+ *   neighbouring returns. Without KeepSpeckles, only these may exceed the bound.
  */
 #ifndef MapLaws_h
 #define MapLaws_h
@@ -53,8 +68,14 @@ struct MapPromise
   double DepthStep = 0.1;
   /// The triangles that were scanned, numbered as the scan's CellId, or none.
   vtkPolyData* Scene = nullptr;
-  /// How far returns were moved along their beams, at most.
+  /// How far returns were moved along their beams, at most, except stray returns.
   double Noise = 0.0;
+  /// The scan of the same beams without errors, or none.
+  vtkPolyData* Ideal = nullptr;
+  /// Properties of the filter.
+  int MaximumGapSize = -1;
+  int MaximumSpeckleSize = 0;
+  bool KeepSpeckles = true;
 };
 
 class MapVerdict

@@ -54,6 +54,12 @@ std::unique_ptr<TriangleTree> MakeTree(vtkPolyData* scene, const Vector& origin)
 }
 } // namespace
 
+MapNeighbours::MapNeighbours(const MapCase& map, const MapCase* ideal)
+  : MapNeighbours(map)
+{
+  this->Ideal = ideal ? std::make_unique<const MapNeighbours>(*ideal) : nullptr;
+}
+
 MapNeighbours::MapNeighbours(const MapCase& map)
   : Map(map)
   , Bound(map.Promise.MaximumError + map.Promise.Noise)
@@ -168,6 +174,13 @@ bool MapNeighbours::IsSpannedAround(const Vector& point, const Place& place) con
 
 bool MapNeighbours::ExplainOnBeam(const Vector& point, const Beam& beam) const
 {
+  return this->ExplainOnBeamAlone(point, beam) ||
+    (this->Ideal && this->Ideal->ExplainOnBeamAlone(point, beam));
+}
+
+// Does it without the scan without errors.
+bool MapNeighbours::ExplainOnBeamAlone(const Vector& point, const Beam& beam) const
+{
   const double limit = this->Bound + MapCase::GetRounding(GetLength(point));
   const std::vector<vtkIdType> returns = this->Map.Grid.GetReturns(beam);
   return std::any_of(returns.begin(), returns.end(),
@@ -198,6 +211,13 @@ bool MapNeighbours::IsSupportedBy(const std::array<Vector, 3>& triangle, const B
 }
 
 bool MapNeighbours::ExplainBetween(
+  const Vector& point, const Place& place, const std::array<Vector, 3>& triangle) const
+{
+  return this->ExplainBetweenAlone(point, place, triangle) ||
+    (this->Ideal && this->Ideal->ExplainBetweenAlone(point, place, triangle));
+}
+
+bool MapNeighbours::ExplainBetweenAlone(
   const Vector& point, const Place& place, const std::array<Vector, 3>& triangle) const
 {
   const std::vector<Beam> around = this->Map.Grid.GetBeamsAround(place, 1.0);

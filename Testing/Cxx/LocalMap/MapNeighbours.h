@@ -17,7 +17,10 @@
 class MapNeighbours
 {
 public:
-  /// Keeps a reference to the map.
+  /// Keeps references to the map and, if it is not null, to the same map with the scan without errors.
+  MapNeighbours(const MapCase& map, const MapCase* ideal);
+
+  /// Keeps a reference.
   explicit MapNeighbours(const MapCase& map);
 
   /// Whether surface at a point may be met by a beam that returned.
@@ -36,7 +39,14 @@ public:
   /// The scene, or none.
   const TriangleTree* GetScene() const { return this->Scene.get(); }
 
+  /// The neighbours in the scan without errors, or none.
+  const MapNeighbours* GetIdeal() const { return this->Ideal.get(); }
+  const MapCase& GetMap() const { return this->Map; }
+
 private:
+  bool ExplainOnBeamAlone(const Vector& point, const ScanGrid::Beam& beam) const;
+  bool ExplainBetweenAlone(
+    const Vector& point, const ScanGrid::Place& place, const std::array<Vector, 3>& triangle) const;
   bool IsAtScene(const Vector& point, double cells) const;
   Vector GetSceneBehind(const Vector& point) const;
   bool IsBeside(const Vector& point, const ScanGrid::Beam& beam) const;
@@ -49,6 +59,7 @@ private:
   double Bound;
   std::unique_ptr<TriangleTree> Scene;
   std::set<Vector> Vertices;
+  std::unique_ptr<const MapNeighbours> Ideal;
 };
 
 #endif

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -17,6 +20,14 @@ using Place = ScanGrid::Place;
 // this number of places in coarse scans.
 constexpr double ShareBetweenBeams = 1e-3;
 constexpr double AllowedBetweenBeams = 4.0;
+
+// Whether a return is that of a speckle that is left out. Where the map is the plain grid, there is no surface
+// behind it.
+bool IsLeftOut(const MapCase& map, const std::set<int>& speckles, const Beam& beam)
+{
+  return !map.Promise.KeepSpeckles &&
+    speckles.count(beam.Turn * map.Grid.GetNumberOfBeams() + beam.Number) > 0;
+}
 
 // Judges what a beam that returned hits.
 void JudgeHits(const MapCase& map, const MapNeighbours& neighbours, const Beam& beam,
@@ -43,25 +54,6 @@ void JudgeHits(const MapCase& map, const MapNeighbours& neighbours, const Beam& 
         GetLength(at - point));
     }
   }
-}
-
-// Whether all rays close around a beam hit surface. Surface that ends at the beam, or has a corner there,
-// does not count.
-bool IsCovered(const MapCase& map, const TriangleTree& surface, const Beam& beam)
-{
-  constexpr double Offset = 1e-3;
-  std::vector<TriangleTree::Hit> hits;
-  for (const Place& aside : { Place{ -Offset, -Offset }, Place{ -Offset, Offset },
-         Place{ Offset, -Offset }, Place{ Offset, Offset } })
-  {
-    surface.Cast(map.Grid.GetDirection({ beam.Turn + aside.Turn, beam.Number + aside.Number }),
-      -BeamMargin, hits);
-    if (hits.empty())
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 bool IsInGrid(const ScanGrid& grid, const Place& place)
@@ -122,11 +114,12 @@ bool IsBesideAReturn(const MapCase& map, const Vector& point)
   return false;
 }
 
-void JudgeOverhang(const MapCase& map, MapVerdict& verdict)
+void JudgeOverhang(const MapCase& map, const MapNeighbours& neighbours, MapVerdict& verdict)
 {
+  const MapNeighbours* ideal = neighbours.GetIdeal();
   for (const Vector& point : map.Points)
   {
-    if (!IsBesideAReturn(map, point))
+    if (!IsBesideAReturn(map, point) && !(ideal && IsBesideAReturn(ideal->GetMap(), point)))
     {
       verdict.Add("overhang", "the vertex " + ToWords(point));
     }
@@ -137,6 +130,7 @@ void JudgeOverhang(const MapCase& map, MapVerdict& verdict)
 void JudgeBeams(const MapCase& map, const MapNeighbours& neighbours, const TriangleTree& surface,
   MapVerdict& verdict)
 {
+  const std::set<int> speckles = GetFieldNumbers(map.Map, "SpeckleBeamIds");
   std::vector<TriangleTree::Hit> hits;
   for (int turn = 0; turn < map.Grid.GetNumberOfTurns(); ++turn)
   {
@@ -144,17 +138,13 @@ void JudgeBeams(const MapCase& map, const MapNeighbours& neighbours, const Trian
     {
       const Beam beam = { turn, number };
       const vtkIdType at = map.Grid.GetReturn(beam);
-      if (at == ScanGrid::NoReturn)
-      {
-        if (IsCovered(map, surface, beam))
-        {
-          verdict.Add("miss", map.Grid.Describe(beam) + ", meets surface");
-        }
-      }
-      else if (!map.Grid.IsPole(number) || turn == 0)
+      if (at != ScanGrid::NoReturn && (!map.Grid.IsPole(number) || turn == 0))
       {
         surface.Cast(Normalize(map.Grid.GetPoints()[at]), BeamMargin, hits);
-        JudgeHits(map, neighbours, beam, hits, verdict);
+        if (!hits.empty() || !IsLeftOut(map, speckles, beam))
+        {
+          JudgeHits(map, neighbours, beam, hits, verdict);
+        }
       }
       JudgeCell(map, surface, neighbours, beam, verdict);
     }
@@ -164,5 +154,5 @@ void JudgeBeams(const MapCase& map, const MapNeighbours& neighbours, const Trian
     const double places = 3.0 * map.Grid.GetNumberOfTurns() * map.Grid.GetNumberOfBeams();
     verdict.Allow("between beams", AllowedBetweenBeams + ShareBetweenBeams * places);
   }
-  JudgeOverhang(map, verdict);
+  JudgeOverhang(map, neighbours, verdict);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/lms3dTriangleDistance.h"
 #include "LocalMap/Borders/lms3dMinimumLinkPath.h"
+#include "LocalMap/Bounded/lms3dSortedSearch.h"
 #include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
 #include "LocalMap/Patches/lms3dPlane.h"
 
@@ -178,6 +179,19 @@ TEST(BeamSphere, SurroundsEveryReturnByAHalo)
   }
 }
 
+TEST(BeamSphere, FindsTheRowOfATangentToWithinOneRow)
+{
+  const Ball ball(181, 8, 1.0);
+  const lms3dBeamSphere sphere(ball.Grid, ball.Joins);
+  for (int row = 0; row < sphere.GetNumberOfRows(); ++row)
+  {
+    EXPECT_NEAR(sphere.GetRowNear(sphere.GetTangents()[row]), row, 1) << row;
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(sphere.GetRowNear(-infinity), 0);
+  EXPECT_EQ(sphere.GetRowNear(infinity), sphere.GetNumberOfRows() - 1);
+}
+
 TEST(BeamSphere, RefusesMoreDirectionsThanItCanNumber)
 {
   EXPECT_NO_THROW(lms3dBeamSphere::CheckSize(363, 362));
@@ -190,6 +204,35 @@ TEST(BeamSphere, RefusesMoreDirectionsThanItCanNumber)
   // Each direction has up to eight vertices at borders.
   EXPECT_LE(8 * std::int64_t(lms3dBeamSphere::MaximumSize),
     std::int64_t(std::numeric_limits<std::int32_t>::max()));
+}
+
+TEST(RangeGrid, LimitsALengthToTheLargestRange)
+{
+  const Ball ball(5, 8, 2.0);
+  EXPECT_EQ(ball.Grid.LimitToLargestRange(0.5), 0.5);
+  EXPECT_EQ(ball.Grid.LimitToLargestRange(2.0), 2.0);
+  EXPECT_EQ(ball.Grid.LimitToLargestRange(3.0), 2.0);
+}
+
+TEST(SortedSearch, FindsTheSameFromEachStart)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> values = { -infinity, infinity };
+  for (int i = 0; i < 20; ++i)
+  {
+    values.insert(values.end() - 1, 2, i);
+  }
+  for (double value : { -infinity, -1.0, 0.0, 7.0, 7.5, 19.0, 25.0, infinity })
+  {
+    const auto isBefore = [value](double other) { return other < value; };
+    const int expected =
+      static_cast<int>(std::lower_bound(values.begin(), values.end(), value) - values.begin());
+    for (int near = -2; near < static_cast<int>(values.size()) + 3; ++near)
+    {
+      EXPECT_EQ(lms3dFindEndOf(values, near, isBefore), expected) << value << " from " << near;
+    }
+  }
+  EXPECT_EQ(lms3dFindEndOf({}, 0, [](double) { return true; }), 0);
 }
 
 TEST(TriangleDistance, IsTheDistanceToTheNearestPoint)

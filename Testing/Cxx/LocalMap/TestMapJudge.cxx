@@ -104,6 +104,33 @@ TEST_F(MapJudge, SeesATJunction)
   this->ExpectBreach("boundary");
 }
 
+TEST_F(MapJudge, LetsAFacetStandAtAPoleForReturnsBesideItsVertex)
+{
+  this->AddFacet(0.0, 0.95);
+  this->ExpectBreach("boundary");
+  // The return of one turn at the pole is where the facet is.
+  this->MoveReturn(0, 0.95);
+  const MapVerdict verdict = this->Judge();
+  EXPECT_EQ(verdict.GetNumberOfBreaches("boundary"), 0) << verdict;
+  EXPECT_EQ(verdict.GetNumberOfBreaches("bound"), 0) << verdict;
+}
+
+TEST_F(MapJudge, SeesAFacetAtAPoleThatNoReturnNeeds)
+{
+  this->AddFacet(0.0, 0.95);
+  this->MoveReturn(0, 1.05);
+  this->ExpectBreach("boundary");
+  this->ExpectBreach("bound");
+}
+
+TEST_F(MapJudge, SeesAFacetBesideAPole)
+{
+  this->MoveReturn(0, 0.95);
+  this->AddFacet(0.02, 0.95);
+  this->ExpectBreach("boundary");
+  this->ExpectBreach("bound");
+}
+
 TEST_F(MapJudge, SeesATriangleWithoutArea)
 {
   const auto [a, b, c] = this->Triangles[Inside];

@@ -224,3 +224,16 @@ TEST(MapLawsOnRanges, StayClosedAtSmallStepsOnly)
     EXPECT_EQ(verdict.EulerCharacteristic, 2) << "a disc, and a ball with a hole";
   }
 }
+
+// The returns of each pole span 0.6 m.
+TEST(MapLawsOnRanges, HoldAtPolesWithAnyNoise)
+{
+  vtkSmartPointer<vtkPolyData> scan = MakeScan(MakeAngles(-90.0, 90.0, 19), MakeTurns(36),
+    [](int turn, int number)
+    { return number % 18 == 0 ? 2.0 + 0.3 * std::sin(1.0 * turn * turn) : 2.0; });
+  for (double bound : { 0.001, 0.01, 0.1, 0.25 })
+  {
+    SCOPED_TRACE(bound);
+    EXPECT_LE(ExpectLawful(scan, { bound, 0.1 }).LargestDeviation, bound * (1.0 + 1e-9));
+  }
+}

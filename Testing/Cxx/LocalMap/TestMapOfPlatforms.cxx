@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
 #include <utility>
 
 namespace
@@ -73,11 +74,11 @@ std::pair<int, int> CountOpenAndWrongEdges(vtkPolyData* map)
 }
 
 // Facets are for returns beyond the axis and for returns beside a fault.
-void ExpectFewTriangles(vtkPolyData* map, vtkPolyData* centred)
+void ExpectFewTriangles(vtkPolyData* map, vtkPolyData* centred, double ratio = 2.0)
 {
   const double facets = GetField(map, "NumberOfReturnsOnFacets");
   EXPECT_EQ(GetField(map, "NumberOfReturnsOnGrid"), 0.0);
-  EXPECT_LE(map->GetNumberOfCells() - facets, 2.0 * centred->GetNumberOfCells() + 100.0);
+  EXPECT_LE(map->GetNumberOfCells() - facets, ratio * centred->GetNumberOfCells() + 100.0);
   EXPECT_LE(facets, 0.025 * GetField(map, "NumberOfReturns"));
 }
 } // namespace
@@ -111,11 +112,13 @@ TEST_P(EachPlatform, IsMappedWithFewTriangles)
   {
     SCOPED_TRACE(name);
     const MapScene scene = MakeMapScene(name);
+    // Only maps of mirrors on the axis are simplified on curved surfaces.
+    const double ratio = std::string(name) == "BallInRoom" ? 3.0 : 2.0;
     vtkSmartPointer<vtkPolyData> scan = MakeScan(scene, GetParam());
     for (double bound : { 0.01, 0.02 })
     {
       SCOPED_TRACE(bound);
-      ExpectFewTriangles(MakeMap(scan, bound), MakeMap(MakeScan(scene, centred), bound));
+      ExpectFewTriangles(MakeMap(scan, bound), MakeMap(MakeScan(scene, centred), bound), ratio);
     }
   }
 }

@@ -63,6 +63,11 @@ def grid(*arguments, **keywords):
     return local_map("LMS3D grid", "0", *arguments, **keywords)
 
 
+def damaged(errors, column="x ideal"):
+    """Return a number of the map of a scan with errors of a device, of chart B."""
+    return get("B-mapping-damage", column, errors=errors)
+
+
 def share(method, situation, parameter="ball", kinds=("missed", "false", "wrong")):
     """Return the share of a cell of chart C that fails."""
     row = tables.find(TABLES["C-stability"], method=method, situation=situation,

@@ -49,7 +49,8 @@ def add_arguments(parser):
     sensor_options.add_depth_step(parser)
     sensor_options.add_sensor(parser, position_needed=True, with_resolution=False)
     # The trials set these. A range needs at least two angles.
-    parser.set_defaults(alpha_resolution=2, beta_resolution=2, maximum_error=0.0)
+    parser.set_defaults(alpha_resolution=2, beta_resolution=2, maximum_error=0.0,
+                        maximum_gap_size=-1, maximum_speckle_size=0, drop_speckles=False)
 
 
 def run(options):

@@ -24,6 +24,8 @@ both surfaces. Prints:
   correct, complete  the share of the map within the tolerance of the scene, and of the visible
                      scene within the tolerance of the map; F is their harmonic mean
   free space         the area of the map in space that the sensor has seen to be empty
+  closed gaps        if the map closes gaps between returns: their number and area, and how much of it
+                     is in front of the scene; this does not count as free space
   returns            with --scan: the share of returns within the tolerance of the map, and the
                      largest distance of a return from it
 
@@ -166,8 +168,17 @@ def _print(comparison, scan):
           f"{100 * comparison.correctness:.2f} %, complete {100 * comparison.completeness:.2f} %, "
           f"F {100 * comparison.f_score:.2f} %")
     print(f"in free space: {comparison.area_in_free_space:.4g} m2 of the map")
+    _print_gaps(comparison)
     if comparison.returns_within_tolerance is not None:
         print(f"returns: {scan.GetNumberOfPoints():,}, "
               f"{100 * comparison.returns_within_tolerance:.2f} % within "
               f"{1000 * comparison.tolerance:g} mm, the farthest "
               f"{1000 * comparison.largest_return_distance:.2f} mm from the map")
+
+
+def _print_gaps(comparison):
+    gaps, area = (comparison.map.GetFieldData().GetArray(name)
+                  for name in ("NumberOfClosedGaps", "ClosedGapArea"))
+    if gaps and area and gaps.GetTuple1(0):
+        print(f"closed gaps: {int(gaps.GetTuple1(0)):,}, {area.GetTuple1(0):.4g} m2, of this "
+              f"{comparison.closed_gap_area_in_free_space:.4g} m2 in front of the scene")

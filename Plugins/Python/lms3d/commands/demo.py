@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""lms3d demo: makes the paper's Figures 5 and 6, and a picture of a real device's errors.
+"""lms3d demo: makes the paper's Figures 5 and 6, and pictures of a real device's errors and map.
 
 The scenes are installed with LMS3D.
 """
@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
-from .. import vtkLMS3DRangeErrorFilter
+from .. import vtkLMS3DRangeErrorFilter, vtkLMS3DSurfaceReconstructionFilter
 from ..data import scene_file
 from ..device import set_device
-from ..device_figure import DeviceFigure, range_errors
+from ..device_figure import DeviceFigure, DeviceMapFigure, range_errors
 from ..execution import update
 from ..figure import Figure, check_display
 from ..problems import Problem
@@ -24,14 +24,15 @@ from ..simulation import Simulation
 from . import values
 
 NAME = "demo"
-SUMMARY = "scan the room and the teapot of the paper; write all results and three pictures"
+SUMMARY = "scan the room and the teapot of the paper; write all results and four pictures"
 DESCRIPTION = """\
 Scan the two scenes of the paper. For each, write the points (.vtp), the range image (.vti),
 the local map (.vtp) and a picture of scene and map (.png), and print a line of numbers.
 The time is the shortest of several scans, each after a move of the sensor.
 
 The third picture shows the scan of the room twice: ideal, and as an LMS 200 reports it, coloured by
-the error of each range. The reported points (.vtp) have the errors as RangeError (metres).
+the error of each range. The reported points (.vtp) have the errors as RangeError (metres). The fourth
+shows the room and the map of these points (.vtp), within 2 cm.
 """
 EPILOG = """\
 example:
@@ -63,6 +64,7 @@ TEAPOT = Experiment("teapot", "figure6", position=(0.1, -0.38, 0.28),
 
 DEVICE = "lms200-mm"
 SEED = 1
+DEVICE_ERROR = 0.02  # metres, four standard deviations of the device's noise
 
 _COLUMNS = ("scene", "triangles", "beams", "returns", "scan ms", "map triangles")
 
@@ -143,17 +145,31 @@ def report(simulation):
     return reported
 
 
+def reconstruct(reported):
+    """Return the filter that made the map of a reported scan."""
+    reconstruction = vtkLMS3DSurfaceReconstructionFilter()
+    reconstruction.SetInputData(reported)
+    reconstruction.SetMaximumError(DEVICE_ERROR)
+    reconstruction.SetDepthStep(ROOM.depth_step)
+    update(reconstruction, "mapping", "cannot build the local map")
+    return reconstruction
+
+
 def _write_device(simulation, folder, files):
-    """Write the reported scan and its picture; returns a line about it, and the names."""
+    """Write the reported scan, its map and their pictures; returns a line about it, and the names."""
     reported = report(simulation)
+    mapping = reconstruct(reported)
     errors = vtk_to_numpy(reported.GetPointData().GetArray("RangeError"))
     results = {"room_reported.vtp": reported,
-               "device_room.png": DeviceFigure(simulation, reported, DEVICE).image()}
+               "room_reported_map.vtp": mapping.GetOutput(),
+               "device_room.png": DeviceFigure(simulation, reported, DEVICE).image(),
+               "device_map_room.png": DeviceMapFigure(simulation, mapping).image()}
     for name, data in results.items():
         files.save(data, folder / name)
     return (f"{DEVICE}: {len(errors):,} returns, half of the range errors within "
             f"{1000 * np.nanmedian(np.abs(errors)):.1f} mm, the largest "
-            f"{1000 * np.nanmax(np.abs(errors)):.0f} mm"), list(results)
+            f"{1000 * np.nanmax(np.abs(errors)):.0f} mm, "
+            f"{mapping.GetOutput().GetNumberOfCells():,} map triangles"), list(results)
 
 
 def _write(experiment, simulation, folder, files):

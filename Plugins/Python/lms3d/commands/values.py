@@ -5,7 +5,7 @@
 import argparse
 import math
 
-from ..properties import MAXIMUM_COUNT, MAXIMUM_THREADS, MINIMUM_SEED
+from ..properties import MAXIMUM_COUNT, MAXIMUM_GROUP, MAXIMUM_THREADS, MINIMUM_SEED
 
 
 def number(text):
@@ -45,6 +45,20 @@ def count(text, maximum=MAXIMUM_COUNT):
 def thread_count(text):
     """A number of threads; 0 stands for all cores."""
     return 0 if int(text) == 0 else count(text, MAXIMUM_THREADS)
+
+
+def group_size(text, minimum=0):
+    """The largest number of beams in a group."""
+    value = int(text)
+    if not minimum <= value <= MAXIMUM_GROUP:
+        raise argparse.ArgumentTypeError(
+            f"{text.strip()} is not within {minimum} to {MAXIMUM_GROUP}")
+    return value
+
+
+def gap_size(text):
+    """The largest number of beams in a gap; -1 lets the scan decide."""
+    return group_size(text, -1)
 
 
 def seed(text):

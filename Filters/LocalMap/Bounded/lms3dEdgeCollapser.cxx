@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Bounded/lms3dEdgeCollapser.h"
+
+#include "LocalMap/Bounded/lms3dVertexFit.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace
+{
+// The smallest cosine between two corners of a new triangle, as the sensor sees them.
+constexpr double MinimumCosine = 0.7;
+// The smallest height of a new triangle as the sensor sees it, as a share of its longest edge.
+constexpr double MinimumHeight = 0.02;
+// Large maps end with the first round in which fewer of its edges collapse: many more rounds would follow, and hardly
+// any triangle would go.
+constexpr double MinimumShare = 0.1;
+constexpr std::size_t LargeRound = 100;
+
+// Calls visit(next, last) for each triangle that an edge leaves when it collapses. Stops when a visit returns false,
+// and returns false then.
+template <typename Visitor>
+bool ForEachSide(
+  const lms3dVertexStars& stars, std::int32_t from, std::int32_t to, const Visitor& visit)
+{
+  const auto visitOf = [&](std::int32_t vertex, std::int32_t other)
+  {
+    return stars.ForEachTriangle(vertex,
+      [&](std::int32_t, std::int32_t next, std::int32_t last)
+      { return next == other || last == other || visit(next, last); });
+  };
+  return visitOf(from, to) && (!stars.GetVertex(to).IsFree || visitOf(to, from));
+}
+} // namespace
+
+// Whether the vertex that replaces an edge sees all sides of the star, and no new triangle is a sliver or very large.
+bool lms3dEdgeCollapser::HasSoundShape(
+  const lms3dVertexStars& stars, const Edge& edge, const lms3dTriangleCorner& corner)
+{
+  return ForEachSide(stars, edge.From, edge.To,
+    [&](std::int32_t next, std::int32_t last)
+    {
+      const lms3dVector& a = corner.Position;
+      const lms3dVector& b = stars.GetVertex(next).Corner.Position;
+      const lms3dVector& c = stars.GetVertex(last).Corner.Position;
+      const lms3dVector opposite = lms3dCross(c, b);
+      const double cosine = std::min(lms3dDot(a, b), lms3dDot(a, c));
+      const double longest =
+        std::max(lms3dDot(opposite, opposite), std::max(0.0, 1.0 - cosine * cosine));
+      return cosine > MinimumCosine && lms3dDot(opposite, a) > MinimumHeight * longest;
+    });
+}
+
+// Whether an edge can collapse, and the vertex that replaces it.
+lms3dEdgeCollapser::Result lms3dEdgeCollapser::TryToCollapse(
+  const lms3dVertexStars& stars, const lms3dBeamDemands& demands, const Edge& edge)
+{
+  const lms3dVertexStars::Vertex& to = stars.GetVertex(edge.To);
+  Result result = { false, lms3dNormalize(lms3dCollapsibleEdges::GetBestPlace(stars, edge)),
+    to.Inverse };
+  const lms3dTriangleCorner corner = to.IsFree ? lms3dTriangleCorner(result.Direction) : to.Corner;
+  lms3dVertexFit fit(demands);
+  if (!stars.AreLinked(edge.From, edge.To) || !HasSoundShape(stars, edge, corner) ||
+    !ForEachSide(stars, edge.From, edge.To,
+      [&](std::int32_t next, std::int32_t last)
+      { return fit.Add(corner, lms3dVertexFit::GetSide(stars, next, last)); }))
+  {
+    return result;
+  }
+  if (to.IsFree && fit.IsDetermined())
+  {
+    result.Inverse = fit.GetInverse();
+    result.CanCollapse = result.Inverse > 0.0;
+  }
+  else
+  {
+    result.CanCollapse = !to.IsFree && fit.Allows(result.Inverse);
+  }
+  return result;
+}
+
+bool lms3dEdgeCollapser::Run(const lms3dBeamDemands& demands, lms3dVertexStars& stars)
+{
+  bool isChanged = false;
+  lms3dCollapsibleEdges edges(stars);
+  while (true)
+  {
+    const std::vector<Edge> selected = edges.SelectIndependent();
+    std::vector<std::uint8_t> hasCollapsed(selected.size());
+    tbb::parallel_for(std::size_t(0), selected.size(),
+      [&](std::size_t i) { hasCollapsed[i] = Collapse(demands, selected[i], stars); });
+    std::vector<std::int32_t> changed;
+    std::vector<std::int32_t> gone;
+    for (std::size_t i = 0; i < selected.size(); ++i)
+    {
+      if (hasCollapsed[i])
+      {
+        changed.push_back(selected[i].To);
+        gone.push_back(selected[i].From);
+      }
+    }
+    isChanged |= !changed.empty();
+    if (selected.empty() ||
+      (selected.size() >= LargeRound &&
+        static_cast<double>(changed.size()) < MinimumShare * static_cast<double>(selected.size())))
+    {
+      return isChanged;
+    }
+    edges.Update(changed, gone);
+  }
+}
+
+// Collapses an edge if it can, and returns whether it has. Otherwise it is not tried again until its star changes.
+bool lms3dEdgeCollapser::Collapse(
+  const lms3dBeamDemands& demands, const Edge& edge, lms3dVertexStars& stars)
+{
+  const Result result = TryToCollapse(stars, demands, edge);
+  if (result.CanCollapse)
+  {
+    stars.Collapse(edge.From, edge.To, result.Direction, result.Inverse);
+  }
+  else
+  {
+    stars.SetRigid(edge.From, edge.To);
+  }
+  return result.CanCollapse;
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Removes the vertices of a bounded map that the bound does not need.
+ */
+#ifndef lms3dMapSimplifier_h
+#define lms3dMapSimplifier_h
+
+#include "LocalMap/Bounded/lms3dBeamDemands.h"
+#include "LocalMap/Bounded/lms3dBoundedMap.h"
+#include "LocalMap/Bounded/lms3dVertexStars.h"
+
+#include <cstdint>
+#include <vector>
+
+/**
+ * On curved surfaces, and with noise, patches are small, and most vertices lie at smooth borders between them. Edges
+ * between smooth vertices (lms3dSmoothVertices) collapse (lms3dEdgeCollapser), as long as each return around them
+ * stays within the bound. The remaining vertex has the range that fits the returns best (lms3dVertexFit), so the
+ * surface passes between the returns on both sides. Vertices at the border of the surface, and at sharp creases and
+ * offsets, take no part in this.
+ *
+ * Then vertices of all kinds are removed (lms3dVertexRemover) without moving those that remain. If beams are not regular, this is
+ * all, and borders stay (lms3dRayMoves).
+ */
+class lms3dMapSimplifier
+{
+public:
+  /// Keeps references. `maximumError` is the bound and `noise` the standard deviation of
+  /// ranges, metres.
+  lms3dMapSimplifier(
+    const lms3dBeamSphere& sphere, const lms3dPatches& patches, double maximumError, double noise);
+
+  /// Simplifies a map whose patches are the patches with returns, in order, and sets its LargestDeviation. Returns
+  /// false, and changes nothing, if no vertex can vanish. `members` is the number of returns of each patch. Uses the
+  /// threads of the calling TBB arena.
+  bool Simplify(const std::vector<int>& members, lms3dBoundedMap& map) const;
+
+private:
+  bool SimplifyOnRays(lms3dBoundedMap& map) const;
+  bool SimplifySmoothSurface(const std::vector<int>& members, const lms3dBoundedMap& map,
+    const lms3dBeamDemands& demands, lms3dVertexStars& stars) const;
+  bool FreeSmoothVertices(
+    const std::vector<int>& members, const lms3dBoundedMap& map, lms3dVertexStars& stars) const;
+  static std::vector<std::vector<std::int32_t>> FindLevels(const lms3dVertexStars& stars);
+  static void FitVertices(const lms3dBeamDemands& demands, lms3dVertexStars& stars);
+  static void Replace(const lms3dVertexStars& stars, lms3dBoundedMap& map);
+  double GetLargestDeviation(const lms3dBoundedMap& map) const;
+
+  const lms3dBeamSphere& Sphere;
+  const lms3dPatches& Patches;
+  const double MaximumError;
+  const double Noise;
+};
+
+#endif

@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Bounded/lms3dVertexStars.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace
+{
+// The weight of a vertex's own place in its quadric, as a share of the area around it. It decides where planes
+// leave the place open.
+constexpr double PointWeight = 1e-3;
+constexpr int CommonNeighbors = 2;
+} // namespace
+
+lms3dVertexStars::lms3dVertexStars(const lms3dBoundedMap& map)
+{
+  this->Vertices.reserve(map.Points.size());
+  for (const lms3dVector& point : map.Points)
+  {
+    const double inverse = 1.0 / lms3dGetLength(point);
+    this->Vertices.push_back(
+      { lms3dTriangleCorner(lms3dScale(point, inverse)), inverse, false, false, {}, {} });
+  }
+  std::vector<int> counts(map.Points.size(), 0);
+  for (const std::array<std::int32_t, 3>& corners : map.Triangles)
+  {
+    for (std::int32_t corner : corners)
+    {
+      ++counts[corner];
+    }
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    this->Vertices[i].Triangles.reserve(counts[i]);
+  }
+  this->Triangles.reserve(map.Triangles.size());
+  for (const std::array<std::int32_t, 3>& corners : map.Triangles)
+  {
+    for (std::int32_t corner : corners)
+    {
+      this->Vertices[corner].Triangles.push_back(static_cast<std::int32_t>(this->Triangles.size()));
+    }
+    this->Triangles.push_back({ corners });
+    this->Triangles.back().IsStrip = map.PatchIds[this->Triangles.size() - 1] < 0;
+  }
+  tbb::parallel_for(0, this->GetNumberOfVertices(), [this](int i) { this->UpdateQuadric(i); });
+}
+
+void lms3dVertexStars::UpdateQuadric(std::int32_t vertex)
+{
+  lms3dQuadric quadric;
+  double area = 0.0;
+  const lms3dVector at = this->GetPosition(vertex);
+  this->ForEachTriangle(vertex,
+    [&](std::int32_t, std::int32_t next, std::int32_t last)
+    {
+      const lms3dVector b = this->GetPosition(next);
+      const lms3dVector c = this->GetPosition(last);
+      quadric.AddTriangle(at, b, c);
+      area += lms3dGetLength(lms3dCross(lms3dSubtract(b, at), lms3dSubtract(c, at)));
+      return true;
+    });
+  quadric.AddPoint(at, PointWeight * area);
+  this->Vertices[vertex].Quadric = quadric;
+}
+
+void lms3dVertexStars::SetInverse(std::int32_t vertex, double inverse)
+{
+  this->Vertices[vertex].Inverse = inverse;
+}
+
+bool lms3dVertexStars::FindBorder(std::int32_t vertex, Border& border) const
+{
+  return this->FindBorderOf(
+    vertex, [](const Triangle&) { return true; }, border);
+}
+
+bool lms3dVertexStars::FindBorderOfPatches(std::int32_t vertex, Border& border) const
+{
+  return this->FindBorderOf(
+    vertex, [](const Triangle& triangle) { return !triangle.IsStrip; }, border);
+}
+
+// Finds the border of a part of the surface.
+template <typename Predicate>
+bool lms3dVertexStars::FindBorderOf(
+  std::int32_t vertex, const Predicate& isPart, Border& border) const
+{
+  constexpr std::int32_t None = -1;
+  const auto forEachTriangle = [&](const auto& visit)
+  {
+    return this->ForEachTriangle(vertex,
+      [&](std::int32_t number, std::int32_t next, std::int32_t last)
+      { return !isPart(this->Triangles[number]) || visit(next, last); });
+  };
+  // The neighbour after another one, counter-clockwise. None at the border.
+  const auto findNext = [&](std::int32_t neighbor)
+  {
+    std::int32_t found = None;
+    forEachTriangle(
+      [&](std::int32_t next, std::int32_t last)
+      {
+        found = next == neighbor ? last : None;
+        return found == None;
+      });
+    return found;
+  };
+  const auto hasBefore = [&](std::int32_t neighbor)
+  { return !forEachTriangle([&](std::int32_t, std::int32_t last) { return last != neighbor; }); };
+  std::int32_t first = None;
+  std::size_t size = 0;
+  const bool isClosed = forEachTriangle(
+    [&](std::int32_t next, std::int32_t)
+    {
+      first = next;
+      return hasBefore(next);
+    });
+  forEachTriangle(
+    [&](std::int32_t, std::int32_t)
+    {
+      ++size;
+      return true;
+    });
+  std::size_t steps = 0;
+  std::int32_t last = first;
+  std::int32_t at = first == None ? None : findNext(first);
+  while (at != None)
+  {
+    last = at;
+    ++steps;
+    at = at == first || steps > size ? None : findNext(at);
+  }
+  border = isClosed ? Border{} : Border{ last, first };
+  return size > 0 && steps == size && isClosed == (last == first);
+}
+
+std::vector<std::int32_t> lms3dVertexStars::GetNeighbors(std::int32_t vertex) const
+{
+  std::vector<std::int32_t> neighbors;
+  this->ForEachTriangle(vertex,
+    [&](std::int32_t, std::int32_t next, std::int32_t last)
+    {
+      neighbors.push_back(next);
+      neighbors.push_back(last);
+      return true;
+    });
+  std::sort(neighbors.begin(), neighbors.end());
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  return neighbors;
+}
+
+bool lms3dVertexStars::AreLinked(std::int32_t a, std::int32_t b) const
+{
+  const std::vector<std::int32_t> besideA = this->GetNeighbors(a);
+  const std::vector<std::int32_t> besideB = this->GetNeighbors(b);
+  std::vector<std::int32_t> common;
+  std::set_intersection(
+    besideA.begin(), besideA.end(), besideB.begin(), besideB.end(), std::back_inserter(common));
+  return common.size() == CommonNeighbors;
+}
+
+void lms3dVertexStars::SetRigid(std::int32_t a, std::int32_t b)
+{
+  for (std::int32_t number : this->Vertices[a].Triangles)
+  {
+    Triangle& triangle = this->Triangles[number];
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::int32_t from = triangle.Corners[i];
+      const std::int32_t to = triangle.Corners[(i + 1) % 3];
+      triangle.IsRigid[i] = triangle.IsRigid[i] || (from == a && to == b) || (from == b && to == a);
+    }
+  }
+}
+
+void lms3dVertexStars::ReleaseChanged()
+{
+  for (Triangle& triangle : this->Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      triangle.IsRigid[i] = triangle.IsRigid[i] &&
+        !(this->Vertices[triangle.Corners[i]].IsChanged &&
+          this->Vertices[triangle.Corners[(i + 1) % 3]].IsChanged);
+    }
+  }
+}
+
+void lms3dVertexStars::Remove(std::int32_t triangle)
+{
+  this->Triangles[triangle].IsRemoved = true;
+  for (std::int32_t corner : this->Triangles[triangle].Corners)
+  {
+    std::vector<std::int32_t>& around = this->Vertices[corner].Triangles;
+    around.erase(std::find(around.begin(), around.end(), triangle));
+  }
+}
+
+bool lms3dVertexStars::AreNeighbors(std::int32_t a, std::int32_t b) const
+{
+  if (this->Vertices[b].Triangles.size() < this->Vertices[a].Triangles.size())
+  {
+    std::swap(a, b);
+  }
+  return !this->ForEachTriangle(
+    a, [&](std::int32_t, std::int32_t next, std::int32_t last) { return next != b && last != b; });
+}
+
+void lms3dVertexStars::Merge(std::int32_t from, std::int32_t to)
+{
+  const std::vector<std::int32_t> moved = this->Vertices[from].Triangles;
+  for (std::int32_t number : moved)
+  {
+    std::array<std::int32_t, 3>& corners = this->Triangles[number].Corners;
+    if (std::find(corners.begin(), corners.end(), to) != corners.end())
+    {
+      this->Remove(number);
+      continue;
+    }
+    std::replace(corners.begin(), corners.end(), from, to);
+    this->Vertices[to].Triangles.push_back(number);
+  }
+  this->Vertices[from].Triangles.clear();
+}
+
+void lms3dVertexStars::Collapse(
+  std::int32_t from, std::int32_t to, const lms3dVector& direction, double inverse)
+{
+  this->Merge(from, to);
+  if (this->Vertices[to].IsFree)
+  {
+    this->Vertices[to].Corner = lms3dTriangleCorner(direction);
+    this->Vertices[to].Inverse = inverse;
+  }
+  this->UpdateStar(to);
+}
+
+void lms3dVertexStars::UpdateStar(std::int32_t vertex)
+{
+  std::vector<std::int32_t> changed = this->GetNeighbors(vertex);
+  changed.push_back(vertex);
+  for (std::int32_t number : changed)
+  {
+    this->UpdateQuadric(number);
+    this->Vertices[number].IsChanged = true;
+  }
+  for (std::int32_t number : this->Vertices[vertex].Triangles)
+  {
+    this->Triangles[number].IsRigid = { false, false, false };
+  }
+}

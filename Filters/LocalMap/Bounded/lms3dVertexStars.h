@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The triangles of a map around its vertices, while edges collapse.
+ */
+#ifndef lms3dVertexStars_h
+#define lms3dVertexStars_h
+
+#include "LocalMap/Bounded/lms3dBoundedMap.h"
+#include "LocalMap/Bounded/lms3dQuadric.h"
+#include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/// A mesh whose edges can collapse: both vertices become one, and the triangles at the edge vanish. The star of a
+/// vertex is the set of its triangles.
+class lms3dVertexStars
+{
+public:
+  struct Vertex
+  {
+    /// The position is the direction from the sensor, a unit vector.
+    lms3dTriangleCorner Corner;
+    /// The inverse range, 1/metre.
+    double Inverse;
+    /// Whether the vertex may get a new place, and edges from it may collapse.
+    bool IsFree;
+    /// Whether its star has changed.
+    bool IsChanged;
+    std::vector<std::int32_t> Triangles;
+    lms3dQuadric Quadric;
+  };
+
+  struct Triangle
+  {
+    std::array<std::int32_t, 3> Corners;
+    /// Whether the edge from each corner to the next one has turned out not to collapse.
+    std::array<bool, 3> IsRigid = { false, false, false };
+    bool IsRemoved = false;
+    /// Whether it joins two patches along an offset.
+    bool IsStrip = false;
+  };
+
+  /// No vertex is free at first. Uses the threads of the calling TBB arena.
+  explicit lms3dVertexStars(const lms3dBoundedMap& map);
+
+  std::int32_t GetNumberOfVertices() const
+  {
+    return static_cast<std::int32_t>(this->Vertices.size());
+  }
+  const Vertex& GetVertex(std::int32_t vertex) const { return this->Vertices[vertex]; }
+  const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
+
+  /// In the sensor frame, metres.
+  lms3dVector GetPosition(std::int32_t vertex) const
+  {
+    return lms3dScale(this->Vertices[vertex].Corner.Position, 1.0 / this->Vertices[vertex].Inverse);
+  }
+
+  void SetFree(std::int32_t vertex) { this->Vertices[vertex].IsFree = true; }
+  void SetInverse(std::int32_t vertex, double inverse);
+
+  /// The border of the surface at a vertex. The surface lies to the left of the way from Last over the vertex to Next.
+  struct Border
+  {
+    std::int32_t Last = -1;
+    std::int32_t Next = -1;
+
+    bool IsOpen() const { return this->Next >= 0; }
+  };
+
+  /// Finds the border at a vertex; inside of the surface, it is not open. Returns false if the triangles of the star
+  /// do not follow each other around the vertex, once.
+  bool FindBorder(std::int32_t vertex, Border& border) const;
+
+  /// Does the same with the border of the surface without strips. Where there is no strip, it is that of FindBorder().
+  bool FindBorderOfPatches(std::int32_t vertex, Border& border) const;
+
+  /// Whether the star surrounds the vertex, once.
+  bool IsInside(std::int32_t vertex) const
+  {
+    Border border;
+    return this->FindBorder(vertex, border) && !border.IsOpen();
+  }
+
+  /// Whether two vertices have exactly two neighbours in common.
+  bool AreLinked(std::int32_t a, std::int32_t b) const;
+
+  /// The vertices with an edge to a vertex, sorted.
+  std::vector<std::int32_t> GetNeighbors(std::int32_t vertex) const;
+
+  /// Calls visit(triangle, next, last) for the triangles at a vertex. The other two corners follow the vertex
+  /// counter-clockwise. Stops when a visit returns false, and returns false then.
+  template <typename Visitor>
+  bool ForEachTriangle(std::int32_t vertex, const Visitor& visit) const
+  {
+    for (std::int32_t number : this->Vertices[vertex].Triangles)
+    {
+      const std::array<std::int32_t, 3>& corners = this->Triangles[number].Corners;
+      const int corner = corners[0] == vertex ? 0 : (corners[1] == vertex ? 1 : 2);
+      if (!visit(number, corners[(corner + 1) % 3], corners[(corner + 2) % 3]))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Calls visit(next, last) for each triangle at `from` that stays when `from` moves into its neighbour `to`. Stops when
+  /// a visit returns false, and returns false then.
+  template <typename Visitor>
+  bool ForEachSide(std::int32_t from, std::int32_t to, const Visitor& visit) const
+  {
+    return this->ForEachTriangle(from,
+      [&](std::int32_t, std::int32_t next, std::int32_t last)
+      { return next == to || last == to || visit(next, last); });
+  }
+
+  /// Whether two vertices have a triangle in common.
+  bool AreNeighbors(std::int32_t a, std::int32_t b) const;
+
+  /// Moves the vertex `from` into `to` and removes the triangles at both. Changes nothing else.
+  void Merge(std::int32_t from, std::int32_t to);
+
+  /// The same. If `to` is free, it gets a direction and an inverse range. The edges around it may collapse again.
+  void Collapse(std::int32_t from, std::int32_t to, const lms3dVector& direction, double inverse);
+
+  /// Marks an edge as rigid until the star of one of its ends changes.
+  void SetRigid(std::int32_t a, std::int32_t b);
+
+  /// Marks all edges between changed vertices as not rigid.
+  void ReleaseChanged();
+
+private:
+  template <typename Predicate>
+  bool FindBorderOf(std::int32_t vertex, const Predicate& isPart, Border& border) const;
+  void Remove(std::int32_t triangle);
+  void UpdateQuadric(std::int32_t vertex);
+  void UpdateStar(std::int32_t vertex);
+
+  std::vector<Vertex> Vertices;
+  std::vector<Triangle> Triangles;
+};
+
+#endif

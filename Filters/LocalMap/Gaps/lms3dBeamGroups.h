@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Groups of neighbouring beams without a return, and of neighbouring returns at one depth.
+ */
+#ifndef lms3dBeamGroups_h
+#define lms3dBeamGroups_h
+
+#include "LocalMap/Gaps/lms3dBeamStates.h"
+#include "LocalMap/Grid/lms3dDepthStep.h"
+
+#include <cstdint>
+#include <vector>
+
+/// Finds all groups of at most a given number of beams. Larger groups cost no more than small ones.
+class lms3dBeamGroups
+{
+public:
+  using Groups = std::vector<std::vector<int>>;
+
+  /// Keeps a reference.
+  explicit lms3dBeamGroups(const lms3dBeamStates& states)
+    : States(states)
+  {
+  }
+
+  /// The groups of at most `maximumSize` missing beams, next to each other in a fan or in a turn.
+  Groups FindMissing(int maximumSize);
+
+  /**
+   * The groups of at most `maximumSize` returns at one depth: the ranges of neighbours, diagonals included, differ by
+   * at most the depth step. Returns on both sides of a missing beam are neighbours as well, so that a thin thing stays
+   * one group. Groups with the return of a pole do not count. Uses the threads of the calling TBB arena.
+   */
+  Groups FindAtOneDepth(int maximumSize, const lms3dDepthStep& step);
+
+private:
+  enum Mark : std::uint8_t
+  {
+    New,
+    InSmallGroup,
+    InLargeGroup
+  };
+
+  template <typename Visitor>
+  Groups FindFrom(const std::vector<int>& seeds, int maximumSize, const Visitor& forEachNeighbor);
+  template <typename Visitor>
+  bool Flood(int seed, int maximumSize, const Visitor& forEachNeighbor, std::vector<int>& group);
+  template <typename Visitor>
+  void ForEachAtOneDepth(int place, const lms3dDepthStep& step, const Visitor& visit) const;
+  std::vector<int> FindFirstOfTurn(int turn, const lms3dDepthStep& step) const;
+  bool MayBeFirst(int place, const lms3dDepthStep& step) const;
+
+  const lms3dBeamStates& States;
+  /// By place.
+  std::vector<Mark> Marks;
+};
+
+#endif

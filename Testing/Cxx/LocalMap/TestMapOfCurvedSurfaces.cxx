@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks that maps of curved surfaces have few triangles, with and without noise.
+ */
+#include "LocalMap/MapFixtures.h"
+
+#include <tbb/global_control.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+constexpr std::uint64_t Seed = 20090403;
+
+// The triangles of an exact ball of 2 m radius that vtkQuadricDecimation needs for a largest error of 1 cm.
+constexpr vtkIdType TrianglesOfDecimation = 2012;
+
+/// A ball of 2 m radius around the sensor.
+vtkSmartPointer<vtkPolyData> ScanBall()
+{
+  return MakeScan(
+    MakeAngles(-90.0, 90.0, 181), MakeAngles(0.0, 358.0, 180), [](int, int) { return 2.0; });
+}
+
+/// A round column of 0.5 m radius, 2 m in front of the sensor. All other beams miss.
+vtkSmartPointer<vtkPolyData> ScanColumn()
+{
+  const std::vector<double> alphas = MakeAngles(-40.0, 40.0, 161);
+  const std::vector<double> betas = MakeAngles(-40.0, 40.0, 161);
+  return MakeScan(alphas, betas,
+    [&](int turn, int number)
+    {
+      constexpr double Distance = 2.0;
+      constexpr double Radius = 0.5;
+      const double azimuth = betas[turn] * std::acos(-1.0) / 180.0;
+      const double elevation = alphas[number] * std::acos(-1.0) / 180.0;
+      const double across = Distance * std::sin(azimuth);
+      const double square = Radius * Radius - across * across;
+      return square > 0.0 ? (Distance * std::cos(azimuth) - std::sqrt(square)) / std::cos(elevation)
+                          : 0.0;
+    });
+}
+} // namespace
+
+TEST(MapOfCurvedSurfaces, IsHalfOfADecimatedGrid)
+{
+  vtkSmartPointer<vtkPolyData> scan = ScanBall();
+  vtkSmartPointer<vtkPolyData> map = MakeMap(scan, 0.01);
+  EXPECT_LE(map->GetNumberOfCells(), TrianglesOfDecimation / 2);
+  ExpectClosed(ExpectLawful(scan, map, { 0.01 }));
+}
+
+TEST(MapOfCurvedSurfaces, IsAsSmallWithNoise)
+{
+  Random random(Seed);
+  vtkSmartPointer<vtkPolyData> scan = AddNoise(ScanBall(), 0.005, random);
+  vtkSmartPointer<vtkPolyData> map = MakeMap(scan, 0.02);
+  EXPECT_LE(map->GetNumberOfCells(), TrianglesOfDecimation / 2);
+  ExpectLawful(scan, map, { 0.02, 0.1, nullptr, 0.02 });
+}
+
+TEST(MapOfCurvedSurfaces, KeepsItsBorders)
+{
+  vtkSmartPointer<vtkPolyData> scan = ScanColumn();
+  vtkSmartPointer<vtkPolyData> map = MakeMap(scan, 0.005);
+  EXPECT_GT(map->GetNumberOfCells(), 10);
+  ExpectLawful(scan, map, { 0.005 });
+}
+
+TEST(MapOfCurvedSurfaces, IsTheSameForAnyNumberOfThreads)
+{
+  Random random(Seed);
+  vtkSmartPointer<vtkPolyData> scan = AddNoise(ScanBall(), 0.005, random);
+  // More threads than cores.
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
+  const std::uint64_t alone = HashMap(MakeMap(scan, 0.02, 1));
+  for (int count : { 2, 8 })
+  {
+    EXPECT_EQ(HashMap(MakeMap(scan, 0.02, count)), alone) << count;
+  }
+}
