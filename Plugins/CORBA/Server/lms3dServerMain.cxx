@@ -81,8 +81,17 @@ CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
   }
   pointers.push_back(nullptr);
   int count = static_cast<int>(arguments.size());
+  MakeNilReferences();
   using Table = const char*(*)[2];
   return CORBA::ORB_init(count, pointers.data(), "omniORB4", reinterpret_cast<Table>(table.data()));
+}
+
+// omniORB makes each nil reference at its first use, and another thread may read it before it is
+// complete. Here no other thread runs yet.
+void MakeNilReferences()
+{
+  CORBA::Object::_nil();
+  LMS3D::ScanListener::_nil();
 }
 
 // Destroys the ORB before the server, because clients may call the server's object until then, even
