@@ -56,6 +56,14 @@ void LimitFreeMemory()
   mallopt(M_MMAP_THRESHOLD, 4 * Megabyte);
 }
 
+// omniORB makes each nil reference at its first use, and another thread may read it before it is
+// complete. Here no other thread runs yet.
+void MakeNilReferences()
+{
+  CORBA::Object::_nil();
+  LMS3D::ScanListener::_nil();
+}
+
 CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
 {
   std::vector<std::string> logSettings = options.ORBArguments;
@@ -84,14 +92,6 @@ CORBA::ORB_ptr MakeORB(const lms3dServerOptions& options)
   MakeNilReferences();
   using Table = const char*(*)[2];
   return CORBA::ORB_init(count, pointers.data(), "omniORB4", reinterpret_cast<Table>(table.data()));
-}
-
-// omniORB makes each nil reference at its first use, and another thread may read it before it is
-// complete. Here no other thread runs yet.
-void MakeNilReferences()
-{
-  CORBA::Object::_nil();
-  LMS3D::ScanListener::_nil();
 }
 
 // Destroys the ORB before the server, because clients may call the server's object until then, even
