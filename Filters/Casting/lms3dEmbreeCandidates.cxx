@@ -9,20 +9,12 @@
 #include "Casting/lms3dOutlyingTriangles.h"
 #include "Casting/lms3dPacketBeams.h"
 
-#include <algorithm>
-#include <iterator>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 #include <vector>
 
 namespace
 {
-// The share of the scene's diagonal by which boxes are enlarged. The single precision of vertices,
-// ray origins, directions and traversal errs by less than 1e-6 of the diagonal together, as long as
-// rays start within a few diagonals.
-constexpr float BoxMargin = 4e-6f;
-
 /// A cast of beams that start at points of their own.
 struct FreeCast
 {
@@ -46,21 +38,6 @@ struct Query
 };
 static_assert(std::is_standard_layout_v<Query>, "a query starts with its context");
 
-// Returns an empty list if there are no outliers.
-std::vector<std::uint32_t> FindOthers(
-  const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& outliers)
-{
-  std::vector<std::uint32_t> others;
-  if (!outliers.empty())
-  {
-    std::vector<std::uint32_t> all(mesh.GetNumberOfTriangles());
-    std::iota(all.begin(), all.end(), 0u);
-    std::set_difference(
-      all.begin(), all.end(), outliers.begin(), outliers.end(), std::back_inserter(others));
-  }
-  return others;
-}
-
 // Embree calls back with the whole packet, with a part that suits its instruction set, or with one
 // ray. The id of a ray is the number of its beam.
 lms3dRayRange GetRays(const RTCIntersectFunctionNArguments* args)
@@ -82,7 +59,7 @@ struct lms3dEmbreeCandidates::Internals
   explicit Internals(const lms3dTriangleMesh& mesh)
     : Mesh(mesh)
     , Outliers(lms3dFindOutlyingTriangles(mesh))
-    , Others(FindOthers(mesh, this->Outliers))
+    , Others(lms3dFindOtherTriangles(mesh, this->Outliers))
     , Tree(mesh, this->Outliers)
   {
   }
@@ -102,20 +79,10 @@ struct lms3dEmbreeCandidates::Internals
   static void GetBox(const RTCBoundsFunctionArguments* args)
   {
     const Internals* self = static_cast<const Internals*>(args->geometryUserPtr);
-    const lms3dNormalization& normalization = self->Tree.GetNormalization();
-    const std::uint32_t triangle = self->GetTriangle(args->primID);
-    float low[3], high[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      double x[3];
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        x[corner] = normalization.NormalizeCoordinate(self->Mesh.GetCorner(triangle, corner), axis);
-      }
-      low[axis] = static_cast<float>(std::min({ x[0], x[1], x[2] })) - BoxMargin;
-      high[axis] = static_cast<float>(std::max({ x[0], x[1], x[2] })) + BoxMargin;
-    }
-    *args->bounds_o = { low[0], low[1], low[2], 0.0f, high[0], high[1], high[2], 0.0f };
+    const lms3dNormalizedBox box = self->Tree.GetNormalization().GetBox(
+      lms3dGetCorners(self->Mesh, self->GetTriangle(args->primID)));
+    *args->bounds_o = { box.Low[0], box.Low[1], box.Low[2], 0.0f, box.High[0], box.High[1],
+      box.High[2], 0.0f };
   }
 
   static void TestCandidate(const RTCIntersectFunctionNArguments* args)
@@ -144,6 +111,23 @@ struct lms3dEmbreeCandidates::Internals
     if (changed != 0)
     {
       cast.Rays->Clip(*cast.Packet, changed, args->geomID, rays);
+    }
+  }
+
+  void Cast(Query& query, lms3dEmbreeRays& rays, lms3dBeamPacket& packet) const
+  {
+    const lms3dExactView& view = *query.View;
+    view.Begin(packet, query.Search);
+    const std::uint32_t known = this->TestOutliers(
+      [&](std::uint32_t triangle) { return view.Test(triangle, packet.Active, query.Search); });
+    const std::uint32_t active = rays.Prepare(packet);
+    if (active != 0)
+    {
+      if (known != 0)
+      {
+        rays.Clip(query.Search.Hits, known);
+      }
+      rays.Intersect(active, query.Context);
     }
   }
 
@@ -181,6 +165,16 @@ lms3dEmbreeCandidates::lms3dEmbreeCandidates(
 
 lms3dEmbreeCandidates::~lms3dEmbreeCandidates() = default;
 
+const lms3dNormalization& lms3dEmbreeCandidates::GetNormalization() const
+{
+  return this->Internal->Tree.GetNormalization();
+}
+
+bool lms3dEmbreeCandidates::HasOutliers() const
+{
+  return !this->Internal->Outliers.empty();
+}
+
 double lms3dEmbreeCandidates::GetUnit() const
 {
   return this->Internal->Tree.GetNormalization().GetDiagonal();
@@ -202,27 +196,22 @@ lms3dCone lms3dEmbreeCandidates::GetCone(const double origin[3]) const
 }
 
 void lms3dEmbreeCandidates::Cast(
-  const lms3dExactView& view, lms3dBeamPacket* packets, int count) const
+  const lms3dExactView& view, lms3dBeamPacket* packets, const lms3dPacketMask& which) const
 {
+  if (which.none())
+  {
+    return;
+  }
   lms3dEmbreeRays rays(this->Internal->Tree, view.GetOrigin(), packets[0]);
   Query query;
   query.View = &view;
   query.Rays = &rays;
   query.Search.Kept = view.GetKept();
-  for (int i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < which.size(); ++i)
   {
-    lms3dBeamPacket& packet = packets[i];
-    view.Begin(packet, query.Search);
-    const std::uint32_t known = this->Internal->TestOutliers(
-      [&](std::uint32_t triangle) { return view.Test(triangle, packet.Active, query.Search); });
-    const std::uint32_t active = rays.Prepare(packet);
-    if (active != 0)
+    if (which[i])
     {
-      if (known != 0)
-      {
-        rays.Clip(query.Search.Hits, known);
-      }
-      rays.Intersect(active, query.Context);
+      this->Internal->Cast(query, rays, packets[i]);
     }
   }
 }

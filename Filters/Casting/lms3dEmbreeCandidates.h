@@ -11,6 +11,8 @@
 #define lms3dEmbreeCandidates_h
 
 #include "Casting/lms3dExactView.h"
+#include "Casting/lms3dGridCaster.h"
+#include "Casting/lms3dNormalization.h"
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Kernels/lms3dBeamPacket.h"
 #include "Pipeline/lms3dProgress.h"
@@ -28,13 +30,20 @@ public:
   lms3dEmbreeCandidates(const lms3dEmbreeCandidates&) = delete;
   lms3dEmbreeCandidates& operator=(const lms3dEmbreeCandidates&) = delete;
 
-  /// Fills Triangle of `count` packets, at least one, as lms3dExactView does. The view must be of the same
-  /// mesh, with the unit of this object. Several threads may call this at once.
-  void Cast(const lms3dExactView& view, lms3dBeamPacket* packets, int count) const;
+  /// Fills Triangle of some of at most 64 packets, as lms3dExactView does. The directions of the first packet
+  /// must be set in any case. The view must be of the same mesh, with the unit of this object. Several threads
+  /// may call this at once.
+  void Cast(
+    const lms3dExactView& view, lms3dBeamPacket* packets, const lms3dPacketMask& which) const;
 
-  /// The same for beams that start at points of their own. Fills Triangle, and Range as
+  /// The same for `count` packets of beams that start at points of their own. Fills Triangle, and Range as
   /// lms3dExactFreeTest does.
   void CastFree(double maximumRange, lms3dFreePacket* packets, int count) const;
+
+  const lms3dNormalization& GetNormalization() const;
+
+  /// Returns whether the normalization leaves out some triangles.
+  bool HasOutliers() const;
 
   /// Returns the diagonal of the scene without its outliers, metres.
   double GetUnit() const;

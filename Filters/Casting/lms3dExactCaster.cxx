@@ -7,7 +7,10 @@
 #include "Casting/lms3dRangeRefinement.h"
 #include "Casting/lms3dRayCaster.h"
 #include "Casting/lms3dTileSearch.h"
+#include "Casting/lms3dTriangleClusters.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace
@@ -15,12 +18,22 @@ namespace
 // Measured: with more triangles per packet, it is faster to compute narrow triangles where beams need them.
 constexpr std::size_t MaximumTrianglesPerPacket = 1;
 
+// Measured: in larger scenes, clusters hardly help. They take about 10 bytes for each triangle.
+constexpr std::size_t MaximumTrianglesInClusters = 200000;
+
+// Returns the first packets.
+lms3dPacketMask GetFirst(int count)
+{
+  return ~lms3dPacketMask() >> (lms3dGridCaster::MaximumPackets - count);
+}
+
 /// Decides whole tiles where that pays. Embree finds candidates for all other packets.
 class ExactGridCaster final : public lms3dGridCaster
 {
 public:
+  /// `clusters` may be null.
   ExactGridCaster(const lms3dTriangleMesh& mesh, const lms3dEmbreeCandidates& candidates,
-    const lms3dRayOrigin& origin, const lms3dBeamGrid& grid)
+    const lms3dTriangleClusters* clusters, const lms3dRayOrigin& origin, const lms3dBeamGrid& grid)
     : Candidates(candidates)
     , Grid(grid)
     , Cone(candidates.GetCone(origin.Position))
@@ -41,6 +54,12 @@ public:
     {
       this->View.KeepNarrowTriangles();
     }
+    if (!this->Tiles && clusters && candidates.IsInBoundingSphere(origin.Position) &&
+      lms3dTileSearch::IsSuitable(grid, *clusters))
+    {
+      this->Tiles =
+        lms3dTileSearch::New(this->View, grid, *clusters, candidates.GetNormalization());
+    }
   }
 
   int GetRows() const override { return this->Tiles ? lms3dTileSearch::PacketsPerSide : 1; }
@@ -49,19 +68,19 @@ public:
 
   bool IsEmpty(const lms3dPacketRectangle& rectangle) const override
   {
-    return this->Grid.FanAxes && lms3dIsOutside(this->Cone, this->Grid, rectangle);
+    return (this->Tiles && this->Tiles->IsEmpty(rectangle)) ||
+      (this->Grid.FanAxes && lms3dIsOutside(this->Cone, this->Grid, rectangle));
   }
 
   void FindNearest(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const override
   {
     if (this->Tiles)
     {
-      this->Tiles->FindNearest(rectangle, packets,
-        [this](lms3dBeamPacket& packet) { this->Candidates.Cast(this->View, &packet, 1); });
+      this->Candidates.Cast(this->View, packets, this->Tiles->FindNearest(rectangle, packets));
     }
     else
     {
-      this->Candidates.Cast(this->View, packets, rectangle.Rows * rectangle.Columns);
+      this->Candidates.Cast(this->View, packets, GetFirst(rectangle.Rows * rectangle.Columns));
     }
   }
 
@@ -83,17 +102,29 @@ public:
     , Candidates(this->GetMesh(), progress)
     , Refinement(this->GetMesh())
   {
+    if (this->GetMesh().GetNumberOfTriangles() <= MaximumTrianglesInClusters &&
+      std::isfinite(this->Candidates.GetUnit()) && !this->Candidates.HasOutliers())
+    {
+      this->Clusters = std::make_unique<lms3dTriangleClusters>(
+        this->GetMesh(), this->Candidates.GetNormalization());
+    }
   }
 
   void FindNearest(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const override
   {
-    this->Candidates.Cast(this->MakeView(origin), packets, count);
+    const lms3dExactView view = this->MakeView(origin);
+    constexpr int AtOnce = lms3dGridCaster::MaximumPackets;
+    for (int first = 0; first < count; first += AtOnce)
+    {
+      this->Candidates.Cast(view, packets + first, GetFirst(std::min(AtOnce, count - first)));
+    }
   }
 
   std::unique_ptr<lms3dGridCaster> NewGridCaster(
     const lms3dRayOrigin& origin, const lms3dBeamGrid& grid) const override
   {
-    return std::make_unique<ExactGridCaster>(this->GetMesh(), this->Candidates, origin, grid);
+    return std::make_unique<ExactGridCaster>(
+      this->GetMesh(), this->Candidates, this->Clusters.get(), origin, grid);
   }
 
   void ComputeRanges(
@@ -130,6 +161,9 @@ private:
 
   const lms3dEmbreeCandidates Candidates;
   const lms3dRangeRefinement Refinement;
+
+  /// Null if the scene is too large, or has outliers.
+  std::unique_ptr<lms3dTriangleClusters> Clusters;
 };
 } // namespace
 

@@ -79,9 +79,7 @@ std::uint32_t lms3dExactView::Test(
   lms3dNarrowMasks masks = { 0, beams };
   if (this->NarrowTriangles || search.Kept)
   {
-    const lms3dNarrowTriangle& narrow = this->NarrowTriangles
-      ? this->NarrowTriangles[triangle]
-      : search.Kept->Get(number, [this](std::int32_t t) { return this->MakeNarrowTriangle(t); });
+    const lms3dNarrowTriangle& narrow = this->GetNarrowTriangle(number, search.Kept);
     if (narrow.PlaneError >= 0.0f)
     {
       masks = this->Kernels.UpdateNarrow(narrow, number, beams, *search.Packet, search.Hits);

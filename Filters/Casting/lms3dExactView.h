@@ -73,10 +73,13 @@ public:
   /// The inverse of the maximum range in units, rounded up.
   float GetMinimumInverse() const { return this->MinimumInverse; }
 
-  /// Only after MakeNarrowTriangles.
-  const lms3dNarrowTriangle& GetNarrowTriangle(std::size_t triangle) const
+  /// Returns a narrow triangle, which stays valid until the next call. `kept` is GetKept, and may be null
+  /// only after MakeNarrowTriangles.
+  const lms3dNarrowTriangle& GetNarrowTriangle(std::int32_t triangle, lms3dNarrowCache* kept) const
   {
-    return this->NarrowTriangles[triangle];
+    return this->NarrowTriangles
+      ? this->NarrowTriangles[triangle]
+      : kept->Get(triangle, [this](std::int32_t t) { return this->MakeNarrowTriangle(t); });
   }
 
 private:

@@ -9,6 +9,8 @@
 
 #include "Kernels/lms3dBeamPacket.h"
 
+#include <bitset>
+
 /// A rectangle of packets in the grid of a scan: rows along its turns, columns along its beams. The
 /// packets are ordered by row, then by column.
 struct lms3dPacketRectangle
@@ -43,5 +45,8 @@ public:
   virtual void FindNearest(
     const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const = 0;
 };
+
+/// Some packets of a rectangle, numbered row by row.
+using lms3dPacketMask = std::bitset<lms3dGridCaster::MaximumPackets>;
 
 #endif

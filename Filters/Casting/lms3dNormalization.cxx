@@ -14,6 +14,10 @@ constexpr double MinimumOriginDistance = 2.0;
 // Relative margins for the rounding of the cone, and for that of coordinates at a large offset.
 constexpr double ConeMargin = 1e-9;
 constexpr double RoundingMargin = 1e-15;
+
+// The share of the scene's diagonal by which boxes are enlarged. The single precision of vertices,
+// ray origins, directions and traversal errs by less than 1e-6 of the diagonal together.
+constexpr float BoxMargin = 4e-6f;
 } // namespace
 
 lms3dNormalization::lms3dNormalization(
@@ -45,6 +49,22 @@ lms3dNormalization::lms3dNormalization(
   }
   const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
   this->Diagonal = diagonal > 0.0 ? diagonal : 1.0;
+}
+
+lms3dNormalizedBox lms3dNormalization::GetBox(const lms3dCorners& corners) const
+{
+  lms3dNormalizedBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double x[3];
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      x[corner] = this->NormalizeCoordinate(corners[corner], axis);
+    }
+    box.Low[axis] = static_cast<float>(std::min({ x[0], x[1], x[2] })) - BoxMargin;
+    box.High[axis] = static_cast<float>(std::max({ x[0], x[1], x[2] })) + BoxMargin;
+  }
+  return box;
 }
 
 lms3dCone lms3dNormalization::GetCone(const double origin[3]) const

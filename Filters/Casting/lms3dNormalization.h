@@ -16,6 +16,13 @@
 #include <cstdint>
 #include <vector>
 
+/// In normalized coordinates.
+struct lms3dNormalizedBox
+{
+  float Low[3];
+  float High[3];
+};
+
 class lms3dNormalization
 {
 public:
@@ -29,6 +36,10 @@ public:
   {
     return (point[axis] - this->Center[axis]) / this->Diagonal;
   }
+
+  /// Returns a box around a triangle, larger by more than the rounding of single precision: of vertices,
+  /// ray origins and directions, and in traversal, as long as rays start within a few diagonals.
+  lms3dNormalizedBox GetBox(const lms3dCorners& corners) const;
 
   double GetCenter(int axis) const { return this->Center[axis]; }
   double GetDiagonal() const { return this->Diagonal; }

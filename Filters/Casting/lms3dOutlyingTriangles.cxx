@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace
@@ -97,4 +98,18 @@ std::vector<std::uint32_t> lms3dFindOutlyingTriangles(const lms3dTriangleMesh& m
     std::sort(outliers.begin(), outliers.end());
   }
   return outliers;
+}
+
+std::vector<std::uint32_t> lms3dFindOtherTriangles(
+  const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& outliers)
+{
+  std::vector<std::uint32_t> others;
+  if (!outliers.empty())
+  {
+    std::vector<std::uint32_t> all(mesh.GetNumberOfTriangles());
+    std::iota(all.begin(), all.end(), 0u);
+    std::set_difference(
+      all.begin(), all.end(), outliers.begin(), outliers.end(), std::back_inserter(others));
+  }
+  return others;
 }

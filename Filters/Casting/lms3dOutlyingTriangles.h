@@ -21,4 +21,8 @@
  */
 std::vector<std::uint32_t> lms3dFindOutlyingTriangles(const lms3dTriangleMesh& mesh);
 
+/// Returns all triangles but the outliers, which are in increasing order; an empty list if there are none.
+std::vector<std::uint32_t> lms3dFindOtherTriangles(
+  const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& outliers);
+
 #endif

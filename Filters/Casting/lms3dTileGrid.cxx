@@ -80,5 +80,26 @@ std::uint32_t lms3dTileGrid::FillParts(const Area& area, lms3dTiles& tiles) cons
     const bool isPresent = part.Turn < this->Grid.Turns && part.Beam < this->Grid.Beams;
     present |= isPresent ? 1u << i : 0u;
   }
+  this->FillCorners(tiles);
   return present;
+}
+
+std::uint32_t lms3dTileGrid::FillGroup(int group, lms3dTiles& tiles) const
+{
+  const int first = group * lms3dTiles::Size;
+  for (int i = 0; i < lms3dTiles::Size; ++i)
+  {
+    this->FillTile(this->GetBlock(std::min(first + i, this->NumberOfBlocks - 1)), i, tiles);
+  }
+  this->FillCorners(tiles);
+  return (1u << std::min(lms3dTiles::Size, this->NumberOfBlocks - first)) - 1u;
+}
+
+void lms3dTileGrid::FillCorners(lms3dTiles& tiles) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    tiles.Up[axis] = static_cast<float>(this->Grid.Up[axis]);
+  }
+  this->Kernels.FillTileCorners(tiles);
 }

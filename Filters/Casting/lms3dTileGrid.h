@@ -70,10 +70,19 @@ public:
   /// the grid ends with the grid's last turn or beam; one that lies beyond it is this turn or beam alone.
   void FillTile(const Area& area, int i, lms3dTiles& tiles) const;
 
-  /// Does so for all parts of an area. Returns the parts that the grid has.
+  ///@{
+  /// Fills all parts of an area, or a group of sixteen successive blocks, with their corners and sides.
+  /// Returns the parts or blocks that the grid has.
   std::uint32_t FillParts(const Area& area, lms3dTiles& tiles) const;
+  std::uint32_t FillGroup(int group, lms3dTiles& tiles) const;
+  ///@}
+
+  int CountGroups() const { return (this->NumberOfBlocks - 1) / lms3dTiles::Size + 1; }
 
 private:
+  void FillCorners(lms3dTiles& tiles) const;
+
+  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dBeamGrid Grid;
   const int BlocksPerTurn;
   const int NumberOfBlocks;

@@ -9,6 +9,10 @@
  * 16 x 16, and packets of 4 x 4. Each step decides for 16 parts at once which triangles they can meet.
  * A triangle that covers a part hides all that lies behind it there. If nothing else is left, the part
  * is decided, without a look at its beams.
+ *
+ * In scenes too large for this, the first two divisions take clusters of triangles, see
+ * lms3dClusterDivision. Tiles that few triangles can meet are then divided into packets likewise. All
+ * others are left to Embree.
  */
 #ifndef lms3dTileSearch_h
 #define lms3dTileSearch_h
@@ -16,14 +20,14 @@
 #include "Casting/lms3dBeamGrid.h"
 #include "Casting/lms3dExactView.h"
 #include "Casting/lms3dGridCaster.h"
+#include "Casting/lms3dNormalization.h"
+#include "Casting/lms3dTileBlock.h"
 #include "Casting/lms3dTileCandidateLists.h"
+#include "Casting/lms3dTileClassifier.h"
 #include "Casting/lms3dTileGrid.h"
-#include "Kernels/lms3dPacketKernels.h"
+#include "Casting/lms3dTriangleClusters.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -33,9 +37,12 @@ public:
   /// The packets along each side of a tile.
   static constexpr int PacketsPerSide = lms3dTileGrid::TileSide / lms3dBeamGrid::Side;
 
-  /// Returns whether the search can divide a grid, and whether that can pay for a number of triangles.
-  /// The answer does not depend on the machine.
+  ///@{
+  /// Returns whether the search can divide a grid, and whether that can pay for a number of triangles or
+  /// clusters. The answer does not depend on the machine.
   static bool IsSuitable(const lms3dBeamGrid& grid, std::size_t triangles);
+  static bool IsSuitable(const lms3dBeamGrid& grid, const lms3dTriangleClusters& clusters);
+  ///@}
 
   /**
    * Divides the grid into tiles, with the threads of the calling TBB arena. The view must have its
@@ -45,42 +52,36 @@ public:
   static std::unique_ptr<lms3dTileSearch> New(
     const lms3dExactView& view, const lms3dBeamGrid& grid);
 
-  /// Casts a packet that the search does not decide.
-  using CastPacket = std::function<void(lms3dBeamPacket&)>;
+  /// Divides a scene that is too large for that, by its clusters. The view must keep or have its narrow
+  /// triangles. The sensor is within the normalization's bounding sphere.
+  static std::unique_ptr<lms3dTileSearch> New(const lms3dExactView& view, const lms3dBeamGrid& grid,
+    const lms3dTriangleClusters& clusters, const lms3dNormalization& normalization);
 
-  /// Sets Triangle of the packets of some tiles side by side. The rectangle begins where a tile begins,
-  /// and has at most PacketsPerSide rows. Several threads may call this at once.
-  void FindNearest(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets,
-    const CastPacket& castPacket) const;
+  /// Sets Triangle of the packets of some tiles side by side, except for those that it returns. The
+  /// rectangle begins where a tile begins, and has at most PacketsPerSide rows. Several threads may call
+  /// this at once.
+  lms3dPacketMask FindNearest(
+    const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const;
+
+  /// Returns true only if no beam of such a rectangle hits a triangle.
+  bool IsEmpty(const lms3dPacketRectangle& rectangle) const;
 
 private:
   struct PacketsOfTile;
 
-  /// The candidates of a block's tiles, one tile after the other, where the list of each tile begins, and
-  /// the tiles that are decided.
-  struct Block
-  {
-    lms3dTileCandidates Candidates;
-    std::array<std::uint32_t, lms3dTiles::Size + 1> First;
-    std::uint32_t Decided;
-  };
-
   lms3dTileSearch(const lms3dExactView& view, const lms3dBeamGrid& grid);
   bool Divide();
   std::vector<lms3dTileCandidates> DivideGrid() const;
-  Block DivideBlock(int number, const lms3dTileCandidates& candidates) const;
-  lms3dTileCandidateLists ClassifyParts(const lms3dTileCandidate* candidates, std::size_t count,
-    std::uint32_t present, lms3dTiles& tiles) const;
-  void FindInTile(const PacketsOfTile& packets, const CastPacket& castPacket) const;
-  void FindInParts(const lms3dTileCandidate* candidates, std::size_t count,
-    const PacketsOfTile& packets, const CastPacket& castPacket) const;
-  void TestCandidates(const lms3dTileCandidates& candidates, lms3dBeamPacket& packet) const;
+  lms3dTileBlock DivideBlock(int number, const lms3dTileCandidates& candidates) const;
+  void FindInTile(const PacketsOfTile& packets) const;
+  void FindInParts(
+    const lms3dTileCandidate* candidates, std::size_t count, const PacketsOfTile& packets) const;
+  void TestCandidates(
+    const lms3dTileCandidates& candidates, lms3dNarrowCache* kept, lms3dBeamPacket& packet) const;
 
-  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
-  const lms3dExactView& View;
+  lms3dTileClassifier Classifier;
   const lms3dTileGrid Grid;
-  std::vector<lms3dCornerDirections> Corners;
-  std::vector<Block> Blocks;
+  std::vector<lms3dTileBlock> Blocks;
 };
 
 #endif

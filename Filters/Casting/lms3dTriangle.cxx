@@ -116,9 +116,10 @@ lms3dCornerDirections lms3dGetCornerDirections(const lms3dSensorFrameTriangle& t
   {
     const double(&corner)[3] = triangle.Corner[i];
     const double size = std::abs(corner[0]) + std::abs(corner[1]) + std::abs(corner[2]);
+    const double scale = size > 0.0 ? 1.0 / size : 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      directions.Corner[i][axis] = size > 0.0 ? static_cast<float>(corner[axis] / size) : 0.0f;
+      directions.Corner[i][axis] = static_cast<float>(corner[axis] * scale);
     }
   }
   return directions;

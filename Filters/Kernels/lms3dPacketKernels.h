@@ -168,6 +168,9 @@ struct lms3dPacketKernels
     const lms3dCornerDirections& corners, lms3dTileMasks masks, float minimumInverse,
     lms3dTileCover& cover);
 
+  /// Returns the tiles that may meet a box.
+  std::uint32_t (*FindTilesOfBox)(const lms3dTiles& tiles, const lms3dTileBox& box);
+
   /// Returns the beams that have hit a triangle.
   std::uint32_t (*FindHits)(const lms3dBeamPacket& packet);
 

@@ -18,6 +18,7 @@
 #include "Kernels/lms3dNormalKernels.inl"
 #include "Kernels/lms3dRangeErrorKernels.inl"
 #include "Kernels/lms3dRangeKernels.inl"
+#include "Kernels/lms3dTileBoxKernels.inl"
 #include "Kernels/lms3dTileKernels.inl"
 
 // In the order of lms3dFreeKernels.
@@ -29,7 +30,7 @@
 #define LMS3D_PACKET_KERNELS                                                                    \
   GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, MakeNarrowTriangle,    \
     UpdateNarrow, UpdateFromCorners, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles,    \
-    FindHits, MakeDoubleDoublePlane, MakeDoubleDoublePlanes, MakeDoublePlane,                   \
+    FindTilesOfBox, FindHits, MakeDoubleDoublePlane, MakeDoubleDoublePlanes, MakeDoublePlane,   \
     IntersectDoubleDoublePlane, IntersectDoubleDoublePlanes, IntersectDoublePlane, StoreRanges, \
     StoreRangesOfBeams, ApplyMinimumRange, Locate, AddStrip, DrawNormals, ReportRanges,         \
   {                                                                                             \

@@ -61,6 +61,14 @@ struct lms3dCornerDirections
   float Corner[3][3];
 };
 
+/// A box relative to the sensor, in any unit: all points whose distance from the centre is at most half
+/// the size along each axis.
+struct lms3dTileBox
+{
+  float Center[3];
+  float HalfSize[3];
+};
+
 struct lms3dTileMasks
 {
   /// Tiles in which the triangle may be the nearest for a beam.

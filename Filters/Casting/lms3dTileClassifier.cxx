@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Casting/lms3dTileClassifier.h"
+
+#include "Casting/lms3dTriangle.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace
+{
+// Enough for the preparations of a task to cost little.
+constexpr std::size_t TrianglesOfTask = 64;
+} // namespace
+
+void lms3dTileClassifier::MakeCorners()
+{
+  this->Corners.resize(this->View.GetMesh().GetNumberOfTriangles());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Corners.size(), TrianglesOfTask),
+    [this](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        this->Corners[i] = this->GetCorners(i);
+      }
+    });
+}
+
+lms3dTileCandidateLists lms3dTileClassifier::Classify(const lms3dTileCandidate* candidates,
+  std::size_t count, std::uint32_t present, const lms3dTiles& tiles, lms3dNarrowCache* kept) const
+{
+  lms3dTileCandidateLists parts(count);
+  lms3dTileCover cover = {};
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const lms3dTileCandidate& candidate = candidates[i];
+    const std::int32_t triangle = candidate.Triangle;
+    const lms3dTileMasks masks =
+      this->Kernels.ClassifyTiles(tiles, this->View.GetNarrowTriangle(triangle, kept),
+        this->Corners.empty() ? this->GetCorners(triangle) : this->Corners[triangle],
+        { present, candidate.Covers ? present : 0u, 0u }, this->View.GetMinimumInverse(), cover);
+    parts.Add(triangle, masks);
+  }
+  return parts;
+}
+
+lms3dCornerDirections lms3dTileClassifier::GetCorners(std::size_t triangle) const
+{
+  return lms3dGetCornerDirections(lms3dToSensorFrame(
+    lms3dGetCorners(this->View.GetMesh(), triangle), this->View.GetOrigin().Position));
+}
