@@ -40,7 +40,7 @@ private:
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dExactView& View;
 
-  /// Of each triangle, or empty.
+  /// One for each triangle, or none.
   std::vector<lms3dCornerDirections> Corners;
 };
 

@@ -48,7 +48,7 @@ struct BoxTally
 {
   std::int64_t Missed = 0;
 
-  /// Of boxes elsewhere.
+  /// Boxes elsewhere that no tile meets.
   std::int64_t Excluded = 0;
 };
 
