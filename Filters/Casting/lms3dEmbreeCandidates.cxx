@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dEmbreeCandidates.h"
 
+#include "Casting/lms3dBoxedTriangles.h"
 #include "Casting/lms3dEmbreeFreeRays.h"
 #include "Casting/lms3dEmbreeRays.h"
 #include "Casting/lms3dEmbreeTree.h"
@@ -59,16 +60,16 @@ struct lms3dEmbreeCandidates::Internals
   explicit Internals(const lms3dTriangleMesh& mesh)
     : Mesh(mesh)
     , Outliers(lms3dFindOutlyingTriangles(mesh))
-    , Others(lms3dFindOtherTriangles(mesh, this->Outliers))
     , Tree(mesh, this->Outliers)
+    , Boxes(mesh, this->Tree.GetNormalization(), this->Outliers)
   {
   }
 
   void Build(const lms3dProgress& progress)
   {
     const lms3dEmbreeHandle<RTCGeometry> geometry = this->Tree.NewGeometry(RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry.get(),
-      static_cast<unsigned int>(this->Mesh.GetNumberOfTriangles() - this->Outliers.size()));
+    rtcSetGeometryUserPrimitiveCount(
+      geometry.get(), static_cast<unsigned int>(this->Boxes.GetCount()));
     rtcSetGeometryUserData(geometry.get(), this);
     rtcSetGeometryBoundsFunction(geometry.get(), &Internals::GetBox, nullptr);
     rtcSetGeometryIntersectFunction(geometry.get(), &Internals::TestCandidate);
@@ -79,8 +80,7 @@ struct lms3dEmbreeCandidates::Internals
   static void GetBox(const RTCBoundsFunctionArguments* args)
   {
     const Internals* self = static_cast<const Internals*>(args->geometryUserPtr);
-    const lms3dNormalizedBox box = self->Tree.GetNormalization().GetBox(
-      lms3dGetCorners(self->Mesh, self->GetTriangle(args->primID)));
+    const lms3dNormalizedBox box = self->Boxes.GetBox(args->primID);
     *args->bounds_o = { box.Low[0], box.Low[1], box.Low[2], 0.0f, box.High[0], box.High[1],
       box.High[2], 0.0f };
   }
@@ -95,8 +95,9 @@ struct lms3dEmbreeCandidates::Internals
     }
     lms3dPacketSearch& search = query->Search;
     const lms3dRayRange rays = GetRays(args);
-    const std::uint32_t changed = query->View->Test(
-      self->GetTriangle(args->primID), search.Packet->Active & GetBeams(rays), search);
+    const std::uint32_t beams = search.Packet->Active & GetBeams(rays);
+    const std::uint32_t changed = self->TestBox(args->primID,
+      [&](std::uint32_t triangle) { return query->View->Test(triangle, beams, search); });
     if (changed != 0)
     {
       query->Rays->Clip(search.Hits, changed, args->geomID, rays);
@@ -106,8 +107,9 @@ struct lms3dEmbreeCandidates::Internals
   void TestFreeCandidate(const RTCIntersectFunctionNArguments* args, const FreeCast& cast) const
   {
     const lms3dRayRange rays = GetRays(args);
-    const std::uint32_t changed = cast.Test->Test(
-      this->GetTriangle(args->primID), cast.Packet->Active & GetBeams(rays), *cast.Packet);
+    const std::uint32_t beams = cast.Packet->Active & GetBeams(rays);
+    const std::uint32_t changed = this->TestBox(args->primID,
+      [&](std::uint32_t triangle) { return cast.Test->Test(triangle, beams, *cast.Packet); });
     if (changed != 0)
     {
       cast.Rays->Clip(*cast.Packet, changed, args->geomID, rays);
@@ -131,9 +133,13 @@ struct lms3dEmbreeCandidates::Internals
     }
   }
 
-  std::uint32_t GetTriangle(std::uint32_t primitive) const
+  // Returns the beams that hit a triangle of a box. `test` tests one triangle.
+  template <typename Test>
+  std::uint32_t TestBox(std::uint32_t box, const Test& test) const
   {
-    return this->Others.empty() ? primitive : this->Others[primitive];
+    const lms3dBoxedTriangles::Range triangles = this->Boxes.Get(box);
+    const std::uint32_t changed = test(triangles.First);
+    return triangles.Count == 1 ? changed : changed | test(triangles.First + 1);
   }
 
   // Returns the beams that hit an outlier. `test` tests one triangle.
@@ -152,8 +158,8 @@ struct lms3dEmbreeCandidates::Internals
 
   /// Each packet is tested against all outliers. The tree holds the others.
   const std::vector<std::uint32_t> Outliers;
-  const std::vector<std::uint32_t> Others;
   lms3dEmbreeTree Tree;
+  const lms3dBoxedTriangles Boxes;
 };
 
 lms3dEmbreeCandidates::lms3dEmbreeCandidates(

@@ -4,7 +4,7 @@
  * @file
  * @brief Triangles for which Embree only finds candidates; lms3dExactView decides which beams hit.
  *
- * Embree's tree is made of boxes, one around each triangle, a little larger than single precision
+ * Embree's tree is made of boxes, one around each triangle or pair, a little larger than single precision
  * can be wrong. So Embree never rules out a triangle that a beam hits.
  */
 #ifndef lms3dEmbreeCandidates_h

@@ -20,6 +20,17 @@ constexpr double RoundingMargin = 1e-15;
 constexpr float BoxMargin = 4e-6f;
 } // namespace
 
+lms3dNormalizedBox lms3dJoin(const lms3dNormalizedBox& a, const lms3dNormalizedBox& b)
+{
+  lms3dNormalizedBox both;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    both.Low[axis] = std::min(a.Low[axis], b.Low[axis]);
+    both.High[axis] = std::max(a.High[axis], b.High[axis]);
+  }
+  return both;
+}
+
 lms3dNormalization::lms3dNormalization(
   const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& excluded)
 {

@@ -23,6 +23,9 @@ struct lms3dNormalizedBox
   float High[3];
 };
 
+/// Returns the smallest box that has both.
+lms3dNormalizedBox lms3dJoin(const lms3dNormalizedBox& a, const lms3dNormalizedBox& b);
+
 class lms3dNormalization
 {
 public:

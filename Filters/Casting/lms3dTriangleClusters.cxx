@@ -105,11 +105,7 @@ private:
 
   static void Enlarge(const lms3dNormalizedBox& box, lms3dNormalizedBox& whole)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      whole.Low[axis] = std::min(whole.Low[axis], box.Low[axis]);
-      whole.High[axis] = std::max(whole.High[axis], box.High[axis]);
-    }
+    whole = lms3dJoin(whole, box);
   }
 
   // Returns the triangles of one cluster after the other.
