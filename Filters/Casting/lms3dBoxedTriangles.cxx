@@ -35,6 +35,7 @@ lms3dBoxedTriangles::lms3dBoxedTriangles(const lms3dTriangleMesh& mesh,
 {
   if (!excluded.empty())
   {
+    this->Ranges.reserve(this->Count);
     for (std::uint32_t triangle : lms3dFindOtherTriangles(mesh, excluded))
     {
       this->Ranges.push_back(2 * triangle);
