@@ -12,16 +12,18 @@ namespace
 // The share of the range that counts as no step.
 constexpr double MinimumRelative = 0.02;
 constexpr double MaximumStep = 180.0;
-// Real surfaces bend by this distance from a plane, metres.
-constexpr double Flatness = 0.02;
+// Real surfaces bend by this distance from a plane, metres: at most, as a share of the depth step, and at least.
+constexpr double MaximumFlatness = 0.02;
+constexpr double FlatnessOfStep = 0.2;
+constexpr double MinimumFlatness = 0.001;
 // The largest gap, in depth steps, that is not separated where neither plane meets the other return.
 constexpr double LargestGap = 1.8;
 // A crease is small if a gap beside it has at most this number of depth steps.
 constexpr double SmallGap = 2.0;
 // A bend below this share of the angle between two planes leaves the plane's slope as it is.
 constexpr double SlightBend = 0.25;
-// The steepest slopes, as tangents of incidence, that two returns alone can show in a fine scan: of scenes that were
-// scanned, steeper ones were nearly all depth steps.
+// The steepest slopes, as tangents of incidence, that two returns alone can show in a fine scan. In
+// scans of several scenes, steeper ones were nearly all depth steps.
 constexpr double SteepestToPlane = 18.0;
 constexpr double SteepestFromPlane = 12.0;
 constexpr double SteepestSmallCorner = 12.0;
@@ -35,39 +37,10 @@ double Square(double x)
 }
 } // namespace
 
-// Where a plane is at a beam, compared with the return there.
-struct lms3dDepthStep::Gap
-{
-  enum Place
-  {
-    Before,
-    AtReturn,
-    Behind
-  };
-  Place At;
-  // Metres.
-  double Size;
-  // The same in inverse ranges, without sign.
-  double InInverse;
-  // Whether noise could hide a depth step.
-  bool IsVague;
-};
-
-struct lms3dDepthStep::Pair
-{
-  Plane Near;
-  Plane Far;
-  // Of the near plane at the far beam, and of the far plane at the near beam.
-  Gap AtFar;
-  Gap AtNear;
-  double Tolerance;
-  // Of the ranges.
-  double Difference;
-};
-
 lms3dDepthStep::lms3dDepthStep(double depthStep, double degrees, double noise)
   : Absolute(depthStep)
   , Relative(std::max(MinimumRelative, std::abs(degrees) * lms3dRadiansPerDegree))
+  , Flatness(std::clamp(FlatnessOfStep * depthStep, MinimumFlatness, MaximumFlatness))
   , Angle(std::abs(degrees) * lms3dRadiansPerDegree)
   , Variance(noise * noise)
   , AreNeighbors(std::abs(degrees) < MaximumStep)
@@ -128,11 +101,11 @@ bool lms3dDepthStep::IsStraight(const Plane& plane) const
   const double expected = std::max(plane.Inverse - plane.Bend, 0.0);
   return plane.HasBend &&
     std::abs(plane.Bend) <=
-    Flatness * plane.Inverse * expected + Deviations * std::sqrt(plane.VarianceOfBend);
+    this->Flatness * plane.Inverse * expected + Deviations * std::sqrt(plane.VarianceOfBend);
 }
 
-// The plane that fits three returns best, if they are straight. Their residuals are 1 : -2 : 1 shares of the bend, which
-// takes two thirds of it from the continuation. The step counts as small here.
+// The plane that fits three returns best, if they are straight. The fit moves them in the ratio 1 : -2 : 1,
+// which takes two thirds of the bend from the continuation. (For small angles between beams.)
 lms3dDepthStep::Plane lms3dDepthStep::Fit(const Plane& plane) const
 {
   Plane fit = plane;
@@ -153,7 +126,7 @@ lms3dDepthStep::Gap lms3dDepthStep::Measure(const Plane& plane, const Plane& oth
   const double across = plane.Next - other.Inverse;
   const double noise = Deviations * std::sqrt(plane.VarianceOfNext + other.Variance);
   const double ofPlane = other.Inverse * std::max(plane.Next, 0.0);
-  const double margin = Flatness * ofPlane + noise;
+  const double margin = this->Flatness * ofPlane + noise;
   const Gap::Place at =
     across > margin ? Gap::Before : (across < -margin ? Gap::Behind : Gap::AtReturn);
   const double size =
@@ -242,7 +215,7 @@ lms3dDepthStep::Relation lms3dDepthStep::ClassifyCrease(const Pair& pair) const
   return isLikely ? Likely : Uncertain;
 }
 
-// Whether the slope between two returns in a fine scan is steeper than slopes that two returns alone can show.
+// Whether a slope in a fine scan is steeper than slopes that two returns alone can show.
 bool lms3dDepthStep::IsTooSteep(const Pair& pair) const
 {
   const double range = 1.0 / pair.Near.Inverse;

@@ -13,25 +13,25 @@
 #include <cmath>
 
 /**
- * Ranges are metres; 0 is a beam without a return. Two neighbours, of which the nearer one has the range a and the
- * farther one the range b, lie on one surface if both returned and if their ranges differ by at most the depth step.
- * Otherwise the planes on both sides decide. Each plane is given by the last three returns before the pair. It meets
- * the other beam at a gap before or behind the return there. Gaps count if they exceed 2 cm and 4.5 standard
- * deviations of the noise.
+ * Ranges are metres; 0 is a beam without a return. Two neighbours lie on one surface if both returned
+ * and their ranges differ by at most the depth step. If they differ by more, the planes on both sides
+ * decide. The last three returns before the pair give each plane. It meets the other beam before the
+ * return there, behind it, or at it. At the return means within 2 cm (or a fifth of the depth step) and 4.5
+ * standard deviations of the noise, so a floor at a grazing angle stays whole, however far apart its returns are.
  *
- * - If the far return lies behind the near plane and the near return before the far plane, or the other way round, the
- *   planes do not intersect between the beams: the returns are Separate. If no surface between the beams could have a
- *   gap of 1.8 depth steps, they are Joined in spite of this.
- * - If both planes meet the other return, the returns are Joined.
- * - If the planes intersect between the beams, as floor and wall do at the crease of a room or two sides of a box at its
- *   edge, the side of an object could also intersect, by chance, a wall far behind it. The returns are Likely on one
- *   surface if the third return confirms the plane that continues behind the other return, or the plane that makes up
- *   the difference in range. Otherwise the result is Uncertain. Where neighbours are close together, a steep slope that
- *   only two returns show is Separate.
+ * - If one plane meets the other beam before its return, and the other plane behind, the planes do not
+ *   intersect between the beams. The returns are Separate. (If both gaps are small, below 1.8 depth
+ *   steps, and one is within the tolerance, no larger step fits in between: they are Joined.)
+ * - If both planes meet the other beam at its return, they are Joined.
+ * - Otherwise the planes intersect between the beams, as floor and wall do at the crease of a room. The
+ *   side of an object can intersect the wall far behind it in the same way. Therefore a third return
+ *   must confirm a plane: at a concave crease the near one, at a convex crease the far one. Then the
+ *   returns are Likely on one surface, otherwise Uncertain. In a fine scan, a slope that is steep and
+ *   that only two returns show is Separate.
  *
- * If the difference in range is within the depth step and a share of the nearer range, the returns are Joined unless
- * they are Separate. The share is 2 % or, if neighbours are farther apart, the angle between them in radians, so that a
- * coarse scan also joins surfaces inclined by 45 degrees.
+ * Within the tolerance, returns are Joined unless they are Separate. The tolerance is the depth step
+ * plus a share of the nearer range: 2 % or, if neighbours are farther apart, the angle between them in
+ * radians, so that a coarse scan also joins surfaces inclined by 45 degrees.
  *
  * On a plane, three consecutive inverse ranges w along a fan satisfy w[i-1] + w[i+1] = 2 cos(step) w[i].
  * Along a turn at elevation e, the plane's tilt is added: 2 (1 - cos(step)) sin(e) h, where h is the
@@ -68,14 +68,15 @@ public:
     double Variance = 0.0;
   };
 
-  /// The last return of a surface and the two before it, the last one first, with the tilts at the first two.
+  /// The last return of a surface and the two before it, the last one first, with two tilts.
   struct Side
   {
     std::array<double, 3> Ranges;
     std::array<Tilt, 2> Tilts;
   };
 
-  /// The inverse range of a return, how it continues at the next beam, and how the three returns bend, 1/metre.
+  /// The inverse range of a return, its continuation at the next beam, and the bend of the three
+  /// returns, 1/metre.
   struct Plane
   {
     double Inverse = 0.0;
@@ -140,8 +141,35 @@ public:
   }
 
 private:
-  struct Gap;
-  struct Pair;
+  /// Where a plane meets a beam, compared with the return there.
+  struct Gap
+  {
+    enum Place
+    {
+      Before,
+      AtReturn,
+      Behind
+    };
+    Place At;
+    /// Metres.
+    double Size;
+    /// The difference of the inverse ranges, without sign.
+    double InInverse;
+    /// Whether noise could hide a depth step.
+    bool IsVague;
+  };
+
+  /// Two returns. The near plane meets the far beam, the far plane the near beam.
+  struct Pair
+  {
+    Plane Near;
+    Plane Far;
+    Gap AtFar;
+    Gap AtNear;
+    double Tolerance;
+    /// The difference of the ranges.
+    double Difference;
+  };
 
   bool AreReturns(double a, double b) const { return this->AreNeighbors && a > 0.0 && b > 0.0; }
   double GetTolerance(double a, double b) const
@@ -158,6 +186,7 @@ private:
 
   double Absolute;
   double Relative;
+  double Flatness;
   double Angle;
   double Variance;
   double TwoCosines;

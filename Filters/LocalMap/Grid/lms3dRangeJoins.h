@@ -16,8 +16,8 @@
 
 /**
  * Holds two flags for each beam of each turn, set if the beam lies on one surface with the next beam or
- * with the next turn (lms3dDepthStep). If that is uncertain, lms3dJoinResolver looks at the surface around. The noise is
- * estimated from the scan itself.
+ * with the next turn (lms3dDepthStep). If that is uncertain, lms3dJoinResolver looks at the surface
+ * around. The noise is estimated from the scan itself (lms3dScanNoise.h).
  *
  * The entries of a pole are one vertex and not joined from turn to turn. Ranges count from where the beams
  * start. If the platform turns during a fan, neighbours in the fan are compared at one platform angle

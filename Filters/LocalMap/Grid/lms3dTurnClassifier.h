@@ -26,9 +26,9 @@ public:
   lms3dTiltFinder(
     const lms3dScanGeometry& geometry, const lms3dDepthStep& fanStep, bool areFansSteady);
 
-  /// The tilt at a return. `ranges` belong to its turn, with the halo of lms3dRangeGrid. If the return beside it is
-  /// not on its surface, the tilt is anything between that of an upright plane and that through both returns. If fans are
-  /// not steady, the plane then counts as upright.
+  /// The tilt at a return. `ranges` belong to its turn, with the halo of lms3dRangeGrid. If the return
+  /// beside it is not on its surface, the tilt is anything between 0, as for an upright plane, and that
+  /// through both returns. If fans are not steady, it is then 0.
   lms3dDepthStep::Tilt Find(const double* ranges, int beam) const;
 
 private:

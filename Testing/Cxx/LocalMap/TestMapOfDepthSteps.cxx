@@ -83,7 +83,7 @@ TEST(MapOfEmptyRooms, IsClosedInSpiteOfNoise)
 }
 
 #ifndef LMS3D_FEWER_BEAMS
-// Even those of little more than twice the depth step, in the default scan.
+// In the default scan, steps of little more than twice the depth step count as well.
 TEST(MapOfDepthSteps, BridgesNoTrueStepOfTheRoom)
 {
   MapScene scene = MakeMapScene("FurnishedRoom");
@@ -99,11 +99,11 @@ TEST(MapOfDepthSteps, BridgesNoTrueStepOfTheRoom)
     Random random(seed);
     bridged += truth.CountBridged(MakeMap(AddNoise(scan, 0.005, random), 0.02));
   }
-  // Of more than six thousand.
+  // All four scans have more than six thousand steps.
   EXPECT_LE(bridged, 5);
 }
 
-// From places all over the room. Some objects end where their sides would meet the wall behind them, which no scan shows.
+// From places all over the room.
 TEST(MapOfDepthSteps, BridgesHardlyAnyLargeStep)
 {
   std::size_t steps = 0;

@@ -15,8 +15,8 @@
 #include <memory>
 #include <vector>
 
-/// Rays between two beams show whether the range jumps from the one to the other. A jump to a thing and back again, which
-/// no beam meets, does not count.
+/// Rays between two beams show whether the range jumps from the one to the other. A jump to a thing and
+/// back again, which no beam meets, does not count.
 class TrueSteps
 {
 public:
@@ -28,8 +28,8 @@ public:
     double Jump;
   };
 
-  /// Finds jumps of more than twice the tolerance between returns whose ranges differ by as much. The tolerance is
-  /// `depthStep`, metres, plus `share` of the nearer range. `scan` has no errors.
+  /// Finds jumps of more than twice the tolerance between returns whose ranges differ by as much. The
+  /// tolerance is `depthStep`, metres, plus `share` of the nearer range. `scan` has no errors.
   TrueSteps(vtkPolyData* scan, vtkPolyData* scene, double depthStep, double share);
 
   const std::vector<Step>& GetSteps() const { return this->Steps; }
