@@ -108,8 +108,9 @@ public:
   /// The relation of two neighbours in a fan, at[0] and at[1]. The ranges at[-2] to at[3] are read.
   Relation Classify(const double* at) const
   {
-    return this->AreNear(at[0], at[1]) ? Joined
-                                       : this->Classify(GetSideBefore(at), GetSideBehind(at));
+    return this->AreNear(at[0], at[1]) || this->AreCoplanar(at)
+      ? Joined
+      : this->Classify(GetSideBefore(at), GetSideBehind(at));
   }
 
   ///@{
@@ -141,6 +142,9 @@ public:
   }
 
 private:
+  /// Square metres.
+  static constexpr double NegligibleVariance = 1e-12;
+
   /// Where a plane meets a beam, compared with the return there.
   struct Gap
   {
@@ -172,6 +176,22 @@ private:
   };
 
   bool AreReturns(double a, double b) const { return this->AreNeighbors && a > 0.0 && b > 0.0; }
+
+  /// Whether both planes meet the other return, without noise. This is faster than Classify(), which finds
+  /// the same.
+  bool AreCoplanar(const double* at) const
+  {
+    return this->Variance < NegligibleVariance && this->AreReturns(at[0], at[1]) && at[-1] > 0.0 &&
+      at[2] > 0.0 && this->Meets(at[-1], at[0], at[1]) && this->Meets(at[2], at[1], at[0]);
+  }
+
+  /// Whether the plane through two returns meets the next one.
+  bool Meets(double before, double at, double next) const
+  {
+    const double slope = this->TwoCosines * before - at;
+    return slope > 0.0 && std::abs(before * at - next * slope) <= this->Flatness * slope;
+  }
+
   double GetTolerance(double a, double b) const
   {
     return this->Absolute + this->Relative * (a < b ? a : b);

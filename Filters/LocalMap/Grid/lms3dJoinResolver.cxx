@@ -11,31 +11,22 @@ namespace
 constexpr int MaximumPairs = 2;
 } // namespace
 
-// Calls visit(turn, beam) for the pair and for those beside it.
+// Calls visit(turn, beam) for the pair and for the pairs beside it, except at poles.
 template <typename Visitor>
 void lms3dJoinResolver::ForEachParallel(const lms3dUncertainJoin& join, const Visitor& visit) const
 {
-  visit(join.Turn, join.Beam);
+  const lms3dScanGeometry& geometry = this->Grid.GetGeometry();
   const bool isFan = join.Towards == lms3dJoinedAlongFan;
-  const lms3dJoinFlag across = isFan ? lms3dJoinedAlongTurn : lms3dJoinedAlongFan;
+  visit(join.Turn, join.Beam);
   for (int direction : { -1, 1 })
   {
     int turn = join.Turn;
     int beam = join.Beam;
-    for (int i = 0; i < MaximumPairs; ++i)
+    for (int i = 0; i < MaximumPairs && this->IsJoinedAcross(turn, beam, isFan, direction); ++i)
     {
-      const int previous = direction < 0 ? -1 : 0;
-      const int flagTurn = isFan ? turn + previous : turn;
-      const int flagBeam = isFan ? beam : beam + previous;
-      if (!this->IsJoined(flagTurn, flagBeam, across) ||
-        !this->IsJoined(flagTurn + (isFan ? 0 : 1), flagBeam + (isFan ? 1 : 0), across))
-      {
-        break;
-      }
       turn += isFan ? direction : 0;
       beam += isFan ? 0 : direction;
-      if (this->Grid.GetGeometry().IsPole(beam) ||
-        (isFan && this->Grid.GetGeometry().IsPole(beam + 1)))
+      if (geometry.IsPole(beam) || (isFan && geometry.IsPole(beam + 1)))
       {
         break;
       }
@@ -44,6 +35,17 @@ void lms3dJoinResolver::ForEachParallel(const lms3dUncertainJoin& join, const Vi
   }
 }
 
+// Whether both returns of a pair are joined with the returns of the pair beside it.
+bool lms3dJoinResolver::IsJoinedAcross(int turn, int beam, bool isFan, int direction) const
+{
+  const int previous = direction < 0 ? -1 : 0;
+  return isFan ? this->IsJoined(turn + previous, beam, lms3dJoinedAlongTurn) &&
+      this->IsJoined(turn + previous, beam + 1, lms3dJoinedAlongTurn)
+               : this->IsJoined(turn, beam + previous, lms3dJoinedAlongFan) &&
+      this->IsJoined(turn + 1, beam + previous, lms3dJoinedAlongFan);
+}
+
+// Pairs without a return before or behind have no plane and do not count.
 lms3dDepthStep::Relation lms3dJoinResolver::ClassifyMean(
   const lms3dUncertainJoin& join, const Classifiers& classifiers) const
 {
@@ -51,29 +53,45 @@ lms3dDepthStep::Relation lms3dJoinResolver::ClassifyMean(
   const lms3dDepthStep& step = isFan ? classifiers.FanStep : classifiers.TurnStep;
   lms3dDepthStep::Plane before;
   lms3dDepthStep::Plane behind;
-  int count = 0;
+  int pairs = 0;
+  int planes = 0;
+  bool hasPlanes = false;
   this->ForEachParallel(join,
     [&](int turn, int beam)
     {
-      const int turns = this->Grid.GetNumberOfTurns();
-      const int row = (turn + turns) % turns;
-      ++count;
-      if (isFan)
+      const auto [first, second] = this->GetSides({ turn, beam, join.Towards, true }, classifiers);
+      const bool arePlanes = first.Ranges[1] > 0.0 && second.Ranges[1] > 0.0;
+      hasPlanes = pairs++ == 0 ? arePlanes : hasPlanes;
+      if (arePlanes)
       {
-        const double* at = this->Grid.GetRanges(row) + beam;
-        before.Add(step.GetPlane(lms3dDepthStep::GetSideBefore(at)), 1.0);
-        behind.Add(step.GetPlane(lms3dDepthStep::GetSideBehind(at)), 1.0);
-        return;
+        before.Add(step.GetPlane(first), 1.0);
+        behind.Add(step.GetPlane(second), 1.0);
+        ++planes;
       }
-      const lms3dTurnClassifier classifier(this->Grid, row, step, classifiers.Tilts);
-      before.Add(step.GetPlane(classifier.GetSideBefore(beam)), 1.0);
-      behind.Add(step.GetPlane(classifier.GetSideBehind(beam)), 1.0);
     });
+  if (!hasPlanes)
+  {
+    return lms3dDepthStep::Uncertain;
+  }
   lms3dDepthStep::Plane meanBefore;
   lms3dDepthStep::Plane meanBehind;
-  meanBefore.Add(before, 1.0 / count);
-  meanBehind.Add(behind, 1.0 / count);
+  meanBefore.Add(before, 1.0 / planes);
+  meanBehind.Add(behind, 1.0 / planes);
   return step.ClassifyMeans(meanBefore, meanBehind);
+}
+
+std::array<lms3dDepthStep::Side, 2> lms3dJoinResolver::GetSides(
+  const lms3dUncertainJoin& join, const Classifiers& classifiers) const
+{
+  const int turns = this->Grid.GetNumberOfTurns();
+  const int turn = (join.Turn + turns) % turns;
+  if (join.Towards == lms3dJoinedAlongFan)
+  {
+    const double* const at = this->Grid.GetRanges(turn) + join.Beam;
+    return { lms3dDepthStep::GetSideBefore(at), lms3dDepthStep::GetSideBehind(at) };
+  }
+  const lms3dTurnClassifier classifier(this->Grid, turn, classifiers.TurnStep, classifiers.Tilts);
+  return { classifier.GetSideBefore(join.Beam), classifier.GetSideBehind(join.Beam) };
 }
 
 // Joins all uncertain neighbours first, then separates those beside a gap, one after the other. Any order

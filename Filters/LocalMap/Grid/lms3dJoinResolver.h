@@ -11,6 +11,7 @@
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 #include "LocalMap/Grid/lms3dTurnClassifier.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -74,6 +75,9 @@ private:
   bool DropBesideGap(const lms3dUncertainJoin& join);
   bool IsWholeAround(const lms3dUncertainJoin& join) const;
   bool IsJoined(int turn, int beam, lms3dJoinFlag towards) const;
+  bool IsJoinedAcross(int turn, int beam, bool isFan, int direction) const;
+  std::array<lms3dDepthStep::Side, 2> GetSides(
+    const lms3dUncertainJoin& join, const Classifiers& classifiers) const;
   template <typename Visitor>
   void ForEachParallel(const lms3dUncertainJoin& join, const Visitor& visit) const;
 

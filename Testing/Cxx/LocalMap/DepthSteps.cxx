@@ -14,7 +14,7 @@
 namespace
 {
 // How far from a plane returns on it may lie, metres.
-constexpr double Flatness = 0.01;
+constexpr double Flatness = 0.0005;
 
 // The neighbour of a beam opposite to the next one.
 ScanGrid::Beam GetBefore(const ScanGrid::Beam& beam, const ScanGrid::Beam& next)

@@ -17,7 +17,7 @@
  *
  * - Their ranges differ by at most DepthStep.
  * - The scan has no noise, and the planes through either return and the return before it meet the other
- *   within a centimetre.
+ *   within half a millimetre.
  *
  * They are certainly apart if the surfaces on both sides end before they would meet, by more than the
  * tolerance and by more than noise can move them. The tolerance is DepthStep plus a share of the nearer

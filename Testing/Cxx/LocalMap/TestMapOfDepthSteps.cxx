@@ -21,9 +21,6 @@ constexpr int NumberOfRooms = 10;
 #else
 constexpr int NumberOfRooms = 100;
 #endif
-constexpr double DepthStep = 0.1;
-// That the filter adds for neighbours up to 2 degrees apart.
-constexpr double ShareOfRange = 0.035;
 
 /// An empty room of any size, from any pose, at any resolution.
 MapScene MakeEmptyRoom(int seed)
@@ -59,6 +56,11 @@ int CountOpenRooms(double sigma, double bound)
   return open;
 }
 
+#ifndef LMS3D_FEWER_BEAMS
+constexpr double DepthStep = 0.1;
+// The share that the filter adds for neighbours up to 2 degrees apart.
+constexpr double ShareOfRange = 0.035;
+
 /// The room from places spread over it.
 MapScene MakeRoomFrom(int place)
 {
@@ -72,6 +74,7 @@ MapScene MakeRoomFrom(int place)
   scene.BetaResolution = 180;
   return scene;
 }
+#endif
 } // namespace
 
 TEST(MapOfEmptyRooms, IsClosedInSpiteOfNoise)
