@@ -30,13 +30,17 @@
  *
  * No triangle crosses a depth step. Two neighbouring returns lie on one surface if
  *
- * - their ranges differ by at most DepthStep plus 2 % of the nearer range; in scans coarser than 1.15
- *   degrees, the angle between neighbours, in radians, replaces the 2 %; or
- * - the plane through either return and the returns before it meets the other within that tolerance, so
- *   a floor at a grazing angle stays whole; or
- * - the planes from both sides intersect between the two, as floor and wall do, and the last three
- *   returns of the nearer side lie on one plane, or the surface is whole all around. So a closed room
- *   without noise stays closed in the coarsest scan.
+ * - their ranges differ by at most DepthStep; or
+ * - the planes through the returns on both sides explain the difference. Each plane meets the other return within
+ *   2 cm (less if DepthStep is below 10 cm) and what noise can do, so a floor at a grazing angle stays whole; or the planes intersect between the two, as
+ *   floor and wall do, and the last three returns of the side that goes on behind the other lie on one plane. If only
+ *   two returns show that plane, the surface must be whole all around. So a closed room stays closed in the coarsest
+ *   scan, with noise as well; or
+ * - their ranges differ by at most DepthStep plus 2 % of the nearer range, and no step of 1.8 times DepthStep fits
+ *   between the planes. In scans coarser than 1.15 degrees, the angle between neighbours, in radians, replaces the 2 %.
+ *
+ * The filter estimates the noise from the scan itself. If noise leaves two neighbours open, the mean over the pairs
+ * beside them decides. Noise beyond half of DepthStep counts as steps.
  *
  * Returns are never joined across a beam without a return, unless MaximumGapSize closes the gap, or across 180
  * degrees or more. (A return that lies by chance in the plane of nearer returns cannot be distinguished from their
@@ -154,8 +158,8 @@ public:
   ///@{
   /**
    * The largest difference in range, metres, at least 0, between neighbouring returns of one surface,
-   * unless a plane explains a larger one. A share of the nearer range, at least 2 %, is added. A smaller
-   * value separates objects from what is close behind them; a larger value bridges more. Values below 0
+   * unless their planes explain a larger one. Where the planes leave it open, a share of the nearer range, at least
+   * 2 %, is added. A smaller value separates objects from what is close behind them; a larger value bridges more. Values below 0
    * become 0; not-a-number is an error. The default is 0.1.
    */
   vtkSetClampMacro(DepthStep, double, 0.0, VTK_DOUBLE_MAX);

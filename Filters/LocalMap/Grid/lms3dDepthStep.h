@@ -8,147 +8,207 @@
 #define lms3dDepthStep_h
 
 #include "Device/lms3dScanGeometry.h"
-#include "Geometry/lms3dAngle.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 /**
- * Ranges are metres; 0 is a beam without a return. Two neighbours a and b lie on one surface if both
- * returned and one of these holds within the tolerance:
+ * Ranges are metres; 0 is a beam without a return. Two neighbours lie on one surface if both returned
+ * and their ranges differ by at most the depth step. If they differ by more, the planes on both sides
+ * decide. The last three returns before the pair give each plane. It meets the other beam before the
+ * return there, behind it, or at it. At the return means within 2 cm (or a fifth of the depth step) and 4.5
+ * standard deviations of the noise, so a floor at a grazing angle stays whole, however far apart its returns are.
  *
- * - Their ranges are equal.
- * - The plane through a and the return before it meets b's beam at b, or the same from b's side. So a
- *   floor at a grazing angle stays whole, however far apart its returns are.
- * - The planes intersect between the two, as floor and wall do at the crease of a room: the plane from
- *   a's side meets b's beam at b or behind it, and the plane from b's side meets a's beam at a or behind
- *   it. The side of an object can intersect the wall far behind it in the same way. Therefore a third
- *   return must confirm it: the nearer side is straight. Otherwise the result is Uncertain, and
- *   lms3dRangeJoins looks at the surface all around.
+ * - If one plane meets the other beam before its return, and the other plane behind, the planes do not
+ *   intersect between the beams. The returns are Separate. (If both gaps are small, below 1.8 depth
+ *   steps, and one is within the tolerance, no larger step fits in between: they are Joined.)
+ * - If both planes meet the other beam at its return, they are Joined.
+ * - Otherwise the planes intersect between the beams, as floor and wall do at the crease of a room. The
+ *   side of an object can intersect the wall far behind it in the same way. Therefore a third return
+ *   must confirm a plane: at a concave crease the near one, at a convex crease the far one. Then the
+ *   returns are Likely on one surface, otherwise Uncertain. In a fine scan, a slope that is steep and
+ *   that only two returns show is Separate.
+ *
+ * Within the tolerance, returns are Joined unless they are Separate. The tolerance is the depth step
+ * plus a share of the nearer range: 2 % or, if neighbours are farther apart, the angle between them in
+ * radians, so that a coarse scan also joins surfaces inclined by 45 degrees.
  *
  * On a plane, three consecutive inverse ranges w along a fan satisfy w[i-1] + w[i+1] = 2 cos(step) w[i].
  * Along a turn at elevation e, the plane's tilt is added: 2 (1 - cos(step)) sin(e) h, where h is the
- * inverse range upwards along the platform's axis. A plane that never meets a beam counts as behind
- * everything. Without a return before, the range stays constant.
+ * inverse range upwards along the platform's axis. Without a return before, the range stays constant.
  *
- * The tolerance is `depthStep` plus a share of the nearer range: 2 % or, if neighbours are farther apart,
- * the angle between them in radians, so that a coarse scan also joins surfaces inclined by 45 degrees.
  * No surface lies between beams that are 180 degrees apart or more.
  */
 class lms3dDepthStep
 {
 public:
+  /// The number of standard deviations of the noise that a gap must exceed.
+  static constexpr double Deviations = 4.5;
+
   /// `depthStep` is metres, at least 0. `degrees` is the angle between neighbours, along the fan or along
-  /// the turns, of either sign.
-  lms3dDepthStep(double depthStep, double degrees)
-    : Absolute(depthStep)
-    , Relative(std::max(MinimumRelative, std::abs(degrees) * lms3dRadiansPerDegree))
-    , AreNeighbors(std::abs(degrees) < MaximumStep)
-  {
-    double sine, cosine;
-    lms3dSinCosDegrees(degrees, sine, cosine);
-    this->TwoCosines = 2.0 * cosine;
-  }
+  /// the turns, of either sign. `noise` is the standard deviation of ranges, metres.
+  lms3dDepthStep(double depthStep, double degrees, double noise = 0.0);
 
   enum Relation
   {
     Separate,
     Joined,
-    /// The planes intersect, but no third return confirms that the nearer side is straight.
-    Uncertain
+    /// The planes explain one surface.
+    Likely,
+    /// The returns and those before them do not decide.
+    Uncertain,
+    /// The same, because of noise.
+    Noisy
   };
 
-  /// The relation of two neighbours in a fan, at[0] and at[1]. The ranges at[-2] to at[3] are read.
-  Relation Classify(const double* at) const
+  /// A plane's tilt along turns, 1/metre, and its variance.
+  struct Tilt
   {
-    if (this->AreRangesEqual(at[0], at[1]) ||
-      this->AreCoplanar(at[-1], at[0], at[1], at[2], 0.0, 0.0))
-    {
-      return Joined;
-    }
-    if (!this->DoPlanesIntersect(at[-1], at[0], at[1], at[2], 0.0, 0.0))
-    {
-      return Separate;
-    }
-    const bool isStraight = at[0] < at[1] ? this->IsStraight(at[-2], at[-1], at[0], 0.0)
-                                          : this->IsStraight(at[3], at[2], at[1], 0.0);
-    return isStraight ? Joined : Uncertain;
+    double Value = 0.0;
+    double Variance = 0.0;
+  };
+
+  /// The last return of a surface and the two before it, the last one first, with two tilts.
+  struct Side
+  {
+    std::array<double, 3> Ranges;
+    std::array<Tilt, 2> Tilts;
+  };
+
+  /// The inverse range of a return, its continuation at the next beam, and the bend of the three
+  /// returns, 1/metre.
+  struct Plane
+  {
+    double Inverse = 0.0;
+    double Variance = 0.0;
+    double Next = 0.0;
+    double VarianceOfNext = 0.0;
+    double Bend = 0.0;
+    double VarianceOfBend = 0.0;
+    double VarianceOfTilt = 0.0;
+    /// Whether there are three returns.
+    bool HasBend = true;
+
+    /// Adds a plane times a weight.
+    void Add(const Plane& other, double weight);
+  };
+
+  /// Whether two neighbours returned at ranges within the depth step.
+  bool AreNear(double a, double b) const
+  {
+    return this->AreReturns(a, b) && std::abs(a - b) <= this->Absolute;
   }
 
-  ///@{
-  /// The criteria one by one, for turns. Tilts are in 1/metre, each of the return whose name it has.
+  /// Whether two neighbours returned at ranges within the depth step and the share of the range.
   bool AreRangesEqual(double a, double b) const
   {
     return this->AreReturns(a, b) && std::abs(a - b) <= this->GetTolerance(a, b);
   }
 
-  bool AreCoplanar(
-    double before, double a, double b, double after, double tiltOfA, double tiltOfB) const
+  /// The relation of two neighbours in a fan, at[0] and at[1]. The ranges at[-2] to at[3] are read.
+  Relation Classify(const double* at) const
   {
-    const double tolerance = this->GetTolerance(a, b);
-    return this->AreReturns(a, b) &&
-      (this->Extrapolate(before, a, tiltOfA).Meets(b, tolerance) ||
-        this->Extrapolate(after, b, tiltOfB).Meets(a, tolerance));
+    return this->AreNear(at[0], at[1]) || this->AreCoplanar(at)
+      ? Joined
+      : this->Classify(GetSideBefore(at), GetSideBehind(at));
   }
 
-  bool DoPlanesIntersect(
-    double before, double a, double b, double after, double tiltOfA, double tiltOfB) const
-  {
-    const double tolerance = this->GetTolerance(a, b);
-    return this->AreReturns(a, b) && this->Extrapolate(before, a, tiltOfA).Reaches(b, tolerance) &&
-      this->Extrapolate(after, b, tiltOfB).Reaches(a, tolerance);
-  }
-
-  bool IsStraight(double first, double second, double third, double tiltOfSecond) const
-  {
-    return this->AreReturns(first, second) && third > 0.0 &&
-      this->Extrapolate(first, second, tiltOfSecond)
-        .Meets(third, this->GetTolerance(second, third));
-  }
+  ///@{
+  /// The sides of two neighbours in a fan, as Classify() reads them.
+  static Side GetSideBefore(const double* at) { return { { at[0], at[-1], at[-2] }, {} }; }
+  static Side GetSideBehind(const double* at) { return { { at[1], at[2], at[3] }, {} }; }
   ///@}
 
-private:
-  static constexpr double MinimumRelative = 0.02;
-  static constexpr double MaximumStep = 180.0;
+  ///@{
+  /// The relation of two returns, or of the means over several pairs of two surfaces.
+  Relation Classify(const Side& a, const Side& b) const;
+  Relation ClassifyMeans(const Plane& a, const Plane& b) const;
+  ///@}
 
-  /// A plane on the next beam, which it meets at the range Product / Slope. It does not meet the beam if
-  /// Slope is not above 0.
-  struct Plane
+  /// The plane of a side whose last beam returned.
+  Plane GetPlane(const Side& side) const;
+
+  /// Whether two neighbours in a fan are Joined or Likely.
+  bool IsOneSurface(const double* at) const
   {
-    double Product;
-    double Slope;
+    const Relation relation = this->Classify(at);
+    return relation == Joined || relation == Likely;
+  }
 
-    /// Whether the plane meets the beam at a range.
-    bool Meets(double range, double tolerance) const
-    {
-      return this->Slope > 0.0 &&
-        std::abs(this->Product - range * this->Slope) <= tolerance * this->Slope;
-    }
+  /// The variance of an inverse range due to noise.
+  double GetVariance(double inverse) const
+  {
+    return this->Variance * (inverse * inverse) * (inverse * inverse);
+  }
 
-    /// Whether the plane meets the beam at a range or behind it.
-    bool Reaches(double range, double tolerance) const
+private:
+  /// Square metres.
+  static constexpr double NegligibleVariance = 1e-12;
+
+  /// Where a plane meets a beam, compared with the return there.
+  struct Gap
+  {
+    enum Place
     {
-      return this->Product >= std::max(range - tolerance, 0.0) * this->Slope;
-    }
+      Before,
+      AtReturn,
+      Behind
+    };
+    Place At;
+    /// Metres.
+    double Size;
+    /// The difference of the inverse ranges, without sign.
+    double InInverse;
+    /// Whether noise could hide a depth step.
+    bool IsVague;
+  };
+
+  /// Two returns. The near plane meets the far beam, the far plane the near beam.
+  struct Pair
+  {
+    Plane Near;
+    Plane Far;
+    Gap AtFar;
+    Gap AtNear;
+    double Tolerance;
+    /// The difference of the ranges.
+    double Difference;
   };
 
   bool AreReturns(double a, double b) const { return this->AreNeighbors && a > 0.0 && b > 0.0; }
 
-  double GetTolerance(double a, double b) const
+  /// Whether both planes meet the other return, without noise. This is faster than Classify(), which finds
+  /// the same.
+  bool AreCoplanar(const double* at) const
   {
-    return this->Absolute + this->Relative * std::min(a, b);
+    return this->Variance < NegligibleVariance && this->AreReturns(at[0], at[1]) && at[-1] > 0.0 &&
+      at[2] > 0.0 && this->Meets(at[-1], at[0], at[1]) && this->Meets(at[2], at[1], at[0]);
   }
 
-  /// The plane through a return and the one before it, on the next beam.
-  Plane Extrapolate(double before, double at, double tilt) const
+  /// Whether the plane through two returns meets the next one.
+  bool Meets(double before, double at, double next) const
   {
-    const double product = before * at;
-    return before > 0.0 ? Plane{ product, this->TwoCosines * before - at + tilt * product }
-                        : Plane{ at, 1.0 };
+    const double slope = this->TwoCosines * before - at;
+    return slope > 0.0 && std::abs(before * at - next * slope) <= this->Flatness * slope;
   }
+
+  double GetTolerance(double a, double b) const
+  {
+    return this->Absolute + this->Relative * (a < b ? a : b);
+  }
+  bool IsStraight(const Plane& plane) const;
+  Plane Fit(const Plane& plane) const;
+  Gap Measure(const Plane& plane, const Plane& other) const;
+  Pair Compare(const Plane& a, const Plane& b) const;
+  Relation Classify(const Pair& pair) const;
+  Relation ClassifyCrease(const Pair& pair) const;
+  bool IsTooSteep(const Pair& pair) const;
 
   double Absolute;
   double Relative;
+  double Flatness;
+  double Angle;
+  double Variance;
   double TwoCosines;
   bool AreNeighbors;
 };

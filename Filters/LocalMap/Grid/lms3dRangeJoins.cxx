@@ -2,42 +2,69 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Grid/lms3dRangeJoins.h"
 
+#include "LocalMap/Grid/lms3dScanNoise.h"
 #include "LocalMap/Grid/lms3dSteadyFans.h"
 #include "LocalMap/Grid/lms3dTurnClassifier.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace
 {
+// The largest noise that counts, in depth steps. If all returns deviate by more than a depth step, all are apart.
+constexpr double MaximumNoise = 0.5;
+
+double GetNoise(const lms3dRangeGrid& grid, int interlaced, double depthStep)
+{
+  const double noise = lms3dEstimateScanNoise(grid, interlaced);
+  return noise > depthStep ? 0.0 : std::min(noise, MaximumNoise * depthStep);
+}
+
 /// Collects the joins of one turn.
 struct TurnJoins
 {
   int Turn;
   std::uint8_t* Flags;
-  std::vector<lms3dRangeJoins::UncertainJoin>& UncertainJoins;
+  std::vector<lms3dUncertainJoin>& UncertainJoins;
 
   void Add(int beam, lms3dRangeJoins::Flag towards, lms3dDepthStep::Relation relation)
   {
-    if (relation == lms3dDepthStep::Joined)
+    if (relation == lms3dDepthStep::Joined || relation == lms3dDepthStep::Likely)
     {
       this->Flags[beam] |= towards;
     }
-    else if (relation == lms3dDepthStep::Uncertain)
+    else if (relation != lms3dDepthStep::Separate)
     {
-      this->UncertainJoins.push_back({ this->Turn, beam, towards });
+      this->UncertainJoins.push_back(
+        { this->Turn, beam, towards, relation == lms3dDepthStep::Noisy });
     }
   }
 };
+
+// With an odd number of turns, no fan continues beyond a pole in a turn that is opposite.
+bool IsBesideOddPole(const lms3dRangeGrid& grid, int beam)
+{
+  const lms3dScanGeometry& geometry = grid.GetGeometry();
+  return grid.GetNumberOfTurns() % 2 != 0 && (geometry.IsPole(beam) || geometry.IsPole(beam + 1));
+}
 
 void ClassifyFan(
   const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step, TurnJoins& found)
 {
   for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
   {
-    found.Add(beam, lms3dRangeJoins::AlongFan, step.Classify(ranges + beam));
+    const double* const at = ranges + beam;
+    lms3dDepthStep::Relation relation = step.Classify(at);
+    if (relation == lms3dDepthStep::Separate && at[0] > 0.0 && at[1] > 0.0 &&
+      IsBesideOddPole(grid, beam))
+    {
+      relation = lms3dDepthStep::Uncertain;
+    }
+    found.Add(beam, lms3dRangeJoins::AlongFan, relation);
   }
 }
 
@@ -61,9 +88,11 @@ void lms3dRangeJoins::Find(
 {
   const bool areFansSteady = !mapGeometry || !mapGeometry->GetTurnedSteps(0);
   const lms3dScanGeometry& geometry = grid.GetGeometry();
-  const lms3dDepthStep fanStep(depthStep, geometry.GetAlphaStep());
-  const lms3dDepthStep turnStep(depthStep, geometry.GetBetaStep());
-  const lms3dTiltFinder tilts(geometry, fanStep);
+  const int interlaced = mapGeometry ? mapGeometry->GetInterlacedBeams() : 1;
+  const double noise = GetNoise(grid, interlaced, depthStep);
+  const lms3dDepthStep fanStep(depthStep, geometry.GetAlphaStep(), noise);
+  const lms3dDepthStep turnStep(depthStep, geometry.GetBetaStep(), noise);
+  const lms3dTiltFinder tilts(geometry, fanStep, areFansSteady);
   const int turns = grid.GetNumberOfTurns();
   this->Flags.SetShape(turns, grid.GetNumberOfBeams());
   this->UncertainJoins.resize(turns);
@@ -86,7 +115,11 @@ void lms3dRangeJoins::Find(
   {
     this->FindAlongSteadyFans(grid, fanStep, *mapGeometry);
   }
-  this->ResolveUncertainJoins(grid);
+  else
+  {
+    this->ResolveMeans(grid, { fanStep, turnStep, tilts });
+  }
+  this->ResolveRest(grid);
   if (mapGeometry && mapGeometry->GetDistanceFromAxis() > 0.0)
   {
     this->SeparateBeyondAxis(grid, *mapGeometry);
@@ -108,6 +141,14 @@ void lms3dRangeJoins::FindAlongSteadyFans(
       fans.Fill(turn, ranges.data() + 2);
       TurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn] };
       ClassifyFan(grid, ranges.data() + 2, step, found);
+      // Where a fan cannot be interpolated, its comb remains.
+      for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
+      {
+        if (step.AreRangesEqual(ranges[beam + 2], ranges[beam + 3]))
+        {
+          found.Add(beam, AlongFan, lms3dDepthStep::Joined);
+        }
+      }
     }
   }
 }
@@ -142,70 +183,40 @@ void lms3dRangeJoins::Separate(const lms3dRangeGrid& grid, int turn, int beam)
   }
 }
 
-// Joins all uncertain neighbours first, then separates those beside a gap, one after the other. Any order
-// gives the same result; alternating directions are fast for long rows.
-void lms3dRangeJoins::ResolveUncertainJoins(const lms3dRangeGrid& grid)
+// The flags are written after all means are classified, so that the order of the turns does not count.
+void lms3dRangeJoins::ResolveMeans(
+  const lms3dRangeGrid& grid, const lms3dJoinResolver::Classifiers& classifiers)
 {
-  std::vector<UncertainJoin> uncertain;
-  for (const std::vector<UncertainJoin>& ofTurn : this->UncertainJoins)
+  const lms3dJoinResolver resolver(grid, this->Flags);
+  std::vector<std::vector<lms3dDepthStep::Relation>> relations(this->UncertainJoins.size());
+  tbb::parallel_for(std::size_t(0), relations.size(),
+    [&](std::size_t turn)
+    {
+      for (const lms3dUncertainJoin& join : this->UncertainJoins[turn])
+      {
+        relations[turn].push_back(
+          join.IsNoisy ? resolver.ClassifyMean(join, classifiers) : lms3dDepthStep::Uncertain);
+      }
+    });
+  for (std::size_t turn = 0; turn < relations.size(); ++turn)
+  {
+    const std::vector<lms3dUncertainJoin> uncertain = std::move(this->UncertainJoins[turn]);
+    this->UncertainJoins[turn].clear();
+    TurnJoins found = { static_cast<int>(turn), this->Flags.GetRow(static_cast<int>(turn)),
+      this->UncertainJoins[turn] };
+    for (std::size_t i = 0; i < uncertain.size(); ++i)
+    {
+      found.Add(uncertain[i].Beam, uncertain[i].Towards, relations[turn][i]);
+    }
+  }
+}
+
+void lms3dRangeJoins::ResolveRest(const lms3dRangeGrid& grid)
+{
+  std::vector<lms3dUncertainJoin> uncertain;
+  for (const std::vector<lms3dUncertainJoin>& ofTurn : this->UncertainJoins)
   {
     uncertain.insert(uncertain.end(), ofTurn.begin(), ofTurn.end());
   }
-  for (const UncertainJoin& join : uncertain)
-  {
-    this->Flags.GetRow(join.Turn)[join.Beam] |= join.Towards;
-  }
-  std::size_t count;
-  do
-  {
-    count = uncertain.size();
-    uncertain.erase(std::remove_if(uncertain.begin(), uncertain.end(),
-                      [&](const UncertainJoin& join) { return this->DropBesideGap(grid, join); }),
-      uncertain.end());
-    std::reverse(uncertain.begin(), uncertain.end());
-  } while (uncertain.size() < count);
-}
-
-bool lms3dRangeJoins::DropBesideGap(const lms3dRangeGrid& grid, const UncertainJoin& join)
-{
-  const bool isWhole = this->IsWholeAround(grid, join);
-  if (!isWhole)
-  {
-    this->Flags.GetRow(join.Turn)[join.Beam] &= static_cast<std::uint8_t>(~join.Towards);
-  }
-  return !isWhole;
-}
-
-bool lms3dRangeJoins::IsWholeAround(const lms3dRangeGrid& grid, const UncertainJoin& join) const
-{
-  const int turn = join.Turn;
-  const int beam = join.Beam;
-  if (join.Towards == AlongFan)
-  {
-    const auto isWhole = [&](int cell, int beyond)
-    {
-      return this->IsJoined(grid, cell, beam, AlongTurn) &&
-        this->IsJoined(grid, cell, beam + 1, AlongTurn) &&
-        this->IsJoined(grid, beyond, beam, AlongFan);
-    };
-    return isWhole(turn - 1, turn - 1) && isWhole(turn, turn + 1);
-  }
-  const auto isWhole = [&](int cell, int beyond)
-  {
-    return this->IsJoined(grid, turn, cell, AlongFan) &&
-      this->IsJoined(grid, turn + 1, cell, AlongFan) &&
-      this->IsJoined(grid, turn, beyond, AlongTurn);
-  };
-  return isWhole(beam - 1, beam - 1) && isWhole(beam, beam + 1);
-}
-
-// The entries of a pole count as joined.
-bool lms3dRangeJoins::IsJoined(const lms3dRangeGrid& grid, int turn, int beam, Flag towards) const
-{
-  const int turns = grid.GetNumberOfTurns();
-  const bool isInside =
-    (grid.IsClosed() || (turn >= 0 && turn < turns)) && beam >= 0 && beam < grid.GetNumberOfBeams();
-  return isInside &&
-    ((towards == AlongTurn && grid.GetGeometry().IsPole(beam)) ||
-      (this->GetRow((turn + turns) % turns)[beam] & towards) != 0);
+  lms3dJoinResolver(grid, this->Flags).JoinWhole(std::move(uncertain));
 }

@@ -7,7 +7,7 @@
 #ifndef lms3dRangeJoins_h
 #define lms3dRangeJoins_h
 
-#include "LocalMap/Grid/lms3dDepthStep.h"
+#include "LocalMap/Grid/lms3dJoinResolver.h"
 #include "LocalMap/Grid/lms3dMapGeometry.h"
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 
@@ -16,9 +16,8 @@
 
 /**
  * Holds two flags for each beam of each turn, set if the beam lies on one surface with the next beam or
- * with the next turn (lms3dDepthStep). If that is uncertain, neighbours are joined if the surface is whole
- * around them: the three other sides of both adjacent cells are joined. So the silhouette of an object,
- * which ends at a certain depth step, is not joined.
+ * with the next turn (lms3dDepthStep). If that is uncertain, lms3dJoinResolver looks at the surface
+ * around. The noise is estimated from the scan itself (lms3dScanNoise.h).
  *
  * The entries of a pole are one vertex and not joined from turn to turn. Ranges count from where the beams
  * start. If the platform turns during a fan, neighbours in the fan are compared at one platform angle
@@ -28,13 +27,9 @@
 class lms3dRangeJoins
 {
 public:
-  enum Flag : std::uint8_t
-  {
-    /// Joined with the next beam of the turn.
-    AlongFan = 1,
-    /// Joined with the same beam of the next turn.
-    AlongTurn = 2
-  };
+  using Flag = lms3dJoinFlag;
+  static constexpr Flag AlongFan = lms3dJoinedAlongFan;
+  static constexpr Flag AlongTurn = lms3dJoinedAlongTurn;
 
   /// Finds all joins. `depthStep` is metres, at least 0. Reuses the memory. Uses the threads of the
   /// calling TBB arena. Without a `geometry`, beams are regular.
@@ -44,27 +39,17 @@ public:
   /// The flags for each beam of a turn.
   const std::uint8_t* GetRow(int turn) const { return this->Flags.GetRow(turn); }
 
-  /// A beam and its neighbour, whose ranges alone do not decide.
-  struct UncertainJoin
-  {
-    int Turn;
-    int Beam;
-    Flag Towards;
-  };
-
 private:
   void FindAlongSteadyFans(
     const lms3dRangeGrid& grid, const lms3dDepthStep& step, const lms3dMapGeometry& geometry);
   void SeparateBeyondAxis(const lms3dRangeGrid& grid, const lms3dMapGeometry& geometry);
   void Separate(const lms3dRangeGrid& grid, int turn, int beam);
-  void ResolveUncertainJoins(const lms3dRangeGrid& grid);
-  bool DropBesideGap(const lms3dRangeGrid& grid, const UncertainJoin& join);
-  bool IsWholeAround(const lms3dRangeGrid& grid, const UncertainJoin& join) const;
-  bool IsJoined(const lms3dRangeGrid& grid, int turn, int beam, Flag towards) const;
+  void ResolveMeans(const lms3dRangeGrid& grid, const lms3dJoinResolver::Classifiers& classifiers);
+  void ResolveRest(const lms3dRangeGrid& grid);
 
   lms3dPaddedGrid<std::uint8_t> Flags{ 0 };
   /// By turn.
-  std::vector<std::vector<UncertainJoin>> UncertainJoins;
+  std::vector<std::vector<lms3dUncertainJoin>> UncertainJoins;
 };
 
 #endif

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Grid/lms3dTurnClassifier.h"
 
-lms3dTiltFinder::lms3dTiltFinder(const lms3dScanGeometry& geometry, const lms3dDepthStep& fanStep)
+#include <cmath>
+
+lms3dTiltFinder::lms3dTiltFinder(
+  const lms3dScanGeometry& geometry, const lms3dDepthStep& fanStep, bool areFansSteady)
   : FanStep(fanStep)
+  , AreFansSteady(areFansSteady)
 {
   double sine, cosine;
   lms3dSinCosDegrees(geometry.GetBetaStep(), sine, cosine);
@@ -33,4 +37,29 @@ lms3dTiltFinder::TiltWeights lms3dTiltFinder::GetWeights(
   const double cosineOfStep = otherCosine * cosine + otherSine * sine;
   return { neighbor, scale * sine * (sine - cosine * cosineOfStep / sineOfStep),
     scale * sine * cosine / sineOfStep };
+}
+
+lms3dDepthStep::Tilt lms3dTiltFinder::Find(const double* ranges, int beam) const
+{
+  const auto& [neighbor, ofRange, ofNeighbor] = this->Weights[beam];
+  if (neighbor == NoNeighbor || !(ranges[neighbor] > 0.0) || !(ranges[beam] > 0.0))
+  {
+    return {};
+  }
+  const double inverse = 1.0 / ranges[beam];
+  const double inverseOfNeighbor = 1.0 / ranges[neighbor];
+  const double tilt = ofRange * inverse + ofNeighbor * inverseOfNeighbor;
+  const double variance = ofRange * ofRange * this->FanStep.GetVariance(inverse) +
+    ofNeighbor * ofNeighbor * this->FanStep.GetVariance(inverseOfNeighbor);
+  if (this->FanStep.IsOneSurface(ranges + std::min(beam, neighbor)))
+  {
+    return { tilt, variance };
+  }
+  if (!this->AreFansSteady)
+  {
+    return {};
+  }
+  // Both tilts are well within the deviations that lms3dDepthStep allows.
+  const double deviation = std::abs(tilt) / lms3dDepthStep::Deviations + std::sqrt(variance);
+  return { 0.5 * tilt, deviation * deviation };
 }

@@ -22,18 +22,14 @@ class lms3dTiltFinder
 {
 public:
   /// Keeps a reference to `fanStep`, which decides whether neighbours in a fan lie on one surface.
-  lms3dTiltFinder(const lms3dScanGeometry& geometry, const lms3dDepthStep& fanStep);
+  /// `areFansSteady` is whether the platform stands still during a fan.
+  lms3dTiltFinder(
+    const lms3dScanGeometry& geometry, const lms3dDepthStep& fanStep, bool areFansSteady);
 
-  /// The tilt at a return. `ranges` belong to its turn, with the halo of lms3dRangeGrid. 0, as for an
-  /// upright plane, if the return beside it is not on its surface.
-  double Find(const double* ranges, int beam) const
-  {
-    const auto& [neighbor, ofRange, ofNeighbor] = this->Weights[beam];
-    const double* first = ranges + std::min(beam, neighbor);
-    return neighbor != NoNeighbor && this->FanStep.Classify(first) == lms3dDepthStep::Joined
-      ? ofRange / ranges[beam] + ofNeighbor / ranges[neighbor]
-      : 0.0;
-  }
+  /// The tilt at a return. `ranges` belong to its turn, with the halo of lms3dRangeGrid. If the return
+  /// beside it is not on its surface, the tilt is anything between 0, as for an upright plane, and that
+  /// through both returns. If fans are not steady, it is then 0.
+  lms3dDepthStep::Tilt Find(const double* ranges, int beam) const;
 
 private:
   static constexpr int NoNeighbor = -1;
@@ -49,6 +45,7 @@ private:
   static TiltWeights GetWeights(const lms3dScanGeometry& geometry, int beam, double scale);
 
   const lms3dDepthStep& FanStep;
+  const bool AreFansSteady;
   /// By beam.
   std::vector<TiltWeights> Weights;
 };
@@ -72,45 +69,34 @@ public:
   /// The relation of a beam to the same beam of the next turn.
   lms3dDepthStep::Relation Classify(int beam) const
   {
-    // Most neighbours are equal.
-    if (this->Step.AreRangesEqual(this->Rows[2][beam], this->Rows[3][beam]))
+    const double range = this->Rows[2][beam];
+    const double next = this->Rows[3][beam];
+    // Most neighbours are near.
+    if (this->Step.AreNear(range, next))
     {
       return lms3dDepthStep::Joined;
     }
-    const auto [earlier, before, a, b, after, later] = this->GetRanges(beam);
-    if (!(a > 0.0 && b > 0.0))
-    {
-      return lms3dDepthStep::Separate;
-    }
-    const double tiltOfA = this->Tilts.Find(this->Rows[2], beam);
-    const double tiltOfB = this->Tilts.Find(this->Rows[3], beam);
-    if (this->Step.AreCoplanar(before, a, b, after, tiltOfA, tiltOfB))
-    {
-      return lms3dDepthStep::Joined;
-    }
-    if (!this->Step.DoPlanesIntersect(before, a, b, after, tiltOfA, tiltOfB))
-    {
-      return lms3dDepthStep::Separate;
-    }
-    const bool isStraight = a < b
-      ? this->Step.IsStraight(earlier, before, a, this->FindTilt(1, beam))
-      : this->Step.IsStraight(later, after, b, this->FindTilt(4, beam));
-    return isStraight ? lms3dDepthStep::Joined : lms3dDepthStep::Uncertain;
+    return range > 0.0 && next > 0.0
+      ? this->Step.Classify(this->GetSideBefore(beam), this->GetSideBehind(beam))
+      : lms3dDepthStep::Separate;
   }
+
+  ///@{
+  /// The sides of a beam and of the same beam of the next turn.
+  lms3dDepthStep::Side GetSideBefore(int beam) const { return this->GetSide(beam, 2, -1); }
+  lms3dDepthStep::Side GetSideBehind(int beam) const { return this->GetSide(beam, 3, 1); }
+  ///@}
 
 private:
   // From two turns before the first neighbour to two after the second.
   static constexpr int NumberOfRows = 6;
 
-  std::array<double, NumberOfRows> GetRanges(int beam) const
+  lms3dDepthStep::Side GetSide(int beam, int row, int backwards) const
   {
-    return { this->Rows[0][beam], this->Rows[1][beam], this->Rows[2][beam], this->Rows[3][beam],
-      this->Rows[4][beam], this->Rows[5][beam] };
-  }
-
-  double FindTilt(int row, int beam) const
-  {
-    return this->Rows[row][beam] > 0.0 ? this->Tilts.Find(this->Rows[row], beam) : 0.0;
+    const int before = row + backwards;
+    return { { this->Rows[row][beam], this->Rows[before][beam],
+               this->Rows[before + backwards][beam] },
+      { this->Tilts.Find(this->Rows[row], beam), this->Tilts.Find(this->Rows[before], beam) } };
   }
 
   const lms3dDepthStep& Step;

@@ -9,9 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace
 {
+// How far from a plane returns on it may lie, metres.
+constexpr double Flatness = 0.0005;
+
 // The neighbour of a beam opposite to the next one.
 ScanGrid::Beam GetBefore(const ScanGrid::Beam& beam, const ScanGrid::Beam& next)
 {
@@ -57,10 +61,7 @@ double DepthSteps::Predict(const Beam& a, const Beam& b) const
   }
   const Beam aside = this->GetTowardsHorizon(a);
   const bool hasAside = a.Turn != b.Turn && this->GetRange(last) > 0.0 &&
-    this->AreJoined(a, aside,
-      { this->PredictAlong(a, aside), this->PredictAlong(aside, a),
-        this->PredictAlong(GetBefore(a, aside), a),
-        this->PredictAlong(GetBefore(aside, a), aside) });
+    this->AreJoined(a, aside, { this->PredictAlong(a, aside), this->PredictAlong(aside, a) });
   return hasAside ? Invert(this->PredictInverse(last, a, b)) : this->PredictAlong(a, b);
 }
 
@@ -105,32 +106,31 @@ double DepthSteps::PredictInverse(const Beam& last, const Beam& a, const Beam& b
 
 bool DepthSteps::AreJoined(const Beam& a, const Beam& b) const
 {
-  return this->AreJoined(a, b,
-    { this->Predict(a, b), this->Predict(b, a), this->Predict(GetBefore(a, b), a),
-      this->Predict(GetBefore(b, a), b) });
+  return this->AreJoined(a, b, { this->Predict(a, b), this->Predict(b, a) });
 }
 
 bool DepthSteps::AreJoined(const Beam& a, const Beam& b, const Predictions& predictions) const
 {
-  const auto& [ofB, ofA, ofAFromBefore, ofBFromBefore] = predictions;
-  const double tolerance = this->GetTolerance(a, b);
-  const auto isNear = [&](double range, const Beam& beam)
-  { return std::abs(range - this->GetRange(beam)) <= tolerance; };
-  const auto reaches = [&](double range, const Beam& beam)
-  { return range >= this->GetRange(beam) - tolerance; };
+  const auto& [ofB, ofA] = predictions;
+  const auto isFlat = [&](double range, const Beam& beam)
+  { return this->Noise == 0.0 && std::abs(range - this->GetRange(beam)) <= Flatness; };
   return this->HaveReturned(a, b) && this->GetStep(a, b) < vtkMath::Pi() &&
-    (isNear(this->GetRange(a), b) || isNear(ofB, b) || isNear(ofA, a) ||
-      (reaches(ofB, b) && reaches(ofA, a) &&
-        (this->GetRange(a) < this->GetRange(b) ? this->IsStraight(a, b, ofAFromBefore)
-                                               : this->IsStraight(b, a, ofBFromBefore))));
+    (std::abs(this->GetRange(a) - this->GetRange(b)) <= this->DepthStep ||
+      (isFlat(ofB, b) && isFlat(ofA, a)));
 }
 
-// Whether the two returns before a predict the range of a.
-bool DepthSteps::IsStraight(const Beam& a, const Beam& b, double predicted) const
+// How far noise in all three returns can move the prediction of b from a, and b itself.
+double DepthSteps::GetError(const Beam& a, const Beam& b) const
 {
-  const Beam before = GetBefore(a, b);
-  return this->HaveReturned(before, a) && this->GetRange(GetBefore(before, a)) > 0.0 &&
-    std::abs(predicted - this->GetRange(a)) <= this->GetTolerance(before, a);
+  const double range = this->GetRange(a);
+  const double before = this->GetRangeBefore(GetBefore(a, b), a);
+  const double predicted = this->Predict(a, b);
+  if (this->Noise == 0.0 || before == 0.0)
+  {
+    return 2.0 * this->Noise;
+  }
+  const double shares = 2.0 / (range * range) + 1.0 / (before * before);
+  return this->Noise * (1.0 + predicted * predicted * shares);
 }
 
 bool DepthSteps::AreApart(const Beam& a, const Beam& b) const
@@ -138,7 +138,23 @@ bool DepthSteps::AreApart(const Beam& a, const Beam& b) const
   const auto endsBefore = [&](const Beam& from, const Beam& to)
   {
     const double towards = this->GetRange(to) > this->GetRange(from) ? 1.0 : -1.0;
-    return towards * (this->GetRange(to) - this->Predict(from, to)) > this->GetTolerance(a, b);
+    const double least = this->GetTolerance(a, b) + this->GetError(from, to);
+    const std::vector<double> predictions = this->PredictAnyTilt(from, to);
+    return std::all_of(predictions.begin(), predictions.end(),
+      [&](double range) { return towards * (this->GetRange(to) - range) > least; });
   };
   return this->HaveReturned(a, b) && !this->AreJoined(a, b) && endsBefore(a, b) && endsBefore(b, a);
+}
+
+// With the tilt of an upright plane, and with that towards the return beside a, which need not be on the same plane.
+std::vector<double> DepthSteps::PredictAnyTilt(const Beam& a, const Beam& b) const
+{
+  std::vector<double> predictions = { this->PredictAlong(a, b) };
+  const Beam last = GetBefore(a, b);
+  if (a.Turn != b.Turn && this->Grid.Contains(a) &&
+    this->HaveReturned(last, this->GetTowardsHorizon(a)))
+  {
+    predictions.push_back(Invert(this->PredictInverse(last, a, b)));
+  }
+  return predictions;
 }

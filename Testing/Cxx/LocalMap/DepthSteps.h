@@ -10,35 +10,36 @@
 #include "Fixtures/ScanGrid.h"
 
 #include <array>
+#include <vector>
 
 /**
- * A beam a and its neighbour b are joined if both returned and one of these holds:
+ * A beam a and its neighbour b are certainly joined if both returned and one of these holds:
  *
- * - Their ranges differ by at most the tolerance: DepthStep plus a share of the nearer range, 2 % or the
- *   angle between the beams if that is more.
- * - The plane through either return and the return before it meets the other within the tolerance.
- * - The planes from both sides meet the other beam at its return or behind it, within the tolerance, and
- *   the nearer side is straight: its last three returns lie on one plane, within their tolerance. Then the
- *   planes intersect between a and b, as at the crease of a room.
+ * - Their ranges differ by at most DepthStep.
+ * - The scan has no noise, and the planes through either return and the return before it meet the other
+ *   within half a millimetre.
+ *
+ * They are certainly apart if the surfaces on both sides end before they would meet, by more than the
+ * tolerance and by more than noise can move them. The tolerance is DepthStep plus a share of the nearer
+ * range, 2 % or the angle between the beams if that is more. In the cases in between, a scan does not
+ * determine the surface: planes can intersect between a and b at the edge of a box that hides one side,
+ * or at a crease that has only two returns beside it.
  *
  * Along a turn, the plane also passes through the beam's neighbour towards the horizon if the two are
  * joined; otherwise it is upright. Beyond a pole of a full circle, the opposite turn follows.
  *
  * Beams half a circle apart have no surface between them.
- *
- * Two beams are certainly apart if the surfaces on both sides end before they would meet. In the cases in
- * between, a scan does not determine the surface: planes can intersect between a and b at the edge of a
- * box that hides one side, or at a crease that has only two returns beside it.
  */
 class DepthSteps
 {
 public:
   using Beam = ScanGrid::Beam;
 
-  /// Keeps a reference to the grid.
-  DepthSteps(const ScanGrid& grid, double depthStep)
+  /// Keeps a reference to the grid. `noise` is how far returns were moved along their beams, metres.
+  DepthSteps(const ScanGrid& grid, double depthStep, double noise)
     : Grid(grid)
     , DepthStep(depthStep)
+    , Noise(noise)
   {
   }
 
@@ -47,16 +48,16 @@ public:
   double GetTolerance(const Beam& a, const Beam& b) const;
 
 private:
-  /// The ranges at which the surface would continue: at b from a, at a from b, at a from the beam before a,
-  /// and at b from the beam behind b.
-  using Predictions = std::array<double, 4>;
+  /// The ranges at which the surface would continue: at b from a, and at a from b.
+  using Predictions = std::array<double, 2>;
 
   bool HaveReturned(const Beam& a, const Beam& b) const;
   double GetRange(const Beam& beam) const;
   double GetStep(const Beam& a, const Beam& b) const;
   bool AreJoined(const Beam& a, const Beam& b, const Predictions& predictions) const;
-  bool IsStraight(const Beam& a, const Beam& b, double predicted) const;
   double Predict(const Beam& a, const Beam& b) const;
+  std::vector<double> PredictAnyTilt(const Beam& a, const Beam& b) const;
+  double GetError(const Beam& a, const Beam& b) const;
   double PredictAlong(const Beam& a, const Beam& b) const;
   double GetRangeBefore(const Beam& before, const Beam& a) const;
   double PredictInverse(const Beam& last, const Beam& a, const Beam& b) const;
@@ -64,6 +65,7 @@ private:
 
   const ScanGrid& Grid;
   double DepthStep;
+  double Noise;
 };
 
 #endif

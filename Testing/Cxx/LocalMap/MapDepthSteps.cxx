@@ -16,9 +16,9 @@ using Beam = ScanGrid::Beam;
 // Walks from one side to the other, in strides that a bridge would climb without a jump.
 bool IsContinuous(const MapCase& map, const TriangleTree& surface, const Beam& a, const Beam& b)
 {
-  const double tolerance = map.Steps.GetTolerance(a, b);
   const double size =
     std::abs(map.Grid.GetRange(map.Grid.GetReturn(a)) - map.Grid.GetRange(map.Grid.GetReturn(b)));
+  const double tolerance = std::min(map.Steps.GetTolerance(a, b), size);
   const int strides = static_cast<int>(std::clamp(std::ceil(8.0 * size / tolerance), 8.0, 400.0));
   std::vector<TriangleTree::Hit> hits;
   double last = 0.0;
@@ -116,7 +116,8 @@ void JudgeDepthSteps(const MapCase& map, const MapNeighbours& neighbours,
     {
       return false;
     }
-    return !ideal || !ideal->Steps.AreJoined(beam, next) ||
+    // Lost returns do not make a step certain that the scan without errors leaves open.
+    return !ideal || ideal->Steps.AreApart(beam, next) ||
       !MeetsItsReturn(*ideal, surface, beam) || !MeetsItsReturn(*ideal, surface, next);
   };
   JudgePairs(map, scene, surface, isJudged, verdict);

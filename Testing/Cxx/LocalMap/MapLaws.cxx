@@ -66,7 +66,7 @@ std::string ToWords(const Vector& point)
 MapCase::MapCase(vtkPolyData* scan, vtkPolyData* map, const MapPromise& promise)
   : Promise(promise)
   , Grid(scan)
-  , Steps(this->Grid, promise.DepthStep)
+  , Steps(this->Grid, promise.DepthStep, promise.Noise)
   , Scan(scan)
   , Map(map)
 {
@@ -171,7 +171,12 @@ void JudgeFieldData(const MapCase& map, MapVerdict& verdict)
   JudgeCounts(map, verdict);
   // A beam may hit a triangle that is not the nearest to its return; its distance is accepted.
   const double deviation = GetFieldValue(map.Map, "LargestDeviation", verdict);
-  const double rounding = 1e-9 + 1e-6 * deviation;
+  double largest = 0.0;
+  for (const Vector& point : map.Grid.GetPoints())
+  {
+    largest = std::max(largest, GetLength(point));
+  }
+  const double rounding = 1e-9 + 1e-6 * deviation + 1e-15 * largest;
   if (!(deviation >= verdict.LargestDeviation - rounding &&
         deviation <= verdict.LargestDeviationOnBeams + rounding))
   {

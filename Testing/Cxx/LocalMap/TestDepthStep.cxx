@@ -50,22 +50,24 @@ std::vector<double> Scan(const std::vector<Line>& lines, double step, int count)
 }
 
 /// The relation of the range at an index to the next one. Beyond the ends, there are no returns.
-lms3dDepthStep::Relation Classify(const std::vector<double>& ranges, double step, int place)
+lms3dDepthStep::Relation Classify(
+  const std::vector<double>& ranges, double step, int place, double noise = 0.0)
 {
   const auto get = [&](int i)
   { return i >= 0 && i < static_cast<int>(ranges.size()) ? ranges[i] : 0.0; };
   const double six[6] = { get(place - 2), get(place - 1), get(place), get(place + 1),
     get(place + 2), get(place + 3) };
-  return lms3dDepthStep(Tolerance, step).Classify(six + 2);
+  return lms3dDepthStep(Tolerance, step, noise).Classify(six + 2);
 }
 
-/// The first beam of each pair of neighbours that is not joined.
+/// The first beam of each pair of neighbours that is neither joined nor likely to be.
 std::vector<int> FindSteps(const std::vector<double>& ranges, double step)
 {
   std::vector<int> steps;
   for (int i = 0; i + 1 < static_cast<int>(ranges.size()); ++i)
   {
-    if (Classify(ranges, step, i) != lms3dDepthStep::Joined)
+    const lms3dDepthStep::Relation relation = Classify(ranges, step, i);
+    if (relation != lms3dDepthStep::Joined && relation != lms3dDepthStep::Likely)
     {
       steps.push_back(i);
     }
@@ -85,10 +87,15 @@ TEST(DepthStep, JoinsTheCreasesOfAnyRoom)
       const double turn = 0.1 * i * step;
       for (double nearest : { 0.01, 0.3, 2.0 })
       {
+        // More than a circle, so that each wall has three returns.
+        const int count = static_cast<int>(360.0 / step) + 8;
         const std::vector<double> ranges = Scan(
           { { nearest, turn }, { 3.0, 90.0 + turn }, { 8.0, 180.0 + turn }, { 1.0, 270.0 + turn } },
-          step, static_cast<int>(360.0 / step));
-        EXPECT_EQ(FindSteps(ranges, step), std::vector<int>()) << step << ' ' << turn;
+          step, count);
+        std::vector<int> steps = FindSteps(ranges, step);
+        const auto isAtEnd = [&](int place) { return place < 2 || place > count - 5; };
+        steps.erase(std::remove_if(steps.begin(), steps.end(), isAtEnd), steps.end());
+        EXPECT_EQ(steps, std::vector<int>()) << step << ' ' << turn;
       }
     }
   }
@@ -99,7 +106,31 @@ TEST(DepthStep, DoubtsCreasesBesideTwoReturns)
   // The last two returns before the wall lie on a line that leads behind it. The return before them does
   // not lie on that line.
   const std::vector<double> ranges = { 1.9, 2.6, 3.5, 4.7, 4.72, 4.75 };
-  EXPECT_EQ(Classify(ranges, 1.0, 2), lms3dDepthStep::Uncertain);
+  EXPECT_EQ(Classify(ranges, 4.0, 2), lms3dDepthStep::Uncertain);
+}
+
+// In a fine scan, two returns do not show a wall that beams meet at 3 degrees.
+TEST(DepthStep, SeparatesSteepSlopesOfTwoReturns)
+{
+  const std::vector<double> ranges = { 1.9, 2.6, 3.5, 4.7, 4.72, 4.75 };
+  EXPECT_EQ(Classify(ranges, 1.0, 2), lms3dDepthStep::Separate);
+}
+
+// Two boxes side by side: the planes of their fronts do not meet between the last two beams, but nearly.
+TEST(DepthStep, JoinsGapsUpToTwiceTheStepOnlyBesideALowStep)
+{
+  const std::vector<double> low = { 2.0, 2.0, 2.0, 2.12, 2.12, 2.12 };
+  EXPECT_EQ(Classify(low, 0.5, 2), lms3dDepthStep::Joined);
+  const std::vector<double> high = { 2.0, 2.0, 2.0, 2.25, 2.16, 2.08 };
+  EXPECT_EQ(Classify(high, 0.5, 2), lms3dDepthStep::Separate);
+}
+
+TEST(DepthStep, AllowsForNoise)
+{
+  const std::vector<double> ranges = { 4.5, 4.5, 4.5, 4.8, 4.8, 4.8 };
+  EXPECT_EQ(Classify(ranges, 1.0, 2, 0.0), lms3dDepthStep::Separate);
+  EXPECT_EQ(Classify(ranges, 1.0, 2, 0.02), lms3dDepthStep::Separate);
+  EXPECT_EQ(Classify(ranges, 1.0, 2, 0.05), lms3dDepthStep::Noisy);
 }
 
 TEST(DepthStep, SeparatesAPoleFromTheWallBehind)

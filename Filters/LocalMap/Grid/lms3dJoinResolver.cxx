@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Grid/lms3dJoinResolver.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace
+{
+// The number of pairs on each side of an uncertain pair that count.
+constexpr int MaximumPairs = 2;
+} // namespace
+
+// Calls visit(turn, beam) for the pair and for the pairs beside it, except at poles.
+template <typename Visitor>
+void lms3dJoinResolver::ForEachParallel(const lms3dUncertainJoin& join, const Visitor& visit) const
+{
+  const lms3dScanGeometry& geometry = this->Grid.GetGeometry();
+  const bool isFan = join.Towards == lms3dJoinedAlongFan;
+  visit(join.Turn, join.Beam);
+  for (int direction : { -1, 1 })
+  {
+    int turn = join.Turn;
+    int beam = join.Beam;
+    for (int i = 0; i < MaximumPairs && this->IsJoinedAcross(turn, beam, isFan, direction); ++i)
+    {
+      turn += isFan ? direction : 0;
+      beam += isFan ? 0 : direction;
+      if (geometry.IsPole(beam) || (isFan && geometry.IsPole(beam + 1)))
+      {
+        break;
+      }
+      visit(turn, beam);
+    }
+  }
+}
+
+// Whether both returns of a pair are joined with the returns of the pair beside it.
+bool lms3dJoinResolver::IsJoinedAcross(int turn, int beam, bool isFan, int direction) const
+{
+  const int previous = direction < 0 ? -1 : 0;
+  return isFan ? this->IsJoined(turn + previous, beam, lms3dJoinedAlongTurn) &&
+      this->IsJoined(turn + previous, beam + 1, lms3dJoinedAlongTurn)
+               : this->IsJoined(turn, beam + previous, lms3dJoinedAlongFan) &&
+      this->IsJoined(turn + 1, beam + previous, lms3dJoinedAlongFan);
+}
+
+// Pairs without a return before or behind have no plane and do not count.
+lms3dDepthStep::Relation lms3dJoinResolver::ClassifyMean(
+  const lms3dUncertainJoin& join, const Classifiers& classifiers) const
+{
+  const bool isFan = join.Towards == lms3dJoinedAlongFan;
+  const lms3dDepthStep& step = isFan ? classifiers.FanStep : classifiers.TurnStep;
+  lms3dDepthStep::Plane before;
+  lms3dDepthStep::Plane behind;
+  int pairs = 0;
+  int planes = 0;
+  bool hasPlanes = false;
+  this->ForEachParallel(join,
+    [&](int turn, int beam)
+    {
+      const auto [first, second] = this->GetSides({ turn, beam, join.Towards, true }, classifiers);
+      const bool arePlanes = first.Ranges[1] > 0.0 && second.Ranges[1] > 0.0;
+      hasPlanes = pairs++ == 0 ? arePlanes : hasPlanes;
+      if (arePlanes)
+      {
+        before.Add(step.GetPlane(first), 1.0);
+        behind.Add(step.GetPlane(second), 1.0);
+        ++planes;
+      }
+    });
+  if (!hasPlanes)
+  {
+    return lms3dDepthStep::Uncertain;
+  }
+  lms3dDepthStep::Plane meanBefore;
+  lms3dDepthStep::Plane meanBehind;
+  meanBefore.Add(before, 1.0 / planes);
+  meanBehind.Add(behind, 1.0 / planes);
+  return step.ClassifyMeans(meanBefore, meanBehind);
+}
+
+std::array<lms3dDepthStep::Side, 2> lms3dJoinResolver::GetSides(
+  const lms3dUncertainJoin& join, const Classifiers& classifiers) const
+{
+  const int turns = this->Grid.GetNumberOfTurns();
+  const int turn = (join.Turn + turns) % turns;
+  if (join.Towards == lms3dJoinedAlongFan)
+  {
+    const double* const at = this->Grid.GetRanges(turn) + join.Beam;
+    return { lms3dDepthStep::GetSideBefore(at), lms3dDepthStep::GetSideBehind(at) };
+  }
+  const lms3dTurnClassifier classifier(this->Grid, turn, classifiers.TurnStep, classifiers.Tilts);
+  return { classifier.GetSideBefore(join.Beam), classifier.GetSideBehind(join.Beam) };
+}
+
+// Joins all uncertain neighbours first, then separates those beside a gap, one after the other. Any order
+// gives the same result; alternating directions are fast for long rows.
+void lms3dJoinResolver::JoinWhole(std::vector<lms3dUncertainJoin> uncertain)
+{
+  for (const lms3dUncertainJoin& join : uncertain)
+  {
+    this->Joins.GetRow(join.Turn)[join.Beam] |= join.Towards;
+  }
+  std::size_t count;
+  do
+  {
+    count = uncertain.size();
+    uncertain.erase(std::remove_if(uncertain.begin(), uncertain.end(),
+                      [&](const lms3dUncertainJoin& join) { return this->DropBesideGap(join); }),
+      uncertain.end());
+    std::reverse(uncertain.begin(), uncertain.end());
+  } while (uncertain.size() < count);
+}
+
+bool lms3dJoinResolver::DropBesideGap(const lms3dUncertainJoin& join)
+{
+  const bool isWhole = this->IsWholeAround(join);
+  if (!isWhole)
+  {
+    this->Joins.GetRow(join.Turn)[join.Beam] &= static_cast<std::uint8_t>(~join.Towards);
+  }
+  return !isWhole;
+}
+
+bool lms3dJoinResolver::IsWholeAround(const lms3dUncertainJoin& join) const
+{
+  const int turn = join.Turn;
+  const int beam = join.Beam;
+  if (join.Towards == lms3dJoinedAlongFan)
+  {
+    const auto isWhole = [&](int cell, int beyond)
+    {
+      return this->IsJoined(cell, beam, lms3dJoinedAlongTurn) &&
+        this->IsJoined(cell, beam + 1, lms3dJoinedAlongTurn) &&
+        this->IsJoined(beyond, beam, lms3dJoinedAlongFan);
+    };
+    return isWhole(turn - 1, turn - 1) && isWhole(turn, turn + 1);
+  }
+  const auto isWhole = [&](int cell, int beyond)
+  {
+    return this->IsJoined(turn, cell, lms3dJoinedAlongFan) &&
+      this->IsJoined(turn + 1, cell, lms3dJoinedAlongFan) &&
+      this->IsJoined(turn, beyond, lms3dJoinedAlongTurn);
+  };
+  return isWhole(beam - 1, beam - 1) && isWhole(beam, beam + 1);
+}
+
+// The entries of a pole count as joined.
+bool lms3dJoinResolver::IsJoined(int turn, int beam, lms3dJoinFlag towards) const
+{
+  const int turns = this->Grid.GetNumberOfTurns();
+  const bool isInside = (this->Grid.IsClosed() || (turn >= 0 && turn < turns)) && beam >= 0 &&
+    beam < this->Grid.GetNumberOfBeams();
+  return isInside &&
+    ((towards == lms3dJoinedAlongTurn && this->Grid.GetGeometry().IsPole(beam)) ||
+      (this->Joins.GetRow((turn + turns) % turns)[beam] & towards) != 0);
+}

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/TrueSteps.h"
+
+#include <vtkIdList.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace
+{
+using Beam = ScanGrid::Beam;
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+// The parts of the way between two beams, and how often each is halved at most.
+constexpr int NumberOfParts = 12;
+constexpr int MaximumHalvings = 20;
+// A change of range that is no jump, metres.
+constexpr double SmallChange = 0.01;
+// Radians by which a ray may pass outside of a triangle.
+constexpr double Margin = 1e-9;
+
+/// The way from one beam to another.
+struct Way
+{
+  // The nearest range at a share of the way, or infinity.
+  double GetRange(double share) const
+  {
+    std::vector<TriangleTree::Hit> hits;
+    this->Surface.Cast(
+      this->Grid.GetDirection({ this->From.Turn + share * (this->To.Turn - this->From.Turn),
+        this->From.Number + share * (this->To.Number - this->From.Number) }),
+      Margin, hits);
+    const auto nearest = std::min_element(hits.begin(), hits.end(),
+      [](const TriangleTree::Hit& p, const TriangleTree::Hit& q) { return p.Range < q.Range; });
+    return nearest == hits.end() ? Infinity : nearest->Range;
+  }
+
+  // The sum of the jumps between two shares, with signs; infinity where a ray meets nothing.
+  double SumJumps(double low, double atLow, double high, double atHigh, int halvings) const
+  {
+    if (std::isinf(atLow) || std::isinf(atHigh))
+    {
+      return Infinity;
+    }
+    if (std::abs(atHigh - atLow) < SmallChange)
+    {
+      return 0.0;
+    }
+    if (halvings == 0)
+    {
+      return atHigh - atLow;
+    }
+    const double middle = 0.5 * (low + high);
+    const double atMiddle = this->GetRange(middle);
+    return this->SumJumps(low, atLow, middle, atMiddle, halvings - 1) +
+      this->SumJumps(middle, atMiddle, high, atHigh, halvings - 1);
+  }
+
+  const ScanGrid& Grid;
+  const TriangleTree& Surface;
+  Beam From;
+  Beam To;
+};
+} // namespace
+
+TrueSteps::TrueSteps(vtkPolyData* scan, vtkPolyData* scene, double depthStep, double share)
+  : Grid(scan)
+  , DepthStep(depthStep)
+  , Share(share)
+{
+  const std::unique_ptr<TriangleTree> surface = this->MakeTree(scene);
+  for (int turn = 0; turn < this->Grid.GetNumberOfTurns(); ++turn)
+  {
+    for (int number = 0; number < this->Grid.GetNumberOfBeams(); ++number)
+    {
+      this->AddIfStep(*surface, { turn, number }, { turn, number + 1 });
+      if (!this->Grid.IsPole(number))
+      {
+        this->AddIfStep(*surface, { turn, number }, { turn + 1, number });
+      }
+    }
+  }
+}
+
+void TrueSteps::AddIfStep(const TriangleTree& scene, const Beam& beam, const Beam& next)
+{
+  if (!this->Grid.Contains(next) || this->Grid.GetReturn(beam) == ScanGrid::NoReturn ||
+    this->Grid.GetReturn(next) == ScanGrid::NoReturn)
+  {
+    return;
+  }
+  const double range = this->Grid.GetRange(this->Grid.GetReturn(beam));
+  const double rangeOfNext = this->Grid.GetRange(this->Grid.GetReturn(next));
+  const double minimum = 2.0 * (this->DepthStep + this->Share * std::min(range, rangeOfNext));
+  if (std::abs(range - rangeOfNext) > minimum)
+  {
+    const double jump = this->GetJump(scene, beam, next);
+    if (jump > minimum && !std::isinf(jump))
+    {
+      this->Steps.push_back({ beam, next, jump });
+    }
+  }
+}
+
+double TrueSteps::GetJump(const TriangleTree& surface, const Beam& a, const Beam& b) const
+{
+  const Way way = { this->Grid, surface, a, b };
+  double sum = 0.0;
+  double last = way.GetRange(0.0);
+  for (int i = 1; i <= NumberOfParts; ++i)
+  {
+    const double share = static_cast<double>(i) / NumberOfParts;
+    const double range = way.GetRange(share);
+    sum += way.SumJumps(share - 1.0 / NumberOfParts, last, share, range, MaximumHalvings);
+    last = range;
+  }
+  return std::abs(sum);
+}
+
+int TrueSteps::CountBridged(vtkPolyData* map) const
+{
+  const std::unique_ptr<TriangleTree> surface = this->MakeTree(map);
+  return static_cast<int>(std::count_if(this->Steps.begin(), this->Steps.end(),
+    [&](const Step& step)
+    { return !(this->GetJump(*surface, step.Beam, step.Next) > 0.25 * step.Jump); }));
+}
+
+std::unique_ptr<TriangleTree> TrueSteps::MakeTree(vtkPolyData* triangles) const
+{
+  std::vector<Vector> points(triangles->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < triangles->GetNumberOfPoints(); ++i)
+  {
+    triangles->GetPoint(i, points[i].data());
+    points[i] = points[i] - this->Grid.GetSensor();
+  }
+  std::vector<TriangleTree::Triangle> corners;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
+  {
+    triangles->GetCellPoints(cell, ids);
+    corners.push_back({ ids->GetId(0), ids->GetId(1), ids->GetId(2) });
+  }
+  return std::make_unique<TriangleTree>(std::move(points), std::move(corners));
+}
