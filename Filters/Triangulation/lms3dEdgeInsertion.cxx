@@ -13,46 +13,67 @@ bool lms3dEdgeInsertion::Insert(std::int32_t a, std::int32_t b)
 {
   int triangle;
   int edge;
-  if (a == b || this->ConstrainIfPresent(a, b, triangle, edge))
+  if (a == b || this->ConstrainIfPresent(a, b))
   {
     return a != b;
   }
-  if (triangle == None || !this->FlipCrossedEdges(a, b, triangle, edge))
+  if (!this->FindFirstCrossed(a, b, triangle, edge) ||
+    !this->FlipCrossedEdges(a, b, triangle, edge))
   {
     return false;
   }
-  const bool isPresent = this->ConstrainIfPresent(a, b, triangle, edge);
+  const bool isPresent = this->ConstrainIfPresent(a, b);
   this->Delaunay.LegalizeEdges();
   return isPresent;
 }
 
-// Constrains the edge from a to b if it exists. Otherwise sets a triangle at a and its edge that the line
-// from a to b crosses.
-bool lms3dEdgeInsertion::ConstrainIfPresent(std::int32_t a, std::int32_t b, int& crossed, int& edge)
+// Calls visit(triangle, corner) for the triangles around a vertex and their corners there, counter-clockwise. Stops
+// when a visit returns true, and returns true then.
+template <typename Visitor>
+bool lms3dEdgeInsertion::FindAround(std::int32_t vertex, const Visitor& visit) const
 {
-  crossed = None;
-  int triangle = this->Triangles.GetTriangleAt(a);
-  const int start = triangle;
+  const int start = this->Triangles.GetTriangleAt(vertex);
+  int triangle = start;
   do
   {
-    const lms3dLinkedTriangles::Triangle& here = this->Triangles.GetTriangle(triangle);
-    const int corner = this->Triangles.FindCorner(triangle, a);
-    const std::int32_t right = here.Corners[Next[corner]];
-    const std::int32_t left = here.Corners[Previous[corner]];
-    if (right == b)
+    const int corner = this->Triangles.FindCorner(triangle, vertex);
+    if (visit(triangle, corner))
     {
-      this->Triangles.Constrain(triangle, corner);
       return true;
     }
-    if (this->Delaunay.Orient(a, b, right) < 0 && this->Delaunay.Orient(a, b, left) > 0)
-    {
-      crossed = triangle;
-      edge = Next[corner];
-    }
-    // Around a, counter-clockwise.
-    triangle = here.Neighbors[Previous[corner]];
+    triangle = this->Triangles.GetTriangle(triangle).Neighbors[Previous[corner]];
   } while (triangle != start && triangle != None);
   return false;
+}
+
+// Constrains the edge from a to b. Returns false if it does not exist.
+bool lms3dEdgeInsertion::ConstrainIfPresent(std::int32_t a, std::int32_t b)
+{
+  return this->FindAround(a,
+    [&](int triangle, int corner)
+    {
+      const bool isFound = this->Triangles.GetTriangle(triangle).Corners[Next[corner]] == b;
+      if (isFound)
+      {
+        this->Triangles.Constrain(triangle, corner);
+      }
+      return isFound;
+    });
+}
+
+// Finds a triangle at a and its edge that the line from a to b crosses. Returns false if there is none.
+bool lms3dEdgeInsertion::FindFirstCrossed(
+  std::int32_t a, std::int32_t b, int& crossed, int& edge) const
+{
+  return this->FindAround(a,
+    [&](int triangle, int corner)
+    {
+      const lms3dLinkedTriangles::Triangle& here = this->Triangles.GetTriangle(triangle);
+      crossed = triangle;
+      edge = Next[corner];
+      return this->Delaunay.Orient(a, b, here.Corners[Next[corner]]) < 0 &&
+        this->Delaunay.Orient(a, b, here.Corners[Previous[corner]]) > 0;
+    });
 }
 
 // Finds the edges that cross the line from a to b. Returns false if one is constrained, or if a point lies

@@ -32,7 +32,10 @@ public:
 private:
   using Edge = std::array<std::int32_t, 2>;
 
-  bool ConstrainIfPresent(std::int32_t a, std::int32_t b, int& crossed, int& edge);
+  template <typename Visitor>
+  bool FindAround(std::int32_t vertex, const Visitor& visit) const;
+  bool ConstrainIfPresent(std::int32_t a, std::int32_t b);
+  bool FindFirstCrossed(std::int32_t a, std::int32_t b, int& crossed, int& edge) const;
   bool FindCrossedEdges(
     std::int32_t a, std::int32_t b, int triangle, int edge, std::deque<Edge>& crossed) const;
   bool FlipCrossedEdges(std::int32_t a, std::int32_t b, int triangle, int edge);

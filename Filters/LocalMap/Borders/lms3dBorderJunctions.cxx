@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Borders/lms3dBorderJunctions.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace
@@ -70,11 +72,19 @@ void lms3dBorderJunctions::FindJunctions()
 {
   const std::vector<Chain>& chains = this->Chains.GetChains();
   std::vector<std::array<Junction, 4>> ends(chains.size());
+  tbb::parallel_for(std::size_t(0), chains.size(),
+    [&](std::size_t i)
+    {
+      if (!chains[i].IsClosed)
+      {
+        ends[i] = this->GetEndJunctions(i);
+      }
+    });
+  this->Junctions.reserve(4 * chains.size());
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
     if (!chains[i].IsClosed)
     {
-      ends[i] = this->GetEndJunctions(i);
       this->Junctions.insert(this->Junctions.end(), ends[i].begin(), ends[i].end());
     }
   }
@@ -89,25 +99,31 @@ void lms3dBorderJunctions::FindJunctions()
       this->Junctions.begin());
   };
   this->Ends.resize(chains.size());
-  for (std::size_t i = 0; i < chains.size(); ++i)
-  {
-    if (!chains[i].IsClosed)
+  tbb::parallel_for(std::size_t(0), chains.size(),
+    [&](std::size_t i)
     {
-      std::transform(ends[i].begin(), ends[i].end(), this->Ends[i].begin(), find);
-    }
-  }
+      if (!chains[i].IsClosed)
+      {
+        std::transform(ends[i].begin(), ends[i].end(), this->Ends[i].begin(), find);
+      }
+    });
 }
 
-std::vector<lms3dMapVertex> lms3dBorderJunctions::Locate() const
+void lms3dBorderJunctions::Locate(std::vector<lms3dMapVertex>& vertices) const
 {
-  std::vector<lms3dMapVertex> vertices;
-  vertices.reserve(this->Junctions.size());
-  for (const Junction& junction : this->Junctions)
-  {
-    vertices.push_back(this->Placement.Locate(this->Gates.GetCell(junction.LowerLeft),
-      junction.Corners, this->HasFallback(junction.LowerLeft, JunctionsStay)));
-  }
-  return vertices;
+  const bool isFirst = vertices.empty();
+  vertices.resize(this->Junctions.size());
+  tbb::parallel_for(std::size_t(0), vertices.size(),
+    [&](std::size_t i)
+    {
+      const Junction& junction = this->Junctions[i];
+      const bool staysInMiddle = this->HasFallback(junction.LowerLeft, JunctionsStay);
+      if (isFirst || staysInMiddle)
+      {
+        vertices[i] = this->Placement.Locate(
+          this->Gates.GetCell(junction.LowerLeft), junction.Corners, staysInMiddle);
+      }
+    });
 }
 
 // The cell at the start of a chain (0) or at its end (1).

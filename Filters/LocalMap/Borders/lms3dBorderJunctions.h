@@ -37,7 +37,7 @@ public:
     MaximumFallback = PathsBendInEachGate
   };
 
-  /// Keeps references.
+  /// Keeps references. Uses the threads of the calling TBB arena.
   lms3dBorderJunctions(const lms3dBeamSphere& sphere, const lms3dPatches& patches,
     const lms3dBorderGates& gates, const lms3dBorderChains& chains,
     const lms3dBorderRanges& borderRanges);
@@ -47,8 +47,9 @@ public:
     return static_cast<std::int32_t>(this->Junctions.size());
   }
 
-  /// The vertices of all junctions, in order.
-  std::vector<lms3dMapVertex> Locate() const;
+  /// Locates all junctions if `vertices` is empty, otherwise again the junctions of cells with a fallback. Then the
+  /// vertices are the vertices of all junctions, in order. Uses the threads of the calling TBB arena.
+  void Locate(std::vector<lms3dMapVertex>& vertices) const;
 
   ///@{
   /// The junction at the start or end of a chain that is not closed. `side` is 0 for the chain's own

@@ -23,7 +23,7 @@ lms3dPatchOutlines::lms3dPatchOutlines(
 {
   for (int level = 0; level <= lms3dBorderJunctions::MaximumFallback; ++level)
   {
-    this->Vertices = this->Junctions.Locate();
+    this->Junctions.Locate(this->Vertices);
     this->StraightenChains();
     if (this->MakeStrips())
     {

@@ -4,6 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace
@@ -15,29 +16,39 @@ constexpr double BoundShare = 1.0 - 1e-9;
 lms3dBeamDemands::lms3dBeamDemands(
   const lms3dBeamSphere& sphere, const lms3dPatches& patches, double maximumError)
   : Sphere(sphere)
-  , Demands(new Demand[sphere.GetSize()])
+  , Numbers(new double[2 * static_cast<std::size_t>(sphere.GetSize())])
 {
   tbb::parallel_for(0, sphere.GetNumberOfColumns(),
     [&](int column) { this->FillColumn(patches, maximumError, column); });
 }
 
+// Without branches, so that the compiler makes it a loop over vectors.
 void lms3dBeamDemands::FillColumn(const lms3dPatches& patches, double maximumError, int column)
 {
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
   const GridIndex start = this->Sphere.GetIndex(column, 0);
-  for (int row = 0; row < this->Sphere.GetNumberOfRows(); ++row)
+  const int rows = this->Sphere.GetNumberOfRows();
+  const std::int32_t* const labels = patches.Labels.data() + start;
+  const double* const ranges = this->Sphere.GetRanges() + start;
+  const double* const halfSpreads = this->Sphere.GetPoleHalfSpreads();
+  const std::ptrdiff_t size = this->Sphere.GetSize();
+  double* const minima = this->Numbers.get() + start;
+  double* const maxima = minima + size;
+  for (int row = 0; row < rows; ++row)
   {
-    const GridIndex index = start + row;
-    const double range = this->Sphere.GetRange(index);
-    Demand& demand = this->Demands[index];
-    demand = { 0.0, std::numeric_limits<double>::infinity(), 0.0, 0.0 };
-    if (patches.Labels[index] < 0 || !(range > 0.0) || (column > 0 && this->Sphere.IsPoleRow(row)))
+    const double range = ranges[row];
+    const double error = BoundShare * (maximumError - halfSpreads[row]);
+    const bool demands = labels[row] >= 0 && range > 0.0;
+    const double nearest = 1.0 / (range - error);
+    minima[row] = demands ? 1.0 / (range + error) : -Infinity;
+    maxima[row] = demands && range > error ? nearest : Infinity;
+  }
+  for (int row = 0; column > 0 && row < rows; row += std::max(1, rows - 1))
+  {
+    if (this->Sphere.IsPoleRow(row))
     {
-      continue;
+      minima[row] = -Infinity;
+      maxima[row] = Infinity;
     }
-    const double error = BoundShare * (maximumError - this->Sphere.GetPoleHalfSpread(row));
-    demand.Inverse = 1.0 / range;
-    demand.Minimum = 1.0 / (range + error);
-    demand.Maximum = range > error ? 1.0 / (range - error) : demand.Maximum;
-    demand.Weight = range * range * range * range;
   }
 }

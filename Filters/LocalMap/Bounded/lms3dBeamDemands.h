@@ -9,6 +9,7 @@
 
 #include "LocalMap/Patches/lms3dPatches.h"
 
+#include <cstddef>
 #include <memory>
 
 /// The inverse ranges of returns, 1/metre, and the inverse ranges within the bound of them.
@@ -17,15 +18,12 @@ class lms3dBeamDemands
 public:
   using GridIndex = lms3dBeamSphere::GridIndex;
 
-  /// What a return demands of the surface on its beam.
-  struct Demand
+  /// What the returns of consecutive rows of a column demand of the surface on their beams, from one row on.
+  struct Demands
   {
-    /// The smallest and the largest inverse range within the bound.
-    double Minimum;
-    double Maximum;
-    double Inverse;
-    /// The weight of a difference in inverse range; 0 if the beam demands nothing.
-    double Weight;
+    /// The smallest and the largest inverse range within the bound; -inf and inf if the beam demands nothing.
+    const double* Minimum;
+    const double* Maximum;
   };
 
   /// Keeps a reference to the sphere, whose beams must be regular. `maximumError` is the bound, metres. Returns
@@ -33,14 +31,21 @@ public:
   lms3dBeamDemands(const lms3dBeamSphere& sphere, const lms3dPatches& patches, double maximumError);
 
   const lms3dBeamSphere& GetSphere() const { return this->Sphere; }
-  const Demand& operator[](GridIndex index) const { return this->Demands[index]; }
+  Demands operator[](GridIndex index) const
+  {
+    const double* const minima = this->Numbers.get() + index;
+    const std::ptrdiff_t size = this->Sphere.GetSize();
+    return { minima, minima + size };
+  }
 
 private:
   void FillColumn(const lms3dPatches& patches, double maximumError, int column);
 
   const lms3dBeamSphere& Sphere;
-  /// Not a vector, which would initialize all of it at first.
-  std::unique_ptr<Demand[]> Demands;
+  /// The minima of all entries, then their maxima. Not a vector, which would initialize all
+  /// of it at first. In one piece, because the C library gives many smaller pieces back to the system and gets them
+  /// again in each run, page by page.
+  std::unique_ptr<double[]> Numbers;
 };
 
 #endif

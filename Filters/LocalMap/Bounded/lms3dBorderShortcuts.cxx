@@ -83,10 +83,8 @@ bool lms3dBorderShortcuts::AreBeamsBetween(
   {
     std::swap(a, b);
   }
-  bool hasBeams = false;
   const lms3dTriangleRasterizer triangle(this->Sphere, middle.Corner, *a, *b, BeamMargin);
-  triangle.ForEachColumn([&](int, int, int) { hasBeams = true; });
-  return hasBeams;
+  return !triangle.ForEachColumnWhile([](int, int, int) { return false; });
 }
 
 // Appends the gates that an arc of the border passes or touches. Returns false if they are not certain.

@@ -180,7 +180,10 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
   {
     map.LargestDeviation = mesher.GetLargestDeviation(patches, map);
   }
-  this->AddFacets(patches, map);
+  if (map.ReturnsOnPatches < this->Sphere.GetNumberOfReturns())
+  {
+    this->AddFacets(patches, map);
+  }
   map.FilledBeams = this->CollectFilled();
   return map;
 }

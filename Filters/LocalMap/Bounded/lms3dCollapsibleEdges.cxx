@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dCollapsibleEdges.h"
 
-#include <tbb/parallel_for.h>
+#include "LocalMap/Bounded/lms3dParallelTasks.h"
+
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
 namespace
 {
+// The number of edges whose costs a thread computes at least.
+constexpr std::size_t EdgesOfTask = 64;
+
 bool IsCheaper(const lms3dCollapsibleEdges::Edge& a, const lms3dCollapsibleEdges::Edge& b)
 {
   return a.Cost != b.Cost ? a.Cost < b.Cost
@@ -22,8 +24,8 @@ bool IsCheaper(const lms3dCollapsibleEdges::Edge& a, const lms3dCollapsibleEdges
 
 lms3dQuadric GetQuadric(const lms3dVertexStars& stars, const lms3dCollapsibleEdges::Edge& edge)
 {
-  lms3dQuadric quadric = stars.GetVertex(edge.From).Quadric;
-  quadric.Add(stars.GetVertex(edge.To).Quadric);
+  lms3dQuadric quadric = stars.GetQuadric(edge.From);
+  quadric.Add(stars.GetQuadric(edge.To));
   return quadric;
 }
 
@@ -46,6 +48,7 @@ lms3dCollapsibleEdges::lms3dCollapsibleEdges(const lms3dVertexStars& stars)
   : Stars(stars)
   , IsChanged(stars.GetNumberOfVertices(), 1)
   , IsFound(stars.GetTriangles().size(), 0)
+  , Uses(stars.GetNumberOfVertices(), 0)
 {
   for (std::size_t i = 0; i < stars.GetTriangles().size(); ++i)
   {
@@ -85,7 +88,7 @@ void lms3dCollapsibleEdges::AppendEdges(std::int32_t number, std::vector<Edge>& 
 // Computes the costs, too.
 void lms3dCollapsibleEdges::Sort(std::vector<Edge>& edges) const
 {
-  tbb::parallel_for(std::size_t(0), edges.size(),
+  lms3dForEachInTasks(edges.size(), EdgesOfTask,
     [&](std::size_t i)
     {
       const lms3dQuadric quadric = GetQuadric(this->Stars, edges[i]);
@@ -95,36 +98,56 @@ void lms3dCollapsibleEdges::Sort(std::vector<Edge>& edges) const
   tbb::parallel_sort(edges.begin(), edges.end(), IsCheaper);
 }
 
-std::vector<lms3dCollapsibleEdges::Edge> lms3dCollapsibleEdges::SelectIndependent() const
+std::vector<lms3dCollapsibleEdges::Edge> lms3dCollapsibleEdges::TakeIndependent()
 {
-  std::vector<std::uint8_t> isUsed(this->Stars.GetNumberOfVertices(), 0);
+  ++this->Selection;
   std::vector<Edge> selected;
-  for (const Edge& edge : this->Sorted)
+  const auto take = [&](const Edge& edge)
   {
-    // Decides for most edges, and is quick.
-    if (isUsed[edge.From] || isUsed[edge.To])
+    const bool isTaken = this->AreFree(edge);
+    if (isTaken)
     {
-      continue;
-    }
-    const auto forEachVertex = [&](const auto& visit)
-    {
-      const auto visitBoth = [&](std::int32_t, std::int32_t next, std::int32_t last)
-      { return visit(next) && visit(last); };
-      return this->Stars.ForEachTriangle(edge.From, visitBoth) &&
-        this->Stars.ForEachTriangle(edge.To, visitBoth);
-    };
-    if (forEachVertex([&](std::int32_t vertex) { return !isUsed[vertex]; }))
-    {
-      forEachVertex(
-        [&](std::int32_t vertex)
-        {
-          isUsed[vertex] = 1;
-          return true;
-        });
+      this->Use(edge);
       selected.push_back(edge);
     }
+    return isTaken;
+  };
+  // Looks at each edge once, in order.
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < this->Sorted.size(); ++i)
+  {
+    if (!take(this->Sorted[i]))
+    {
+      this->Sorted[kept] = this->Sorted[i];
+      ++kept;
+    }
   }
+  this->Sorted.resize(kept);
   return selected;
+}
+
+// Whether no vertex of the stars of an edge is used.
+bool lms3dCollapsibleEdges::AreFree(const Edge& edge) const
+{
+  const auto isFree = [this](std::int32_t vertex) { return this->Uses[vertex] != this->Selection; };
+  const auto areFree = [&](std::int32_t, std::int32_t next, std::int32_t last)
+  { return isFree(next) && isFree(last); };
+  // The ends decide for most edges, and are quick.
+  return isFree(edge.From) && isFree(edge.To) && this->Stars.ForEachTriangle(edge.From, areFree) &&
+    this->Stars.ForEachTriangle(edge.To, areFree);
+}
+
+// Each end belongs to the star of the other.
+void lms3dCollapsibleEdges::Use(const Edge& edge)
+{
+  const auto use = [this](std::int32_t, std::int32_t next, std::int32_t last)
+  {
+    this->Uses[next] = this->Selection;
+    this->Uses[last] = this->Selection;
+    return true;
+  };
+  this->Stars.ForEachTriangle(edge.From, use);
+  this->Stars.ForEachTriangle(edge.To, use);
 }
 
 void lms3dCollapsibleEdges::MarkChanged(std::int32_t vertex, std::vector<std::int32_t>& marked)
@@ -185,20 +208,31 @@ void lms3dCollapsibleEdges::Update(
     this->AppendEdges(triangle, edges);
   }
   this->Sort(edges);
-  const auto isOutdated = [this](const Edge& edge)
-  {
-    return this->IsChanged[edge.From] || this->IsChanged[edge.To] ||
-      this->Stars.GetTriangles()[edge.Side / 3].IsRigid[edge.Side % 3];
-  };
-  this->Sorted.erase(
-    std::remove_if(this->Sorted.begin(), this->Sorted.end(), isOutdated), this->Sorted.end());
-  std::vector<Edge> merged;
-  merged.reserve(this->Sorted.size() + edges.size());
-  std::merge(this->Sorted.begin(), this->Sorted.end(), edges.begin(), edges.end(),
-    std::back_inserter(merged), IsCheaper);
-  this->Sorted = std::move(merged);
+  this->MergeIn(edges);
   for (std::int32_t vertex : marked)
   {
     this->IsChanged[vertex] = 0;
   }
+}
+
+// Replaces the edges at changed vertices by these, which are sorted.
+void lms3dCollapsibleEdges::MergeIn(const std::vector<Edge>& edges)
+{
+  this->Merged.clear();
+  this->Merged.reserve(this->Sorted.size() + edges.size());
+  auto next = edges.begin();
+  for (const Edge& edge : this->Sorted)
+  {
+    if (this->IsChanged[edge.From] || this->IsChanged[edge.To])
+    {
+      continue;
+    }
+    while (next != edges.end() && IsCheaper(*next, edge))
+    {
+      this->Merged.push_back(*next++);
+    }
+    this->Merged.push_back(edge);
+  }
+  this->Merged.insert(this->Merged.end(), next, edges.end());
+  std::swap(this->Sorted, this->Merged);
 }

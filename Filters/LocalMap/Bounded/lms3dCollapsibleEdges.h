@@ -33,31 +33,36 @@ public:
   /// Keeps a reference. Uses the threads of the calling TBB arena.
   explicit lms3dCollapsibleEdges(const lms3dVertexStars& stars);
 
-  /// The cheapest first.
-  const std::vector<Edge>& GetSorted() const { return this->Sorted; }
-
-  /// Selects edges, the cheapest first, whose stars have no vertex in common.
-  std::vector<Edge> SelectIndependent() const;
+  /// Takes out edges, the cheapest first, whose stars have no vertex in common.
+  std::vector<Edge> TakeIndependent();
 
   /// Where the vertex that replaces an edge fits the triangles around both ends best.
   static lms3dVector GetBestPlace(const lms3dVertexStars& stars, const Edge& edge);
 
-  /// Takes changes into account: edges that have become rigid, and the stars of these vertices, into which edges
-  /// collapsed. `gone` are the vertices that these edges removed. Uses the threads of the calling TBB arena.
+  /// Takes changes into account: the stars of these vertices, into which edges collapsed. `gone` are the vertices that
+  /// these edges removed. Uses the threads of the calling TBB arena.
   void Update(const std::vector<std::int32_t>& changed, const std::vector<std::int32_t>& gone);
 
 private:
   void MarkChanged(std::int32_t vertex, std::vector<std::int32_t>& marked);
   std::vector<std::int32_t> FindTriangles(const std::vector<std::int32_t>& vertices);
+  bool AreFree(const Edge& edge) const;
+  void Use(const Edge& edge);
   void AppendEdges(std::int32_t number, std::vector<Edge>& edges) const;
   void Sort(std::vector<Edge>& edges) const;
+  void MergeIn(const std::vector<Edge>& edges);
 
   const lms3dVertexStars& Stars;
   std::vector<Edge> Sorted;
+  /// Memory for what will be Sorted.
+  std::vector<Edge> Merged;
   /// By vertex and by triangle: whether it is among those whose edges are computed again. Not vector<bool>, which is
   /// slower.
   std::vector<std::uint8_t> IsChanged;
   std::vector<std::uint8_t> IsFound;
+  /// By vertex: the number of the selection that used it last.
+  std::vector<std::int32_t> Uses;
+  std::int32_t Selection = 0;
 };
 
 #endif

@@ -3,6 +3,7 @@
 #include "LocalMap/Bounded/lms3dDeviationMeter.h"
 
 #include "Geometry/lms3dTriangleDistance.h"
+#include "LocalMap/Bounded/lms3dColumnDeviations.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -45,23 +46,13 @@ double lms3dDeviationMeter::GetLargest(const Part& part, double threshold)
 
 double lms3dDeviationMeter::GetLargestAbove(const Part& part, double threshold)
 {
-  ++this->Pass;
-  tbb::enumerable_thread_specific<Distances> ofThreads;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(part.First, part.End),
-    [&](const tbb::blocked_range<std::size_t>& triangles)
-    {
-      Distances& distances = ofThreads.local();
-      for (std::size_t triangle = triangles.begin(); triangle < triangles.end(); ++triangle)
-      {
-        this->Measure(part, triangle, threshold, distances);
-      }
-    });
-  Distances distances;
-  for (const Distances& ofThread : ofThreads)
+  Distances distances = this->FindDistances(part, threshold);
+  if (distances.empty())
   {
-    distances.insert(distances.end(), ofThread.begin(), ofThread.end());
+    return 0.0;
   }
   // A beam that passes an edge at a depth step can hit a triangle of the other side, too.
+  this->MarkNear(part, threshold, distances);
   distances.erase(std::remove_if(distances.begin(), distances.end(),
                     [this](const auto& entry) { return this->Near[entry.first] == this->Pass; }),
     distances.end());
@@ -77,40 +68,96 @@ double lms3dDeviationMeter::GetLargestAbove(const Part& part, double threshold)
   return largest;
 }
 
-void lms3dDeviationMeter::Measure(
-  const Part& part, std::size_t triangle, double threshold, Distances& distances)
+// The returns that are farther than the threshold from a triangle along their beams, and their distances from it.
+lms3dDeviationMeter::Distances lms3dDeviationMeter::FindDistances(
+  const Part& part, double threshold) const
+{
+  tbb::enumerable_thread_specific<Distances> ofThreads;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(part.First, part.End),
+    [&](const tbb::blocked_range<std::size_t>& triangles)
+    {
+      Distances& distances = ofThreads.local();
+      for (std::size_t triangle = triangles.begin(); triangle < triangles.end(); ++triangle)
+      {
+        this->Measure(part, triangle, threshold, distances);
+      }
+    });
+  Distances distances;
+  for (const Distances& ofThread : ofThreads)
+  {
+    distances.insert(distances.end(), ofThread.begin(), ofThread.end());
+  }
+  return distances;
+}
+
+// Marks the beams that hit a triangle within the threshold, at least in the columns of some returns.
+void lms3dDeviationMeter::MarkNear(const Part& part, double threshold, const Distances& distances)
+{
+  ++this->Pass;
+  std::vector<std::uint8_t> isIncluded(this->Sphere.GetNumberOfColumns(), 0);
+  for (const auto& entry : distances)
+  {
+    isIncluded[this->Sphere.GetColumn(entry.first)] = 1;
+  }
+  tbb::parallel_for(part.First, part.End,
+    [&](std::size_t triangle)
+    {
+      const lms3dTriangleRasterizer beams = this->MakeRasterizer(triangle);
+      beams.ForEachColumnOf([&](int column) { return isIncluded[column] != 0; },
+        [&](int column, int first, int last)
+        {
+          const lms3dTriangleRasterizer::ColumnRanges hits(beams, column);
+          for (int row = first; row <= last; ++row)
+          {
+            const GridIndex index = this->Sphere.GetIndex(column, row);
+            if (std::abs(this->Sphere.GetRange(index) - hits.GetRange(row)) <= threshold)
+            {
+              this->Near[index].store(this->Pass, std::memory_order_relaxed);
+            }
+          }
+          return true;
+        });
+    });
+}
+
+lms3dTriangleRasterizer lms3dDeviationMeter::MakeRasterizer(std::size_t triangle) const
 {
   const std::array<std::int32_t, 3>& corners = this->Map.Triangles[triangle];
-  const lms3dTriangleCorner& a = this->Corners[corners[0]];
-  const lms3dTriangleCorner& b = this->Corners[corners[1]];
-  const lms3dTriangleCorner& c = this->Corners[corners[2]];
-  const lms3dTriangleRasterizer beams(this->Sphere, a, b, c, Margin);
+  return { this->Sphere, this->Corners[corners[0]], this->Corners[corners[1]],
+    this->Corners[corners[2]], Margin };
+}
+
+void lms3dDeviationMeter::Measure(
+  const Part& part, std::size_t triangle, double threshold, Distances& distances) const
+{
+  const std::array<std::int32_t, 3>& corners = this->Map.Triangles[triangle];
+  const lms3dTriangleRasterizer beams = this->MakeRasterizer(triangle);
   const int rows = this->Sphere.GetNumberOfRows();
   const int lowest = this->Sphere.IsPoleRow(0) ? 1 : 0;
   const int highest = this->Sphere.IsPoleRow(rows - 1) ? rows - 2 : rows - 1;
   const auto measure = [&](int column, int first, int last)
   {
     const lms3dTriangleRasterizer::ColumnRanges hits(beams, column);
-    const GridIndex start = this->Sphere.GetIndex(column, 0);
-    const double* const ranges = this->Sphere.GetRanges() + start;
-    const std::int32_t* const labels = this->Patches.Labels.data() + start;
-    std::atomic<std::int32_t>* const near = this->Near.data() + start;
-    for (int row = std::max(first, lowest); row <= std::min(last, highest); ++row)
+    const int from = std::max(first, lowest);
+    const int to = std::min(last, highest);
+    if (lms3dColumnDeviations::AreWithin(
+          this->Sphere, hits.GetPlane(), column, from, to, threshold))
     {
-      const bool isOwn = part.Patch == AllPatches ? labels[row] >= 0 : labels[row] == part.Patch;
-      if (!isOwn || this->Sphere.IsFilled(start + row))
+      return;
+    }
+    const GridIndex start = this->Sphere.GetIndex(column, 0);
+    for (int row = from; row <= to; ++row)
+    {
+      const GridIndex index = start + row;
+      const std::int32_t label = this->Patches.Labels[index];
+      const double range = this->Sphere.GetRange(index);
+      if ((part.Patch == AllPatches ? label >= 0 : label == part.Patch) &&
+        !this->Sphere.IsFilled(index) && !(std::abs(range - hits.GetRange(row)) <= threshold))
       {
-        continue;
-      }
-      if (std::abs(ranges[row] - hits.GetRange(row)) <= threshold)
-      {
-        near[row].store(this->Pass, std::memory_order_relaxed);
-      }
-      else
-      {
-        const lms3dVector point = lms3dScale(this->Sphere.GetDirection(start + row), ranges[row]);
-        distances.emplace_back(
-          start + row, lms3dGetDistance(point, a.Position, b.Position, c.Position));
+        distances.emplace_back(index,
+          lms3dGetDistance(lms3dScale(this->Sphere.GetDirection(index), range),
+            this->Corners[corners[0]].Position, this->Corners[corners[1]].Position,
+            this->Corners[corners[2]].Position));
       }
     }
   };

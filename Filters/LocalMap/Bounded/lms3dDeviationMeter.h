@@ -65,7 +65,11 @@ private:
 
   double GetLargest(const Part& part, double threshold);
   double GetLargestAbove(const Part& part, double threshold);
-  void Measure(const Part& part, std::size_t triangle, double threshold, Distances& distances);
+  Distances FindDistances(const Part& part, double threshold) const;
+  void MarkNear(const Part& part, double threshold, const Distances& distances);
+  lms3dTriangleRasterizer MakeRasterizer(std::size_t triangle) const;
+  void Measure(
+    const Part& part, std::size_t triangle, double threshold, Distances& distances) const;
 
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;

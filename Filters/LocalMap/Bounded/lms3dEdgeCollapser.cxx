@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dEdgeCollapser.h"
 
+#include "LocalMap/Bounded/lms3dParallelTasks.h"
 #include "LocalMap/Bounded/lms3dVertexFit.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,6 +19,8 @@ constexpr double MinimumHeight = 0.02;
 // any triangle would go.
 constexpr double MinimumShare = 0.1;
 constexpr std::size_t LargeRound = 100;
+// The number of edges that a thread tries at least.
+constexpr std::size_t EdgesOfTask = 4;
 
 // Calls visit(next, last) for each triangle that an edge leaves when it collapses. Stops when a visit returns false,
 // and returns false then.
@@ -63,22 +64,28 @@ lms3dEdgeCollapser::Result lms3dEdgeCollapser::TryToCollapse(
   Result result = { false, lms3dNormalize(lms3dCollapsibleEdges::GetBestPlace(stars, edge)),
     to.Inverse };
   const lms3dTriangleCorner corner = to.IsFree ? lms3dTriangleCorner(result.Direction) : to.Corner;
-  lms3dVertexFit fit(demands);
-  if (!stars.AreLinked(edge.From, edge.To) || !HasSoundShape(stars, edge, corner) ||
-    !ForEachSide(stars, edge.From, edge.To,
-      [&](std::int32_t next, std::int32_t last)
-      { return fit.Add(corner, lms3dVertexFit::GetSide(stars, next, last)); }))
+  if (!HasSoundShape(stars, edge, corner) || !stars.AreLinked(edge.From, edge.To))
   {
     return result;
   }
-  if (to.IsFree && fit.IsDetermined())
+  if (!to.IsFree)
+  {
+    result.CanCollapse = ForEachSide(stars, edge.From, edge.To,
+      [&](std::int32_t next, std::int32_t last)
+      {
+        return lms3dVertexFit::Allows(
+          demands, corner, result.Inverse, lms3dVertexFit::GetSide(stars, next, last));
+      });
+    return result;
+  }
+  lms3dVertexFit fit(demands);
+  if (ForEachSide(stars, edge.From, edge.To,
+        [&](std::int32_t next, std::int32_t last)
+        { return fit.Add(corner, lms3dVertexFit::GetSide(stars, next, last)); }) &&
+    fit.IsDetermined())
   {
     result.Inverse = fit.GetInverse();
     result.CanCollapse = result.Inverse > 0.0;
-  }
-  else
-  {
-    result.CanCollapse = !to.IsFree && fit.Allows(result.Inverse);
   }
   return result;
 }
@@ -89,9 +96,9 @@ bool lms3dEdgeCollapser::Run(const lms3dBeamDemands& demands, lms3dVertexStars& 
   lms3dCollapsibleEdges edges(stars);
   while (true)
   {
-    const std::vector<Edge> selected = edges.SelectIndependent();
+    const std::vector<Edge> selected = edges.TakeIndependent();
     std::vector<std::uint8_t> hasCollapsed(selected.size());
-    tbb::parallel_for(std::size_t(0), selected.size(),
+    lms3dForEachInTasks(selected.size(), EdgesOfTask,
       [&](std::size_t i) { hasCollapsed[i] = Collapse(demands, selected[i], stars); });
     std::vector<std::int32_t> changed;
     std::vector<std::int32_t> gone;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dPatchMesher.h"
 
+#include "LocalMap/Bounded/lms3dColumnDeviations.h"
+#include "LocalMap/Bounded/lms3dPatchMesherWork.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,62 +18,18 @@ constexpr double LiftInBounds = 0.8;
 // The number of rounds in which each triangle gets one new vertex. Afterwards all beams beyond the bound
 // become vertices.
 constexpr int WorstOnlyRounds = 12;
-} // namespace
 
-/// The mesh of one patch while it is refined.
-struct lms3dPatchMesher::Work
+// Without branches, so that the compiler makes it a loop over vectors.
+bool AreAll(const std::int32_t* first, const std::int32_t* end, std::int32_t value)
 {
-  /// A beam that hits a triangle beyond the bound.
-  struct Violation
+  std::int32_t difference = 0;
+  for (const std::int32_t* label = first; label != end; ++label)
   {
-    GridIndex Beam;
-    int Triangle;
-    /// The range of the hit, metres; negative if the plane of the triangle does not meet the beam.
-    double Range;
-    double Deviation;
-  };
-
-  /// The corners of a triangle when its beams were last checked, and the largest deviation within the
-  /// bound.
-  struct CheckedTriangle
-  {
-    std::array<std::int32_t, 3> Corners = { -1, -1, -1 };
-    double Deviation = 0.0;
-  };
-
-  Work(const lms3dPatchOutlines& outlines, int patch, int members, const lms3dPlane& plane)
-    : Patch(patch)
-    , Members(members)
-    , Triangulation(outlines, patch, plane.Q)
-  {
+    difference |= *label ^ value;
   }
-
-  /// Keeps the worst violation of each triangle, or all.
-  void AddViolation(const Violation& violation)
-  {
-    if (!this->KeepsWorstOnly || this->Violations.empty() ||
-      this->Violations.back().Triangle != violation.Triangle)
-    {
-      this->Violations.push_back(violation);
-    }
-    else if (violation.Deviation > this->Violations.back().Deviation)
-    {
-      this->Violations.back() = violation;
-    }
-  }
-
-  const int Patch;
-  const int Members;
-  lms3dPatchTriangulation Triangulation;
-  bool KeepsWorstOnly = true;
-  /// The number of the patch's beams that hit a triangle.
-  int Covered = 0;
-  /// Whether all triangles have been checked, and only beams of the patch hit them.
-  bool CoversOwnBeamsOnly = false;
-  double DeviationOnBeams = 0.0;
-  std::vector<Violation> Violations;
-  std::vector<CheckedTriangle> Triangles;
-};
+  return difference == 0;
+}
+} // namespace
 
 lms3dPatchMesher::lms3dPatchMesher(const lms3dBeamSphere& sphere, const lms3dPatches& patches,
   const lms3dPatchOutlines& outlines, double maximumError, double noise)
@@ -171,10 +130,8 @@ bool lms3dPatchMesher::CheckTriangle(Work& work, int triangle)
   const std::array<std::int32_t, 3>& corners = work.Triangulation.GetCorners(triangle);
   const lms3dTriangleRasterizer beams(this->Sphere, work.Triangulation.GetVertex(corners[0]),
     work.Triangulation.GetVertex(corners[1]), work.Triangulation.GetVertex(corners[2]));
-  bool areOwn = true;
-  beams.ForEachColumn([&](int column, int first, int last)
-    { areOwn = areOwn && this->CheckBeams(work, triangle, beams, column, first, last); });
-  return areOwn;
+  return beams.ForEachColumnWhile([&](int column, int first, int last)
+    { return this->CheckBeams(work, triangle, beams, column, first, last); });
 }
 
 bool lms3dPatchMesher::CheckBeams(
@@ -185,11 +142,15 @@ bool lms3dPatchMesher::CheckBeams(
   const GridIndex start = this->Sphere.GetIndex(column, 0);
   const std::int32_t* const labels = this->Patches.Labels.data() + start;
   const auto isOwn = [patch = work.Patch](std::int32_t label) { return label == patch; };
-  if (isRegular && !std::all_of(labels + first, labels + last + 1, isOwn))
+  if (isRegular && !AreAll(labels + first, labels + last + 1, work.Patch))
   {
     return false;
   }
   const lms3dTriangleRasterizer::ColumnRanges hits(beams, column);
+  if (isRegular && !hasFilled && this->TryToCoverBeams(work, triangle, hits, column, first, last))
+  {
+    return true;
+  }
   const double maximumError = this->MaximumError;
   State* const states = this->States.data() + start;
   double largest = work.Triangles[triangle].Deviation;
@@ -218,6 +179,42 @@ bool lms3dPatchMesher::CheckBeams(
   work.Covered += covered;
   work.Triangles[triangle].Deviation = largest;
   return true;
+}
+
+// Does the same as CheckBeams() for beams that hit within the bound, and is faster. Returns false, and changes nothing,
+// if one does not.
+bool lms3dPatchMesher::TryToCoverBeams(Work& work, int triangle,
+  const lms3dTriangleRasterizer::ColumnRanges& hits, int column, int first, int last)
+{
+  const bool hasPoleCopy =
+    column > 0 && (this->Sphere.IsPoleRow(first) || this->Sphere.IsPoleRow(last));
+  if (hasPoleCopy)
+  {
+    return false;
+  }
+  const lms3dColumnDeviations deviations(
+    this->Sphere, hits.GetPlane(), column, first, last, this->MaximumError);
+  if (deviations.Beyond > 0)
+  {
+    return false;
+  }
+  double& largest = work.Triangles[triangle].Deviation;
+  largest = std::max(largest, deviations.Largest);
+  work.Covered += this->CoverBeams(this->Sphere.GetIndex(column, first), last - first + 1);
+  return true;
+}
+
+// Returns how many of consecutive entries were uncovered.
+int lms3dPatchMesher::CoverBeams(GridIndex first, int count)
+{
+  State* const states = this->States.data() + first;
+  int covered = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    covered += states[i] == IsUncovered ? 1 : 0;
+    states[i] = states[i] == IsUncovered ? IsCovered : states[i];
+  }
+  return covered;
 }
 
 // Returns false if a vertex cannot be inserted.

@@ -71,6 +71,9 @@ private:
   bool CheckTriangle(Work& work, int triangle);
   bool CheckBeams(Work& work, int triangle, const lms3dTriangleRasterizer& beams, int column,
     int first, int last);
+  bool TryToCoverBeams(Work& work, int triangle, const lms3dTriangleRasterizer::ColumnRanges& hits,
+    int column, int first, int last);
+  int CoverBeams(GridIndex first, int count);
   bool InsertBeams(Work& work);
   lms3dMapVertex MakeVertex(GridIndex beam, double hit) const;
   std::vector<GridIndex> FindUncovered(int patch) const;

@@ -31,16 +31,15 @@ bool lms3dRegularMoves::KeepsBound(
     return isOnLeft(stars.GetVertex(next).Corner.Position, at) &&
       isOnLeft(at, stars.GetVertex(last).Corner.Position);
   };
-  lms3dVertexFit fit(this->Demands);
-  const auto add = [&](std::int32_t next, std::int32_t last)
+  const auto isAllowed = [&](std::int32_t next, std::int32_t last)
   {
-    return fit.Add(target.Corner, lms3dVertexFit::GetSide(stars, next, last)) &&
-      fit.Allows(target.Inverse);
+    return lms3dVertexFit::Allows(
+      this->Demands, target.Corner, target.Inverse, lms3dVertexFit::GetSide(stars, next, last));
   };
   return stars.ForEachSide(from, to,
            [&](std::int32_t next, std::int32_t last)
-           { return !isInPlace(next, last) || add(next, last); }) &&
+           { return !isInPlace(next, last) || isAllowed(next, last); }) &&
     stars.ForEachSide(from, to,
       [&](std::int32_t next, std::int32_t last)
-      { return isInPlace(next, last) || add(next, last); });
+      { return isInPlace(next, last) || isAllowed(next, last); });
 }

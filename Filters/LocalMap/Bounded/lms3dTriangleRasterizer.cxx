@@ -188,7 +188,7 @@ void lms3dTriangleRasterizer::FindColumns(
   this->NumberOfColumns = last - first + std::min(wrapped, first);
 }
 
-bool lms3dTriangleRasterizer::FindRows(int column, int& first, int& last) const
+bool lms3dTriangleRasterizer::FindRows(int column, NearRows& rows) const
 {
   const std::array<double, 2>& level = this->Sphere.GetHorizontal(column);
   double low = -std::numeric_limits<double>::infinity();
@@ -215,12 +215,13 @@ bool lms3dTriangleRasterizer::FindRows(int column, int& first, int& last) const
     return false;
   }
   const std::vector<double>& tangents = this->Sphere.GetTangents();
-  if (first == NoRow)
-  {
-    first = this->Sphere.GetRowNear(low);
-    last = this->Sphere.GetRowNear(high);
-  }
-  first = lms3dFindEndOf(tangents, first, [low](double tangent) { return tangent < low; });
-  last = lms3dFindEndOf(tangents, last, [high](double tangent) { return tangent <= high; }) - 1;
+  const bool isFirst = rows.First == NoRow;
+  const int nearFirst = isFirst ? this->Sphere.GetRowNear(low) : rows.First + rows.FirstStep;
+  const int nearEnd = isFirst ? this->Sphere.GetRowNear(high) : rows.Last + 1 + rows.LastStep;
+  const int first =
+    lms3dFindEndOf(tangents, nearFirst, [low](double tangent) { return tangent < low; });
+  const int last =
+    lms3dFindEndOf(tangents, nearEnd, [high](double tangent) { return tangent <= high; }) - 1;
+  rows = { first, last, isFirst ? 0 : first - rows.First, isFirst ? 0 : last - rows.Last };
   return first <= last;
 }

@@ -63,6 +63,8 @@ public:
                              : this->Triangle.GetRangeOnRay(this->Start + row);
     }
 
+    const lms3dColumnPlane& GetPlane() const { return this->Plane; }
+
   private:
     const lms3dTriangleRasterizer& Triangle;
     const lms3dColumnPlane Plane;
@@ -74,31 +76,62 @@ public:
   template <typename Visitor>
   void ForEachColumn(const Visitor& visit) const
   {
+    this->ForEachColumnWhile(
+      [&](int column, int first, int last)
+      {
+        visit(column, first, last);
+        return true;
+      });
+  }
+
+  /// The same. Stops when a visit returns false, and returns false then.
+  template <typename Visitor>
+  bool ForEachColumnWhile(const Visitor& visit) const
+  {
+    return this->ForEachColumnOf([](int) { return true; }, visit);
+  }
+
+  /// The same for the columns for which isIncluded(column) returns true.
+  template <typename Predicate, typename Visitor>
+  bool ForEachColumnOf(const Predicate& isIncluded, const Visitor& visit) const
+  {
     const int columns = this->Sphere.GetNumberOfColumns();
     int column = this->FirstColumn;
-    // The rows of the next column are near.
-    int firstRow = NoRow;
-    int lastRow = NoRow;
-    for (int i = 0; i < this->NumberOfColumns; ++i)
+    NearRows near;
+    bool goesOn = true;
+    for (int i = 0; i < this->NumberOfColumns && goesOn; ++i)
     {
-      if (!this->Sphere.IsRegular())
+      if (!isIncluded(column))
+      {
+        near = {};
+      }
+      else if (!this->Sphere.IsRegular())
       {
         FanView view;
-        if (this->MeetsFan(column, view))
-        {
-          this->ForEachRay(column, view, visit);
-        }
+        goesOn = !this->MeetsFan(column, view) || this->ForEachRay(column, view, visit);
       }
-      else if (this->FindRows(column, firstRow, lastRow))
+      else if (this->FindRows(column, near))
       {
-        visit(column, firstRow, lastRow);
+        goesOn = visit(column, near.First, near.Last);
       }
       column = column + 1 < columns ? column + 1 : 0;
     }
+    return goesOn;
   }
 
 private:
   static constexpr int NoRow = -1;
+
+  /// The rows of a column, or NoRow, and how far they lie from the rows of the column before. The next column goes on
+  /// like this, or nearly.
+  struct NearRows
+  {
+    int First = NoRow;
+    int Last = NoRow;
+    int FirstStep = 0;
+    int LastStep = 0;
+  };
+
   using Edges3 = std::array<lms3dVector, 3>;
 
   static Edges3 MakeEdges(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c);
@@ -132,18 +165,20 @@ private:
   };
 
   template <typename Visitor>
-  void ForEachRay(int column, const FanView& view, const Visitor& visit) const
+  bool ForEachRay(int column, const FanView& view, const Visitor& visit) const
   {
+    bool goesOn = true;
     const lms3dBeamSphere::GridIndex start = this->Sphere.GetIndex(column, 0);
-    for (int row = 0; row < this->Sphere.GetNumberOfRows(); ++row)
+    for (int row = 0; row < this->Sphere.GetNumberOfRows() && goesOn; ++row)
     {
       const bool isMissed =
         view.IsPlane && view.IsMissedBy(this->Sphere.GetRays()[start + row].Direction);
       if (!isMissed && this->IsHitByRay(start + row))
       {
-        visit(column, row, row);
+        goesOn = visit(column, row, row);
       }
     }
+    return goesOn;
   }
 
   bool MeetsFan(int column, FanView& view) const;
@@ -153,9 +188,8 @@ private:
     const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c) const;
   void FindColumns(
     const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c);
-  /// `first` and `last` are the rows of another column, or NoRow, and become the rows of this one. Returns false if no
-  /// beam of the column hits.
-  bool FindRows(int column, int& first, int& last) const;
+  /// Finds the rows of a column. `rows` are the rows of the column before. Returns false if no beam of the column hits.
+  bool FindRows(int column, NearRows& rows) const;
 
   const lms3dBeamSphere& Sphere;
   lms3dPlane Plane;

@@ -17,50 +17,61 @@ constexpr double Margin = 1e-9;
 constexpr double Rounding = 1.0 + 1e-14;
 } // namespace
 
-bool lms3dVertexFit::Add(const lms3dTriangleCorner& vertex, const Side& side)
+lms3dVertexFit::Triangle::Triangle(
+  const lms3dBeamSphere& sphere, const lms3dTriangleCorner& vertex, const Side& side)
+  : Beams(sphere, vertex, side.Next, side.Last, Margin)
 {
   const lms3dVector toLast = lms3dCross(side.Last.Position, side.Next.Position);
   const double scale = 1.0 / lms3dDot(toLast, vertex.Position);
-  const Triangle triangle = { lms3dTriangleRasterizer(
-                                this->Beams.GetSphere(), vertex, side.Next, side.Last, Margin),
-    lms3dScale(toLast, scale),
+  this->Own = lms3dScale(toLast, scale);
+  this->Rest =
     lms3dAdd(lms3dScale(lms3dCross(vertex.Position, side.Last.Position), scale * side.NextInverse),
-      lms3dScale(lms3dCross(side.Next.Position, vertex.Position), scale * side.LastInverse)) };
-  triangle.Beams.ForEachColumn(
-    [&](int column, int first, int last)
-    {
-      if (this->Sum.IsPossible())
-      {
-        this->AddColumn(triangle, column, first, last);
-      }
-    });
-  return this->Sum.IsPossible();
+      lms3dScale(lms3dCross(side.Next.Position, vertex.Position), scale * side.LastInverse));
 }
 
-void lms3dVertexFit::AddColumn(const Triangle& triangle, int column, int first, int last)
+lms3dVertexFit::ColumnShares::ColumnShares(
+  const lms3dBeamSphere& sphere, const Triangle& triangle, int column)
+  : Cosines(sphere.GetCosines())
+  , Sines(sphere.GetSines())
+  , OwnUp(triangle.Own[2])
+  , RestUp(triangle.Rest[2])
 {
-  const lms3dVector& own = triangle.Own;
-  const lms3dVector& rest = triangle.Rest;
-  const lms3dBeamSphere& sphere = this->Beams.GetSphere();
   const std::array<double, 2>& level = sphere.GetHorizontal(column);
-  const double ownLevel = own[0] * level[0] + own[1] * level[1];
-  const double restLevel = rest[0] * level[0] + rest[1] * level[1];
-  const lms3dBeamDemands::Demand* const demands = &this->Beams[sphere.GetIndex(column, 0)];
-  const double* const cosines = sphere.GetCosines();
-  const double* const sines = sphere.GetSines();
+  this->OwnLevel = triangle.Own[0] * level[0] + triangle.Own[1] * level[1];
+  this->RestLevel = triangle.Rest[0] * level[0] + triangle.Rest[1] * level[1];
+}
+
+bool lms3dVertexFit::Add(const lms3dTriangleCorner& vertex, const Side& side)
+{
+  const Triangle triangle(this->Beams.GetSphere(), vertex, side);
+  return this->Sum.IsPossible() &&
+    triangle.Beams.ForEachColumnWhile(
+      [&](int column, int first, int last)
+      {
+        this->AddColumn(triangle, column, { first, last });
+        return this->Sum.IsPossible();
+      });
+}
+
+void lms3dVertexFit::AddColumn(const Triangle& triangle, int column, const Rows& rows)
+{
+  const lms3dBeamSphere& sphere = this->Beams.GetSphere();
+  const lms3dBeamDemands::Demands demands = this->Beams[sphere.GetIndex(column, 0)];
+  const double* const ranges = sphere.GetRanges() + sphere.GetIndex(column, 0);
+  const ColumnShares shares(sphere, triangle, column);
   Sums sums = this->Sum;
-  for (int row = first; row <= last; ++row)
+  for (int row = rows.First; row <= rows.Last; ++row)
   {
-    const lms3dBeamDemands::Demand& demand = demands[row];
-    const double share = ownLevel * cosines[row] + own[2] * sines[row];
-    const double others = restLevel * cosines[row] + rest[2] * sines[row];
-    if (demand.Weight == 0.0 || share < MinimumShare)
+    const double share = shares.GetOwn(row);
+    const double others = shares.GetRest(row);
+    const double range = ranges[row];
+    if (demands.Minimum[row] < 0.0 || share < MinimumShare)
     {
       continue;
     }
     // Most beams do not narrow the interval, which takes no division to see.
-    const double low = demand.Minimum - others;
-    const double high = demand.Maximum - others;
+    const double low = demands.Minimum[row] - others;
+    const double high = demands.Maximum[row] - others;
     if (!(low * Rounding < sums.Minimum * share))
     {
       sums.Minimum = std::max(sums.Minimum, low / share);
@@ -70,10 +81,61 @@ void lms3dVertexFit::AddColumn(const Triangle& triangle, int column, int first, 
       sums.Maximum = std::min(sums.Maximum, high / share);
     }
     sums.LargestShare = std::max(sums.LargestShare, share);
-    sums.Squares += demand.Weight * share * share;
-    sums.Products += demand.Weight * share * (demand.Inverse - others);
+    // The weight of a difference in inverse range.
+    const double weight = range * range * range * range;
+    sums.Squares += weight * share * share;
+    sums.Products += weight * share * (1.0 / range - others);
   }
   this->Sum = sums;
+}
+
+bool lms3dVertexFit::Allows(const lms3dBeamDemands& beams, const lms3dTriangleCorner& vertex,
+  double inverse, const Side& side)
+{
+  const lms3dBeamSphere& sphere = beams.GetSphere();
+  const Triangle triangle(sphere, vertex, side);
+  return inverse >= 0.0 &&
+    triangle.Beams.ForEachColumnWhile(
+      [&](int column, int first, int last)
+      {
+        return AllowsColumn(beams[sphere.GetIndex(column, 0)],
+          ColumnShares(sphere, triangle, column), { first, last }, inverse);
+      });
+}
+
+// Without branches, so that the compiler makes it a loop over vectors. Few columns have a beam near its limits.
+bool lms3dVertexFit::AllowsColumn(const lms3dBeamDemands::Demands& demands,
+  const ColumnShares& shares, const Rows& rows, double inverse)
+{
+  std::int64_t uncertain = 0;
+  for (int row = rows.First; row <= rows.Last; ++row)
+  {
+    const double own = shares.GetOwn(row);
+    const double share = own * inverse;
+    const double others = shares.GetRest(row);
+    const double low = demands.Minimum[row] - others;
+    const double high = demands.Maximum[row] - others;
+    const bool isInside = (low * Rounding < share) & (high > share * Rounding);
+    uncertain += (isInside | (own < MinimumShare)) ? 0 : 1;
+  }
+  return uncertain == 0 || AllowsExactly(demands, shares, rows, inverse);
+}
+
+bool lms3dVertexFit::AllowsExactly(const lms3dBeamDemands::Demands& demands,
+  const ColumnShares& shares, const Rows& rows, double inverse)
+{
+  for (int row = rows.First; row <= rows.Last; ++row)
+  {
+    const double share = shares.GetOwn(row);
+    const double others = shares.GetRest(row);
+    if (!(share < MinimumShare) &&
+      ((demands.Minimum[row] - others) / share > inverse ||
+        (demands.Maximum[row] - others) / share < inverse))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool lms3dVertexFit::IsDetermined() const

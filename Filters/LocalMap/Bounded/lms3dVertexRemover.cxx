@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dVertexRemover.h"
 
-#include <tbb/parallel_for.h>
+#include "LocalMap/Bounded/lms3dParallelTasks.h"
+#include "LocalMap/Bounded/lms3dTriangleOfDirections.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 namespace
 {
@@ -17,24 +18,9 @@ namespace
 constexpr double MinimumHeight = 0.01;
 // The number of neighbours that a vertex tries to move to.
 constexpr std::size_t MaximumTargets = 6;
-
-double GetSquare(const lms3dVector& a, const lms3dVector& b)
-{
-  const lms3dVector edge = lms3dSubtract(a, b);
-  return lms3dDot(edge, edge);
-}
-
-// Positive if the sensor sees the corners counter-clockwise.
-double GetTurn(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c)
-{
-  return lms3dDot(lms3dCross(c, b), a);
-}
-
-// The height of a triangle of directions, as a share of its longest edge.
-double GetHeight(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c)
-{
-  return GetTurn(a, b, c) / std::max({ GetSquare(a, b), GetSquare(b, c), GetSquare(c, a) });
-}
+// The number of vertices that a thread prepares at least, and tries to move.
+constexpr std::size_t VerticesOfTask = 32;
+constexpr std::size_t MovesOfTask = 8;
 } // namespace
 
 lms3dVertexRemover::lms3dVertexRemover(const lms3dVertexMoves& moves, lms3dVertexStars& stars)
@@ -42,6 +28,7 @@ lms3dVertexRemover::lms3dVertexRemover(const lms3dVertexMoves& moves, lms3dVerte
   , Stars(stars)
   , Candidates(stars.GetNumberOfVertices())
   , Changed(stars.GetNumberOfVertices())
+  , Queue(stars)
 {
   std::iota(this->Changed.begin(), this->Changed.end(), 0);
 }
@@ -51,32 +38,52 @@ bool lms3dVertexRemover::Run()
   bool isChanged = false;
   while (true)
   {
-    tbb::parallel_for(std::size_t(0), this->Changed.size(),
+    lms3dForEachInTasks(this->Changed.size(), VerticesOfTask,
       [&](std::size_t i) { this->Prepare(this->Changed[i]); });
-    const std::vector<std::int32_t> selected = this->SelectIndependent();
+    this->UpdateQueue();
+    const std::vector<std::int32_t> selected = this->Queue.TakeIndependent();
     if (selected.empty())
     {
       return isChanged;
     }
-    tbb::parallel_for(
-      std::size_t(0), selected.size(), [&](std::size_t i) { this->TryToMove(selected[i]); });
+    lms3dForEachInTasks(
+      selected.size(), MovesOfTask, [&](std::size_t i) { this->TryToMove(selected[i]); });
     isChanged |= this->Move(selected);
   }
 }
 
-// Decides whether a vertex may move, after its star has changed.
+// Decides whether a vertex may move, after its star or the star of a neighbour has changed.
 void lms3dVertexRemover::Prepare(std::int32_t vertex)
 {
-  Candidate candidate;
-  const lms3dVertexStars::Border& line = candidate.Line;
-  candidate.IsSettled =
-    !this->FindLine(vertex, candidate) || (line.IsOpen() && !this->MayLeaveLine(vertex, candidate));
-  if (!candidate.IsSettled)
+  if (this->Candidates[vertex].IsStarChanged)
   {
-    candidate.Cost =
-      line.IsOpen() ? this->GetCostOnLine(vertex, line) : this->GetCostInside(vertex);
+    this->LookAtStar(vertex);
   }
-  this->Candidates[vertex] = candidate;
+}
+
+void lms3dVertexRemover::LookAtStar(std::int32_t vertex)
+{
+  Candidate& candidate = this->Candidates[vertex];
+  const lms3dVertexStars::Border border = candidate.Border;
+  const lms3dVertexStars::Border line = candidate.Line;
+  candidate.IsStarChanged = false;
+  candidate.HasFailed = false;
+  if (!this->FindLine(vertex, candidate))
+  {
+    candidate.IsFixed = true;
+    candidate.Line = {};
+  }
+  else if (!candidate.Line.IsOpen())
+  {
+    candidate.IsFixed = false;
+    candidate.Cost = this->GetCostInside(vertex);
+  }
+  // The same line has the same cost, and may be left as before.
+  else if (!(candidate.Border == border && candidate.Line == line))
+  {
+    candidate.IsFixed = !this->MayLeaveLine(vertex, candidate);
+    candidate.Cost = candidate.IsFixed ? 0.0 : this->GetCostOnLine(vertex, candidate.Line);
+  }
 }
 
 // Returns false if the vertex cannot move, since its triangles do not follow each other around it.
@@ -87,7 +94,8 @@ bool lms3dVertexRemover::FindLine(std::int32_t vertex, Candidate& candidate) con
     return false;
   }
   candidate.Line = candidate.Border;
-  return candidate.Border.IsOpen() || this->Stars.FindBorderOfPatches(vertex, candidate.Line);
+  return candidate.Border.IsOpen() || !this->Stars.HasStrip(vertex) ||
+    this->Stars.FindBorderOfPatches(vertex, candidate.Line);
 }
 
 bool lms3dVertexRemover::MayLeaveLine(std::int32_t vertex, const Candidate& candidate) const
@@ -103,8 +111,8 @@ double lms3dVertexRemover::GetCostOnLine(
 {
   const lms3dVector& last = this->GetDirection(line.Last);
   const lms3dVector& next = this->GetDirection(line.Next);
-  const double turn = GetTurn(last, this->GetDirection(vertex), next);
-  const double cost = turn * turn / GetSquare(last, next);
+  const double turn = lms3dGetTurn(last, this->GetDirection(vertex), next);
+  const double cost = turn * turn / lms3dGetSquareOfChord(last, next);
   return std::isfinite(cost) ? cost : 0.0;
 }
 
@@ -114,52 +122,33 @@ double lms3dVertexRemover::GetCostInside(std::int32_t vertex) const
   this->Stars.ForEachTriangle(vertex,
     [&](std::int32_t, std::int32_t next, std::int32_t)
     {
-      cost = std::min(cost, GetSquare(this->GetDirection(next), this->GetDirection(vertex)));
+      cost =
+        std::min(cost, lms3dGetSquareOfChord(this->GetDirection(next), this->GetDirection(vertex)));
       return true;
     });
   return cost;
 }
 
-// Selects vertices, the cheapest first, whose stars have no vertex in common.
-std::vector<std::int32_t> lms3dVertexRemover::SelectIndependent() const
+void lms3dVertexRemover::UpdateQueue()
 {
-  std::vector<std::int32_t> order;
-  for (std::int32_t vertex = 0; vertex < this->Stars.GetNumberOfVertices(); ++vertex)
+  std::vector<lms3dVertexQueue::Entry> added;
+  for (std::int32_t vertex : this->Changed)
   {
-    if (!this->Candidates[vertex].IsSettled)
+    if (!this->Candidates[vertex].IsFixed)
     {
-      order.push_back(vertex);
+      added.push_back({ this->Candidates[vertex].Cost, vertex });
     }
   }
-  std::sort(order.begin(), order.end(),
-    [&](std::int32_t a, std::int32_t b)
-    { return std::tie(this->Candidates[a].Cost, a) < std::tie(this->Candidates[b].Cost, b); });
-  std::vector<bool> isUsed(this->Stars.GetNumberOfVertices(), false);
-  std::vector<std::int32_t> selected;
-  for (std::int32_t vertex : order)
-  {
-    if (this->Stars.ForEachTriangle(vertex,
-          [&](std::int32_t, std::int32_t next, std::int32_t last)
-          { return !isUsed[next] && !isUsed[last]; }) &&
-      !isUsed[vertex])
-    {
-      isUsed[vertex] = true;
-      this->Stars.ForEachTriangle(vertex,
-        [&](std::int32_t, std::int32_t next, std::int32_t last)
-        {
-          isUsed[next] = true;
-          isUsed[last] = true;
-          return true;
-        });
-      selected.push_back(vertex);
-    }
-  }
-  return selected;
+  this->Queue.Update(this->Changed, std::move(added));
 }
 
 void lms3dVertexRemover::TryToMove(std::int32_t vertex)
 {
   Candidate& candidate = this->Candidates[vertex];
+  if (candidate.HasFailed)
+  {
+    return;
+  }
   const double height =
     std::clamp(this->GetSmallestHeight(vertex), std::numeric_limits<double>::min(), MinimumHeight);
   for (const Target& target : this->FindTargets(vertex))
@@ -170,6 +159,7 @@ void lms3dVertexRemover::TryToMove(std::int32_t vertex)
       return;
     }
   }
+  candidate.HasFailed = true;
 }
 
 // The neighbours to which a vertex may move, the nearest first.
@@ -180,7 +170,7 @@ std::vector<lms3dVertexRemover::Target> lms3dVertexRemover::FindTargets(std::int
   const auto add = [&](std::int32_t target)
   {
     targets.push_back(
-      { GetSquare(this->GetDirection(vertex), this->GetDirection(target)), target });
+      { lms3dGetSquareOfChord(this->GetDirection(vertex), this->GetDirection(target)), target });
   };
   if (candidate.Line.IsOpen())
   {
@@ -208,7 +198,8 @@ double lms3dVertexRemover::GetSmallestHeight(std::int32_t vertex) const
     [&](std::int32_t, std::int32_t next, std::int32_t last)
     {
       height = std::min(height,
-        GetHeight(this->GetDirection(vertex), this->GetDirection(next), this->GetDirection(last)));
+        lms3dGetHeightShare(
+          this->GetDirection(vertex), this->GetDirection(next), this->GetDirection(last)));
       return true;
     });
   return height;
@@ -226,7 +217,7 @@ bool lms3dVertexRemover::HasSoundShape(
   return this->Stars.ForEachSide(from, to,
     [&](std::int32_t next, std::int32_t last)
     {
-      return GetHeight(this->GetDirection(to), this->GetDirection(next),
+      return lms3dGetHeightShare(this->GetDirection(to), this->GetDirection(next),
                this->GetDirection(last)) >= minimumHeight;
     });
 }
@@ -235,10 +226,11 @@ bool lms3dVertexRemover::HasSoundShape(
 bool lms3dVertexRemover::AreLinked(std::int32_t from, std::int32_t to) const
 {
   const Candidate& candidate = this->Candidates[from];
+  const lms3dStarSides besideTo = this->Stars.GetSides(to);
   int allowed = candidate.Border.IsOpen() ? 1 : 2;
   const auto count = [&](std::int32_t neighbor)
   {
-    allowed -= neighbor != to && this->Stars.AreNeighbors(neighbor, to) ? 1 : 0;
+    allowed -= neighbor != to && besideTo.Has(neighbor) ? 1 : 0;
     return allowed >= 0;
   };
   return (!candidate.Border.IsOpen() || count(candidate.Border.Last)) &&
@@ -252,17 +244,33 @@ bool lms3dVertexRemover::Move(const std::vector<std::int32_t>& vertices)
   this->Changed.clear();
   for (std::int32_t vertex : vertices)
   {
-    Candidate& candidate = this->Candidates[vertex];
-    candidate.IsSettled = true;
-    if (candidate.To != None)
+    if (this->Candidates[vertex].To != None)
     {
-      this->Stars.Merge(vertex, candidate.To);
-      const std::vector<std::int32_t> neighbors = this->Stars.GetNeighbors(candidate.To);
-      this->Changed.insert(this->Changed.end(), neighbors.begin(), neighbors.end());
-      this->Changed.push_back(candidate.To);
+      this->MoveOne(vertex);
     }
   }
   std::sort(this->Changed.begin(), this->Changed.end());
   this->Changed.erase(std::unique(this->Changed.begin(), this->Changed.end()), this->Changed.end());
   return !this->Changed.empty();
+}
+
+void lms3dVertexRemover::MoveOne(std::int32_t vertex)
+{
+  const std::int32_t to = this->Candidates[vertex].To;
+  this->Stars.ForEachTriangle(vertex,
+    [this](std::int32_t, std::int32_t next, std::int32_t last)
+    {
+      this->Candidates[next].IsStarChanged = true;
+      this->Candidates[last].IsStarChanged = true;
+      return true;
+    });
+  this->Stars.Merge(vertex, to);
+  this->Changed.push_back(to);
+  this->Stars.ForEachTriangle(to,
+    [this](std::int32_t, std::int32_t next, std::int32_t last)
+    {
+      this->Changed.push_back(next);
+      this->Changed.push_back(last);
+      return true;
+    });
 }

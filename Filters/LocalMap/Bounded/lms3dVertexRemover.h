@@ -8,6 +8,7 @@
 #define lms3dVertexRemover_h
 
 #include "LocalMap/Bounded/lms3dVertexMoves.h"
+#include "LocalMap/Bounded/lms3dVertexQueue.h"
 #include "LocalMap/Bounded/lms3dVertexStars.h"
 
 #include <cstddef>
@@ -56,15 +57,22 @@ private:
     lms3dVertexStars::Border Line;
     /// The neighbour that the vertex moves to, or None.
     std::int32_t To = None;
-    bool IsSettled = false;
+    /// Whether the star has changed since Prepare() looked at it.
+    bool IsStarChanged = true;
+    /// Whether the vertex cannot leave its line.
+    bool IsFixed = false;
+    /// Whether it could move to no neighbour. This holds until its star changes: its neighbours get only more
+    /// neighbours in common with it.
+    bool HasFailed = false;
   };
 
   void Prepare(std::int32_t vertex);
+  void LookAtStar(std::int32_t vertex);
   bool FindLine(std::int32_t vertex, Candidate& candidate) const;
   bool MayLeaveLine(std::int32_t vertex, const Candidate& candidate) const;
   double GetCostOnLine(std::int32_t vertex, const lms3dVertexStars::Border& line) const;
   double GetCostInside(std::int32_t vertex) const;
-  std::vector<std::int32_t> SelectIndependent() const;
+  void UpdateQueue();
   void TryToMove(std::int32_t vertex);
   std::vector<Target> FindTargets(std::int32_t vertex) const;
   double GetSmallestHeight(std::int32_t vertex) const;
@@ -72,6 +80,7 @@ private:
   bool HasSoundShape(std::int32_t from, std::int32_t to, double minimumHeight) const;
   bool AreLinked(std::int32_t from, std::int32_t to) const;
   bool Move(const std::vector<std::int32_t>& vertices);
+  void MoveOne(std::int32_t vertex);
 
   const lms3dVector& GetDirection(std::int32_t vertex) const
   {
@@ -82,7 +91,9 @@ private:
   lms3dVertexStars& Stars;
   /// By vertex.
   std::vector<Candidate> Candidates;
+  /// The vertices whose stars may have changed in a round.
   std::vector<std::int32_t> Changed;
+  lms3dVertexQueue Queue;
 };
 
 #endif

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 
 namespace
@@ -24,7 +23,7 @@ lms3dVertexStars::lms3dVertexStars(const lms3dBoundedMap& map)
   {
     const double inverse = 1.0 / lms3dGetLength(point);
     this->Vertices.push_back(
-      { lms3dTriangleCorner(lms3dScale(point, inverse)), inverse, false, false, {}, {} });
+      { lms3dTriangleCorner(lms3dScale(point, inverse)), inverse, false, false, {} });
   }
   std::vector<int> counts(map.Points.size(), 0);
   for (const std::array<std::int32_t, 3>& corners : map.Triangles)
@@ -48,6 +47,7 @@ lms3dVertexStars::lms3dVertexStars(const lms3dBoundedMap& map)
     this->Triangles.push_back({ corners });
     this->Triangles.back().IsStrip = map.PatchIds[this->Triangles.size() - 1] < 0;
   }
+  this->Quadrics.resize(map.Points.size());
   tbb::parallel_for(0, this->GetNumberOfVertices(), [this](int i) { this->UpdateQuadric(i); });
 }
 
@@ -66,7 +66,7 @@ void lms3dVertexStars::UpdateQuadric(std::int32_t vertex)
       return true;
     });
   quadric.AddPoint(at, PointWeight * area);
-  this->Vertices[vertex].Quadric = quadric;
+  this->Quadrics[vertex] = quadric;
 }
 
 void lms3dVertexStars::SetInverse(std::int32_t vertex, double inverse)
@@ -74,69 +74,36 @@ void lms3dVertexStars::SetInverse(std::int32_t vertex, double inverse)
   this->Vertices[vertex].Inverse = inverse;
 }
 
+lms3dStarSides lms3dVertexStars::GetSides(std::int32_t vertex) const
+{
+  lms3dStarSides sides;
+  this->ForEachTriangle(vertex,
+    [&](std::int32_t, std::int32_t next, std::int32_t last)
+    {
+      sides.Add(next, last);
+      return true;
+    });
+  return sides;
+}
+
 bool lms3dVertexStars::FindBorder(std::int32_t vertex, Border& border) const
 {
-  return this->FindBorderOf(
-    vertex, [](const Triangle&) { return true; }, border);
+  return this->GetSides(vertex).FindBorder(border);
 }
 
 bool lms3dVertexStars::FindBorderOfPatches(std::int32_t vertex, Border& border) const
 {
-  return this->FindBorderOf(
-    vertex, [](const Triangle& triangle) { return !triangle.IsStrip; }, border);
-}
-
-// Finds the border of a part of the surface.
-template <typename Predicate>
-bool lms3dVertexStars::FindBorderOf(
-  std::int32_t vertex, const Predicate& isPart, Border& border) const
-{
-  constexpr std::int32_t None = -1;
-  const auto forEachTriangle = [&](const auto& visit)
-  {
-    return this->ForEachTriangle(vertex,
-      [&](std::int32_t number, std::int32_t next, std::int32_t last)
-      { return !isPart(this->Triangles[number]) || visit(next, last); });
-  };
-  // The neighbour after another one, counter-clockwise. None at the border.
-  const auto findNext = [&](std::int32_t neighbor)
-  {
-    std::int32_t found = None;
-    forEachTriangle(
-      [&](std::int32_t next, std::int32_t last)
+  lms3dStarSides sides;
+  this->ForEachTriangle(vertex,
+    [&](std::int32_t number, std::int32_t next, std::int32_t last)
+    {
+      if (!this->Triangles[number].IsStrip)
       {
-        found = next == neighbor ? last : None;
-        return found == None;
-      });
-    return found;
-  };
-  const auto hasBefore = [&](std::int32_t neighbor)
-  { return !forEachTriangle([&](std::int32_t, std::int32_t last) { return last != neighbor; }); };
-  std::int32_t first = None;
-  std::size_t size = 0;
-  const bool isClosed = forEachTriangle(
-    [&](std::int32_t next, std::int32_t)
-    {
-      first = next;
-      return hasBefore(next);
-    });
-  forEachTriangle(
-    [&](std::int32_t, std::int32_t)
-    {
-      ++size;
+        sides.Add(next, last);
+      }
       return true;
     });
-  std::size_t steps = 0;
-  std::int32_t last = first;
-  std::int32_t at = first == None ? None : findNext(first);
-  while (at != None)
-  {
-    last = at;
-    ++steps;
-    at = at == first || steps > size ? None : findNext(at);
-  }
-  border = isClosed ? Border{} : Border{ last, first };
-  return size > 0 && steps == size && isClosed == (last == first);
+  return sides.FindBorder(border);
 }
 
 std::vector<std::int32_t> lms3dVertexStars::GetNeighbors(std::int32_t vertex) const
@@ -156,12 +123,7 @@ std::vector<std::int32_t> lms3dVertexStars::GetNeighbors(std::int32_t vertex) co
 
 bool lms3dVertexStars::AreLinked(std::int32_t a, std::int32_t b) const
 {
-  const std::vector<std::int32_t> besideA = this->GetNeighbors(a);
-  const std::vector<std::int32_t> besideB = this->GetNeighbors(b);
-  std::vector<std::int32_t> common;
-  std::set_intersection(
-    besideA.begin(), besideA.end(), besideB.begin(), besideB.end(), std::back_inserter(common));
-  return common.size() == CommonNeighbors;
+  return this->GetSides(a).CountCommon(this->GetSides(b)) == CommonNeighbors;
 }
 
 void lms3dVertexStars::SetRigid(std::int32_t a, std::int32_t b)
@@ -199,16 +161,6 @@ void lms3dVertexStars::Remove(std::int32_t triangle)
     std::vector<std::int32_t>& around = this->Vertices[corner].Triangles;
     around.erase(std::find(around.begin(), around.end(), triangle));
   }
-}
-
-bool lms3dVertexStars::AreNeighbors(std::int32_t a, std::int32_t b) const
-{
-  if (this->Vertices[b].Triangles.size() < this->Vertices[a].Triangles.size())
-  {
-    std::swap(a, b);
-  }
-  return !this->ForEachTriangle(
-    a, [&](std::int32_t, std::int32_t next, std::int32_t last) { return next != b && last != b; });
 }
 
 void lms3dVertexStars::Merge(std::int32_t from, std::int32_t to)

@@ -9,8 +9,10 @@
 
 #include "LocalMap/Bounded/lms3dBoundedMap.h"
 #include "LocalMap/Bounded/lms3dQuadric.h"
+#include "LocalMap/Bounded/lms3dStarSides.h"
 #include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -31,7 +33,6 @@ public:
     /// Whether its star has changed.
     bool IsChanged;
     std::vector<std::int32_t> Triangles;
-    lms3dQuadric Quadric;
   };
 
   struct Triangle
@@ -52,6 +53,7 @@ public:
     return static_cast<std::int32_t>(this->Vertices.size());
   }
   const Vertex& GetVertex(std::int32_t vertex) const { return this->Vertices[vertex]; }
+  const lms3dQuadric& GetQuadric(std::int32_t vertex) const { return this->Quadrics[vertex]; }
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
 
   /// In the sensor frame, metres.
@@ -63,14 +65,9 @@ public:
   void SetFree(std::int32_t vertex) { this->Vertices[vertex].IsFree = true; }
   void SetInverse(std::int32_t vertex, double inverse);
 
-  /// The border of the surface at a vertex. The surface lies to the left of the way from Last over the vertex to Next.
-  struct Border
-  {
-    std::int32_t Last = -1;
-    std::int32_t Next = -1;
+  using Border = lms3dStarBorder;
 
-    bool IsOpen() const { return this->Next >= 0; }
-  };
+  lms3dStarSides GetSides(std::int32_t vertex) const;
 
   /// Finds the border at a vertex; inside of the surface, it is not open. Returns false if the triangles of the star
   /// do not follow each other around the vertex, once.
@@ -78,6 +75,14 @@ public:
 
   /// Does the same with the border of the surface without strips. Where there is no strip, it is that of FindBorder().
   bool FindBorderOfPatches(std::int32_t vertex, Border& border) const;
+
+  /// Whether a triangle at the vertex joins two patches along an offset.
+  bool HasStrip(std::int32_t vertex) const
+  {
+    return std::any_of(this->Vertices[vertex].Triangles.begin(),
+      this->Vertices[vertex].Triangles.end(),
+      [this](std::int32_t triangle) { return this->Triangles[triangle].IsStrip; });
+  }
 
   /// Whether the star surrounds the vertex, once.
   bool IsInside(std::int32_t vertex) const
@@ -119,9 +124,6 @@ public:
       { return next == to || last == to || visit(next, last); });
   }
 
-  /// Whether two vertices have a triangle in common.
-  bool AreNeighbors(std::int32_t a, std::int32_t b) const;
-
   /// Moves the vertex `from` into `to` and removes the triangles at both. Changes nothing else.
   void Merge(std::int32_t from, std::int32_t to);
 
@@ -135,13 +137,13 @@ public:
   void ReleaseChanged();
 
 private:
-  template <typename Predicate>
-  bool FindBorderOf(std::int32_t vertex, const Predicate& isPart, Border& border) const;
   void Remove(std::int32_t triangle);
   void UpdateQuadric(std::int32_t vertex);
   void UpdateStar(std::int32_t vertex);
 
   std::vector<Vertex> Vertices;
+  /// By vertex. Apart, because most methods do not need them, and the rest shall fit into the cache.
+  std::vector<lms3dQuadric> Quadrics;
   std::vector<Triangle> Triangles;
 };
 

@@ -134,6 +134,7 @@ public:
   void SetPole(int row, double nearest, double farthest);
   /// Half of the distance between these two returns, metres; 0 for rows that are not poles.
   double GetPoleHalfSpread(int row) const { return this->PoleHalfSpreads[row]; }
+  const double* GetPoleHalfSpreads() const { return this->PoleHalfSpreads.data(); }
 
   bool IsPoleRow(int row) const
   {

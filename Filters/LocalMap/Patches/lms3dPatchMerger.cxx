@@ -56,7 +56,12 @@ void lms3dPatchMerger::AppendNeighbors(int column, std::vector<Pair>& pairs) con
   {
     if (labels[row] != other && this->Sphere.IsJoined(start + row, side))
     {
-      pairs.emplace_back(std::min(labels[row], other), std::max(labels[row], other));
+      // Along a border, the same pair repeats.
+      const Pair pair = { std::min(labels[row], other), std::max(labels[row], other) };
+      if (pairs.empty() || pairs.back() != pair)
+      {
+        pairs.push_back(pair);
+      }
     }
   };
   for (int row = 0; row < rows; ++row)

@@ -169,17 +169,7 @@ bool lms3dPatchRelabeler::IsBetter(GridIndex index, std::int32_t label, std::int
 
 void lms3dPatchRelabeler::AbsorbSpikes()
 {
-  const std::vector<int> counts = this->Patches.CountMembers(this->Sphere);
-  std::vector<std::vector<GridIndex>> members(counts.size());
-  for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
-  {
-    const std::int32_t label = this->Patches.Labels[index];
-    if (label >= 0 && counts[label] <= MaximumSpike && !this->Sphere.IsPoleCopy(index))
-    {
-      members[label].push_back(index);
-    }
-  }
-  for (const std::vector<GridIndex>& spike : members)
+  for (const std::vector<GridIndex>& spike : this->FindSpikes())
   {
     const int around = spike.empty() ? -1 : this->FindSurroundingPatch(spike);
     for (GridIndex index : spike)
@@ -190,6 +180,46 @@ void lms3dPatchRelabeler::AbsorbSpikes()
       }
     }
   }
+}
+
+// The returns of each patch, if these are few; otherwise nothing.
+std::vector<std::vector<lms3dPatchRelabeler::GridIndex>> lms3dPatchRelabeler::FindSpikes() const
+{
+  const std::vector<int> counts = this->Patches.CountMembers(this->Sphere);
+  const int columns = this->Sphere.GetNumberOfColumns();
+  const int rows = this->Sphere.GetNumberOfRows();
+  std::vector<std::vector<GridIndex>> ofColumns(columns);
+  tbb::parallel_for(0, columns,
+    [&](int column)
+    {
+      const GridIndex start = this->Sphere.GetIndex(column, 0);
+      std::int32_t large = lms3dPatches::None;
+      for (GridIndex index = start; index < start + rows; ++index)
+      {
+        const std::int32_t label = this->Patches.Labels[index];
+        if (label < 0 || label == large)
+        {
+          continue;
+        }
+        if (counts[label] > MaximumSpike)
+        {
+          large = label;
+        }
+        else if (!this->Sphere.IsPoleCopy(index))
+        {
+          ofColumns[column].push_back(index);
+        }
+      }
+    });
+  std::vector<std::vector<GridIndex>> spikes(counts.size());
+  for (const std::vector<GridIndex>& ofColumn : ofColumns)
+  {
+    for (GridIndex index : ofColumn)
+    {
+      spikes[this->Patches.Labels[index]].push_back(index);
+    }
+  }
+  return spikes;
 }
 
 // The patch of most joined neighbours, or -1 if its plane is too far away.

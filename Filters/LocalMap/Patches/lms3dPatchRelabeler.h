@@ -29,7 +29,7 @@ public:
   /**
    * Moves patches of a few returns to the large patch around them if its plane is near enough. The mesh
    * of the large patch then rises to these returns, which takes fewer triangles than a border around
-   * them.
+   * them. Uses the threads of the calling TBB arena.
    */
   void AbsorbSpikes();
 
@@ -42,6 +42,7 @@ private:
   bool IsBetter(GridIndex index, std::int32_t label, std::int32_t than) const;
   double GetDeviation(GridIndex index, int patch) const;
   void SetLabel(GridIndex index, std::int32_t label);
+  std::vector<std::vector<GridIndex>> FindSpikes() const;
   int FindSurroundingPatch(const std::vector<GridIndex>& members) const;
 
   template <typename Visitor>

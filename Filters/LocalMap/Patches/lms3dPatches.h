@@ -53,7 +53,7 @@ struct lms3dPatches
   }
 
   /// The number of returns that have the label of each patch. A pole counts once, a filled entry of the sphere not
-  /// at all.
+  /// at all. Uses the threads of the calling TBB arena.
   std::vector<int> CountMembers(const lms3dBeamSphere& sphere) const;
 
   /// By grid index: the number of a patch, None or Free. All entries of a pole have the same label.

@@ -51,8 +51,14 @@ public:
   double GetInverseRange(int row) const
   {
     return this->IsRegular
-      ? this->Horizontal * this->Cosines[row] + this->Vertical * this->Sines[row]
+      ? this->GetInverseRangeOfRegular(row)
       : this->Plane.GetInverseRange(this->Sphere.GetDirection(this->Start + row));
+  }
+
+  /// The same if beams are regular.
+  double GetInverseRangeOfRegular(int row) const
+  {
+    return this->Horizontal * this->Cosines[row] + this->Vertical * this->Sines[row];
   }
 
 private:

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/Bounded/lms3dStarSides.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr std::int32_t None = -1;
+} // namespace
+
+void lms3dStarSides::AddToMany(const Side& side)
+{
+  if (this->Many.empty())
+  {
+    this->Many.assign(this->Usual.begin(), this->Usual.end());
+  }
+  this->Many.push_back(side);
+}
+
+// Where the side that starts at a vertex ends, or None.
+std::int32_t lms3dStarSides::FindLast(std::int32_t next) const
+{
+  const Side* const sides = this->GetSides();
+  const Side* const end = sides + this->Size;
+  const Side* const found =
+    std::find_if(sides, end, [next](const Side& side) { return side.Next == next; });
+  return found == end ? None : found->Last;
+}
+
+bool lms3dStarSides::IsLast(std::int32_t vertex) const
+{
+  const Side* const sides = this->GetSides();
+  return std::any_of(
+    sides, sides + this->Size, [vertex](const Side& side) { return side.Last == vertex; });
+}
+
+bool lms3dStarSides::Has(std::int32_t vertex) const
+{
+  const Side* const sides = this->GetSides();
+  return std::any_of(sides, sides + this->Size,
+    [vertex](const Side& side) { return side.Next == vertex || side.Last == vertex; });
+}
+
+// Counts each vertex where a side starts or, if none does, where the first side ends.
+int lms3dStarSides::CountCommon(const lms3dStarSides& other) const
+{
+  int common = 0;
+  const Side* const sides = this->GetSides();
+  for (const Side* side = sides; side != sides + this->Size; ++side)
+  {
+    const auto isSameStart = [side](const Side& before) { return before.Next == side->Next; };
+    const auto isSameEnd = [side](const Side& before) { return before.Last == side->Last; };
+    if (std::none_of(sides, side, isSameStart) && other.Has(side->Next))
+    {
+      ++common;
+    }
+    if (this->FindLast(side->Last) == None && std::none_of(sides, side, isSameEnd) &&
+      other.Has(side->Last))
+    {
+      ++common;
+    }
+  }
+  return common;
+}
+
+bool lms3dStarSides::FindBorder(lms3dStarBorder& border) const
+{
+  if (this->Size == 0)
+  {
+    border = {};
+    return false;
+  }
+  // Starts at the side without one before it or, if there is none, at any.
+  const Side* const sides = this->GetSides();
+  const Side* const end = sides + this->Size;
+  const Side* const start =
+    std::find_if(sides, end, [this](const Side& side) { return !this->IsLast(side.Next); });
+  const bool isClosed = start == end;
+  const std::int32_t first = isClosed ? sides[this->Size - 1].Next : start->Next;
+  std::int32_t last = first;
+  std::size_t steps = 0;
+  for (std::int32_t at = this->FindLast(first); at != None && steps <= this->Size;)
+  {
+    last = at;
+    ++steps;
+    at = at == first ? None : this->FindLast(at);
+  }
+  border = isClosed ? lms3dStarBorder{} : lms3dStarBorder{ last, first };
+  return steps == this->Size && isClosed == (last == first);
+}
