@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dGrowingMap.h"
+
+#include "Fusion/lms3dPassedBeams.h"
+#include "Fusion/lms3dRasterRows.h"
+#include "Geometry/lms3dTriangleDistance.h"
+
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace
+{
+// Cells for each bound.
+constexpr double CellsPerBound = 4.0;
+// Of the bound: how far a return may be from its plane. The rest is for rounding.
+constexpr double ReturnShare = 0.98;
+// Of the bound: how far the returns of a patch, apart from their noise, may be from a plane that the patch joins.
+constexpr double MatchShare = 0.4;
+constexpr double NoiseFactor = 4.0;
+// The cosine of the largest angle between a patch and the plane that it joins.
+constexpr double SmallestCosine = 0.9;
+// The sine of the smallest angle at a crease.
+constexpr double SmallestSine = 0.17;
+// Cells: how far the edge of a local map may be from the line in which its planes meet.
+constexpr double CreaseReach = 6.0;
+// Cells: smaller triangles are facets.
+constexpr double FacetArea = 8.0;
+constexpr double TimeOfCasting = 0.3;
+constexpr double TimeOfMarking = 0.7;
+
+lms3dVector GetCorner(const lms3dLocalMap& local, int triangle, int corner)
+{
+  const double* point = local.Mesh.GetCorner(triangle, corner);
+  return { point[0], point[1], point[2] };
+}
+
+void Merge(lms3dCreaseParts& parts, double first, double last, double gap)
+{
+  parts.emplace_back(first, last);
+  std::sort(parts.begin(), parts.end());
+  lms3dCreaseParts merged;
+  for (const auto& part : parts)
+  {
+    if (!merged.empty() && part.first <= merged.back().second + gap)
+    {
+      merged.back().second = std::max(merged.back().second, part.second);
+    }
+    else
+    {
+      merged.push_back(part);
+    }
+  }
+  parts = merged;
+}
+
+/// The line in which two planes meet.
+struct Line
+{
+  lms3dVector Point;
+  /// Of length 1, that of the first plane's normal times the second's.
+  lms3dVector Direction;
+};
+
+bool Intersect(const lms3dPlaneFrame& a, const lms3dPlaneFrame& b, Line& line)
+{
+  const lms3dVector cross = lms3dCross(a.GetNormal(), b.GetNormal());
+  const double square = lms3dDot(cross, cross);
+  if (square < SmallestSine * SmallestSine)
+  {
+    return false;
+  }
+  const double offsetA = -a.GetHeight({ 0.0, 0.0, 0.0 });
+  const double offsetB = -b.GetHeight({ 0.0, 0.0, 0.0 });
+  line.Point = lms3dScale(lms3dAdd(lms3dScale(lms3dCross(b.GetNormal(), cross), offsetA),
+                            lms3dScale(lms3dCross(cross, a.GetNormal()), offsetB)),
+    1.0 / square);
+  line.Direction = lms3dNormalize(cross);
+  return true;
+}
+} // namespace
+
+lms3dGrowingMap::lms3dGrowingMap(const lms3dFusionSettings& settings)
+  : Settings(settings)
+  , Cell(settings.MaximumError / CellsPerBound)
+{
+}
+
+void lms3dGrowingMap::AddTable(const lms3dScanInput& scan)
+{
+  if (!this->Table || !scan.HasAngles(this->Table->GetGeometry()))
+  {
+    this->Table = std::make_shared<lms3dBeamTable>(scan.GetGeometry());
+  }
+}
+
+bool lms3dGrowingMap::Add(
+  vtkPolyData* map, const lms3dScanInput& scan, const lms3dProgress& progress)
+{
+  if (map->GetNumberOfPolys() == 0)
+  {
+    this->Positions.push_back(
+      scan.GetNumberOfReturns() > 0 ? scan.GetSensorPosition() : lms3dVector{ 0.0, 0.0, 0.0 });
+    return progress(1.0);
+  }
+  this->AddTable(scan);
+  this->Positions.push_back(scan.GetSensorPosition());
+  auto ranges = std::make_unique<lms3dSeenRanges>(scan, this->Table);
+  const lms3dLocalMap local(map, scan, *ranges, this->Settings.MaximumError);
+  if (!progress(TimeOfCasting))
+  {
+    return false;
+  }
+  if (this->Settings.ForgetSeenThrough)
+  {
+    this->MarkPassed(*ranges, true, false);
+  }
+  this->Join(local);
+  this->MarkPassed(*ranges, false, false);
+  for (const std::unique_ptr<lms3dSeenRanges>& earlier : this->Seen)
+  {
+    this->MarkPassed(*earlier, false, true);
+  }
+  if (this->Settings.KeepReturns)
+  {
+    this->Seen.push_back(std::move(ranges));
+  }
+  if (!progress(TimeOfMarking))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < this->Planes.size(); ++i)
+  {
+    lms3dFusedPlane& plane = this->Planes[i];
+    for (int block = 0; block < plane.Raster.GetNumberOfBlocks(); ++block)
+    {
+      plane.Raster.GetBlock(block).IsNew = false;
+    }
+    if (plane.IsChanged)
+    {
+      lms3dMakeRegionMesh(
+        plane, this->GetCreaseLines(static_cast<int>(i)), this->Settings.MaximumError);
+      plane.IsChanged = false;
+      plane.Revision = this->GetNumberOfScans();
+    }
+  }
+  return progress(1.0);
+}
+
+void lms3dGrowingMap::Join(const lms3dLocalMap& local)
+{
+  std::vector<int> planeOfPatch(static_cast<std::size_t>(local.NumberOfPatches), -1);
+  std::vector<bool> isExplained(local.Returns.size());
+  const std::vector<std::vector<int>> returns = lms3dGetReturnsOfPatches(local);
+  for (int patch = 0; patch < local.NumberOfPatches; ++patch)
+  {
+    const auto fit = lms3dFitPlane(local, returns[patch], this->Settings.MaximumError);
+    if (!fit)
+    {
+      continue;
+    }
+    planeOfPatch[patch] = this->FindPlane(local, returns[patch], *fit);
+    if (planeOfPatch[patch] < 0 && fit->Deviation <= MatchShare * this->Settings.MaximumError)
+    {
+      planeOfPatch[patch] = this->MakePlane(fit->Centre, fit->Normal);
+    }
+    if (planeOfPatch[patch] < 0)
+    {
+      continue;
+    }
+    for (int i : returns[patch])
+    {
+      isExplained[i] = this->AddReturn(planeOfPatch[patch], local.Returns[i]);
+    }
+  }
+  for (std::size_t triangle = 0; triangle < local.PatchIds.size(); ++triangle)
+  {
+    const int patch = local.PatchIds[triangle];
+    if (patch >= 0 && planeOfPatch[patch] >= 0)
+    {
+      this->AddTriangle(planeOfPatch[patch], local, static_cast<int>(triangle));
+    }
+  }
+  this->AddCreases(local, planeOfPatch);
+  this->AddRest(local, isExplained);
+}
+
+int lms3dGrowingMap::FindPlane(
+  const lms3dLocalMap& local, const std::vector<int>& returns, const lms3dFittedPlane& fit) const
+{
+  const double bound = std::min(ReturnShare * this->Settings.MaximumError,
+    MatchShare * this->Settings.MaximumError + NoiseFactor * fit.Deviation);
+  int best = -1;
+  double least = 0.0;
+  for (std::size_t i = 0; i < this->Planes.size(); ++i)
+  {
+    const lms3dFusedPlane& plane = this->Planes[i];
+    const double distance = std::abs(plane.Frame.GetHeight(fit.Centre));
+    if (!plane.Verbatim.empty() || distance > bound ||
+      lms3dDot(plane.Frame.GetNormal(), fit.Normal) < SmallestCosine ||
+      (best >= 0 && distance >= least))
+    {
+      continue;
+    }
+    const bool fits = std::all_of(returns.begin(), returns.end(),
+      [&](int number)
+      {
+        const lms3dMappedReturn& mapped = local.Returns[number];
+        return plane.Explains(mapped.Point, mapped.Direction, bound);
+      });
+    if (fits)
+    {
+      best = static_cast<int>(i);
+      least = distance;
+    }
+  }
+  return best;
+}
+
+int lms3dGrowingMap::MakePlane(const lms3dVector& point, const lms3dVector& normal)
+{
+  this->Planes.emplace_back(lms3dPlaneFrame(point, normal, this->Cell));
+  return static_cast<int>(this->Planes.size()) - 1;
+}
+
+void lms3dGrowingMap::AddTriangle(int number, const lms3dLocalMap& local, int triangle)
+{
+  lms3dFusedPlane& plane = this->Planes[number];
+  std::array<lms3dPoint2, 3> cells;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const lms3dVector point = GetCorner(local, triangle, corner);
+    cells[corner] = plane.Frame.ToCells(point);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      plane.Low[axis] = std::min(plane.Low[axis], point[axis]);
+      plane.High[axis] = std::max(plane.High[axis], point[axis]);
+    }
+  }
+  lms3dForTouchedRows(cells,
+    [&](std::int32_t row, std::int32_t first, std::int32_t last)
+    {
+      plane.Raster.SetRow(
+        &lms3dRasterBlock::May, row, first, last, true, true, [&](int) { plane.IsChanged = true; });
+      return true;
+    });
+}
+
+bool lms3dGrowingMap::AddReturn(int number, const lms3dMappedReturn& mapped)
+{
+  lms3dFusedPlane& plane = this->Planes[number];
+  if (!plane.Explains(mapped.Point, mapped.Direction, ReturnShare * this->Settings.MaximumError))
+  {
+    return false;
+  }
+  const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+  const auto u = static_cast<std::int32_t>(std::floor(place[0]));
+  const auto v = static_cast<std::int32_t>(std::floor(place[1]));
+  lms3dRasterBlock& block = plane.Raster.GetBlock(
+    plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v)));
+  std::uint64_t& word = block.Must[lms3dRaster::GetPlaceOf(v)];
+  const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
+  const bool isInside = (block.May[lms3dRaster::GetPlaceOf(v)] & bit) != 0 &&
+    (block.Open[lms3dRaster::GetPlaceOf(v)] & bit) == 0 &&
+    (block.Passed[lms3dRaster::GetPlaceOf(v)] & bit) == 0;
+  plane.IsChanged = plane.IsChanged || !isInside;
+  word |= bit;
+  block.Deviation = std::max(block.Deviation, std::abs(plane.Frame.GetHeight(mapped.Point)));
+  const int scan = this->GetNumberOfScans() - 1;
+  block.Sightings.ScanCount += block.Sightings.LastScan != scan ? 1 : 0;
+  block.Sightings.LastScan = scan;
+  const double quality =
+    -lms3dDot(plane.Frame.GetNormal(), mapped.Direction) / (mapped.Range * mapped.Range);
+  if (quality > block.Quality)
+  {
+    block.Quality = quality;
+    block.Sightings.BestScan = scan;
+  }
+  return true;
+}
+
+void lms3dGrowingMap::AddCreases(const lms3dLocalMap& local, const std::vector<int>& planeOfPatch)
+{
+  // The triangles at each edge of the local map.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> planeOfEdge;
+  for (std::size_t triangle = 0; triangle < local.PatchIds.size(); ++triangle)
+  {
+    const int patch = local.PatchIds[triangle];
+    const int plane = patch < 0 ? -1 : planeOfPatch[patch];
+    if (plane < 0)
+    {
+      continue;
+    }
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const std::uint32_t a = local.Mesh.Triangles[triangle][corner];
+      const std::uint32_t b = local.Mesh.Triangles[triangle][(corner + 1) % 3];
+      const auto [place, isNew] = planeOfEdge.try_emplace(std::minmax(a, b), plane);
+      if (isNew || place->second == plane)
+      {
+        continue;
+      }
+      const int first = std::min(plane, place->second);
+      const int second = std::max(plane, place->second);
+      Line line;
+      if (!Intersect(this->Planes[first].Frame, this->Planes[second].Frame, line))
+      {
+        continue;
+      }
+      double along[2];
+      double farthest = 0.0;
+      for (int end = 0; end < 2; ++end)
+      {
+        const lms3dVector v = lms3dSubtract(local.Mesh.Points[end == 0 ? a : b], line.Point);
+        along[end] = lms3dDot(v, line.Direction);
+        farthest = std::max(
+          farthest, lms3dGetLength(lms3dSubtract(v, lms3dScale(line.Direction, along[end]))));
+      }
+      if (farthest <= CreaseReach * this->Cell)
+      {
+        Merge(this->Planes[first].Creases[second], std::min(along[0], along[1]),
+          std::max(along[0], along[1]), this->Cell);
+        this->Planes[second].Creases[first] = this->Planes[first].Creases[second];
+        this->Planes[first].IsChanged = true;
+        this->Planes[second].IsChanged = true;
+      }
+    }
+  }
+}
+
+bool lms3dGrowingMap::IsExplained(const lms3dMappedReturn& mapped)
+{
+  const double bound = ReturnShare * this->Settings.MaximumError;
+  for (std::size_t i = 0; i < this->Planes.size(); ++i)
+  {
+    lms3dFusedPlane& plane = this->Planes[i];
+    bool isNear = plane.Explains(mapped.Point, mapped.Direction, bound) &&
+      lms3dDot(plane.Frame.GetNormal(), mapped.Direction) < 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      isNear = isNear && mapped.Point[axis] >= plane.Low[axis] - bound &&
+        mapped.Point[axis] <= plane.High[axis] + bound;
+    }
+    if (!isNear)
+    {
+      continue;
+    }
+    const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+    const auto u = static_cast<std::int32_t>(std::floor(place[0]));
+    const auto v = static_cast<std::int32_t>(std::floor(place[1]));
+    if (plane.Raster.Has(&lms3dRasterBlock::May, u, v) &&
+      !plane.Raster.Has(&lms3dRasterBlock::Open, u, v) &&
+      !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v))
+    {
+      return this->AddReturn(static_cast<int>(i), mapped);
+    }
+  }
+  return false;
+}
+
+void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool>& isExplained)
+{
+  std::map<int, std::vector<int>> returnsOf;
+  for (std::size_t i = 0; i < local.Returns.size(); ++i)
+  {
+    if (!isExplained[i] && !this->IsExplained(local.Returns[i]))
+    {
+      returnsOf[local.Returns[i].Triangle].push_back(static_cast<int>(i));
+    }
+  }
+  for (const auto& [triangle, returns] : returnsOf)
+  {
+    const std::array<lms3dVector, 3> corners = { GetCorner(local, triangle, 0),
+      GetCorner(local, triangle, 1), GetCorner(local, triangle, 2) };
+    const lms3dVector normal = lms3dNormalize(
+      lms3dGetWeightedNormal({ corners[0].data(), corners[1].data(), corners[2].data() }));
+    const int number = this->MakePlane(corners[0], normal);
+    this->Planes[number].Verbatim.push_back(corners);
+    this->AddTriangle(number, local, triangle);
+    for (int i : returns)
+    {
+      this->AddReturn(number, local.Returns[i]);
+    }
+  }
+}
+
+void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly)
+{
+  lms3dPassedBeams beams(ranges, this->Settings.MaximumError, forgets);
+  for (lms3dFusedPlane& plane : this->Planes)
+  {
+    for (int block = 0; block < plane.Raster.GetNumberOfBlocks(); ++block)
+    {
+      if (!newBlocksOnly || plane.Raster.GetBlock(block).IsNew)
+      {
+        beams.Mark(plane, block);
+      }
+    }
+  }
+}
+
+std::vector<lms3dCreaseLine> lms3dGrowingMap::GetCreaseLines(int number) const
+{
+  const lms3dFusedPlane& plane = this->Planes[number];
+  std::vector<lms3dCreaseLine> lines;
+  for (const auto& [other, parts] : plane.Creases)
+  {
+    Line line;
+    const lms3dPlaneFrame& first = this->Planes[std::min(number, other)].Frame;
+    const lms3dPlaneFrame& second = this->Planes[std::max(number, other)].Frame;
+    if (!Intersect(first, second, line))
+    {
+      continue;
+    }
+    lms3dCreaseLine inCells;
+    inCells.Point = plane.Frame.ToCells(line.Point);
+    const lms3dPoint2 ahead = plane.Frame.ToCells(lms3dAdd(line.Point, line.Direction));
+    inCells.Direction = { (ahead[0] - inCells.Point[0]) * this->Cell,
+      (ahead[1] - inCells.Point[1]) * this->Cell };
+    for (const auto& [from, to] : parts)
+    {
+      inCells.Parts.emplace_back(from / this->Cell, to / this->Cell);
+    }
+    lines.push_back(inCells);
+  }
+  return lines;
+}

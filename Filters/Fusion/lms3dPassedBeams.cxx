@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dPassedBeams.h"
+
+#include "Fusion/lms3dRasterRows.h"
+
+#include <array>
+#include <cmath>
+
+namespace
+{
+// The diagonal of a block from its centre, cells.
+constexpr double HalfDiagonal = 45.26;
+// Cells: larger quadrilaterals between beams at grazing angles tell nothing about what lies between.
+constexpr double LargestQuad = 128.0;
+// The share of the bound from which on a beam counts as passed; less than 1 because of rounding.
+constexpr double PassedShare = 0.999;
+constexpr double SmallestCosine = 1e-9;
+} // namespace
+
+lms3dPassedBeams::Passage lms3dPassedBeams::Find(const lms3dFusedPlane& plane, int beamId) const
+{
+  const double range = this->Ranges.GetRange(beamId);
+  if (range == 0.0)
+  {
+    return {};
+  }
+  const lms3dVector direction = this->Ranges.GetDirection(beamId);
+  const lms3dVector start = this->Ranges.GetStart(beamId);
+  const double cosine = lms3dDot(plane.Frame.GetNormal(), direction);
+  if (std::abs(cosine) < SmallestCosine)
+  {
+    return {};
+  }
+  const double crossing = -plane.Frame.GetHeight(start) / cosine;
+  if (!(crossing > 0.0) || range - crossing <= PassedShare * this->MaximumError)
+  {
+    return {};
+  }
+  return { true, plane.Frame.ToCells(lms3dAdd(start, lms3dScale(direction, crossing))) };
+}
+
+void lms3dPassedBeams::Mark(lms3dFusedPlane& plane, int block)
+{
+  const lms3dRasterBlock& cells = plane.Raster.GetBlock(block);
+  const lms3dVector centre = plane.Frame.ToWorld(
+    { (cells.U + 0.5) * lms3dRaster::Size, (cells.V + 0.5) * lms3dRaster::Size });
+  this->Ranges.FindBins(centre, HalfDiagonal * plane.Frame.GetCell(), this->Bins);
+  const lms3dBeamTable& table = this->Ranges.GetTable();
+  for (const int bin : this->Bins)
+  {
+    for (const int* id = table.GetFirstInBin(bin); id != table.GetEndOfBin(bin); ++id)
+    {
+      this->MarkBeam(plane, block, *id);
+    }
+  }
+}
+
+void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int block, int beamId)
+{
+  const Passage passage = this->Find(plane, beamId);
+  if (!passage.IsPassed)
+  {
+    return;
+  }
+  lms3dRasterBlock& cells = plane.Raster.GetBlock(block);
+  const double u = std::floor(passage.Place[0]) - static_cast<double>(cells.U) * lms3dRaster::Size;
+  const double v = std::floor(passage.Place[1]) - static_cast<double>(cells.V) * lms3dRaster::Size;
+  if (u < 0.0 || v < 0.0 || u >= lms3dRaster::Size || v >= lms3dRaster::Size)
+  {
+    return;
+  }
+  std::uint64_t& word = cells.Passed[static_cast<int>(v)];
+  const std::uint64_t bit = std::uint64_t{ 1 } << static_cast<int>(u);
+  const std::uint64_t may = cells.May[static_cast<int>(v)] | cells.Must[static_cast<int>(v)];
+  plane.IsChanged = plane.IsChanged || ((word & bit) == 0 && (may & bit) != 0);
+  word |= bit;
+  if (this->Forgets)
+  {
+    cells.Must[static_cast<int>(v)] &= ~bit;
+  }
+  this->MarkQuad(plane, beamId, passage.Place);
+}
+
+void lms3dPassedBeams::MarkQuad(lms3dFusedPlane& plane, int beamId, const lms3dPoint2& place) const
+{
+  const lms3dBeamTable& table = this->Ranges.GetTable();
+  const int inFan = table.GetNextInFan(beamId);
+  const int inTurn = table.GetNextTurn(beamId);
+  if (inFan < 0 || inTurn < 0)
+  {
+    return;
+  }
+  const std::array<Passage, 3> others = { this->Find(plane, inFan),
+    this->Find(plane, table.GetNextInFan(inTurn)), this->Find(plane, inTurn) };
+  std::array<lms3dPoint2, 4> quad = { place };
+  for (int i = 0; i < 3; ++i)
+  {
+    quad[i + 1] = others[i].Place;
+    if (!others[i].IsPassed || std::abs(quad[i + 1][0] - place[0]) > LargestQuad ||
+      std::abs(quad[i + 1][1] - place[1]) > LargestQuad)
+    {
+      return;
+    }
+  }
+  const auto setRow = [&](lms3dRaster::BitsOf bits, bool value)
+  {
+    return [&plane, bits, value](std::int32_t row, std::int32_t first, std::int32_t last)
+    {
+      plane.Raster.SetRow(
+        bits, row, first, last, value, false, [&](int) { plane.IsChanged = true; });
+      return true;
+    };
+  };
+  if (this->Forgets)
+  {
+    lms3dForTouchedRows(quad, setRow(&lms3dRasterBlock::Must, false));
+  }
+  const bool isFree = lms3dForTouchedRows(quad,
+    [&](std::int32_t row, std::int32_t first, std::int32_t last)
+    { return !plane.Raster.HasAny(&lms3dRasterBlock::Must, row, first, last); });
+  if (isFree)
+  {
+    lms3dForTouchedRows(quad, setRow(&lms3dRasterBlock::Open, true));
+  }
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dPatchFit.h"
+
+#include <vtkMath.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr std::size_t FewestReturns = 6;
+
+lms3dVector GetMean(const lms3dLocalMap& map, const std::vector<int>& returns)
+{
+  lms3dVector sum = { 0.0, 0.0, 0.0 };
+  for (int i : returns)
+  {
+    sum = lms3dAdd(sum, map.Returns[i].Point);
+  }
+  return lms3dScale(sum, 1.0 / static_cast<double>(returns.size()));
+}
+} // namespace
+
+std::vector<std::vector<int>> lms3dGetReturnsOfPatches(const lms3dLocalMap& map)
+{
+  std::vector<std::vector<int>> result(static_cast<std::size_t>(map.NumberOfPatches));
+  for (std::size_t i = 0; i < map.Returns.size(); ++i)
+  {
+    const int patch = map.PatchIds[map.Returns[i].Triangle];
+    if (patch >= 0)
+    {
+      result[patch].push_back(static_cast<int>(i));
+    }
+  }
+  return result;
+}
+
+std::optional<lms3dFittedPlane> lms3dFitPlane(
+  const lms3dLocalMap& map, const std::vector<int>& returns, double smallestWidth)
+{
+  if (returns.size() < FewestReturns)
+  {
+    return {};
+  }
+  const lms3dVector mean = GetMean(map, returns);
+  double moments[3][3] = {};
+  for (int i : returns)
+  {
+    const lms3dVector v = lms3dSubtract(map.Returns[i].Point, mean);
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int column = 0; column < 3; ++column)
+      {
+        moments[row][column] += v[row] * v[column] / static_cast<double>(returns.size());
+      }
+    }
+  }
+  double values[3];
+  double vectors[3][3];
+  vtkMath::Diagonalize3x3(moments, values, vectors);
+  std::array<int, 3> order = { 0, 1, 2 };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return values[a] < values[b]; });
+  if (!(values[order[1]] >= smallestWidth * smallestWidth))
+  {
+    return {};
+  }
+  const int least = order[0];
+  lms3dVector normal = lms3dNormalize({ vectors[0][least], vectors[1][least], vectors[2][least] });
+  if (lms3dDot(normal, map.Returns[returns.front()].Direction) > 0.0)
+  {
+    normal = lms3dScale(normal, -1.0);
+  }
+  return lms3dFittedPlane{ mean, normal, std::sqrt(std::max(0.0, values[least])) };
+}

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dRegionMesher.h"
+
+#include "Fusion/lms3dCreaseSnapping.h"
+#include "Fusion/lms3dOutlineSimplifier.h"
+#include "Fusion/lms3dRasterRows.h"
+#include "Fusion/lms3dRegionRaster.h"
+#include "Triangulation/lms3dTriangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace
+{
+// Of the bound: how far the border of a region may move when it is straightened.
+constexpr double BorderShare = 1.0;
+// Cells: the largest distance from a point of a cell to the centre of one of its eight neighbours.
+constexpr double NeighbourDistance = 2.1213203435596424;
+// Cells: the circumradius of a facet.
+constexpr double FacetRadius = 0.25;
+
+using Corners2 = std::array<lms3dPoint2, 3>;
+
+/// The triangles of outlines.
+std::optional<std::vector<Corners2>> Triangulate(const std::vector<lms3dLoop>& loops)
+{
+  std::vector<lms3dPoint2> points;
+  std::map<lms3dPoint2, std::int32_t> numbers;
+  std::vector<std::int32_t> corners;
+  std::vector<std::int32_t> ends;
+  for (const lms3dLoop& loop : loops)
+  {
+    if (loop.size() < 3)
+    {
+      continue;
+    }
+    for (const lms3dPoint2& point : loop)
+    {
+      const auto [place, isNew] =
+        numbers.try_emplace(point, static_cast<std::int32_t>(points.size()));
+      if (isNew)
+      {
+        points.push_back(point);
+      }
+      corners.push_back(place->second);
+    }
+    ends.push_back(static_cast<std::int32_t>(corners.size()));
+  }
+  std::vector<Corners2> triangles;
+  if (points.empty())
+  {
+    return triangles;
+  }
+  const lms3dTriangulation triangulation(points, corners, ends);
+  if (!triangulation.IsValid())
+  {
+    return {};
+  }
+  for (int i = 0; i < triangulation.GetNumberOfTriangles(); ++i)
+  {
+    if (triangulation.IsInside(i))
+    {
+      const std::array<std::int32_t, 3>& ids = triangulation.GetCorners(i);
+      triangles.push_back({ points[ids[0]], points[ids[1]], points[ids[2]] });
+    }
+  }
+  return triangles;
+}
+
+/// Makes the mesh of one plane.
+class Mesher
+{
+public:
+  Mesher(lms3dFusedPlane& plane, const std::vector<lms3dCreaseLine>& creases, double maximumError)
+    : Plane(plane)
+    , Creases(creases)
+    , MaximumError(maximumError)
+    , Region(lms3dMakeRegion(plane.Raster))
+  {
+  }
+
+  void Make()
+  {
+    this->Plane.Mesh.Clear();
+    if (!this->Plane.Verbatim.empty() && this->IsWhole())
+    {
+      this->AddVerbatim();
+      return;
+    }
+    for (const Corners2& triangle : this->FindTriangles())
+    {
+      this->Cover(triangle);
+      this->Add(triangle);
+    }
+    this->AddFacets();
+  }
+
+private:
+  /// Whether no beam passed through the triangle of a local map.
+  bool IsWhole() const
+  {
+    for (int i = 0; i < this->Region.GetNumberOfBlocks(); ++i)
+    {
+      const lms3dBits& may = this->Plane.Raster.GetBlock(i).May;
+      const lms3dBits& region = this->Region.GetBlock(i).May;
+      for (int row = 0; row < lms3dRaster::Size; ++row)
+      {
+        if ((may[row] & ~region[row]) != 0)
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  void AddVerbatim()
+  {
+    for (const std::array<lms3dVector, 3>& corners : this->Plane.Verbatim)
+    {
+      const auto first = static_cast<std::int32_t>(this->Plane.Mesh.Points.size());
+      lms3dPoint2 centre = { 0.0, 0.0 };
+      for (const lms3dVector& corner : corners)
+      {
+        this->Plane.Mesh.Points.push_back(corner);
+        const lms3dPoint2 cells = this->Plane.Frame.ToCells(corner);
+        centre = { centre[0] + cells[0] / 3.0, centre[1] + cells[1] / 3.0 };
+      }
+      this->Plane.Mesh.Triangles.push_back({ first, first + 1, first + 2 });
+      this->Plane.Mesh.Sightings.push_back(this->GetSightings(centre));
+    }
+  }
+
+  /// Straightens the borders as far as triangles can be made of them.
+  std::vector<Corners2> FindTriangles()
+  {
+    const std::vector<lms3dLoop> outlines = lms3dTraceOutlines(this->Region);
+    const double tolerance = BorderShare * this->MaximumError / this->Plane.Frame.GetCell();
+    std::vector<bool> isFixed;
+    const std::vector<lms3dLoop> snapped =
+      lms3dSnapToCreases(outlines, this->Creases, this->Region, isFixed);
+    lms3dOutlineSimplifier simplifier(this->Region, snapped, isFixed, tolerance);
+    std::optional<std::vector<Corners2>> triangles = Triangulate(simplifier.Simplify());
+    if (!triangles)
+    {
+      std::size_t corners = 0;
+      for (const lms3dLoop& loop : outlines)
+      {
+        corners += loop.size();
+      }
+      isFixed.assign(corners, false);
+      lms3dOutlineSimplifier plain(this->Region, outlines, isFixed, tolerance);
+      triangles = Triangulate(plain.Simplify());
+    }
+    if (!triangles)
+    {
+      triangles = Triangulate(outlines);
+    }
+    return triangles ? *triangles : std::vector<Corners2>();
+  }
+
+  void Cover(const Corners2& triangle)
+  {
+    lms3dForCentreRows(triangle,
+      [&](std::int32_t row, std::int32_t first, std::int32_t last)
+      {
+        this->Region.SetRow(&lms3dRasterBlock::Open, row, first, last, true, false, [](int) {});
+        return true;
+      });
+  }
+
+  void Add(const Corners2& triangle)
+  {
+    lms3dFusedMesh::Triangle corners;
+    lms3dPoint2 centre = { 0.0, 0.0 };
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto [place, isNew] = this->Numbers.try_emplace(
+        triangle[i], static_cast<std::int32_t>(this->Plane.Mesh.Points.size()));
+      if (isNew)
+      {
+        this->Plane.Mesh.Points.push_back(this->Plane.Frame.ToWorld(triangle[i]));
+      }
+      corners[i] = place->second;
+      centre = { centre[0] + triangle[i][0] / 3.0, centre[1] + triangle[i][1] / 3.0 };
+    }
+    this->Plane.Mesh.Triangles.push_back(corners);
+    this->Plane.Mesh.Sightings.push_back(this->GetSightings(centre));
+  }
+
+  /// Those of the block around a point, or of the nearest block if the scans missed this one.
+  lms3dSightings GetSightings(const lms3dPoint2& point) const
+  {
+    const double u = point[0] / lms3dRaster::Size - 0.5;
+    const double v = point[1] / lms3dRaster::Size - 0.5;
+    const lms3dRasterBlock* best = nullptr;
+    double least = 0.0;
+    for (int i = 0; i < this->Plane.Raster.GetNumberOfBlocks(); ++i)
+    {
+      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(i);
+      const double distance = std::hypot(block.U - u, block.V - v);
+      if (block.Sightings.ScanCount > 0 && (!best || distance < least))
+      {
+        best = &block;
+        least = distance;
+      }
+    }
+    return best ? best->Sightings : lms3dSightings();
+  }
+
+  bool IsCovered(std::int32_t u, std::int32_t v, int reach) const
+  {
+    for (std::int32_t row = v - reach; row <= v + reach; ++row)
+    {
+      if (this->Region.HasAny(&lms3dRasterBlock::Open, row, u - reach, u + reach))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Adds facets at returns that the triangles do not explain.
+  void AddFacets()
+  {
+    const double neighbour = NeighbourDistance * this->Plane.Frame.GetCell();
+    for (int i = 0; i < this->Region.GetNumberOfBlocks(); ++i)
+    {
+      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(i);
+      const int reach = std::hypot(block.Deviation, neighbour) <= this->MaximumError ? 1 : 0;
+      for (int row = 0; row < lms3dRaster::Size; ++row)
+      {
+        const std::uint64_t open = block.Must[row] & ~this->Region.GetBlock(i).Open[row];
+        for (int place = 0; place < lms3dRaster::Size && open >> place != 0; ++place)
+        {
+          const std::int32_t u = block.U * lms3dRaster::Size + place;
+          const std::int32_t v = block.V * lms3dRaster::Size + row;
+          if ((open >> place & 1U) != 0 && !this->IsCovered(u, v, reach))
+          {
+            this->AddFacet({ u + 0.5, v + 0.5 });
+          }
+        }
+      }
+    }
+  }
+
+  void AddFacet(const lms3dPoint2& centre)
+  {
+    const double half = FacetRadius * std::sqrt(0.75);
+    this->Add({ { { centre[0] - half, centre[1] - FacetRadius / 2.0 },
+      { centre[0] + half, centre[1] - FacetRadius / 2.0 },
+      { centre[0], centre[1] + FacetRadius } } });
+    // A facet explains its neighbours as well.
+    this->Cover({ { { centre[0] - 0.1, centre[1] - 0.1 }, { centre[0] + 0.1, centre[1] - 0.1 },
+      { centre[0], centre[1] + 0.2 } } });
+  }
+
+  lms3dFusedPlane& Plane;
+  const std::vector<lms3dCreaseLine>& Creases;
+  const double MaximumError;
+  /// Open is where triangles cover the centre of a cell.
+  lms3dRaster Region;
+  std::map<lms3dPoint2, std::int32_t> Numbers;
+};
+} // namespace
+
+void lms3dMakeRegionMesh(
+  lms3dFusedPlane& plane, const std::vector<lms3dCreaseLine>& creases, double maximumError)
+{
+  Mesher(plane, creases, maximumError).Make();
+}

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dRegionRaster.h"
+
+namespace
+{
+constexpr int Last = lms3dRaster::Size - 1;
+
+/// The word of a row of passed cells, where rows -1 and 64 belong to the neighbours.
+std::uint64_t GetWord(const lms3dRaster& raster, std::int32_t u, std::int32_t v, int row)
+{
+  const int above = row > Last ? 1 : 0;
+  const int below = row < 0 ? 1 : 0;
+  const int number = raster.Find(u, v + above - below);
+  return number < 0 ? 0 : raster.GetBlock(number).Passed[row & Last];
+}
+
+/// A row of passed cells, widened by one cell on both sides.
+std::uint64_t GetWideWord(const lms3dRaster& raster, const lms3dRasterBlock& block, int row)
+{
+  const std::uint64_t word = GetWord(raster, block.U, block.V, row);
+  const std::uint64_t left = GetWord(raster, block.U - 1, block.V, row);
+  const std::uint64_t right = GetWord(raster, block.U + 1, block.V, row);
+  return word | word << 1 | word >> 1 | left >> Last | right << Last;
+}
+
+bool IsEmpty(const lms3dBits& bits)
+{
+  std::uint64_t all = 0;
+  for (const std::uint64_t word : bits)
+  {
+    all |= word;
+  }
+  return all == 0;
+}
+
+bool HasPassedAround(const lms3dRaster& raster, const lms3dRasterBlock& block)
+{
+  for (int v = -1; v <= 1; ++v)
+  {
+    for (int u = -1; u <= 1; ++u)
+    {
+      const int number = raster.Find(block.U + u, block.V + v);
+      if (number >= 0 && !IsEmpty(raster.GetBlock(number).Passed))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+} // namespace
+
+lms3dRaster lms3dMakeRegion(const lms3dRaster& raster)
+{
+  lms3dRaster region;
+  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
+  {
+    const lms3dRasterBlock& block = raster.GetBlock(i);
+    lms3dRasterBlock& cells = region.GetBlock(region.Make(block.U, block.V));
+    const bool isDisputed = HasPassedAround(raster, block);
+    for (int row = 0; row <= Last; ++row)
+    {
+      const std::uint64_t disputed = isDisputed ? GetWideWord(raster, block, row - 1) |
+          GetWideWord(raster, block, row) | GetWideWord(raster, block, row + 1)
+                                                : 0;
+      cells.Passed[row] = block.Passed[row];
+      cells.Must[row] = block.Must[row] & ~disputed;
+      cells.May[row] = (block.May[row] & ~block.Open[row] & ~block.Passed[row]) | cells.Must[row];
+    }
+  }
+  return region;
+}
