@@ -28,7 +28,6 @@ class TestFusion(unittest.TestCase):
     """The journey through the room."""
 
     def setUp(self):
-        simple.ResetSession()
         room = VRMLReader(FileName=str(DATA / "room.wrl"))
         journey = simple.OpenDataFile(str(DATA / "journey.vtp"))
         self.scan = LMS3DScan(Input=room, Trajectory=journey, AlphaResolution=91, BetaResolution=90)
@@ -50,7 +49,10 @@ class TestFusion(unittest.TestCase):
                 self.assertEqual(self.scans(time), expected)
 
     def test_play_makes_the_map_grow(self):
-        simple.Show(self.fusion)
+        view = simple.GetActiveViewOrCreate("RenderView")
+        self.addCleanup(simple.Delete, view)
+        simple.Show(self.fusion, view)
+        self.scan.UpdatePipelineInformation()
         scene = simple.GetAnimationScene()
         scene.UpdateAnimationUsingDataTimeSteps()
         sizes = []
@@ -81,7 +83,9 @@ class TestFusion(unittest.TestCase):
         self.assertEqual(self.scans(5), 1)
 
     def test_arrays_to_colour_by(self):
-        display = simple.Show(self.fusion)
+        view = simple.GetActiveViewOrCreate("RenderView")
+        self.addCleanup(simple.Delete, view)
+        display = simple.Show(self.fusion, view)
         listed = display.SMProxy.GetProperty("ColorArrayName").FindDomain("vtkSMArrayListDomain")
         names = {listed.GetString(i) for i in range(listed.GetNumberOfStrings())}
         self.assertLessEqual({"BestScan", "ScanCount", "LastScan"}, names)

@@ -83,7 +83,8 @@ class Figure:
         self.window.SetOffScreenRendering(off_screen)
         self.window.SetSize(*(size if off_screen else self._limit_to_screen(size)))
         self._add_half(self._left_actor(), (0.0, 0.0, 0.5, 1.0))
-        self._add_half(self._right_actor(edges), (0.5, 0.0, 1.0, 1.0))
+        self._right = self._right_actor(edges)
+        self._add_half(self._right, (0.5, 0.0, 1.0, 1.0))
         self.place_marker()
         self.reset_camera()
 
@@ -91,6 +92,10 @@ class Figure:
         """Move the marker to the sensor."""
         self._marker.SetPosition(self._simulation.sensor.GetPosition())
         self._marker.SetOrientation(self._simulation.sensor.GetOrientation())
+
+    def show_map(self, port=None):
+        """Show the map of an output port on the right; without one, the local map."""
+        self._right.GetMapper().SetInputConnection(port or self._map_port())
 
     def reset_camera(self):
         """Show the whole scene, from a side that the sensor sees. Without points the camera stays."""
