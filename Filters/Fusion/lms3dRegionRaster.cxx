@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionRaster.h"
 
+#include <cmath>
+
 namespace
 {
 constexpr int Last = lms3dRaster::Size - 1;
@@ -49,6 +51,61 @@ bool HasPassedAround(const lms3dRaster& raster, const lms3dRasterBlock& block)
   }
   return false;
 }
+
+// Cells: how far around a beam that passed the region is taken out at most.
+constexpr int LargestBall = 16;
+
+/// The distance of the nearest return, cells, at most twice LargestBall.
+int GetDistanceOfReturn(const lms3dRaster& raster, std::int32_t u, std::int32_t v)
+{
+  int distance = 0;
+  for (bool isFree = true; isFree && distance < 2 * LargestBall;)
+  {
+    ++distance;
+    const auto isRowFree = [&](std::int32_t row, int width)
+    { return !raster.HasAny(&lms3dRasterBlock::Must, row, u - width, u + width); };
+    isFree = isRowFree(v - distance, distance) && isRowFree(v + distance, distance);
+    for (std::int32_t row = v - distance; isFree && row <= v + distance; ++row)
+    {
+      isFree = !raster.Has(&lms3dRasterBlock::Must, u - distance, row) &&
+        !raster.Has(&lms3dRasterBlock::Must, u + distance, row);
+    }
+  }
+  return distance;
+}
+
+/// Takes the cells out that are nearer to a beam that passed than to any return.
+void TakeOutBall(const lms3dRaster& raster, std::int32_t u, std::int32_t v, lms3dRaster& region)
+{
+  const int radius = (GetDistanceOfReturn(raster, u, v) - 1) / 2;
+  for (int row = -radius; row <= radius; ++row)
+  {
+    const auto width =
+      static_cast<int>(std::sqrt(static_cast<double>(radius * radius - row * row)));
+    region.SetRow(
+      &lms3dRasterBlock::May, v + row, u - width, u + width, false, false, [](int) {});
+  }
+}
+
+void TakeOutBalls(const lms3dRaster& raster, lms3dRaster& region)
+{
+  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
+  {
+    const lms3dRasterBlock& block = raster.GetBlock(i);
+    for (int row = 0; row <= Last; ++row)
+    {
+      const std::uint64_t passed = block.Passed[row] & block.May[row];
+      for (int place = 0; place <= Last && passed >> place != 0; ++place)
+      {
+        if ((passed >> place & 1U) != 0)
+        {
+          TakeOutBall(raster, block.U * lms3dRaster::Size + place,
+            block.V * lms3dRaster::Size + row, region);
+        }
+      }
+    }
+  }
+}
 } // namespace
 
 lms3dRaster lms3dMakeRegion(const lms3dRaster& raster)
@@ -69,5 +126,6 @@ lms3dRaster lms3dMakeRegion(const lms3dRaster& raster)
       cells.May[row] = (block.May[row] & ~block.Open[row] & ~block.Passed[row]) | cells.Must[row];
     }
   }
+  TakeOutBalls(raster, region);
   return region;
 }
