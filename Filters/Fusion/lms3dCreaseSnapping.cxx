@@ -8,9 +8,9 @@
 namespace
 {
 // Cells: how far a corner may be from a crease, from the end of its part, and from a meeting point of creases.
-constexpr double Reach = 4.0;
-constexpr double ReachAlong = 4.0;
-constexpr double ReachOfMeeting = 7.0;
+constexpr double Reach = 8.0;
+constexpr double ReachAlong = 8.0;
+constexpr double ReachOfMeeting = 12.0;
 // The sine of the smallest angle between lines that meet.
 constexpr double SmallestSine = 0.1;
 

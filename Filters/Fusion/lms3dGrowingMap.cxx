@@ -24,14 +24,16 @@ constexpr double ReturnShare = 0.98;
 // Of the bound: how far the returns of a patch, apart from their noise, may be from a plane that the patch joins.
 constexpr double MatchShare = 0.4;
 constexpr double NoiseFactor = 4.0;
+// The share of a patch's returns that need not fit the plane.
+constexpr double MisfitShare = 0.05;
 // The cosine of the largest angle between a patch and the plane that it joins.
 constexpr double SmallestCosine = 0.9;
 // The sine of the smallest angle at a crease.
 constexpr double SmallestSine = 0.17;
 // Cells: how far the edge of a local map may be from the line in which its planes meet.
 constexpr double CreaseReach = 6.0;
-// Cells: smaller triangles are facets.
-constexpr double FacetArea = 8.0;
+// Cells: the circumradius of a facet.
+constexpr double FacetRadius = 0.25;
 constexpr double TimeOfCasting = 0.3;
 constexpr double TimeOfMarking = 0.7;
 
@@ -188,7 +190,7 @@ void lms3dGrowingMap::Join(const lms3dLocalMap& local)
     }
   }
   this->AddCreases(local, planeOfPatch);
-  this->AddRest(local, isExplained);
+  this->AddRest(local, isExplained, planeOfPatch);
 }
 
 int lms3dGrowingMap::FindPlane(
@@ -208,13 +210,13 @@ int lms3dGrowingMap::FindPlane(
     {
       continue;
     }
-    const bool fits = std::all_of(returns.begin(), returns.end(),
+    const auto misfits = std::count_if(returns.begin(), returns.end(),
       [&](int number)
       {
         const lms3dMappedReturn& mapped = local.Returns[number];
-        return plane.Explains(mapped.Point, mapped.Direction, bound);
+        return !plane.Explains(mapped.Point, mapped.Direction, bound);
       });
-    if (fits)
+    if (static_cast<double>(misfits) <= MisfitShare * static_cast<double>(returns.size()))
     {
       best = static_cast<int>(i);
       least = distance;
@@ -334,6 +336,18 @@ void lms3dGrowingMap::AddCreases(const lms3dLocalMap& local, const std::vector<i
   }
 }
 
+namespace
+{
+// Whether a return is near enough to a triangle of a local map that is a region of its own.
+bool IsAtVerbatim(const lms3dFusedPlane& plane, const lms3dVector& point, double bound)
+{
+  return plane.Verbatim.empty() ||
+    std::any_of(plane.Verbatim.begin(), plane.Verbatim.end(),
+      [&](const std::array<lms3dVector, 3>& corners)
+      { return lms3dGetDistance(point, corners[0], corners[1], corners[2]) <= bound; });
+}
+} // namespace
+
 bool lms3dGrowingMap::IsExplained(const lms3dMappedReturn& mapped)
 {
   const double bound = ReturnShare * this->Settings.MaximumError;
@@ -356,7 +370,8 @@ bool lms3dGrowingMap::IsExplained(const lms3dMappedReturn& mapped)
     const auto v = static_cast<std::int32_t>(std::floor(place[1]));
     if (plane.Raster.Has(&lms3dRasterBlock::May, u, v) &&
       !plane.Raster.Has(&lms3dRasterBlock::Open, u, v) &&
-      !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v))
+      !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) &&
+      IsAtVerbatim(plane, mapped.Point, bound))
     {
       return this->AddReturn(static_cast<int>(i), mapped);
     }
@@ -364,15 +379,23 @@ bool lms3dGrowingMap::IsExplained(const lms3dMappedReturn& mapped)
   return false;
 }
 
-void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool>& isExplained)
+void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool>& isExplained,
+  const std::vector<int>& planeOfPatch)
 {
   std::map<int, std::vector<int>> returnsOf;
   for (std::size_t i = 0; i < local.Returns.size(); ++i)
   {
-    if (!isExplained[i] && !this->IsExplained(local.Returns[i]))
+    if (isExplained[i] || this->IsExplained(local.Returns[i]))
     {
-      returnsOf[local.Returns[i].Triangle].push_back(static_cast<int>(i));
+      continue;
     }
+    const int patch = local.PatchIds[local.Returns[i].Triangle];
+    if (patch >= 0 && planeOfPatch[patch] >= 0)
+    {
+      this->AddFacet(local.Returns[i]);
+      continue;
+    }
+    returnsOf[local.Returns[i].Triangle].push_back(static_cast<int>(i));
   }
   for (const auto& [triangle, returns] : returnsOf)
   {
@@ -388,6 +411,21 @@ void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool
       this->AddReturn(number, local.Returns[i]);
     }
   }
+}
+
+// A small triangle around a return, across its beam.
+void lms3dGrowingMap::AddFacet(const lms3dMappedReturn& mapped)
+{
+  const lms3dVector normal = lms3dScale(mapped.Direction, -1.0);
+  const int number = this->MakePlane(mapped.Point, normal);
+  const lms3dPoint2 centre = this->Planes[number].Frame.ToCells(mapped.Point);
+  const double half = FacetRadius * std::sqrt(0.75);
+  const lms3dPlaneFrame& frame = this->Planes[number].Frame;
+  this->Planes[number].Verbatim.push_back(
+    { frame.ToWorld({ centre[0] - half, centre[1] - FacetRadius / 2.0 }),
+      frame.ToWorld({ centre[0] + half, centre[1] - FacetRadius / 2.0 }),
+      frame.ToWorld({ centre[0], centre[1] + FacetRadius }) });
+  this->AddReturn(number, mapped);
 }
 
 void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly)

@@ -43,7 +43,9 @@ private:
   void AddTriangle(int plane, const lms3dLocalMap& local, int triangle);
   bool AddReturn(int plane, const lms3dMappedReturn& mapped);
   void AddCreases(const lms3dLocalMap& local, const std::vector<int>& planeOfPatch);
-  void AddRest(const lms3dLocalMap& local, const std::vector<bool>& isExplained);
+  void AddRest(const lms3dLocalMap& local, const std::vector<bool>& isExplained,
+    const std::vector<int>& planeOfPatch);
+  void AddFacet(const lms3dMappedReturn& mapped);
   bool IsExplained(const lms3dMappedReturn& mapped);
   void MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly);
   std::vector<lms3dCreaseLine> GetCreaseLines(int plane) const;

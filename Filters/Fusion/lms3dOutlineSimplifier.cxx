@@ -152,6 +152,10 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
   {
     return true;
   }
+  if (GetDistance(triangle[1], triangle[0], triangle[2]) <= OnLine)
+  {
+    return this->IsEmpty(triangle, corner);
+  }
   const bool isFree = orientation > 0
     ? lms3dForCentreRows(triangle,
         [&](std::int32_t row, std::int32_t first, std::int32_t last)

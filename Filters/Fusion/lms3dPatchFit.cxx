@@ -10,6 +10,9 @@
 namespace
 {
 constexpr std::size_t FewestReturns = 6;
+// Returns farther from a plane than this multiple of the root mean square do not belong to it.
+constexpr double LargestShare = 2.5;
+constexpr int Rounds = 4;
 
 lms3dVector GetMean(const lms3dLocalMap& map, const std::vector<int>& returns)
 {
@@ -20,23 +23,7 @@ lms3dVector GetMean(const lms3dLocalMap& map, const std::vector<int>& returns)
   }
   return lms3dScale(sum, 1.0 / static_cast<double>(returns.size()));
 }
-} // namespace
-
-std::vector<std::vector<int>> lms3dGetReturnsOfPatches(const lms3dLocalMap& map)
-{
-  std::vector<std::vector<int>> result(static_cast<std::size_t>(map.NumberOfPatches));
-  for (std::size_t i = 0; i < map.Returns.size(); ++i)
-  {
-    const int patch = map.PatchIds[map.Returns[i].Triangle];
-    if (patch >= 0)
-    {
-      result[patch].push_back(static_cast<int>(i));
-    }
-  }
-  return result;
-}
-
-std::optional<lms3dFittedPlane> lms3dFitPlane(
+std::optional<lms3dFittedPlane> FitOnce(
   const lms3dLocalMap& map, const std::vector<int>& returns, double smallestWidth)
 {
   if (returns.size() < FewestReturns)
@@ -72,4 +59,47 @@ std::optional<lms3dFittedPlane> lms3dFitPlane(
     normal = lms3dScale(normal, -1.0);
   }
   return lms3dFittedPlane{ mean, normal, std::sqrt(std::max(0.0, values[least])) };
+}
+} // namespace
+
+std::vector<std::vector<int>> lms3dGetReturnsOfPatches(const lms3dLocalMap& map)
+{
+  std::vector<std::vector<int>> result(static_cast<std::size_t>(map.NumberOfPatches));
+  for (std::size_t i = 0; i < map.Returns.size(); ++i)
+  {
+    const int patch = map.PatchIds[map.Returns[i].Triangle];
+    if (patch >= 0)
+    {
+      result[patch].push_back(static_cast<int>(i));
+    }
+  }
+  return result;
+}
+
+std::optional<lms3dFittedPlane> lms3dFitPlane(
+  const lms3dLocalMap& map, const std::vector<int>& returns, double smallestWidth)
+{
+  std::optional<lms3dFittedPlane> fit = FitOnce(map, returns, smallestWidth);
+  std::vector<int> members = returns;
+  for (int round = 0; fit && round < Rounds; ++round)
+  {
+    const double largest = LargestShare * fit->Deviation;
+    std::vector<int> kept;
+    for (int i : members)
+    {
+      if (std::abs(lms3dDot(fit->Normal, lms3dSubtract(map.Returns[i].Point, fit->Centre))) <=
+        largest)
+      {
+        kept.push_back(i);
+      }
+    }
+    const std::optional<lms3dFittedPlane> next = FitOnce(map, kept, smallestWidth);
+    if (kept.size() == members.size() || !next)
+    {
+      break;
+    }
+    fit = next;
+    members = kept;
+  }
+  return fit;
 }

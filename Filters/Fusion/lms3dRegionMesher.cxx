@@ -10,8 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <map>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 namespace
 {
@@ -84,6 +88,11 @@ public:
 
   void Make()
   {
+    if (getenv("DBG")) { int u0,u1,v0,v1; double nx,ny; sscanf(getenv("DBG"),"%lf,%lf,%d,%d,%d,%d",&nx,&ny,&u0,&u1,&v0,&v1);
+      if (std::abs(Plane.Frame.GetNormal()[0]-nx)<.02&&std::abs(Plane.Frame.GetNormal()[1]-ny)<.02&&Plane.Raster.Find(u0>>6,v0>>6)>=0){
+      printf("plane %d blocks deviation verb %d\n",Plane.Raster.GetNumberOfBlocks(),(int)Plane.Verbatim.size());
+      for(int v=v1;v>=v0;--v){for(int u=u0;u<=u1;++u){auto h=[&](lms3dRaster::BitsOf b){return Plane.Raster.Has(b,u,v);};
+        putchar(h(&lms3dRasterBlock::Passed)?(h(&lms3dRasterBlock::Must)?'!':'x'):h(&lms3dRasterBlock::Must)?'M':h(&lms3dRasterBlock::Open)?'o':h(&lms3dRasterBlock::May)?'.':' ');}putchar('\n');}}}
     this->Plane.Mesh.Clear();
     if (!this->Plane.Verbatim.empty() && this->IsWhole())
     {
@@ -159,7 +168,52 @@ private:
     {
       triangles = Triangulate(outlines);
     }
-    return triangles ? *triangles : std::vector<Corners2>();
+    return triangles ? this->DropIslands(*triangles) : std::vector<Corners2>();
+  }
+
+  /// Drops connected triangles without a return on any of them.
+  std::vector<Corners2> DropIslands(const std::vector<Corners2>& triangles) const
+  {
+    std::vector<std::size_t> group(triangles.size());
+    std::iota(group.begin(), group.end(), std::size_t{ 0 });
+    const auto find = [&group](std::size_t i)
+    {
+      while (group[i] != i)
+      {
+        group[i] = group[group[i]];
+        i = group[i];
+      }
+      return i;
+    };
+    std::map<std::pair<lms3dPoint2, lms3dPoint2>, std::size_t> edges;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const auto [place, isNew] = edges.try_emplace(
+          std::minmax(triangles[i][corner], triangles[i][(corner + 1) % 3]), i);
+        group[find(i)] = find(place->second);
+      }
+    }
+    std::vector<bool> hasReturn(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      if (!hasReturn[find(i)])
+      {
+        hasReturn[find(i)] = !lms3dForCentreRows(triangles[i],
+          [&](std::int32_t row, std::int32_t first, std::int32_t last)
+          { return !this->Plane.Raster.HasAny(&lms3dRasterBlock::Must, row, first, last); });
+      }
+    }
+    std::vector<Corners2> kept;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      if (hasReturn[find(i)])
+      {
+        kept.push_back(triangles[i]);
+      }
+    }
+    return kept;
   }
 
   void Cover(const Corners2& triangle)
