@@ -18,14 +18,16 @@
 namespace
 {
 // Cells for each bound.
-constexpr double CellsPerBound = 4.0;
+constexpr double CellsPerBound = 3.0;
 // Of the bound: how far a return may be from its plane. The rest is for rounding.
-constexpr double ReturnShare = 0.98;
+constexpr double ReturnShare = 0.97;
 // Of the bound: how far the returns of a patch, apart from their noise, may be from a plane that the patch joins.
 constexpr double MatchShare = 0.4;
 constexpr double NoiseFactor = 4.0;
 // The share of a patch's returns that need not fit the plane.
 constexpr double MisfitShare = 0.05;
+// Of the bound: how far the returns of a single triangle may be from the plane that it joins.
+constexpr double JoinShare = 0.9;
 // The cosine of the largest angle between a patch and the plane that it joins.
 constexpr double SmallestCosine = 0.9;
 // The sine of the smallest angle at a crease.
@@ -379,6 +381,36 @@ bool lms3dGrowingMap::IsExplained(const lms3dMappedReturn& mapped)
   return false;
 }
 
+// The plane that explains all returns of a triangle beside it.
+int lms3dGrowingMap::FindPlaneBeside(const lms3dLocalMap& local, const std::vector<int>& returns,
+  const std::array<lms3dVector, 3>& corners, const lms3dVector& normal) const
+{
+  const double bound = JoinShare * this->Settings.MaximumError;
+  for (std::size_t i = 0; i < this->Planes.size(); ++i)
+  {
+    const lms3dFusedPlane& plane = this->Planes[i];
+    bool isNear = plane.Verbatim.empty() &&
+      lms3dDot(plane.Frame.GetNormal(), normal) >= SmallestCosine;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto [low, high] =
+        std::minmax({ corners[0][axis], corners[1][axis], corners[2][axis] });
+      isNear = isNear && high >= plane.Low[axis] - bound && low <= plane.High[axis] + bound;
+    }
+    if (isNear &&
+      std::all_of(returns.begin(), returns.end(),
+        [&](int number)
+        {
+          const lms3dMappedReturn& mapped = local.Returns[number];
+          return plane.Explains(mapped.Point, mapped.Direction, bound);
+        }))
+    {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
 void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool>& isExplained,
   const std::vector<int>& planeOfPatch)
 {
@@ -403,12 +435,19 @@ void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool
       GetCorner(local, triangle, 1), GetCorner(local, triangle, 2) };
     const lms3dVector normal = lms3dNormalize(
       lms3dGetWeightedNormal({ corners[0].data(), corners[1].data(), corners[2].data() }));
-    const int number = this->MakePlane(corners[0], normal);
-    this->Planes[number].Verbatim.push_back(corners);
+    int number = this->FindPlaneBeside(local, returns, corners, normal);
+    if (number < 0)
+    {
+      number = this->MakePlane(corners[0], normal);
+      this->Planes[number].Verbatim.push_back(corners);
+    }
     this->AddTriangle(number, local, triangle);
     for (int i : returns)
     {
-      this->AddReturn(number, local.Returns[i]);
+      if (!this->AddReturn(number, local.Returns[i]))
+      {
+        this->AddFacet(local.Returns[i]);
+      }
     }
   }
 }

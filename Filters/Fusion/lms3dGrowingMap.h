@@ -16,6 +16,7 @@
 #include "Fusion/lms3dSeenRanges.h"
 #include "Pipeline/lms3dProgress.h"
 
+#include <array>
 #include <deque>
 #include <memory>
 #include <vector>
@@ -45,6 +46,8 @@ private:
   void AddCreases(const lms3dLocalMap& local, const std::vector<int>& planeOfPatch);
   void AddRest(const lms3dLocalMap& local, const std::vector<bool>& isExplained,
     const std::vector<int>& planeOfPatch);
+  int FindPlaneBeside(const lms3dLocalMap& local, const std::vector<int>& returns,
+    const std::array<lms3dVector, 3>& corners, const lms3dVector& normal) const;
   void AddFacet(const lms3dMappedReturn& mapped);
   bool IsExplained(const lms3dMappedReturn& mapped);
   void MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly);

@@ -11,8 +11,8 @@ namespace
 {
 // The diagonal of a block from its centre, cells.
 constexpr double HalfDiagonal = 45.26;
-// Cells: larger quadrilaterals between beams at grazing angles tell nothing about what lies between.
-constexpr double LargestQuad = 128.0;
+// Cells: what lies between beams that are farther apart, at grazing angles, is unknown.
+constexpr double LargestDistance = 128.0;
 // The share of the bound from which on a beam counts as passed; less than 1 because of rounding.
 constexpr double PassedShare = 0.999;
 constexpr double SmallestCosine = 1e-9;
@@ -79,30 +79,13 @@ void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int block, int beamId)
   {
     cells.Must[static_cast<int>(v)] &= ~bit;
   }
-  this->MarkQuad(plane, beamId, passage.Place);
+  this->MarkAround(plane, beamId, passage.Place);
 }
 
-void lms3dPassedBeams::MarkQuad(lms3dFusedPlane& plane, int beamId, const lms3dPoint2& place) const
+// Opens a convex polygon between beams that passed, unless a return lies in it.
+template <typename Points>
+void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
 {
-  const lms3dBeamTable& table = this->Ranges.GetTable();
-  const int inFan = table.GetNextInFan(beamId);
-  const int inTurn = table.GetNextTurn(beamId);
-  if (inFan < 0 || inTurn < 0)
-  {
-    return;
-  }
-  const std::array<Passage, 3> others = { this->Find(plane, inFan),
-    this->Find(plane, table.GetNextInFan(inTurn)), this->Find(plane, inTurn) };
-  std::array<lms3dPoint2, 4> quad = { place };
-  for (int i = 0; i < 3; ++i)
-  {
-    quad[i + 1] = others[i].Place;
-    if (!others[i].IsPassed || std::abs(quad[i + 1][0] - place[0]) > LargestQuad ||
-      std::abs(quad[i + 1][1] - place[1]) > LargestQuad)
-    {
-      return;
-    }
-  }
   const auto setRow = [&](lms3dRaster::BitsOf bits, bool value)
   {
     return [&plane, bits, value](std::int32_t row, std::int32_t first, std::int32_t last)
@@ -114,13 +97,43 @@ void lms3dPassedBeams::MarkQuad(lms3dFusedPlane& plane, int beamId, const lms3dP
   };
   if (this->Forgets)
   {
-    lms3dForTouchedRows(quad, setRow(&lms3dRasterBlock::Must, false));
+    lms3dForTouchedRows(points, setRow(&lms3dRasterBlock::Must, false));
   }
-  const bool isFree = lms3dForTouchedRows(quad,
+  const bool isFree = lms3dForTouchedRows(points,
     [&](std::int32_t row, std::int32_t first, std::int32_t last)
     { return !plane.Raster.HasAny(&lms3dRasterBlock::Must, row, first, last); });
   if (isFree)
   {
-    lms3dForTouchedRows(quad, setRow(&lms3dRasterBlock::Open, true));
+    lms3dForTouchedRows(points, setRow(&lms3dRasterBlock::Open, true));
+  }
+}
+
+void lms3dPassedBeams::MarkAround(
+  lms3dFusedPlane& plane, int beamId, const lms3dPoint2& place) const
+{
+  const lms3dBeamTable& table = this->Ranges.GetTable();
+  const auto find = [&](int id)
+  {
+    Passage passage = id < 0 ? Passage() : this->Find(plane, id);
+    passage.IsPassed = passage.IsPassed &&
+      std::abs(passage.Place[0] - place[0]) <= LargestDistance &&
+      std::abs(passage.Place[1] - place[1]) <= LargestDistance;
+    return passage;
+  };
+  const int turnId = table.GetNextTurn(beamId);
+  const Passage inFan = find(table.GetNextInFan(beamId));
+  const Passage inTurn = find(turnId);
+  const Passage across = find(turnId < 0 ? -1 : table.GetNextInFan(turnId));
+  if (inFan.IsPassed && inTurn.IsPassed && across.IsPassed)
+  {
+    this->Open(plane, std::array<lms3dPoint2, 4>{ place, inFan.Place, across.Place, inTurn.Place });
+    return;
+  }
+  for (const Passage& passage : { inFan, inTurn })
+  {
+    if (passage.IsPassed)
+    {
+      this->Open(plane, std::array<lms3dPoint2, 2>{ place, passage.Place });
+    }
   }
 }

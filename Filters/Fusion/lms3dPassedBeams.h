@@ -38,7 +38,9 @@ private:
 
   Passage Find(const lms3dFusedPlane& plane, int beamId) const;
   void MarkBeam(lms3dFusedPlane& plane, int block, int beamId);
-  void MarkQuad(lms3dFusedPlane& plane, int beamId, const lms3dPoint2& place) const;
+  void MarkAround(lms3dFusedPlane& plane, int beamId, const lms3dPoint2& place) const;
+  template <typename Points>
+  void Open(lms3dFusedPlane& plane, const Points& points) const;
 
   const lms3dSeenRanges& Ranges;
   const double MaximumError;

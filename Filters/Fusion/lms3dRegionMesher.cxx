@@ -20,7 +20,7 @@
 namespace
 {
 // Of the bound: how far the border of a region may move when it is straightened.
-constexpr double BorderShare = 1.0;
+constexpr double BorderShare = 3.0;
 // Cells: the largest distance from a point of a cell to the centre of one of its eight neighbours.
 constexpr double NeighbourDistance = 2.1213203435596424;
 // Cells: the circumradius of a facet.
@@ -88,11 +88,31 @@ public:
 
   void Make()
   {
-    if (getenv("DBG")) { int u0,u1,v0,v1; double nx,ny; sscanf(getenv("DBG"),"%lf,%lf,%d,%d,%d,%d",&nx,&ny,&u0,&u1,&v0,&v1);
-      if (std::abs(Plane.Frame.GetNormal()[0]-nx)<.02&&std::abs(Plane.Frame.GetNormal()[1]-ny)<.02&&Plane.Raster.Find(u0>>6,v0>>6)>=0){
-      printf("plane %d blocks deviation verb %d\n",Plane.Raster.GetNumberOfBlocks(),(int)Plane.Verbatim.size());
-      for(int v=v1;v>=v0;--v){for(int u=u0;u<=u1;++u){auto h=[&](lms3dRaster::BitsOf b){return Plane.Raster.Has(b,u,v);};
-        putchar(h(&lms3dRasterBlock::Passed)?(h(&lms3dRasterBlock::Must)?'!':'x'):h(&lms3dRasterBlock::Must)?'M':h(&lms3dRasterBlock::Open)?'o':h(&lms3dRasterBlock::May)?'.':' ');}putchar('\n');}}}
+    if (getenv("DBG"))
+    {
+      int u0, u1, v0, v1;
+      double nx, ny;
+      sscanf(getenv("DBG"), "%lf,%lf,%d,%d,%d,%d", &nx, &ny, &u0, &u1, &v0, &v1);
+      if (std::abs(Plane.Frame.GetNormal()[0] - nx) < .02 &&
+        std::abs(Plane.Frame.GetNormal()[1] - ny) < .02 && Plane.Raster.Find(u0 >> 6, v0 >> 6) >= 0)
+      {
+        printf("plane %d blocks deviation verb %d\n", Plane.Raster.GetNumberOfBlocks(),
+          (int)Plane.Verbatim.size());
+        for (int v = v1; v >= v0; --v)
+        {
+          for (int u = u0; u <= u1; ++u)
+          {
+            auto h = [&](lms3dRaster::BitsOf b) { return Plane.Raster.Has(b, u, v); };
+            putchar(h(&lms3dRasterBlock::Passed) ? (h(&lms3dRasterBlock::Must) ? '!' : 'x')
+                : h(&lms3dRasterBlock::Must)     ? 'M'
+                : h(&lms3dRasterBlock::Open)     ? 'o'
+                : h(&lms3dRasterBlock::May)      ? '.'
+                                                 : ' ');
+          }
+          putchar('\n');
+        }
+      }
+    }
     this->Plane.Mesh.Clear();
     if (!this->Plane.Verbatim.empty() && this->IsWhole())
     {
@@ -190,8 +210,8 @@ private:
     {
       for (int corner = 0; corner < 3; ++corner)
       {
-        const auto [place, isNew] = edges.try_emplace(
-          std::minmax(triangles[i][corner], triangles[i][(corner + 1) % 3]), i);
+        const auto [place, isNew] =
+          edges.try_emplace(std::minmax(triangles[i][corner], triangles[i][(corner + 1) % 3]), i);
         group[find(i)] = find(place->second);
       }
     }

@@ -56,8 +56,7 @@ bool HasPassedAround(const lms3dRaster& raster, const lms3dRasterBlock& block)
 constexpr int LargestBall = 16;
 
 /// The distance of the nearest cell with a bit, cells, at most twice LargestBall.
-int GetDistance(
-  const lms3dRaster& raster, lms3dRaster::BitsOf bits, std::int32_t u, std::int32_t v)
+int GetDistance(const lms3dRaster& raster, lms3dRaster::BitsOf bits, std::int32_t u, std::int32_t v)
 {
   int distance = 0;
   for (bool isFree = true; isFree && distance < 2 * LargestBall;)
