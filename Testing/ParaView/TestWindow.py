@@ -148,19 +148,16 @@ class TestTrajectory(WindowTest):
 
 
 class TestFusion(WindowTest):
-    """Filters > LMS3D > LMS3D Map Fusion, which asks for the map and its scan."""
+    """Filters > LMS3D > LMS3D Map Fusion of a map, and the scan, chosen in its panel."""
 
     def test_play_reaches_the_end(self):
-        dialog = "SelectInputDialog"
         messages = self.play(
             window.open_file(ROOM), window.open_file(JOURNEY), window.select(PIPELINE, "/0:0/0:0"),
             window.add_filter("LMS3DScan"),
             [(f"{window.PROPERTIES}/Trajectory/1QComboBox0", "set_string", "journey.vtp")],
             window.APPLY, window.add_filter("LMS3DSurfaceReconstruction"), window.APPLY,
             window.add_filter("LMS3DMapFusion"),
-            [(f"{dialog}/buttonFrame/Scan", "set_boolean", "true")],
-            window.select(f"{dialog}/pipelineView", "/0:0/0:0/0:0", 79),
-            [(f"{dialog}/{window.OK_BUTTON}", "activate", "")], window.APPLY,
+            [(f"{window.PROPERTIES}/Scan/1QComboBox0", "set_string", "LMS3DScan1:Scan")], window.APPLY,
             [("VCRToolbar/actionVCRPlay", "activate", "")],
             window.expect("currentTimeToolbar/AnimationTimeWidget/timeValueComboBox",
                           "currentText", "16"))
