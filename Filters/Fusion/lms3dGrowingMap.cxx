@@ -24,6 +24,10 @@ constexpr double ReturnShare = 0.97;
 // Of the bound: how far the returns of a patch, apart from their noise, may be from a plane that the patch joins.
 constexpr double MatchShare = 0.4;
 constexpr double NoiseFactor = 4.0;
+// Of the bound: the root mean square of returns around a plane from which on it is rough.
+constexpr double RoughShare = 0.05;
+// A patch of which this share is explained by other planes needs no plane of its own.
+constexpr double ExplainedShare = 0.7;
 // The share of a patch's returns that need not fit the plane.
 constexpr double MisfitShare = 0.05;
 // Of the bound: how far the returns of a single triangle may be from the plane that it joins.
@@ -162,6 +166,7 @@ void lms3dGrowingMap::Join(const lms3dLocalMap& local)
   std::vector<int> planeOfPatch(static_cast<std::size_t>(local.NumberOfPatches), -1);
   std::vector<bool> isExplained(local.Returns.size());
   const std::vector<std::vector<int>> returns = lms3dGetReturnsOfPatches(local);
+  const std::size_t planesBefore = this->Planes.size();
   for (int patch = 0; patch < local.NumberOfPatches; ++patch)
   {
     const auto fit = lms3dFitPlane(local, returns[patch], this->Settings.MaximumError);
@@ -170,9 +175,11 @@ void lms3dGrowingMap::Join(const lms3dLocalMap& local)
       continue;
     }
     planeOfPatch[patch] = this->FindPlane(local, returns[patch], *fit);
-    if (planeOfPatch[patch] < 0 && fit->Deviation <= MatchShare * this->Settings.MaximumError)
+    if (planeOfPatch[patch] < 0 && fit->Deviation <= MatchShare * this->Settings.MaximumError &&
+      !this->IsMostlyExplained(local, returns[patch], planesBefore))
     {
       planeOfPatch[patch] = this->MakePlane(fit->Centre, fit->Normal);
+      this->Planes.back().IsRough = fit->Deviation > RoughShare * this->Settings.MaximumError;
     }
     if (planeOfPatch[patch] < 0)
     {
@@ -350,35 +357,73 @@ bool IsAtVerbatim(const lms3dFusedPlane& plane, const lms3dVector& point, double
 }
 } // namespace
 
-bool lms3dGrowingMap::IsExplained(const lms3dMappedReturn& mapped)
+bool lms3dGrowingMap::Shows(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const
 {
   const double bound = ReturnShare * this->Settings.MaximumError;
-  for (std::size_t i = 0; i < this->Planes.size(); ++i)
+  if (lms3dDot(plane.Frame.GetNormal(), mapped.Direction) >= 0.0 ||
+    !plane.Explains(mapped.Point, mapped.Direction, bound))
   {
-    lms3dFusedPlane& plane = this->Planes[i];
-    bool isNear = plane.Explains(mapped.Point, mapped.Direction, bound) &&
-      lms3dDot(plane.Frame.GetNormal(), mapped.Direction) < 0.0;
+    return false;
+  }
+  const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+  const auto u = static_cast<std::int32_t>(std::floor(place[0]));
+  const auto v = static_cast<std::int32_t>(std::floor(place[1]));
+  return plane.Raster.Has(&lms3dRasterBlock::May, u, v) &&
+    !plane.Raster.Has(&lms3dRasterBlock::Open, u, v) &&
+    !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) && IsAtVerbatim(plane, mapped.Point, bound);
+}
+
+// The planes, of the first `end`, whose boxes meet the box of returns.
+std::vector<int> lms3dGrowingMap::FindPlanesNear(
+  const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const
+{
+  lms3dVector low = { 1e300, 1e300, 1e300 };
+  lms3dVector high = { -1e300, -1e300, -1e300 };
+  for (int i : returns)
+  {
     for (int axis = 0; axis < 3; ++axis)
     {
-      isNear = isNear && mapped.Point[axis] >= plane.Low[axis] - bound &&
-        mapped.Point[axis] <= plane.High[axis] + bound;
-    }
-    if (!isNear)
-    {
-      continue;
-    }
-    const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
-    const auto u = static_cast<std::int32_t>(std::floor(place[0]));
-    const auto v = static_cast<std::int32_t>(std::floor(place[1]));
-    if (plane.Raster.Has(&lms3dRasterBlock::May, u, v) &&
-      !plane.Raster.Has(&lms3dRasterBlock::Open, u, v) &&
-      !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) &&
-      IsAtVerbatim(plane, mapped.Point, bound))
-    {
-      return this->AddReturn(static_cast<int>(i), mapped);
+      low[axis] = std::min(low[axis], local.Returns[i].Point[axis]);
+      high[axis] = std::max(high[axis], local.Returns[i].Point[axis]);
     }
   }
-  return false;
+  std::vector<int> planes;
+  const double bound = this->Settings.MaximumError;
+  for (std::size_t i = 0; i < end; ++i)
+  {
+    const lms3dFusedPlane& plane = this->Planes[i];
+    bool isNear = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      isNear = isNear && high[axis] >= plane.Low[axis] - bound &&
+        low[axis] <= plane.High[axis] + bound;
+    }
+    if (isNear)
+    {
+      planes.push_back(static_cast<int>(i));
+    }
+  }
+  return planes;
+}
+
+bool lms3dGrowingMap::IsMostlyExplained(
+  const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const
+{
+  const std::vector<int> planes = this->FindPlanesNear(local, returns, end);
+  const auto explained = std::count_if(returns.begin(), returns.end(),
+    [&](int i)
+    {
+      return std::any_of(planes.begin(), planes.end(),
+        [&](int plane) { return this->Shows(this->Planes[plane], local.Returns[i]); });
+    });
+  return static_cast<double>(explained) >= ExplainedShare * static_cast<double>(returns.size());
+}
+
+bool lms3dGrowingMap::AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped)
+{
+  return std::any_of(planes.begin(), planes.end(),
+    [&](int plane)
+    { return this->Shows(this->Planes[plane], mapped) && this->AddReturn(plane, mapped); });
 }
 
 // The plane that explains all returns of a triangle beside it.
@@ -414,20 +459,32 @@ int lms3dGrowingMap::FindPlaneBeside(const lms3dLocalMap& local, const std::vect
 void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool>& isExplained,
   const std::vector<int>& planeOfPatch)
 {
-  std::map<int, std::vector<int>> returnsOf;
+  std::map<int, std::vector<int>> restOf;
   for (std::size_t i = 0; i < local.Returns.size(); ++i)
   {
-    if (isExplained[i] || this->IsExplained(local.Returns[i]))
+    if (!isExplained[i])
     {
-      continue;
+      restOf[local.Returns[i].Triangle].push_back(static_cast<int>(i));
     }
-    const int patch = local.PatchIds[local.Returns[i].Triangle];
-    if (patch >= 0 && planeOfPatch[patch] >= 0)
+  }
+  std::map<int, std::vector<int>> returnsOf;
+  for (const auto& [triangle, rest] : restOf)
+  {
+    const std::vector<int> planes = this->FindPlanesNear(local, rest, this->Planes.size());
+    const int patch = local.PatchIds[triangle];
+    for (int i : rest)
     {
-      this->AddFacet(local.Returns[i]);
-      continue;
+      if (this->AddToPlanes(planes, local.Returns[i]))
+      {
+        continue;
+      }
+      if (patch >= 0 && planeOfPatch[patch] >= 0)
+      {
+        this->AddFacet(local.Returns[i]);
+        continue;
+      }
+      returnsOf[triangle].push_back(i);
     }
-    returnsOf[local.Returns[i].Triangle].push_back(static_cast<int>(i));
   }
   for (const auto& [triangle, returns] : returnsOf)
   {
@@ -440,6 +497,7 @@ void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool
     {
       number = this->MakePlane(corners[0], normal);
       this->Planes[number].Verbatim.push_back(corners);
+      this->Planes[number].IsRough = true;
     }
     this->AddTriangle(number, local, triangle);
     for (int i : returns)

@@ -49,7 +49,12 @@ private:
   int FindPlaneBeside(const lms3dLocalMap& local, const std::vector<int>& returns,
     const std::array<lms3dVector, 3>& corners, const lms3dVector& normal) const;
   void AddFacet(const lms3dMappedReturn& mapped);
-  bool IsExplained(const lms3dMappedReturn& mapped);
+  bool Shows(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const;
+  std::vector<int> FindPlanesNear(
+    const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const;
+  bool IsMostlyExplained(
+    const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const;
+  bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);
   void MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly);
   std::vector<lms3dCreaseLine> GetCreaseLines(int plane) const;
 

@@ -11,18 +11,20 @@ namespace
 {
 // Cells: the size of a bucket of corners.
 constexpr double BucketSize = 16.0;
-// Cells: corners nearer than this to a line lie on it.
-constexpr double OnLine = 1e-6;
+// Squared cells: corners nearer than this to a line lie on it.
+constexpr double OnLine = 1e-12;
 constexpr double Infinite = 1e300;
 
-double GetDistance(const lms3dPoint2& p, const lms3dPoint2& a, const lms3dPoint2& b)
+double GetSquaredDistance(const lms3dPoint2& p, const lms3dPoint2& a, const lms3dPoint2& b)
 {
   const double du = b[0] - a[0];
   const double dv = b[1] - a[1];
   const double square = du * du + dv * dv;
   const double share =
     square > 0.0 ? std::clamp(((p[0] - a[0]) * du + (p[1] - a[1]) * dv) / square, 0.0, 1.0) : 0.0;
-  return std::hypot(p[0] - a[0] - share * du, p[1] - a[1] - share * dv);
+  const double u = p[0] - a[0] - share * du;
+  const double v = p[1] - a[1] - share * dv;
+  return u * u + v * v;
 }
 
 bool IsIn(const lms3dPoint2& p, const std::array<lms3dPoint2, 3>& triangle, int orientation)
@@ -42,7 +44,7 @@ lms3dOutlineSimplifier::lms3dOutlineSimplifier(const lms3dRaster& region,
   const std::vector<lms3dLoop>& loops, const std::vector<bool>& isFixed, double tolerance)
   : Region(region)
   , IsFixed(isFixed)
-  , Tolerance(tolerance)
+  , Tolerance(tolerance * tolerance)
 {
   this->Link(loops);
 }
@@ -80,7 +82,7 @@ std::uint64_t lms3dOutlineSimplifier::GetBucket(const lms3dPoint2& point)
     static_cast<std::int32_t>(std::floor(point[1] / BucketSize)));
 }
 
-// The largest distance of a corner, and of those that went beside it, from the line that would take their place.
+// The square of the largest distance of a corner, and of those that went beside it, from the line that would take their place.
 double lms3dOutlineSimplifier::GetCost(Corner corner) const
 {
   const Corner from = this->Previous[corner];
@@ -93,7 +95,7 @@ double lms3dOutlineSimplifier::GetCost(Corner corner) const
   do
   {
     cost =
-      std::max(cost, GetDistance(this->Points[original], this->Points[from], this->Points[to]));
+      std::max(cost, GetSquaredDistance(this->Points[original], this->Points[from], this->Points[to]));
     original = original + 1 < end ? original + 1 : first;
   } while (original != to && cost <= this->Tolerance);
   if (this->IsFixed[corner] && cost > OnLine)
@@ -152,7 +154,7 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
   {
     return true;
   }
-  if (GetDistance(triangle[1], triangle[0], triangle[2]) <= OnLine)
+  if (GetSquaredDistance(triangle[1], triangle[0], triangle[2]) <= OnLine)
   {
     return this->IsEmpty(triangle, corner);
   }

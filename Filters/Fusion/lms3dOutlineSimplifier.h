@@ -58,6 +58,7 @@ private:
 
   const lms3dRaster& Region;
   const std::vector<bool>& IsFixed;
+  /// Squared.
   double Tolerance;
   std::vector<lms3dPoint2> Points;
   std::vector<Corner> Next;
