@@ -37,8 +37,8 @@ struct lms3dFusedPlane
 
   lms3dPlaneFrame Frame;
   lms3dRaster Raster;
-  /// Whether the surface is curved, or its ranges noisy, so that returns lie on both sides of the plane.
-  bool IsRough = false;
+  /// Whether the surface is curved.
+  bool IsCurved = false;
   /// The creases with other planes, by their numbers.
   std::map<int, lms3dCreaseParts> Creases;
   /// The triangle of a local map, if the region is nothing else. It need not lie exactly in the plane.

@@ -24,14 +24,18 @@ constexpr double ReturnShare = 0.97;
 // Of the bound: how far the returns of a patch, apart from their noise, may be from a plane that the patch joins.
 constexpr double MatchShare = 0.4;
 constexpr double NoiseFactor = 4.0;
-// Of the bound: the root mean square of returns around a plane from which on it is rough.
-constexpr double RoughShare = 0.05;
+// A patch is curved if the root mean square of the distances of its returns exceeds this share of the bound, and if
+// successive distances are correlated.
+constexpr double CurvedShare = 0.05;
+constexpr double SmallestCorrelation = 0.5;
 // A patch of which this share is explained by other planes needs no plane of its own.
 constexpr double ExplainedShare = 0.7;
 // The share of a patch's returns that need not fit the plane.
 constexpr double MisfitShare = 0.05;
 // Of the bound: how far the returns of a single triangle may be from the plane that it joins.
 constexpr double JoinShare = 0.9;
+// Of the bound: returns farther from the plane of their patch may lie on another plane beside it.
+constexpr double LooseShare = 0.2;
 // The cosine of the largest angle between a patch and the plane that it joins.
 constexpr double SmallestCosine = 0.9;
 // The sine of the smallest angle at a crease.
@@ -167,6 +171,7 @@ void lms3dGrowingMap::Join(const lms3dLocalMap& local)
   std::vector<bool> isExplained(local.Returns.size());
   const std::vector<std::vector<int>> returns = lms3dGetReturnsOfPatches(local);
   const std::size_t planesBefore = this->Planes.size();
+  std::map<int, std::vector<int>> loose;
   for (int patch = 0; patch < local.NumberOfPatches; ++patch)
   {
     const auto fit = lms3dFitPlane(local, returns[patch], this->Settings.MaximumError);
@@ -179,14 +184,22 @@ void lms3dGrowingMap::Join(const lms3dLocalMap& local)
       !this->IsMostlyExplained(local, returns[patch], planesBefore))
     {
       planeOfPatch[patch] = this->MakePlane(fit->Centre, fit->Normal);
-      this->Planes.back().IsRough = fit->Deviation > RoughShare * this->Settings.MaximumError;
+      this->Planes.back().IsCurved = fit->Correlation > SmallestCorrelation && fit->Deviation > CurvedShare * this->Settings.MaximumError;
     }
     if (planeOfPatch[patch] < 0)
     {
       continue;
     }
+    const lms3dPlaneFrame& frame = this->Planes[planeOfPatch[patch]].Frame;
+    const double near = std::max(
+      LooseShare * this->Settings.MaximumError, NoiseFactor * fit->Deviation);
     for (int i : returns[patch])
     {
+      if (std::abs(frame.GetHeight(local.Returns[i].Point)) > near)
+      {
+        loose[patch].push_back(i);
+        continue;
+      }
       isExplained[i] = this->AddReturn(planeOfPatch[patch], local.Returns[i]);
     }
   }
@@ -197,6 +210,10 @@ void lms3dGrowingMap::Join(const lms3dLocalMap& local)
     {
       this->AddTriangle(planeOfPatch[patch], local, static_cast<int>(triangle));
     }
+  }
+  for (const auto& [patch, numbers] : loose)
+  {
+    this->AddLoose(local, numbers, planeOfPatch[patch], isExplained);
   }
   this->AddCreases(local, planeOfPatch);
   this->AddRest(local, isExplained, planeOfPatch);
@@ -213,7 +230,7 @@ int lms3dGrowingMap::FindPlane(
   {
     const lms3dFusedPlane& plane = this->Planes[i];
     const double distance = std::abs(plane.Frame.GetHeight(fit.Centre));
-    if (!plane.Verbatim.empty() || distance > bound ||
+    if (!plane.Verbatim.empty() || plane.IsCurved || distance > bound ||
       lms3dDot(plane.Frame.GetNormal(), fit.Normal) < SmallestCosine ||
       (best >= 0 && distance >= least))
     {
@@ -419,6 +436,29 @@ bool lms3dGrowingMap::IsMostlyExplained(
   return static_cast<double>(explained) >= ExplainedShare * static_cast<double>(returns.size());
 }
 
+// Adds each return to the plane that is nearest to it.
+void lms3dGrowingMap::AddLoose(const lms3dLocalMap& local, const std::vector<int>& returns,
+  int ownPlane, std::vector<bool>& isExplained)
+{
+  const std::vector<int> planes = this->FindPlanesNear(local, returns, this->Planes.size());
+  for (int i : returns)
+  {
+    const lms3dMappedReturn& mapped = local.Returns[i];
+    int best = ownPlane;
+    double least = std::abs(this->Planes[ownPlane].Frame.GetHeight(mapped.Point));
+    for (int plane : planes)
+    {
+      const double distance = std::abs(this->Planes[plane].Frame.GetHeight(mapped.Point));
+      if (distance < least && this->Shows(this->Planes[plane], mapped))
+      {
+        best = plane;
+        least = distance;
+      }
+    }
+    isExplained[i] = this->AddReturn(best, mapped);
+  }
+}
+
 bool lms3dGrowingMap::AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped)
 {
   return std::any_of(planes.begin(), planes.end(),
@@ -497,7 +537,7 @@ void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool
     {
       number = this->MakePlane(corners[0], normal);
       this->Planes[number].Verbatim.push_back(corners);
-      this->Planes[number].IsRough = true;
+      this->Planes[number].IsCurved = true;
     }
     this->AddTriangle(number, local, triangle);
     for (int i : returns)

@@ -54,6 +54,8 @@ private:
     const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const;
   bool IsMostlyExplained(
     const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const;
+  void AddLoose(const lms3dLocalMap& local, const std::vector<int>& returns, int ownPlane,
+    std::vector<bool>& isExplained);
   bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);
   void MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly);
   std::vector<lms3dCreaseLine> GetCreaseLines(int plane) const;

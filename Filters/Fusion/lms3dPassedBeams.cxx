@@ -37,7 +37,7 @@ lms3dPassedBeams::Passage lms3dPassedBeams::Find(const lms3dFusedPlane& plane, i
   {
     return {};
   }
-  if (plane.IsRough &&
+  if (plane.IsCurved &&
     std::abs(plane.Frame.GetHeight(lms3dAdd(start, lms3dScale(direction, range)))) <=
       this->MaximumError)
   {
