@@ -47,8 +47,13 @@ struct lms3dFusedPlane
   lms3dVector Low = { 1e300, 1e300, 1e300 };
   lms3dVector High = { -1e300, -1e300, -1e300 };
 
+  /// Whether the mesh does not explain what scans saw.
   bool IsChanged = true;
+  /// Whether the last scan has returns here.
+  bool IsSeen = true;
   int Revision = 0;
+  /// Blocks before this one are not new.
+  int OldBlocks = 0;
   lms3dFusedMesh Mesh;
 };
 

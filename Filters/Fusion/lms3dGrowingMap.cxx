@@ -44,6 +44,8 @@ constexpr double SmallestSine = 0.17;
 constexpr double CreaseReach = 6.0;
 // Cells: the circumradius of a facet.
 constexpr double FacetRadius = 0.25;
+// Cells: how much a crease grows before it changes its planes.
+constexpr double CreaseGrowth = 16.0;
 constexpr double TimeOfCasting = 0.3;
 constexpr double TimeOfMarking = 0.7;
 
@@ -53,8 +55,16 @@ lms3dVector GetCorner(const lms3dLocalMap& local, int triangle, int corner)
   return { point[0], point[1], point[2] };
 }
 
-void Merge(lms3dCreaseParts& parts, double first, double last, double gap)
+// Returns whether the parts grew by more than the gap that they may have.
+bool Merge(lms3dCreaseParts& parts, double first, double last, double gap)
 {
+  for (const auto& part : parts)
+  {
+    if (first >= part.first - gap && last <= part.second + gap)
+    {
+      return false;
+    }
+  }
   parts.emplace_back(first, last);
   std::sort(parts.begin(), parts.end());
   lms3dCreaseParts merged;
@@ -70,6 +80,7 @@ void Merge(lms3dCreaseParts& parts, double first, double last, double gap)
     }
   }
   parts = merged;
+  return true;
 }
 
 /// The line in which two planes meet.
@@ -147,22 +158,33 @@ bool lms3dGrowingMap::Add(
   {
     return false;
   }
+  this->Renew();
+  return progress(1.0);
+}
+
+void lms3dGrowingMap::Renew()
+{
   for (std::size_t i = 0; i < this->Planes.size(); ++i)
   {
     lms3dFusedPlane& plane = this->Planes[i];
-    for (int block = 0; block < plane.Raster.GetNumberOfBlocks(); ++block)
+    for (int block = plane.OldBlocks; block < plane.Raster.GetNumberOfBlocks(); ++block)
     {
       plane.Raster.GetBlock(block).IsNew = false;
     }
+    plane.OldBlocks = plane.Raster.GetNumberOfBlocks();
     if (plane.IsChanged)
     {
       lms3dMakeRegionMesh(
         plane, this->GetCreaseLines(static_cast<int>(i)), this->Settings.MaximumError);
-      plane.IsChanged = false;
       plane.Revision = this->GetNumberOfScans();
     }
+    if (plane.IsChanged || plane.IsSeen)
+    {
+      lms3dSetSightings(plane);
+    }
+    plane.IsChanged = false;
+    plane.IsSeen = false;
   }
-  return progress(1.0);
 }
 
 void lms3dGrowingMap::Join(const lms3dLocalMap& local)
@@ -184,15 +206,16 @@ void lms3dGrowingMap::Join(const lms3dLocalMap& local)
       !this->IsMostlyExplained(local, returns[patch], planesBefore))
     {
       planeOfPatch[patch] = this->MakePlane(fit->Centre, fit->Normal);
-      this->Planes.back().IsCurved = fit->Correlation > SmallestCorrelation && fit->Deviation > CurvedShare * this->Settings.MaximumError;
+      this->Planes.back().IsCurved = fit->Correlation > SmallestCorrelation &&
+        fit->Deviation > CurvedShare * this->Settings.MaximumError;
     }
     if (planeOfPatch[patch] < 0)
     {
       continue;
     }
     const lms3dPlaneFrame& frame = this->Planes[planeOfPatch[patch]].Frame;
-    const double near = std::max(
-      LooseShare * this->Settings.MaximumError, NoiseFactor * fit->Deviation);
+    const double near =
+      std::max(LooseShare * this->Settings.MaximumError, NoiseFactor * fit->Deviation);
     for (int i : returns[patch])
     {
       if (std::abs(frame.GetHeight(local.Returns[i].Point)) > near)
@@ -274,10 +297,27 @@ void lms3dGrowingMap::AddTriangle(int number, const lms3dLocalMap& local, int tr
   lms3dForTouchedRows(cells,
     [&](std::int32_t row, std::int32_t first, std::int32_t last)
     {
-      plane.Raster.SetRow(
-        &lms3dRasterBlock::May, row, first, last, true, true, [&](int) { plane.IsChanged = true; });
+      plane.Raster.SetRow(&lms3dRasterBlock::May, row, first, last, true, true, [](int) {});
       return true;
     });
+}
+
+bool lms3dGrowingMap::IsCovered(
+  const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u, std::int32_t v) const
+{
+  if ((block.Covered[lms3dRaster::GetPlaceOf(v)] >> lms3dRaster::GetPlaceOf(u) & 1U) != 0)
+  {
+    return true;
+  }
+  const int reach = lms3dGetCoveredReach(block.Deviation, this->Cell, this->Settings.MaximumError);
+  for (std::int32_t row = v - reach; row <= v + reach; ++row)
+  {
+    if (plane.Raster.HasAny(&lms3dRasterBlock::Covered, row, u - reach, u + reach))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool lms3dGrowingMap::AddReturn(int number, const lms3dMappedReturn& mapped)
@@ -294,12 +334,10 @@ bool lms3dGrowingMap::AddReturn(int number, const lms3dMappedReturn& mapped)
     plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v)));
   std::uint64_t& word = block.Must[lms3dRaster::GetPlaceOf(v)];
   const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
-  const bool isInside = (block.May[lms3dRaster::GetPlaceOf(v)] & bit) != 0 &&
-    (block.Open[lms3dRaster::GetPlaceOf(v)] & bit) == 0 &&
-    (block.Passed[lms3dRaster::GetPlaceOf(v)] & bit) == 0;
-  plane.IsChanged = plane.IsChanged || !isInside;
+  plane.IsSeen = true;
   word |= bit;
   block.Deviation = std::max(block.Deviation, std::abs(plane.Frame.GetHeight(mapped.Point)));
+  plane.IsChanged = plane.IsChanged || !this->IsCovered(plane, block, u, v);
   const int scan = this->GetNumberOfScans() - 1;
   block.Sightings.ScanCount += block.Sightings.LastScan != scan ? 1 : 0;
   block.Sightings.LastScan = scan;
@@ -352,11 +390,12 @@ void lms3dGrowingMap::AddCreases(const lms3dLocalMap& local, const std::vector<i
       }
       if (farthest <= CreaseReach * this->Cell)
       {
-        Merge(this->Planes[first].Creases[second], std::min(along[0], along[1]),
-          std::max(along[0], along[1]), this->Cell);
-        this->Planes[second].Creases[first] = this->Planes[first].Creases[second];
-        this->Planes[first].IsChanged = true;
-        this->Planes[second].IsChanged = true;
+        lms3dCreaseParts& parts = this->Planes[first].Creases[second];
+        const bool isLonger = Merge(parts, std::min(along[0], along[1]),
+          std::max(along[0], along[1]), CreaseGrowth * this->Cell);
+        this->Planes[second].Creases[first] = parts;
+        this->Planes[first].IsChanged = this->Planes[first].IsChanged || isLonger;
+        this->Planes[second].IsChanged = this->Planes[second].IsChanged || isLonger;
       }
     }
   }
@@ -412,8 +451,8 @@ std::vector<int> lms3dGrowingMap::FindPlanesNear(
     bool isNear = true;
     for (int axis = 0; axis < 3; ++axis)
     {
-      isNear = isNear && high[axis] >= plane.Low[axis] - bound &&
-        low[axis] <= plane.High[axis] + bound;
+      isNear =
+        isNear && high[axis] >= plane.Low[axis] - bound && low[axis] <= plane.High[axis] + bound;
     }
     if (isNear)
     {
@@ -474,8 +513,8 @@ int lms3dGrowingMap::FindPlaneBeside(const lms3dLocalMap& local, const std::vect
   for (std::size_t i = 0; i < this->Planes.size(); ++i)
   {
     const lms3dFusedPlane& plane = this->Planes[i];
-    bool isNear = plane.Verbatim.empty() &&
-      lms3dDot(plane.Frame.GetNormal(), normal) >= SmallestCosine;
+    bool isNear =
+      plane.Verbatim.empty() && lms3dDot(plane.Frame.GetNormal(), normal) >= SmallestCosine;
     for (int axis = 0; axis < 3; ++axis)
     {
       const auto [low, high] =

@@ -37,11 +37,14 @@ public:
 
 private:
   void AddTable(const lms3dScanInput& scan);
+  void Renew();
   void Join(const lms3dLocalMap& local);
   int FindPlane(
     const lms3dLocalMap& local, const std::vector<int>& returns, const lms3dFittedPlane& fit) const;
   int MakePlane(const lms3dVector& point, const lms3dVector& normal);
   void AddTriangle(int plane, const lms3dLocalMap& local, int triangle);
+  bool IsCovered(const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u,
+    std::int32_t v) const;
   bool AddReturn(int plane, const lms3dMappedReturn& mapped);
   void AddCreases(const lms3dLocalMap& local, const std::vector<int>& planeOfPatch);
   void AddRest(const lms3dLocalMap& local, const std::vector<bool>& isExplained,

@@ -69,8 +69,7 @@ double GetCorrelation(
   double last = 0.0;
   for (int i : returns)
   {
-    const double distance =
-      lms3dDot(fit.Normal, lms3dSubtract(map.Returns[i].Point, fit.Centre));
+    const double distance = lms3dDot(fit.Normal, lms3dSubtract(map.Returns[i].Point, fit.Centre));
     squares += distance * distance;
     products += distance * last;
     last = distance;
