@@ -8,6 +8,8 @@
 
 #include <vtkPolyData.h>
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,7 +49,9 @@ constexpr double FacetRadius = 0.25;
 // Cells: how much a crease grows before it changes its planes.
 constexpr double CreaseGrowth = 16.0;
 constexpr double TimeOfCasting = 0.3;
-constexpr double TimeOfMarking = 0.7;
+constexpr double TimeOfMarking = 0.5;
+// How many planes get new triangles between two looks at the progress.
+constexpr std::size_t PlanesOfStep = 32;
 
 lms3dVector GetCorner(const lms3dLocalMap& local, int triangle, int corner)
 {
@@ -158,33 +162,46 @@ bool lms3dGrowingMap::Add(
   {
     return false;
   }
-  this->Renew();
-  return progress(1.0);
+  return this->Renew(lms3dGetStepProgress(progress, TimeOfMarking, 1.0));
 }
 
-void lms3dGrowingMap::Renew()
+// The threads divide the planes, each of which depends on the frames of others alone.
+bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
 {
+  std::vector<int> changed;
   for (std::size_t i = 0; i < this->Planes.size(); ++i)
   {
     lms3dFusedPlane& plane = this->Planes[i];
-    for (int block = plane.OldBlocks; block < plane.Raster.GetNumberOfBlocks(); ++block)
-    {
-      plane.Raster.GetBlock(block).IsNew = false;
-    }
     plane.OldBlocks = plane.Raster.GetNumberOfBlocks();
-    if (plane.IsChanged)
-    {
-      lms3dMakeRegionMesh(
-        plane, this->GetCreaseLines(static_cast<int>(i)), this->Settings.MaximumError);
-      plane.Revision = this->GetNumberOfScans();
-    }
     if (plane.IsChanged || plane.IsSeen)
     {
-      lms3dSetSightings(plane);
+      changed.push_back(static_cast<int>(i));
     }
-    plane.IsChanged = false;
-    plane.IsSeen = false;
   }
+  const std::size_t count = changed.size();
+  for (std::size_t first = 0; first < count; first += PlanesOfStep)
+  {
+    const std::size_t end = std::min(first + PlanesOfStep, count);
+    tbb::parallel_for(first, end, [&](std::size_t i) { this->RenewPlane(changed[i]); });
+    if (!progress(static_cast<double>(end) / static_cast<double>(count)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void lms3dGrowingMap::RenewPlane(int number)
+{
+  lms3dFusedPlane& plane = this->Planes[number];
+  if (plane.IsChanged)
+  {
+    lms3dMakeRegionMesh(plane, this->GetCreaseLines(number), this->Settings.MaximumError);
+    plane.Revision = this->GetNumberOfScans();
+  }
+  lms3dSetSightings(plane);
+  plane.IsChanged = false;
+  plane.IsSeen = false;
 }
 
 void lms3dGrowingMap::Join(const lms3dLocalMap& local)
@@ -606,17 +623,17 @@ void lms3dGrowingMap::AddFacet(const lms3dMappedReturn& mapped)
 
 void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly)
 {
-  lms3dPassedBeams beams(ranges, this->Settings.MaximumError, forgets);
-  for (lms3dFusedPlane& plane : this->Planes)
-  {
-    for (int block = 0; block < plane.Raster.GetNumberOfBlocks(); ++block)
+  tbb::parallel_for(std::size_t{ 0 }, this->Planes.size(),
+    [&](std::size_t i)
     {
-      if (!newBlocksOnly || plane.Raster.GetBlock(block).IsNew)
+      lms3dFusedPlane& plane = this->Planes[i];
+      lms3dPassedBeams beams(ranges, this->Settings.MaximumError, forgets);
+      const int first = newBlocksOnly ? plane.OldBlocks : 0;
+      for (int block = first; block < plane.Raster.GetNumberOfBlocks(); ++block)
       {
         beams.Mark(plane, block);
       }
-    }
-  }
+    });
 }
 
 std::vector<lms3dCreaseLine> lms3dGrowingMap::GetCreaseLines(int number) const

@@ -37,7 +37,8 @@ public:
 
 private:
   void AddTable(const lms3dScanInput& scan);
-  void Renew();
+  bool Renew(const lms3dProgress& progress);
+  void RenewPlane(int number);
   void Join(const lms3dLocalMap& local);
   int FindPlane(
     const lms3dLocalMap& local, const std::vector<int>& returns, const lms3dFittedPlane& fit) const;

@@ -41,7 +41,6 @@ struct lms3dRasterBlock
   lms3dSightings Sightings;
   /// How well BestScan saw the block: larger is better.
   double Quality = 0.0;
-  bool IsNew = true;
 };
 
 /// Coordinates are cells.
