@@ -37,8 +37,8 @@ struct lms3dFusedPlane
 
   lms3dPlaneFrame Frame;
   lms3dRaster Raster;
-  /// Whether the surface is curved, or its ranges noisy, so that returns lie on both sides of the plane.
-  bool IsRough = false;
+  /// Whether the surface is curved.
+  bool IsCurved = false;
   /// The creases with other planes, by their numbers.
   std::map<int, lms3dCreaseParts> Creases;
   /// The triangle of a local map, if the region is nothing else. It need not lie exactly in the plane.
@@ -47,8 +47,13 @@ struct lms3dFusedPlane
   lms3dVector Low = { 1e300, 1e300, 1e300 };
   lms3dVector High = { -1e300, -1e300, -1e300 };
 
+  /// Whether the mesh does not explain what scans saw.
   bool IsChanged = true;
+  /// Whether the last scan has returns here.
+  bool IsSeen = true;
   int Revision = 0;
+  /// Blocks before this one are not new.
+  int OldBlocks = 0;
   lms3dFusedMesh Mesh;
 };
 

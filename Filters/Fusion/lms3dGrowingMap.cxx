@@ -8,6 +8,8 @@
 
 #include <vtkPolyData.h>
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,14 +26,18 @@ constexpr double ReturnShare = 0.97;
 // Of the bound: how far the returns of a patch, apart from their noise, may be from a plane that the patch joins.
 constexpr double MatchShare = 0.4;
 constexpr double NoiseFactor = 4.0;
-// Of the bound: the root mean square of returns around a plane from which on it is rough.
-constexpr double RoughShare = 0.05;
+// A patch is curved if the root mean square of the distances of its returns exceeds this share of the bound, and if
+// successive distances are correlated.
+constexpr double CurvedShare = 0.05;
+constexpr double SmallestCorrelation = 0.5;
 // A patch of which this share is explained by other planes needs no plane of its own.
 constexpr double ExplainedShare = 0.7;
 // The share of a patch's returns that need not fit the plane.
 constexpr double MisfitShare = 0.05;
 // Of the bound: how far the returns of a single triangle may be from the plane that it joins.
 constexpr double JoinShare = 0.9;
+// Of the bound: returns farther from the plane of their patch may lie on another plane beside it.
+constexpr double LooseShare = 0.2;
 // The cosine of the largest angle between a patch and the plane that it joins.
 constexpr double SmallestCosine = 0.9;
 // The sine of the smallest angle at a crease.
@@ -40,8 +46,12 @@ constexpr double SmallestSine = 0.17;
 constexpr double CreaseReach = 6.0;
 // Cells: the circumradius of a facet.
 constexpr double FacetRadius = 0.25;
+// Cells: how much a crease grows before it changes its planes.
+constexpr double CreaseGrowth = 16.0;
 constexpr double TimeOfCasting = 0.3;
-constexpr double TimeOfMarking = 0.7;
+constexpr double TimeOfMarking = 0.5;
+// How many planes get new triangles between two looks at the progress.
+constexpr std::size_t PlanesOfStep = 32;
 
 lms3dVector GetCorner(const lms3dLocalMap& local, int triangle, int corner)
 {
@@ -49,8 +59,16 @@ lms3dVector GetCorner(const lms3dLocalMap& local, int triangle, int corner)
   return { point[0], point[1], point[2] };
 }
 
-void Merge(lms3dCreaseParts& parts, double first, double last, double gap)
+// Returns whether the parts grew by more than the gap that they may have.
+bool Merge(lms3dCreaseParts& parts, double first, double last, double gap)
 {
+  for (const auto& part : parts)
+  {
+    if (first >= part.first - gap && last <= part.second + gap)
+    {
+      return false;
+    }
+  }
   parts.emplace_back(first, last);
   std::sort(parts.begin(), parts.end());
   lms3dCreaseParts merged;
@@ -66,6 +84,7 @@ void Merge(lms3dCreaseParts& parts, double first, double last, double gap)
     }
   }
   parts = merged;
+  return true;
 }
 
 /// The line in which two planes meet.
@@ -143,22 +162,46 @@ bool lms3dGrowingMap::Add(
   {
     return false;
   }
+  return this->Renew(lms3dGetStepProgress(progress, TimeOfMarking, 1.0));
+}
+
+// The threads divide the planes, each of which depends on the frames of others alone.
+bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
+{
+  std::vector<int> changed;
   for (std::size_t i = 0; i < this->Planes.size(); ++i)
   {
     lms3dFusedPlane& plane = this->Planes[i];
-    for (int block = 0; block < plane.Raster.GetNumberOfBlocks(); ++block)
+    plane.OldBlocks = plane.Raster.GetNumberOfBlocks();
+    if (plane.IsChanged || plane.IsSeen)
     {
-      plane.Raster.GetBlock(block).IsNew = false;
-    }
-    if (plane.IsChanged)
-    {
-      lms3dMakeRegionMesh(
-        plane, this->GetCreaseLines(static_cast<int>(i)), this->Settings.MaximumError);
-      plane.IsChanged = false;
-      plane.Revision = this->GetNumberOfScans();
+      changed.push_back(static_cast<int>(i));
     }
   }
-  return progress(1.0);
+  const std::size_t count = changed.size();
+  for (std::size_t first = 0; first < count; first += PlanesOfStep)
+  {
+    const std::size_t end = std::min(first + PlanesOfStep, count);
+    tbb::parallel_for(first, end, [&](std::size_t i) { this->RenewPlane(changed[i]); });
+    if (!progress(static_cast<double>(end) / static_cast<double>(count)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void lms3dGrowingMap::RenewPlane(int number)
+{
+  lms3dFusedPlane& plane = this->Planes[number];
+  if (plane.IsChanged)
+  {
+    lms3dMakeRegionMesh(plane, this->GetCreaseLines(number), this->Settings.MaximumError);
+    plane.Revision = this->GetNumberOfScans();
+  }
+  lms3dSetSightings(plane);
+  plane.IsChanged = false;
+  plane.IsSeen = false;
 }
 
 void lms3dGrowingMap::Join(const lms3dLocalMap& local)
@@ -167,6 +210,7 @@ void lms3dGrowingMap::Join(const lms3dLocalMap& local)
   std::vector<bool> isExplained(local.Returns.size());
   const std::vector<std::vector<int>> returns = lms3dGetReturnsOfPatches(local);
   const std::size_t planesBefore = this->Planes.size();
+  std::map<int, std::vector<int>> loose;
   for (int patch = 0; patch < local.NumberOfPatches; ++patch)
   {
     const auto fit = lms3dFitPlane(local, returns[patch], this->Settings.MaximumError);
@@ -179,14 +223,23 @@ void lms3dGrowingMap::Join(const lms3dLocalMap& local)
       !this->IsMostlyExplained(local, returns[patch], planesBefore))
     {
       planeOfPatch[patch] = this->MakePlane(fit->Centre, fit->Normal);
-      this->Planes.back().IsRough = fit->Deviation > RoughShare * this->Settings.MaximumError;
+      this->Planes.back().IsCurved = fit->Correlation > SmallestCorrelation &&
+        fit->Deviation > CurvedShare * this->Settings.MaximumError;
     }
     if (planeOfPatch[patch] < 0)
     {
       continue;
     }
+    const lms3dPlaneFrame& frame = this->Planes[planeOfPatch[patch]].Frame;
+    const double near =
+      std::max(LooseShare * this->Settings.MaximumError, NoiseFactor * fit->Deviation);
     for (int i : returns[patch])
     {
+      if (std::abs(frame.GetHeight(local.Returns[i].Point)) > near)
+      {
+        loose[patch].push_back(i);
+        continue;
+      }
       isExplained[i] = this->AddReturn(planeOfPatch[patch], local.Returns[i]);
     }
   }
@@ -197,6 +250,10 @@ void lms3dGrowingMap::Join(const lms3dLocalMap& local)
     {
       this->AddTriangle(planeOfPatch[patch], local, static_cast<int>(triangle));
     }
+  }
+  for (const auto& [patch, numbers] : loose)
+  {
+    this->AddLoose(local, numbers, planeOfPatch[patch], isExplained);
   }
   this->AddCreases(local, planeOfPatch);
   this->AddRest(local, isExplained, planeOfPatch);
@@ -213,7 +270,7 @@ int lms3dGrowingMap::FindPlane(
   {
     const lms3dFusedPlane& plane = this->Planes[i];
     const double distance = std::abs(plane.Frame.GetHeight(fit.Centre));
-    if (!plane.Verbatim.empty() || distance > bound ||
+    if (!plane.Verbatim.empty() || plane.IsCurved || distance > bound ||
       lms3dDot(plane.Frame.GetNormal(), fit.Normal) < SmallestCosine ||
       (best >= 0 && distance >= least))
     {
@@ -257,10 +314,27 @@ void lms3dGrowingMap::AddTriangle(int number, const lms3dLocalMap& local, int tr
   lms3dForTouchedRows(cells,
     [&](std::int32_t row, std::int32_t first, std::int32_t last)
     {
-      plane.Raster.SetRow(
-        &lms3dRasterBlock::May, row, first, last, true, true, [&](int) { plane.IsChanged = true; });
+      plane.Raster.SetRow(&lms3dRasterBlock::May, row, first, last, true, true, [](int) {});
       return true;
     });
+}
+
+bool lms3dGrowingMap::IsCovered(
+  const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u, std::int32_t v) const
+{
+  if ((block.Covered[lms3dRaster::GetPlaceOf(v)] >> lms3dRaster::GetPlaceOf(u) & 1U) != 0)
+  {
+    return true;
+  }
+  const int reach = lms3dGetCoveredReach(block.Deviation, this->Cell, this->Settings.MaximumError);
+  for (std::int32_t row = v - reach; row <= v + reach; ++row)
+  {
+    if (plane.Raster.HasAny(&lms3dRasterBlock::Covered, row, u - reach, u + reach))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool lms3dGrowingMap::AddReturn(int number, const lms3dMappedReturn& mapped)
@@ -277,12 +351,10 @@ bool lms3dGrowingMap::AddReturn(int number, const lms3dMappedReturn& mapped)
     plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v)));
   std::uint64_t& word = block.Must[lms3dRaster::GetPlaceOf(v)];
   const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
-  const bool isInside = (block.May[lms3dRaster::GetPlaceOf(v)] & bit) != 0 &&
-    (block.Open[lms3dRaster::GetPlaceOf(v)] & bit) == 0 &&
-    (block.Passed[lms3dRaster::GetPlaceOf(v)] & bit) == 0;
-  plane.IsChanged = plane.IsChanged || !isInside;
+  plane.IsSeen = true;
   word |= bit;
   block.Deviation = std::max(block.Deviation, std::abs(plane.Frame.GetHeight(mapped.Point)));
+  plane.IsChanged = plane.IsChanged || !this->IsCovered(plane, block, u, v);
   const int scan = this->GetNumberOfScans() - 1;
   block.Sightings.ScanCount += block.Sightings.LastScan != scan ? 1 : 0;
   block.Sightings.LastScan = scan;
@@ -335,11 +407,12 @@ void lms3dGrowingMap::AddCreases(const lms3dLocalMap& local, const std::vector<i
       }
       if (farthest <= CreaseReach * this->Cell)
       {
-        Merge(this->Planes[first].Creases[second], std::min(along[0], along[1]),
-          std::max(along[0], along[1]), this->Cell);
-        this->Planes[second].Creases[first] = this->Planes[first].Creases[second];
-        this->Planes[first].IsChanged = true;
-        this->Planes[second].IsChanged = true;
+        lms3dCreaseParts& parts = this->Planes[first].Creases[second];
+        const bool isLonger = Merge(parts, std::min(along[0], along[1]),
+          std::max(along[0], along[1]), CreaseGrowth * this->Cell);
+        this->Planes[second].Creases[first] = parts;
+        this->Planes[first].IsChanged = this->Planes[first].IsChanged || isLonger;
+        this->Planes[second].IsChanged = this->Planes[second].IsChanged || isLonger;
       }
     }
   }
@@ -395,8 +468,8 @@ std::vector<int> lms3dGrowingMap::FindPlanesNear(
     bool isNear = true;
     for (int axis = 0; axis < 3; ++axis)
     {
-      isNear = isNear && high[axis] >= plane.Low[axis] - bound &&
-        low[axis] <= plane.High[axis] + bound;
+      isNear =
+        isNear && high[axis] >= plane.Low[axis] - bound && low[axis] <= plane.High[axis] + bound;
     }
     if (isNear)
     {
@@ -419,6 +492,29 @@ bool lms3dGrowingMap::IsMostlyExplained(
   return static_cast<double>(explained) >= ExplainedShare * static_cast<double>(returns.size());
 }
 
+// Adds each return to the plane that is nearest to it.
+void lms3dGrowingMap::AddLoose(const lms3dLocalMap& local, const std::vector<int>& returns,
+  int ownPlane, std::vector<bool>& isExplained)
+{
+  const std::vector<int> planes = this->FindPlanesNear(local, returns, this->Planes.size());
+  for (int i : returns)
+  {
+    const lms3dMappedReturn& mapped = local.Returns[i];
+    int best = ownPlane;
+    double least = std::abs(this->Planes[ownPlane].Frame.GetHeight(mapped.Point));
+    for (int plane : planes)
+    {
+      const double distance = std::abs(this->Planes[plane].Frame.GetHeight(mapped.Point));
+      if (distance < least && this->Shows(this->Planes[plane], mapped))
+      {
+        best = plane;
+        least = distance;
+      }
+    }
+    isExplained[i] = this->AddReturn(best, mapped);
+  }
+}
+
 bool lms3dGrowingMap::AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped)
 {
   return std::any_of(planes.begin(), planes.end(),
@@ -434,8 +530,8 @@ int lms3dGrowingMap::FindPlaneBeside(const lms3dLocalMap& local, const std::vect
   for (std::size_t i = 0; i < this->Planes.size(); ++i)
   {
     const lms3dFusedPlane& plane = this->Planes[i];
-    bool isNear = plane.Verbatim.empty() &&
-      lms3dDot(plane.Frame.GetNormal(), normal) >= SmallestCosine;
+    bool isNear =
+      plane.Verbatim.empty() && lms3dDot(plane.Frame.GetNormal(), normal) >= SmallestCosine;
     for (int axis = 0; axis < 3; ++axis)
     {
       const auto [low, high] =
@@ -497,7 +593,7 @@ void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool
     {
       number = this->MakePlane(corners[0], normal);
       this->Planes[number].Verbatim.push_back(corners);
-      this->Planes[number].IsRough = true;
+      this->Planes[number].IsCurved = true;
     }
     this->AddTriangle(number, local, triangle);
     for (int i : returns)
@@ -527,17 +623,17 @@ void lms3dGrowingMap::AddFacet(const lms3dMappedReturn& mapped)
 
 void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly)
 {
-  lms3dPassedBeams beams(ranges, this->Settings.MaximumError, forgets);
-  for (lms3dFusedPlane& plane : this->Planes)
-  {
-    for (int block = 0; block < plane.Raster.GetNumberOfBlocks(); ++block)
+  tbb::parallel_for(std::size_t{ 0 }, this->Planes.size(),
+    [&](std::size_t i)
     {
-      if (!newBlocksOnly || plane.Raster.GetBlock(block).IsNew)
+      lms3dFusedPlane& plane = this->Planes[i];
+      lms3dPassedBeams beams(ranges, this->Settings.MaximumError, forgets);
+      const int first = newBlocksOnly ? plane.OldBlocks : 0;
+      for (int block = first; block < plane.Raster.GetNumberOfBlocks(); ++block)
       {
         beams.Mark(plane, block);
       }
-    }
-  }
+    });
 }
 
 std::vector<lms3dCreaseLine> lms3dGrowingMap::GetCreaseLines(int number) const

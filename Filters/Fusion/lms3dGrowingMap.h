@@ -37,11 +37,15 @@ public:
 
 private:
   void AddTable(const lms3dScanInput& scan);
+  bool Renew(const lms3dProgress& progress);
+  void RenewPlane(int number);
   void Join(const lms3dLocalMap& local);
   int FindPlane(
     const lms3dLocalMap& local, const std::vector<int>& returns, const lms3dFittedPlane& fit) const;
   int MakePlane(const lms3dVector& point, const lms3dVector& normal);
   void AddTriangle(int plane, const lms3dLocalMap& local, int triangle);
+  bool IsCovered(const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u,
+    std::int32_t v) const;
   bool AddReturn(int plane, const lms3dMappedReturn& mapped);
   void AddCreases(const lms3dLocalMap& local, const std::vector<int>& planeOfPatch);
   void AddRest(const lms3dLocalMap& local, const std::vector<bool>& isExplained,
@@ -54,6 +58,8 @@ private:
     const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const;
   bool IsMostlyExplained(
     const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const;
+  void AddLoose(const lms3dLocalMap& local, const std::vector<int>& returns, int ownPlane,
+    std::vector<bool>& isExplained);
   bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);
   void MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly);
   std::vector<lms3dCreaseLine> GetCreaseLines(int plane) const;

@@ -94,8 +94,8 @@ double lms3dOutlineSimplifier::GetCost(Corner corner) const
   Corner original = from;
   do
   {
-    cost =
-      std::max(cost, GetSquaredDistance(this->Points[original], this->Points[from], this->Points[to]));
+    cost = std::max(
+      cost, GetSquaredDistance(this->Points[original], this->Points[from], this->Points[to]));
     original = original + 1 < end ? original + 1 : first;
   } while (original != to && cost <= this->Tolerance);
   if (this->IsFixed[corner] && cost > OnLine)

@@ -37,7 +37,7 @@ lms3dPassedBeams::Passage lms3dPassedBeams::Find(const lms3dFusedPlane& plane, i
   {
     return {};
   }
-  if (plane.IsRough &&
+  if (plane.IsCurved &&
     std::abs(plane.Frame.GetHeight(lms3dAdd(start, lms3dScale(direction, range)))) <=
       this->MaximumError)
   {
@@ -78,8 +78,7 @@ void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int block, int beamId)
   }
   std::uint64_t& word = cells.Passed[static_cast<int>(v)];
   const std::uint64_t bit = std::uint64_t{ 1 } << static_cast<int>(u);
-  const std::uint64_t may = cells.May[static_cast<int>(v)] | cells.Must[static_cast<int>(v)];
-  plane.IsChanged = plane.IsChanged || ((word & bit) == 0 && (may & bit) != 0);
+  plane.IsChanged = plane.IsChanged || (~word & cells.Touched[static_cast<int>(v)] & bit) != 0;
   word |= bit;
   if (this->Forgets)
   {
@@ -96,8 +95,7 @@ void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
   {
     return [&plane, bits, value](std::int32_t row, std::int32_t first, std::int32_t last)
     {
-      plane.Raster.SetRow(
-        bits, row, first, last, value, false, [&](int) { plane.IsChanged = true; });
+      plane.Raster.SetRow(bits, row, first, last, value, false, [](int) {});
       return true;
     };
   };

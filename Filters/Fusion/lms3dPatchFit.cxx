@@ -60,6 +60,22 @@ std::optional<lms3dFittedPlane> FitOnce(
   }
   return lms3dFittedPlane{ mean, normal, std::sqrt(std::max(0.0, values[least])) };
 }
+
+double GetCorrelation(
+  const lms3dLocalMap& map, const std::vector<int>& returns, const lms3dFittedPlane& fit)
+{
+  double squares = 0.0;
+  double products = 0.0;
+  double last = 0.0;
+  for (int i : returns)
+  {
+    const double distance = lms3dDot(fit.Normal, lms3dSubtract(map.Returns[i].Point, fit.Centre));
+    squares += distance * distance;
+    products += distance * last;
+    last = distance;
+  }
+  return squares > 0.0 ? products / squares : 0.0;
+}
 } // namespace
 
 std::vector<std::vector<int>> lms3dGetReturnsOfPatches(const lms3dLocalMap& map)
@@ -100,6 +116,10 @@ std::optional<lms3dFittedPlane> lms3dFitPlane(
     }
     fit = next;
     members = kept;
+  }
+  if (fit)
+  {
+    fit->Correlation = GetCorrelation(map, members, *fit);
   }
   return fit;
 }

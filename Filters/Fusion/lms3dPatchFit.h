@@ -20,6 +20,8 @@ struct lms3dFittedPlane
   lms3dVector Normal;
   /// The root mean square of the returns' distances, metres.
   double Deviation;
+  /// The correlation of the distances of successive returns: near 0 for noise, near 1 for a curved surface.
+  double Correlation = 0.0;
 };
 
 /// Returns the numbers of the returns of each patch.

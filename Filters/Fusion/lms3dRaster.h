@@ -31,13 +31,16 @@ struct lms3dRasterBlock
   lms3dBits Passed = {};
   /// Here is a place between beams that all passed, without a return among them.
   lms3dBits Open = {};
+  /// A triangle of the mesh covers the centre of the cell.
+  lms3dBits Covered = {};
+  /// A triangle of the mesh touches the cell.
+  lms3dBits Touched = {};
 
   /// The largest distance of a return from the plane, metres.
   double Deviation = 0.0;
   lms3dSightings Sightings;
   /// How well BestScan saw the block: larger is better.
   double Quality = 0.0;
-  bool IsNew = true;
 };
 
 /// Coordinates are cells.

@@ -10,8 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -88,32 +86,12 @@ public:
 
   void Make()
   {
-    if (getenv("DBG"))
-    {
-      int u0, u1, v0, v1;
-      double nx, ny;
-      sscanf(getenv("DBG"), "%lf,%lf,%d,%d,%d,%d", &nx, &ny, &u0, &u1, &v0, &v1);
-      if (std::abs(Plane.Frame.GetNormal()[0] - nx) < .02 &&
-        std::abs(Plane.Frame.GetNormal()[1] - ny) < .02 && Plane.Raster.Find(u0 >> 6, v0 >> 6) >= 0)
-      {
-        printf("plane %d blocks deviation verb %d\n", Plane.Raster.GetNumberOfBlocks(),
-          (int)Plane.Verbatim.size());
-        for (int v = v1; v >= v0; --v)
-        {
-          for (int u = u0; u <= u1; ++u)
-          {
-            auto h = [&](lms3dRaster::BitsOf b) { return Plane.Raster.Has(b, u, v); };
-            putchar(h(&lms3dRasterBlock::Passed) ? (h(&lms3dRasterBlock::Must) ? '!' : 'x')
-                : h(&lms3dRasterBlock::Must)     ? 'M'
-                : h(&lms3dRasterBlock::Open)     ? 'o'
-                : h(&lms3dRasterBlock::May)      ? '.'
-                                                 : ' ');
-          }
-          putchar('\n');
-        }
-      }
-    }
     this->Plane.Mesh.Clear();
+    for (int i = 0; i < this->Plane.Raster.GetNumberOfBlocks(); ++i)
+    {
+      this->Plane.Raster.GetBlock(i).Covered = {};
+      this->Plane.Raster.GetBlock(i).Touched = {};
+    }
     if (!this->Plane.Verbatim.empty() && this->IsWhole())
     {
       this->AddVerbatim();
@@ -122,6 +100,7 @@ public:
     for (const Corners2& triangle : this->FindTriangles())
     {
       this->Cover(triangle);
+      this->Touch(triangle);
       this->Add(triangle);
     }
     this->AddFacets();
@@ -151,15 +130,15 @@ private:
     for (const std::array<lms3dVector, 3>& corners : this->Plane.Verbatim)
     {
       const auto first = static_cast<std::int32_t>(this->Plane.Mesh.Points.size());
-      lms3dPoint2 centre = { 0.0, 0.0 };
-      for (const lms3dVector& corner : corners)
+      Corners2 cells;
+      for (int i = 0; i < 3; ++i)
       {
-        this->Plane.Mesh.Points.push_back(corner);
-        const lms3dPoint2 cells = this->Plane.Frame.ToCells(corner);
-        centre = { centre[0] + cells[0] / 3.0, centre[1] + cells[1] / 3.0 };
+        this->Plane.Mesh.Points.push_back(corners[i]);
+        cells[i] = this->Plane.Frame.ToCells(corners[i]);
       }
+      this->Cover(cells);
+      this->Touch(cells);
       this->Plane.Mesh.Triangles.push_back({ first, first + 1, first + 2 });
-      this->Plane.Mesh.Sightings.push_back(this->GetSightings(centre));
     }
   }
 
@@ -236,12 +215,24 @@ private:
     return kept;
   }
 
+  void Touch(const Corners2& triangle)
+  {
+    lms3dForTouchedRows(triangle,
+      [&](std::int32_t row, std::int32_t first, std::int32_t last)
+      {
+        this->Plane.Raster.SetRow(
+          &lms3dRasterBlock::Touched, row, first, last, true, false, [](int) {});
+        return true;
+      });
+  }
+
   void Cover(const Corners2& triangle)
   {
     lms3dForCentreRows(triangle,
       [&](std::int32_t row, std::int32_t first, std::int32_t last)
       {
-        this->Region.SetRow(&lms3dRasterBlock::Open, row, first, last, true, false, [](int) {});
+        this->Plane.Raster.SetRow(
+          &lms3dRasterBlock::Covered, row, first, last, true, false, [](int) {});
         return true;
       });
   }
@@ -249,7 +240,6 @@ private:
   void Add(const Corners2& triangle)
   {
     lms3dFusedMesh::Triangle corners;
-    lms3dPoint2 centre = { 0.0, 0.0 };
     for (int i = 0; i < 3; ++i)
     {
       const auto [place, isNew] = this->Numbers.try_emplace(
@@ -259,37 +249,15 @@ private:
         this->Plane.Mesh.Points.push_back(this->Plane.Frame.ToWorld(triangle[i]));
       }
       corners[i] = place->second;
-      centre = { centre[0] + triangle[i][0] / 3.0, centre[1] + triangle[i][1] / 3.0 };
     }
     this->Plane.Mesh.Triangles.push_back(corners);
-    this->Plane.Mesh.Sightings.push_back(this->GetSightings(centre));
-  }
-
-  /// Those of the block around a point, or of the nearest block if the scans missed this one.
-  lms3dSightings GetSightings(const lms3dPoint2& point) const
-  {
-    const double u = point[0] / lms3dRaster::Size - 0.5;
-    const double v = point[1] / lms3dRaster::Size - 0.5;
-    const lms3dRasterBlock* best = nullptr;
-    double least = 0.0;
-    for (int i = 0; i < this->Plane.Raster.GetNumberOfBlocks(); ++i)
-    {
-      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(i);
-      const double distance = std::hypot(block.U - u, block.V - v);
-      if (block.Sightings.ScanCount > 0 && (!best || distance < least))
-      {
-        best = &block;
-        least = distance;
-      }
-    }
-    return best ? best->Sightings : lms3dSightings();
   }
 
   bool IsCovered(std::int32_t u, std::int32_t v, int reach) const
   {
     for (std::int32_t row = v - reach; row <= v + reach; ++row)
     {
-      if (this->Region.HasAny(&lms3dRasterBlock::Open, row, u - reach, u + reach))
+      if (this->Plane.Raster.HasAny(&lms3dRasterBlock::Covered, row, u - reach, u + reach))
       {
         return true;
       }
@@ -300,14 +268,14 @@ private:
   /// Adds facets at returns that the triangles do not explain.
   void AddFacets()
   {
-    const double neighbour = NeighbourDistance * this->Plane.Frame.GetCell();
     for (int i = 0; i < this->Region.GetNumberOfBlocks(); ++i)
     {
       const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(i);
-      const int reach = std::hypot(block.Deviation, neighbour) <= this->MaximumError ? 1 : 0;
+      const int reach =
+        lms3dGetCoveredReach(block.Deviation, this->Plane.Frame.GetCell(), this->MaximumError);
       for (int row = 0; row < lms3dRaster::Size; ++row)
       {
-        const std::uint64_t open = block.Must[row] & ~this->Region.GetBlock(i).Open[row];
+        const std::uint64_t open = block.Must[row] & ~block.Covered[row];
         for (int place = 0; place < lms3dRaster::Size && open >> place != 0; ++place)
         {
           const std::int32_t u = block.U * lms3dRaster::Size + place;
@@ -335,11 +303,53 @@ private:
   lms3dFusedPlane& Plane;
   const std::vector<lms3dCreaseLine>& Creases;
   const double MaximumError;
-  /// Open is where triangles cover the centre of a cell.
-  lms3dRaster Region;
+  const lms3dRaster Region;
   std::map<lms3dPoint2, std::int32_t> Numbers;
 };
+
+/// Those of the block around a point, or of the nearest block if the scans missed this one.
+lms3dSightings GetSightings(const lms3dRaster& raster, const lms3dPoint2& point)
+{
+  const int number = raster.Find(lms3dRaster::GetBlockOf(static_cast<std::int32_t>(point[0])),
+    lms3dRaster::GetBlockOf(static_cast<std::int32_t>(point[1])));
+  if (number >= 0 && raster.GetBlock(number).Sightings.ScanCount > 0)
+  {
+    return raster.GetBlock(number).Sightings;
+  }
+  const double u = point[0] / lms3dRaster::Size - 0.5;
+  const double v = point[1] / lms3dRaster::Size - 0.5;
+  const lms3dRasterBlock* best = nullptr;
+  double least = 0.0;
+  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
+  {
+    const lms3dRasterBlock& block = raster.GetBlock(i);
+    const double distance = (block.U - u) * (block.U - u) + (block.V - v) * (block.V - v);
+    if (block.Sightings.ScanCount > 0 && (!best || distance < least))
+    {
+      best = &block;
+      least = distance;
+    }
+  }
+  return best ? best->Sightings : lms3dSightings();
+}
 } // namespace
+
+int lms3dGetCoveredReach(double deviation, double cell, double maximumError)
+{
+  return std::hypot(deviation, NeighbourDistance * cell) <= maximumError ? 1 : 0;
+}
+
+void lms3dSetSightings(lms3dFusedPlane& plane)
+{
+  lms3dFusedMesh& mesh = plane.Mesh;
+  mesh.Sightings.clear();
+  for (const auto& [a, b, c] : mesh.Triangles)
+  {
+    const lms3dVector centre =
+      lms3dScale(lms3dAdd(mesh.Points[a], lms3dAdd(mesh.Points[b], mesh.Points[c])), 1.0 / 3.0);
+    mesh.Sightings.push_back(GetSightings(plane.Raster, plane.Frame.ToCells(centre)));
+  }
+}
 
 void lms3dMakeRegionMesh(
   lms3dFusedPlane& plane, const std::vector<lms3dCreaseLine>& creases, double maximumError)

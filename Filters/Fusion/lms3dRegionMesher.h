@@ -21,7 +21,14 @@ struct lms3dCreaseLine
   lms3dCreaseParts Parts;
 };
 
-/// Replaces the mesh of a plane. `maximumError` is in metres.
+/// How many cells away from a return a covered cell may be, so that the return is within the bound: 0 or 1.
+/// `deviation` is the return's distance from the plane; all lengths are in metres.
+int lms3dGetCoveredReach(double deviation, double cell, double maximumError);
+
+/// Sets which scans saw the triangles of a plane.
+void lms3dSetSightings(lms3dFusedPlane& plane);
+
+/// Replaces the mesh of a plane, but not its sightings. `maximumError` is in metres.
 void lms3dMakeRegionMesh(
   lms3dFusedPlane& plane, const std::vector<lms3dCreaseLine>& creases, double maximumError);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionRaster.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -55,22 +56,39 @@ bool HasPassedAround(const lms3dRaster& raster, const lms3dRasterBlock& block)
 // Cells: how far around a beam that passed the region is taken out at most.
 constexpr int LargestBall = 16;
 
-/// The distance of the nearest cell with a bit, cells, at most twice LargestBall.
+/// The cells of a row from 31 before a cell to 31 behind it. Bit 31 is the cell itself.
+std::uint64_t GetWindow(
+  const lms3dRaster& raster, lms3dRaster::BitsOf bits, std::int32_t u, std::int32_t row)
+{
+  const std::int32_t first = u - 31;
+  const int shift = lms3dRaster::GetPlaceOf(first);
+  const std::int32_t block = lms3dRaster::GetBlockOf(first);
+  const int left = raster.Find(block, lms3dRaster::GetBlockOf(row));
+  const int right = shift < 2 ? -1 : raster.Find(block + 1, lms3dRaster::GetBlockOf(row));
+  const int place = lms3dRaster::GetPlaceOf(row);
+  const std::uint64_t low = left < 0 ? 0 : (raster.GetBlock(left).*bits)[place] >> shift;
+  const std::uint64_t high =
+    right < 0 ? 0 : (raster.GetBlock(right).*bits)[place] << (lms3dRaster::Size - shift);
+  return (low | high) & (~std::uint64_t{ 0 } >> 1);
+}
+
+/// The distance along the longer axis of the nearest cell with a bit, cells, at most twice LargestBall.
 int GetDistance(const lms3dRaster& raster, lms3dRaster::BitsOf bits, std::int32_t u, std::int32_t v)
 {
-  int distance = 0;
-  for (bool isFree = true; isFree && distance < 2 * LargestBall;)
+  int nearest = 2 * LargestBall;
+  for (int row = 0; row < nearest; ++row)
   {
-    ++distance;
-    const auto isRowFree = [&](std::int32_t row)
-    { return !raster.HasAny(bits, row, u - distance, u + distance); };
-    isFree = isRowFree(v - distance) && isRowFree(v + distance);
-    for (std::int32_t row = v - distance; isFree && row <= v + distance; ++row)
+    const std::uint64_t window =
+      GetWindow(raster, bits, u, v + row) | GetWindow(raster, bits, u, v - row);
+    for (int width = 0; width < nearest && width <= 31 && window != 0; ++width)
     {
-      isFree = !raster.Has(bits, u - distance, row) && !raster.Has(bits, u + distance, row);
+      if (((window >> (31 + width) | window >> (31 - width)) & 1U) != 0)
+      {
+        nearest = std::max(row, width);
+      }
     }
   }
-  return distance;
+  return nearest;
 }
 
 /// Calls `visit` with a row, its first and its last cell, for the cells that are nearer to a cell than to any cell
@@ -114,18 +132,18 @@ void ForCells(const lms3dRaster& raster, lms3dRaster::BitsOf first, lms3dRaster:
 void GiveBack(const lms3dRaster& raster, lms3dRaster& region)
 {
   const auto giveRow = [&](std::int32_t row, std::int32_t first, std::int32_t last)
-  {
-    for (std::int32_t u = first; u <= last; ++u)
-    {
-      if (raster.Has(&lms3dRasterBlock::May, u, row))
-      {
-        region.SetRow(&lms3dRasterBlock::May, row, u, u, true, false, [](int) {});
-      }
-    }
-  };
+  { region.SetRow(&lms3dRasterBlock::Open, row, first, last, true, false, [](int) {}); };
   ForCells(raster, &lms3dRasterBlock::Must, &lms3dRasterBlock::Open,
     [&](std::int32_t u, std::int32_t v)
     { ForBall(raster, &lms3dRasterBlock::Passed, u, v, giveRow); });
+  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
+  {
+    lms3dRasterBlock& cells = region.GetBlock(i);
+    for (int row = 0; row <= Last; ++row)
+    {
+      cells.May[row] |= cells.Open[row] & raster.GetBlock(i).May[row];
+    }
+  }
 }
 
 /// Takes the cells out that are nearer to a beam that passed than to any return.
