@@ -138,7 +138,7 @@ class Figure:
         return _scene_actor(self._simulation.scene.surface)
 
     def _right_actor(self, edges):
-        return _map_actor(self._map_port(), edges)
+        return make_map_actor(self._map_port(), edges)
 
     def _map_port(self):
         """The output port of the local map."""
@@ -152,7 +152,7 @@ class Figure:
         renderer.UseFXAAOn()
         renderer.AddActor(actor)
         renderer.AddActor(self._marker)
-        _light(renderer)
+        add_lights(renderer)
         self.window.AddRenderer(renderer)
 
     def _limit_to_screen(self, size):
@@ -170,7 +170,7 @@ class Figure:
         self.window.GetRenderers().GetFirstRenderer().ResetCameraClippingRange()
 
 
-def _light(renderer):
+def add_lights(renderer):
     """Add lights that move with the camera and shade floor and walls of a room differently."""
     renderer.AutomaticLightCreationOff()
     for intensity, direction in _LIGHTS:
@@ -197,7 +197,7 @@ def _scene_actor(surface):
     return actor
 
 
-def _map_actor(port, edges):
+def make_map_actor(port, edges=False):
     """The local map of an output port, with flat shading."""
     actor = _surface_actor(port, _GREEN)
     actor.GetProperty().SetInterpolationToFlat()
