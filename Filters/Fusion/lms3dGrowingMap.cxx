@@ -21,22 +21,22 @@ namespace
 {
 // Cells for each bound.
 constexpr double CellsPerBound = 3.0;
-// Of the bound: how far a return may be from its plane. The rest is for rounding.
+// As a share of the bound: how far a return may be from its plane. The rest is for rounding.
 constexpr double ReturnShare = 0.97;
-// Of the bound: how far the returns of a patch, apart from their noise, may be from a plane that the patch joins.
+// As a share of the bound: how far the returns of a patch, apart from their noise, may be from a plane that the patch joins.
 constexpr double MatchShare = 0.4;
 constexpr double NoiseFactor = 4.0;
 // A patch is curved if the root mean square of the distances of its returns exceeds this share of the bound, and if
 // successive distances are correlated.
 constexpr double CurvedShare = 0.05;
 constexpr double SmallestCorrelation = 0.5;
-// A patch of which this share is explained by other planes needs no plane of its own.
+// If other planes explain this share of a patch, it needs no plane of its own.
 constexpr double ExplainedShare = 0.7;
 // The share of a patch's returns that need not fit the plane.
 constexpr double MisfitShare = 0.05;
-// Of the bound: how far the returns of a single triangle may be from the plane that it joins.
+// As a share of the bound: how far the returns of a single triangle may be from the plane that it joins.
 constexpr double JoinShare = 0.9;
-// Of the bound: returns farther from the plane of their patch may lie on another plane beside it.
+// As a share of the bound: returns farther from the plane of their patch may lie on another plane beside it.
 constexpr double LooseShare = 0.2;
 // The cosine of the largest angle between a patch and the plane that it joins.
 constexpr double SmallestCosine = 0.9;
@@ -91,7 +91,7 @@ bool Merge(lms3dCreaseParts& parts, double first, double last, double gap)
 struct Line
 {
   lms3dVector Point;
-  /// Of length 1, that of the first plane's normal times the second's.
+  /// The cross product of the normals, scaled to length 1.
   lms3dVector Direction;
 };
 
@@ -165,7 +165,7 @@ bool lms3dGrowingMap::Add(
   return this->Renew(lms3dGetStepProgress(progress, TimeOfMarking, 1.0));
 }
 
-// The threads divide the planes, each of which depends on the frames of others alone.
+// The threads divide the planes. A plane depends on the frames of other planes alone.
 bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
 {
   std::vector<int> changed;

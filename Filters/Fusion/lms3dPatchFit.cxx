@@ -9,7 +9,7 @@
 
 namespace
 {
-constexpr std::size_t FewestReturns = 6;
+constexpr std::size_t SmallestCount = 6;
 // Returns farther from a plane than this multiple of the root mean square do not belong to it.
 constexpr double LargestShare = 2.5;
 constexpr int Rounds = 4;
@@ -26,7 +26,7 @@ lms3dVector GetMean(const lms3dLocalMap& map, const std::vector<int>& returns)
 std::optional<lms3dFittedPlane> FitOnce(
   const lms3dLocalMap& map, const std::vector<int>& returns, double smallestWidth)
 {
-  if (returns.size() < FewestReturns)
+  if (returns.size() < SmallestCount)
   {
     return {};
   }
