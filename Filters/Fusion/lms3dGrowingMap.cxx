@@ -49,10 +49,10 @@ constexpr double FacetRadius = 0.25;
 // Cells: how much a crease grows before it changes its planes.
 constexpr double CreaseGrowth = 16.0;
 // A plane of a patch with fewer returns is weak, until it has the second number.
-constexpr std::size_t SmallestStrongCount = 600;
-constexpr std::size_t LargestWeakCount = 4000;
+constexpr std::size_t SmallestStrongCount = 3000;
+constexpr std::size_t LargestWeakCount = 20000;
 // The share of a weak plane's returns that other planes must explain to take its place.
-constexpr double DissolvedShare = 0.95;
+constexpr double DissolvedShare = 0.9;
 constexpr double TimeOfCasting = 0.3;
 constexpr double TimeOfMarking = 0.5;
 // How many planes get new triangles between two looks at the progress.
