@@ -47,7 +47,7 @@ struct vtkLMS3DMapFusion::Internals
   lms3dErrorReport Errors;
   lms3dFusionInputs Inputs;
   std::unique_ptr<lms3dMapFusion> Map;
-  /// Those of the maps before this one.
+  /// The numbers of the maps before this one.
   int EndOfRegions = 0;
   int Revision = 0;
 };

@@ -127,7 +127,7 @@ public:
   /**
    * Fills `delta` with the triangles of all regions that changed after a Revision, as the output has them, and with
    * the field data `ChangedRegions` (int32), their RegionIds. A client that has the map of this Revision
-   * removes the triangles of these regions and adds those of `delta`. Regions that have no triangles any more are
+   * removes the triangles of these regions and adds the triangles of `delta`. Regions that have no triangles any more are
    * in `ChangedRegions` alone. After a Reset, all regions of the map before it are among the changed ones.
    */
   void GetChanges(int sinceRevision, vtkPolyData* delta);

@@ -8,6 +8,7 @@
 #define lms3dFusedPlane_h
 
 #include "Fusion/lms3dFusedMesh.h"
+#include "Fusion/lms3dLocalMap.h"
 #include "Fusion/lms3dPlaneFrame.h"
 #include "Fusion/lms3dRaster.h"
 
@@ -39,6 +40,9 @@ struct lms3dFusedPlane
   lms3dRaster Raster;
   /// Whether the surface is curved.
   bool IsCurved = false;
+  /// Whether few returns support the plane, so that a better view may take its place. Its returns are then kept.
+  bool IsWeak = false;
+  std::vector<lms3dMappedReturn> Returns;
   /// The creases with other planes, by their numbers.
   std::map<int, lms3dCreaseParts> Creases;
   /// The triangle of a local map, if the region is nothing else. It need not lie exactly in the plane.

@@ -21,22 +21,22 @@ namespace
 {
 // Cells for each bound.
 constexpr double CellsPerBound = 3.0;
-// Of the bound: how far a return may be from its plane. The rest is for rounding.
+// As a share of the bound: how far a return may be from its plane. The rest is for rounding.
 constexpr double ReturnShare = 0.97;
-// Of the bound: how far the returns of a patch, apart from their noise, may be from a plane that the patch joins.
+// As a share of the bound: how far the returns of a patch, apart from their noise, may be from a plane that the patch joins.
 constexpr double MatchShare = 0.4;
 constexpr double NoiseFactor = 4.0;
 // A patch is curved if the root mean square of the distances of its returns exceeds this share of the bound, and if
 // successive distances are correlated.
 constexpr double CurvedShare = 0.05;
 constexpr double SmallestCorrelation = 0.5;
-// A patch of which this share is explained by other planes needs no plane of its own.
+// If other planes explain this share of a patch, it needs no plane of its own.
 constexpr double ExplainedShare = 0.7;
 // The share of a patch's returns that need not fit the plane.
 constexpr double MisfitShare = 0.05;
-// Of the bound: how far the returns of a single triangle may be from the plane that it joins.
+// As a share of the bound: how far the returns of a single triangle may be from the plane that it joins.
 constexpr double JoinShare = 0.9;
-// Of the bound: returns farther from the plane of their patch may lie on another plane beside it.
+// As a share of the bound: returns farther from the plane of their patch may lie on another plane beside it.
 constexpr double LooseShare = 0.2;
 // The cosine of the largest angle between a patch and the plane that it joins.
 constexpr double SmallestCosine = 0.9;
@@ -48,6 +48,11 @@ constexpr double CreaseReach = 6.0;
 constexpr double FacetRadius = 0.25;
 // Cells: how much a crease grows before it changes its planes.
 constexpr double CreaseGrowth = 16.0;
+// A plane of a patch with fewer returns is weak, until it has the second number.
+constexpr std::size_t SmallestStrongCount = 3000;
+constexpr std::size_t LargestWeakCount = 20000;
+// The share of a weak plane's returns that other planes must explain to take its place.
+constexpr double DissolvedShare = 0.9;
 constexpr double TimeOfCasting = 0.3;
 constexpr double TimeOfMarking = 0.5;
 // How many planes get new triangles between two looks at the progress.
@@ -87,11 +92,22 @@ bool Merge(lms3dCreaseParts& parts, double first, double last, double gap)
   return true;
 }
 
+std::vector<lms3dMappedReturn> Select(const lms3dLocalMap& local, const std::vector<int>& numbers)
+{
+  std::vector<lms3dMappedReturn> returns;
+  returns.reserve(numbers.size());
+  for (int i : numbers)
+  {
+    returns.push_back(local.Returns[i]);
+  }
+  return returns;
+}
+
 /// The line in which two planes meet.
 struct Line
 {
   lms3dVector Point;
-  /// Of length 1, that of the first plane's normal times the second's.
+  /// The cross product of the normals, scaled to length 1.
   lms3dVector Direction;
 };
 
@@ -158,6 +174,7 @@ bool lms3dGrowingMap::Add(
   {
     this->Seen.push_back(std::move(ranges));
   }
+  this->DissolveWeakPlanes();
   if (!progress(TimeOfMarking))
   {
     return false;
@@ -165,7 +182,42 @@ bool lms3dGrowingMap::Add(
   return this->Renew(lms3dGetStepProgress(progress, TimeOfMarking, 1.0));
 }
 
-// The threads divide the planes, each of which depends on the frames of others alone.
+// A weak plane goes if other planes explain nearly all of its returns. The rest of them get facets.
+void lms3dGrowingMap::DissolveWeakPlanes()
+{
+  const std::size_t end = this->Planes.size();
+  for (std::size_t i = 0; i < end; ++i)
+  {
+    lms3dFusedPlane& plane = this->Planes[i];
+    if (!plane.IsWeak || (!plane.IsChanged && !plane.IsSeen) || plane.Returns.empty())
+    {
+      continue;
+    }
+    std::vector<int> others = this->FindPlanesNear(plane.Returns, end);
+    others.erase(std::remove(others.begin(), others.end(), static_cast<int>(i)), others.end());
+    if (this->CountShown(others, plane.Returns) <
+      DissolvedShare * static_cast<double>(plane.Returns.size()))
+    {
+      continue;
+    }
+    std::vector<lms3dMappedReturn> returns;
+    returns.swap(plane.Returns);
+    plane.Raster = {};
+    plane.Verbatim.clear();
+    plane.OldBlocks = 0;
+    plane.IsWeak = false;
+    plane.IsChanged = true;
+    for (const lms3dMappedReturn& mapped : returns)
+    {
+      if (!this->AddToPlanes(others, mapped))
+      {
+        this->AddFacet(mapped);
+      }
+    }
+  }
+}
+
+// The threads divide the planes. A plane depends on the frames of other planes alone.
 bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
 {
   std::vector<int> changed;
@@ -220,11 +272,13 @@ void lms3dGrowingMap::Join(const lms3dLocalMap& local)
     }
     planeOfPatch[patch] = this->FindPlane(local, returns[patch], *fit);
     if (planeOfPatch[patch] < 0 && fit->Deviation <= MatchShare * this->Settings.MaximumError &&
-      !this->IsMostlyExplained(local, returns[patch], planesBefore))
+      !this->IsMostlyExplained(Select(local, returns[patch]), planesBefore))
     {
       planeOfPatch[patch] = this->MakePlane(fit->Centre, fit->Normal);
       this->Planes.back().IsCurved = fit->Correlation > SmallestCorrelation &&
         fit->Deviation > CurvedShare * this->Settings.MaximumError;
+      this->Planes.back().IsWeak =
+        this->Planes.back().IsCurved || returns[patch].size() < SmallestStrongCount;
     }
     if (planeOfPatch[patch] < 0)
     {
@@ -352,6 +406,15 @@ bool lms3dGrowingMap::AddReturn(int number, const lms3dMappedReturn& mapped)
   std::uint64_t& word = block.Must[lms3dRaster::GetPlaceOf(v)];
   const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
   plane.IsSeen = true;
+  if (plane.IsWeak)
+  {
+    plane.Returns.push_back(mapped);
+    if (plane.Returns.size() > LargestWeakCount)
+    {
+      plane.IsWeak = false;
+      plane.Returns = {};
+    }
+  }
   word |= bit;
   block.Deviation = std::max(block.Deviation, std::abs(plane.Frame.GetHeight(mapped.Point)));
   plane.IsChanged = plane.IsChanged || !this->IsCovered(plane, block, u, v);
@@ -446,18 +509,18 @@ bool lms3dGrowingMap::Shows(const lms3dFusedPlane& plane, const lms3dMappedRetur
     !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) && IsAtVerbatim(plane, mapped.Point, bound);
 }
 
-// The planes, of the first `end`, whose boxes meet the box of returns.
+// The planes, out of the first `end`, whose boxes meet the box of returns.
 std::vector<int> lms3dGrowingMap::FindPlanesNear(
-  const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const
+  const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
 {
   lms3dVector low = { 1e300, 1e300, 1e300 };
   lms3dVector high = { -1e300, -1e300, -1e300 };
-  for (int i : returns)
+  for (const lms3dMappedReturn& mapped : returns)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      low[axis] = std::min(low[axis], local.Returns[i].Point[axis]);
-      high[axis] = std::max(high[axis], local.Returns[i].Point[axis]);
+      low[axis] = std::min(low[axis], mapped.Point[axis]);
+      high[axis] = std::max(high[axis], mapped.Point[axis]);
     }
   }
   std::vector<int> planes;
@@ -479,24 +542,29 @@ std::vector<int> lms3dGrowingMap::FindPlanesNear(
   return planes;
 }
 
-bool lms3dGrowingMap::IsMostlyExplained(
-  const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const
+double lms3dGrowingMap::CountShown(
+  const std::vector<int>& planes, const std::vector<lms3dMappedReturn>& returns) const
 {
-  const std::vector<int> planes = this->FindPlanesNear(local, returns, end);
-  const auto explained = std::count_if(returns.begin(), returns.end(),
-    [&](int i)
+  return static_cast<double>(std::count_if(returns.begin(), returns.end(),
+    [&](const lms3dMappedReturn& mapped)
     {
       return std::any_of(planes.begin(), planes.end(),
-        [&](int plane) { return this->Shows(this->Planes[plane], local.Returns[i]); });
-    });
-  return static_cast<double>(explained) >= ExplainedShare * static_cast<double>(returns.size());
+        [&](int plane) { return this->Shows(this->Planes[plane], mapped); });
+    }));
+}
+
+bool lms3dGrowingMap::IsMostlyExplained(
+  const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
+{
+  return this->CountShown(this->FindPlanesNear(returns, end), returns) >=
+    ExplainedShare * static_cast<double>(returns.size());
 }
 
 // Adds each return to the plane that is nearest to it.
 void lms3dGrowingMap::AddLoose(const lms3dLocalMap& local, const std::vector<int>& returns,
   int ownPlane, std::vector<bool>& isExplained)
 {
-  const std::vector<int> planes = this->FindPlanesNear(local, returns, this->Planes.size());
+  const std::vector<int> planes = this->FindPlanesNear(Select(local, returns), this->Planes.size());
   for (int i : returns)
   {
     const lms3dMappedReturn& mapped = local.Returns[i];
@@ -566,7 +634,7 @@ void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool
   std::map<int, std::vector<int>> returnsOf;
   for (const auto& [triangle, rest] : restOf)
   {
-    const std::vector<int> planes = this->FindPlanesNear(local, rest, this->Planes.size());
+    const std::vector<int> planes = this->FindPlanesNear(Select(local, rest), this->Planes.size());
     const int patch = local.PatchIds[triangle];
     for (int i : rest)
     {
@@ -594,6 +662,7 @@ void lms3dGrowingMap::AddRest(const lms3dLocalMap& local, const std::vector<bool
       number = this->MakePlane(corners[0], normal);
       this->Planes[number].Verbatim.push_back(corners);
       this->Planes[number].IsCurved = true;
+      this->Planes[number].IsWeak = true;
     }
     this->AddTriangle(number, local, triangle);
     for (int i : returns)

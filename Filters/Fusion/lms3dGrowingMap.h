@@ -55,9 +55,11 @@ private:
   void AddFacet(const lms3dMappedReturn& mapped);
   bool Shows(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const;
   std::vector<int> FindPlanesNear(
-    const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const;
-  bool IsMostlyExplained(
-    const lms3dLocalMap& local, const std::vector<int>& returns, std::size_t end) const;
+    const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
+  double CountShown(
+    const std::vector<int>& planes, const std::vector<lms3dMappedReturn>& returns) const;
+  bool IsMostlyExplained(const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
+  void DissolveWeakPlanes();
   void AddLoose(const lms3dLocalMap& local, const std::vector<int>& returns, int ownPlane,
     std::vector<bool>& isExplained);
   bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);

@@ -21,7 +21,7 @@ class vtkPolyData;
 struct lms3dMappedReturn
 {
   lms3dVector Point;
-  /// Of the beam, of length 1.
+  /// The beam's, with length 1.
   lms3dVector Direction;
   double Range;
   std::int32_t BeamId;

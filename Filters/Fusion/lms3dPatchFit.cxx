@@ -9,10 +9,12 @@
 
 namespace
 {
-constexpr std::size_t FewestReturns = 6;
+constexpr std::size_t SmallestCount = 6;
 // Returns farther from a plane than this multiple of the root mean square do not belong to it.
 constexpr double LargestShare = 2.5;
 constexpr int Rounds = 4;
+// With fewer, a plane through two columns of returns would fit without any error.
+constexpr double SmallestKeptShare = 0.9;
 
 lms3dVector GetMean(const lms3dLocalMap& map, const std::vector<int>& returns)
 {
@@ -26,7 +28,7 @@ lms3dVector GetMean(const lms3dLocalMap& map, const std::vector<int>& returns)
 std::optional<lms3dFittedPlane> FitOnce(
   const lms3dLocalMap& map, const std::vector<int>& returns, double smallestWidth)
 {
-  if (returns.size() < FewestReturns)
+  if (returns.size() < SmallestCount)
   {
     return {};
   }
@@ -110,7 +112,9 @@ std::optional<lms3dFittedPlane> lms3dFitPlane(
       }
     }
     const std::optional<lms3dFittedPlane> next = FitOnce(map, kept, smallestWidth);
-    if (kept.size() == members.size() || !next)
+    const bool isMost =
+      static_cast<double>(kept.size()) >= SmallestKeptShare * static_cast<double>(returns.size());
+    if (kept.size() == members.size() || !isMost || !next)
     {
       break;
     }

@@ -16,7 +16,7 @@
 struct lms3dFittedPlane
 {
   lms3dVector Centre;
-  /// Of length 1, towards the sensor.
+  /// Towards the sensor, with length 1.
   lms3dVector Normal;
   /// The root mean square of the returns' distances, metres.
   double Deviation;

@@ -17,7 +17,7 @@
 
 namespace
 {
-// Of the bound: how far the border of a region may move when it is straightened.
+// As a share of the bound: how far the border of a region may move when it is straightened.
 constexpr double BorderShare = 3.0;
 // Cells: the largest distance from a point of a cell to the centre of one of its eight neighbours.
 constexpr double NeighbourDistance = 2.1213203435596424;
@@ -307,7 +307,7 @@ private:
   std::map<lms3dPoint2, std::int32_t> Numbers;
 };
 
-/// Those of the block around a point, or of the nearest block if the scans missed this one.
+/// The sightings of the block around a point, or of the nearest block if no return lies in this one.
 lms3dSightings GetSightings(const lms3dRaster& raster, const lms3dPoint2& point)
 {
   const int number = raster.Find(lms3dRaster::GetBlockOf(static_cast<std::int32_t>(point[0])),

@@ -15,7 +15,7 @@
 struct lms3dCreaseLine
 {
   lms3dPoint2 Point;
-  /// Of length 1.
+  /// With length 1.
   lms3dPoint2 Direction;
   /// Along the direction from the point.
   lms3dCreaseParts Parts;
