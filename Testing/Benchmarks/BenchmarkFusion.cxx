@@ -13,7 +13,7 @@ namespace
 {
 /// Poses after which a row of the table follows.
 const std::vector<int> Whole = { 1, 2, 5, 10, 20, 35, 50, 75, 100, 125, 150, 175, 200 };
-const std::vector<int> Quick = { 1, 2, 5, 10, 20 };
+const std::vector<int> Quick = { 1, 2, 3, 5, 7, 10, 15, 20 };
 
 constexpr std::array<int, 2> NumbersOfThreads = { 1, 2 };
 constexpr double Percent = 100.0;

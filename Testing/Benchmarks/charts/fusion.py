@@ -14,7 +14,7 @@ NAME = "fusion"
 SUMMARY = "time, triangles and completeness of one map of many scans against the poses of a journey"
 
 # The time of each step of the pipeline: its column, its name, its colour.
-STEPS = (("fusion ms", "fusion", drawing.COLORS[0]), ("map ms", "local map", drawing.COLORS[1]),
+STEPS = (("fusion ms", "fusion", drawing.COLORS[0]), ("map ms", "map", drawing.COLORS[1]),
          ("scan ms", "scan", drawing.COLORS[2]))
 # Each number of threads has a kind of line and a mark.
 THREADS = {"1": ("-", "o"), "2": (":", "s")}
@@ -39,8 +39,10 @@ def draw(table, machine):
     complete.set_title("Visible scene in the map, %")
     for axes in (times, triangles, complete):
         axes.set_xlabel("poses")
+    for axes in (triangles, complete):
         axes.legend(fontsize=8)
-    times.set_ylim(bottom=0)
+    times.set_ylim(0, 1.35 * times.get_ylim()[1])
+    times.legend(fontsize=7, ncol=2, loc="upper center", columnspacing=1, handlelength=1.6)
     triangles.set_ylim(bottom=0)
     figure.suptitle("How one map of many scans grows", x=0.01, ha="left", fontsize=13, weight="bold")
     figure.subplots_adjust(left=0.06, right=0.985, top=0.8, bottom=0.25, wspace=0.3)
