@@ -49,7 +49,7 @@ public:
   FusionJourney(const FusionJourney&) = delete;
   FusionJourney& operator=(const FusionJourney&) = delete;
 
-  /// Drives until the map has a number of poses. The times are those of the poses on the way.
+  /// Drives until the map has a number of poses. The times are the means over the poses on the way.
   FusionTimes DriveTo(int poses);
 
   FusionSizes Measure();
