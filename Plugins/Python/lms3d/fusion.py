@@ -22,7 +22,8 @@ class FusedMap:
             fused.add(lms3d.scan(mesh, position))
         vertices, triangles = fused.mesh
 
-    maximum_error: bound on the distance of every return of every scan from the map, metres, above 0.
+    maximum_error: bound on the distance from the map of every return that its local map explains,
+        metres, above 0.
     depth_step, maximum_gap_size, maximum_speckle_size, keep_speckles: of the local map that is made
         from each scan, as for `reconstruct`.
     keep_returns: whether the ranges of all scans are kept, four bytes for each beam, so that what a

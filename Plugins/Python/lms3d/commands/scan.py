@@ -45,8 +45,8 @@ as .png. The lines that the command prints go to the error stream then.
 
 With --trajectory there is one scan for each pose, and with --map also one local map. Each of these
 is a .pvd file, which lists the files of all steps and their times; ParaView plays it. A bag has the
-scans of all poses. --fused joins the local maps of all poses to one map, in which every return of
-every pose is within --maximum-error. The poses are in the scene's coordinates, after --up-axis.
+scans of all poses. --fused joins the local maps of all poses to one map: every return that its local
+map explains is within --maximum-error. The poses are in the scene's coordinates, after --up-axis.
 Without the point array Orientation the sensor looks along the polyline; without a polyline its
 orientation is --orientation.
 
