@@ -51,7 +51,7 @@ if (LMS3D_BUILD_CORBA)
 endif ()
 if (BUILD_TESTING)
   list(APPEND LMS3D_VTK_COMPONENTS
-    FiltersFlowPaths FiltersGeneral FiltersSources ImagingHybrid TestingCore)
+    FiltersFlowPaths FiltersGeneral FiltersSources IOXML ImagingHybrid TestingCore)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${LMS3D_VTK_COMPONENTS})
 

@@ -9,36 +9,14 @@ The file holds a polyline of 17 poses: the sensor is 1 m above the floor and mov
 each second. LMS3D Scan and `lms3d scan --trajectory` accept it as a trajectory.
 """
 
-from pathlib import Path
+from trajectory_writer import trajectory
+from vrml_writer import output_parser, save
 
 POSES = 17
 START_X, STEP, HEIGHT = -2.5, 0.5, 1.0
 
 # From x = -2.5 to 2.5, on the way to the doorway, the robot turns to the north.
 SOUTH, NORTH, BEND = -1.2, 0.75, 5.0
-
-FILE = """\
-<?xml version="1.0"?>
-<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian">
-  <PolyData>
-    <Piece NumberOfPoints="{count}" NumberOfVerts="0" NumberOfLines="1" NumberOfStrips="0"\
- NumberOfPolys="0">
-      <PointData>
-        <DataArray type="Float64" Name="Time" format="ascii">{times}</DataArray>
-      </PointData>
-      <Points>
-        <DataArray type="Float64" NumberOfComponents="3" format="ascii">
-          {points}
-        </DataArray>
-      </Points>
-      <Lines>
-        <DataArray type="Int64" Name="connectivity" format="ascii">{indices}</DataArray>
-        <DataArray type="Int64" Name="offsets" format="ascii">{count}</DataArray>
-      </Lines>
-    </Piece>
-  </PolyData>
-</VTKFile>
-"""
 
 
 def place(i):
@@ -49,11 +27,10 @@ def place(i):
 
 
 def main():
-    """Write the file beside this script."""
-    points = ("{:.4g} {:.4g} {:.4g}".format(*place(i)) for i in range(POSES))
-    text = FILE.format(count=POSES, times=" ".join(f"{i}" for i in range(POSES)),
-                       points="\n          ".join(points), indices=" ".join(map(str, range(POSES))))
-    Path(__file__).with_name("journey.vtp").write_text(text)
+    """Write the trajectory to the file named on the command line."""
+    parser = output_parser("Write a trajectory through the room of Figure 5.", "journey.vtp")
+    save(parser.parse_args().output, trajectory(place(i) for i in range(POSES)))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -34,7 +34,7 @@ constexpr std::array<Color, 4> MapColors{ { { 0.2, 0.7, 0.3 }, { 0.9, 0.55, 0.15
 bool IsMap(vtkSMProxy* shown)
 {
   return lms3dIsOutputOf(shown, "LMS3DSurfaceReconstruction", 0) ||
-    lms3dIsOutputOf(shown, "LMS3DRemote", 1);
+    lms3dIsOutputOf(shown, "LMS3DMapFusion", 0) || lms3dIsOutputOf(shown, "LMS3DRemote", 1);
 }
 
 // A scene, or the scan of a server, for which there is no scene.

@@ -12,7 +12,7 @@
 namespace
 {
 const char* const Filters[] = { "LMS3DScan", "LMS3DRangeError", "LMS3DSurfaceReconstruction",
-  "LMS3DMapComparison", "LMS3DRemote" };
+  "LMS3DMapComparison", "LMS3DMapFusion", "LMS3DRemote" };
 const char* const Words = " (lidar, laser, range)";
 } // namespace
 

@@ -35,10 +35,10 @@ struct Benchmark
 
 const std::vector<std::string> CastingScenes = { "room", "teapot", "terrain1e5" };
 
-const std::array<Benchmark, 7>& GetBenchmarks()
+const std::array<Benchmark, 8>& GetBenchmarks()
 {
   // The first three start processes, which must not inherit the threads of the others.
-  static const std::array<Benchmark, 7> benchmarks = {
+  static const std::array<Benchmark, 8> benchmarks = {
     { { "stability",
         "beams that methods miss, invent or measure wrongly where casting is difficult",
         &RunStabilityBenchmark, {}, {} },
@@ -52,6 +52,8 @@ const std::array<Benchmark, 7>& GetBenchmarks()
         { "room", "terrain1e5" } },
       { "map", "local maps within error bounds, and what else makes maps: time, triangles, errors",
         &RunMapBenchmark, { "room", "teapot" }, { "room", "teapot", "terrain1e5" } },
+      { "fusion", "one map of the 200 poses of a journey: time, triangles, completeness, changes",
+        &RunFusionBenchmark, {}, {} },
       { "read", "a VRML97 file, beside the bare cost of its numbers", &RunReadBenchmark,
         { "room", "terrain1e5" } } }
   };

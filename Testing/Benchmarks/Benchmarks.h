@@ -38,6 +38,10 @@ void RunScanBenchmark(const BenchmarkOptions& options);
 /// The first scan, building included, beside Embree's own build.
 void RunFirstBenchmark(const BenchmarkOptions& options);
 
+/// A journey of 200 poses through the building with 1 and 2 threads: time of scan, map and fusion for
+/// each pose, triangles, completeness, and bytes of what changed.
+void RunFusionBenchmark(const BenchmarkOptions& options);
+
 /// Reading a scene as a VRML97 file, beside the bare cost of its numbers.
 void RunReadBenchmark(const BenchmarkOptions& options);
 

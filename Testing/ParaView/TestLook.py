@@ -126,6 +126,29 @@ Show(one, second)
         self.assertEqual(state.colors(), [GREEN, ORANGE, ORANGE, GREEN])
 
 
+class TestFusedMap(LookTest):
+    """The map of a journey."""
+
+    def test_it_grows_in_the_window_and_looks_like_a_map(self):
+        count = self.home / "scans.txt"
+        state = self.run_script(f"""
+scan.Trajectory = OpenDataFile({str(ROOM.with_name("journey.vtp"))!r})
+fusion = LMS3DMapFusion(Map=LMS3DSurfaceReconstruction(Input=scan), Scan=scan)
+Show(fusion, view)
+scan.UpdatePipelineInformation()
+animation = GetAnimationScene()
+animation.UpdateAnimationUsingDataTimeSteps()
+animation.Play()
+fused = fusion.SMProxy.GetClientSideObject().GetOutputDataObject(0)
+with open({str(count)!r}, "w") as file:
+    file.write(str(fused.GetFieldData().GetArray("NumberOfScans").GetValue(0)))
+""")
+        self.assertEqual(count.read_text(), "17")
+        (display,) = state.find_displays("LMS3DMapFusion")
+        self.assertEqual(numbers(display, "DiffuseColor"), GREEN)
+        self.assertEqual(numbers(display, "Ambient"), [0.3])
+
+
 class TestLegends(LookTest):
     """Units in legends."""
 

@@ -63,9 +63,15 @@ def compare():
     return LMS3DMapComparison(Map=simple.Sphere(), Scene=simple.Sphere())
 
 
+def fuse():
+    """A fusion with inputs, which ParaView asks for as soon as there is one."""
+    scan = LMS3DScan(Input=simple.Sphere())
+    return LMS3DMapFusion(Map=LMS3DSurfaceReconstruction(Input=scan), Scan=scan)
+
+
 def constructors():
     """What makes the proxies whose properties the tests check."""
-    return VRMLReader, LMS3DScan, LMS3DRangeError, LMS3DSurfaceReconstruction, compare
+    return VRMLReader, LMS3DScan, LMS3DRangeError, LMS3DSurfaceReconstruction, compare, fuse
 
 
 class TestProxies(unittest.TestCase):
@@ -86,20 +92,21 @@ class TestProxies(unittest.TestCase):
             LMS3DRangeError: "vtkLMS3DRangeErrorFilter",
             LMS3DSurfaceReconstruction: "vtkLMS3DSurfaceReconstructionFilter",
             compare: "vtkLMS3DMapComparison",
+            fuse: "vtkLMS3DMapFusion",
         }
         for make, name in classes.items():
             with self.subTest(name):
                 self.assertEqual(algorithm(make()).GetClassName(), name)
 
     def test_filters_are_in_the_menu_lms3d(self):
-        for make in (LMS3DScan, LMS3DRangeError, LMS3DSurfaceReconstruction, compare):
+        for make in constructors()[1:]:
             with self.subTest(make.__name__):
                 menu = make().SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
                 self.assertEqual(menu.GetAttribute("category"), "LMS3D")
 
     def test_the_short_help_has_the_words_of_the_field(self):
         """ParaView's quick search finds them from version 5.13 on."""
-        for make in (LMS3DScan, LMS3DRangeError, LMS3DSurfaceReconstruction, compare):
+        for make in constructors()[1:]:
             for word in ("lidar", "laser", "range"):
                 with self.subTest(make.__name__, word=word):
                     self.assertIn(word, make().SMProxy.GetDocumentation().GetShortHelp())
@@ -111,6 +118,7 @@ class TestProxies(unittest.TestCase):
         self.assertEqual(
             LMS3DSurfaceReconstruction().GetXMLLabel(), "LMS3D Surface Reconstruction")
         self.assertEqual(compare().GetXMLLabel(), "LMS3D Map Comparison")
+        self.assertEqual(fuse().GetXMLLabel(), "LMS3D Map Fusion")
 
     def test_properties_of_the_scan_are_grouped(self):
         proxy = LMS3DScan().SMProxy

@@ -22,7 +22,7 @@ ROOM, JOURNEY = DATA / "room.wrl", DATA / "journey.vtp"
 BEAMS = 361 * 360
 HAS_REMOTE = "LMS3DRemote" in os.environ["LMS3D_PLUGINS"]
 
-FILTERS = ["LMS3D Map Comparison", "LMS3D Range Error", "LMS3D Scan",
+FILTERS = ["LMS3D Map Comparison", "LMS3D Map Fusion", "LMS3D Range Error", "LMS3D Scan",
            "LMS3D Surface Reconstruction"]
 
 
@@ -66,7 +66,7 @@ class TestRun(WindowTest):
         before = self.plain_settings()
         code, messages = window.play(
             self.home, [*window.APPLY, *window.expect_cells(804),
-                        *window.expect_icon("filters", "LMS3D", 2, "LMS3D Scan")],
+                        *window.expect_icon("filters", "LMS3D", 3, "LMS3D Scan")],
             [self.root / "run", "paraview", ROOM], LMS3D_PRESET="default",
             PATH=f"{self.programs}:{os.environ['PATH']}")
         self.assertEqual(code, 0, messages)
@@ -145,6 +145,23 @@ class TestTrajectory(WindowTest):
             window.expect_cells(BEAMS), window.expect(box, "enabled", "false"),
             [(trajectory, "set_string", "(none)")], window.APPLY,
             window.expect_cells(0), window.expect(box, "enabled", "true"))
+
+
+class TestFusion(WindowTest):
+    """Filters > LMS3D > LMS3D Map Fusion of a map, and the scan, chosen in its panel."""
+
+    def test_play_reaches_the_end(self):
+        messages = self.play(
+            window.open_file(ROOM), window.open_file(JOURNEY), window.select(PIPELINE, "/0:0/0:0"),
+            window.add_filter("LMS3DScan"),
+            [(f"{window.PROPERTIES}/Trajectory/1QComboBox0", "set_string", "journey.vtp")],
+            window.APPLY, window.add_filter("LMS3DSurfaceReconstruction"), window.APPLY,
+            window.add_filter("LMS3DMapFusion"),
+            [(f"{window.PROPERTIES}/Scan/1QComboBox0", "set_string", "LMS3DScan1:Scan")], window.APPLY,
+            [("VCRToolbar/actionVCRPlay", "activate", "")],
+            window.expect("currentTimeToolbar/AnimationTimeWidget/timeValueComboBox",
+                          "currentText", "16"))
+        self.assertNotIn("ERR|", messages)
 
 
 @unittest.skipIf(window.VERSION >= (5, 13), "another dialog, which searches the filters' short help")

@@ -190,6 +190,13 @@ class TestInterrupt(CommandLineTest):
         self.assert_interrupted("scanning 30", "scan", ROOM, "--trajectory", path,
                                 "-o", self.folder / "scans.pvd")
 
+    def test_one_map_of_many_poses(self):
+        """While a map is joined to the others: the scans, which come before, are small."""
+        path = self.folder / "path.vtp"
+        self._write_trajectory(path)
+        self.assert_interrupted("joining 30", "scan", ROOM, *COARSE, "--trajectory", path,
+                                "--fused", self.folder / "fused.vtp")
+
     @staticmethod
     def _write_trajectory(path):
         places = np.zeros((1000, 3))

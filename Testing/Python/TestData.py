@@ -8,86 +8,23 @@ import unittest
 
 import numpy as np
 
-from scene_pieces import DATA, distances, generated, read
+from scene_pieces import distances, generated
+from scene_tests import ClosedSceneTests, SceneTests
 
 SENSOR = np.array([0.3, -0.2, 1.0])
 
 
-class SceneTests:
-    """Tests of every scene; the subclasses name the file and its generator."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.pieces = read(DATA / cls.scene)
-
-    def test_file_is_what_its_generator_writes(self):
-        self.assertEqual(generated(self.script), (DATA / self.scene).read_bytes())
-
-    def test_header(self):
-        text = (DATA / self.scene).read_text(encoding="utf-8")
-        self.assertTrue(text.startswith("#VRML V2.0 utf8\n"))
-        for words in ("Units: metres", "Z is up", f"Made by: python3 Data/{self.script}"):
-            self.assertIn(words, text)
-
-    def test_indices_and_colours_are_in_range(self):
-        for name, mesh in self.pieces.items():
-            with self.subTest(name):
-                self.assertEqual(mesh.rest.strip(), "")
-                used = {i for face in mesh.faces for i in face}
-                self.assertEqual(used, set(range(len(mesh.points))))
-                self.assertTrue(all(0 <= value <= 1 for value in mesh.colour))
-
-    def test_points_are_shared(self):
-        for name, mesh in self.pieces.items():
-            with self.subTest(name):
-                self.assertTrue(all(count == 1 for count in mesh.directed_edges().values()))
-
-    def test_no_triangle_is_degenerate(self):
-        for name, mesh in self.pieces.items():
-            with self.subTest(name):
-                self.assertGreater(mesh.areas().min(), self.smallest_area)
-
-
-class TestRoom(SceneTests, unittest.TestCase):
-    scene, script, smallest_area = "room.wrl", "make_room.py", 4e-5
-
-    def triangle_count(self):
-        return sum(len(mesh.triangles) for mesh in self.pieces.values())
+class TestRoom(ClosedSceneTests, unittest.TestCase):
+    scene, script, smallest_area, shell = "room.wrl", "make_room.py", 4e-5, "Room"
 
     def test_has_the_triangles_of_the_paper(self):
         self.assertEqual(self.triangle_count(), 804)
-
-    def test_every_piece_is_closed(self):
-        for name, mesh in self.pieces.items():
-            with self.subTest(name):
-                edges = mesh.directed_edges()
-                self.assertTrue(mesh.solid)
-                self.assertTrue(all(edges[b, a] == 1 for a, b in edges))
-
-    def test_furniture_faces_outwards_and_the_room_inwards(self):
-        for name, mesh in self.pieces.items():
-            with self.subTest(name):
-                inwards = {volume < 0 for volume in mesh.volumes()}
-                self.assertEqual(inwards, {name == "Room"})
 
     def test_volume_of_the_rooms(self):
         main_room, niche, doorway = 8 * 6 * 3, 1.8 * 0.14 * 1.18, 0.92 * 0.16 * 2.06
         small_room = (2.54 + 2.79) / 2 * 3.55 * 2.6
         (volume,) = self.pieces["Room"].volumes()
         self.assertAlmostEqual(-volume, main_room + niche + doorway + small_room, 9)
-
-    def test_quads_are_flat_and_convex(self):
-        for name, mesh in self.pieces.items():
-            for face in mesh.faces:
-                with self.subTest(name, face=face):
-                    self.assertIn(len(face), (3, 4))
-                    self.check_flat_and_convex(mesh.points[face])
-
-    def check_flat_and_convex(self, corners):
-        sides = np.roll(corners, -1, axis=0) - corners
-        turns = np.cross(sides, np.roll(sides, -1, axis=0))
-        self.assertTrue(np.all(turns @ turns[0] > 0))
-        self.assertLess(np.abs((corners - corners[0]) @ turns[0]).max(), 1e-12)
 
     def test_sensor_has_half_a_metre_around_it(self):
         nearest = min(distances(SENSOR, mesh.corners()).min() for mesh in self.pieces.values())

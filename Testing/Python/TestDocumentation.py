@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The examples in Python and for the command line in README.md and the guide run as printed."""
+"""The examples in Python and for the command line in README.md, the guide and fusion.md run as printed."""
 
 import re
 import subprocess
@@ -13,6 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 README = ROOT / "README.md"
 GUIDE = ROOT / "Documentation" / "guide.md"
+FUSION = ROOT / "Documentation" / "fusion.md"
 
 COMMAND = "./run python -m lms3d "
 WITHOUT_AN_END = ("view ", "emulate ")  # until a user ends them
@@ -58,10 +59,13 @@ class TestExamples(unittest.TestCase):
         self.run_python("-c", "\n".join(blocks))
         self.assertTrue((self.folder / "map.vtp").exists())
 
+    def test_python_on_the_page_of_one_map_of_many_scans(self):
+        self.assertEqual(self.run_python("-c", "\n".join(read_blocks(FUSION, "python")))[-2:], "2\n")
+
     def test_commands(self):
         path = next(block for block in read_blocks(GUIDE, "python") if "path.vtp" in block)
         self.run_python("-c", path)
-        lines = "".join("".join(read_blocks(page, "sh")) for page in (README, GUIDE)).splitlines()
+        lines = "".join("".join(read_blocks(page, "sh")) for page in (README, GUIDE, FUSION)).splitlines()
         commands = {line[len(COMMAND):].split("#")[0].strip() for line in lines
                     if line.startswith(COMMAND)
                     and not line[len(COMMAND):].startswith(WITHOUT_AN_END)}

@@ -48,7 +48,8 @@ def array(data, name):
 class Package(unittest.TestCase):
     def test_offers_every_class_and_enumeration(self):
         for name in ("vtkVRMLImporterSource", "vtkLMS3DScanFilter",
-                     "vtkLMS3DSurfaceReconstructionFilter", "vtkLMS3DMapComparison"):
+                     "vtkLMS3DSurfaceReconstructionFilter", "vtkLMS3DMapFusion",
+                     "vtkLMS3DMapComparison"):
             self.assertEqual(getattr(lms3d, name)().GetClassName(), name)
 
     def test_every_method_has_an_enumerator_and_a_setter(self):

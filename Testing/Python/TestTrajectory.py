@@ -13,59 +13,23 @@ import unittest
 from contextlib import redirect_stderr
 from pathlib import Path
 from unittest import mock
-from xml.etree import ElementTree
 
 import numpy as np
+from lms3d import vtkLMS3DMapFusion
 from lms3d.problems import Problem
 from lms3d.results import ResultFiles
 from lms3d.scene import read_scene
 from lms3d.simulation import Simulation
 from lms3d.trajectory import Series, TrajectoryScan
-from command_line import COARSE, ROOM, CommandLineTest, array, field, points, read, room, write
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from command_line import COARSE, ROOM, array, field, points, read, room, write
+from journeys import PLACES, TrajectoryTest, trajectory
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-PLACES = np.array(((-1.0, 0.0, 1.0), (0.0, 0.5, 1.0), (0.3, -0.2, 1.0)))
 TIMES = (2.0, 2.5, 4.25)
 
 
-def trajectory(line=False, **arrays):
-    """Poses at PLACES with point arrays."""
-    poses = vtkPolyData()
-    poses.SetPoints(vtkPoints())
-    poses.GetPoints().SetDataTypeToDouble()
-    for place in PLACES:
-        poses.GetPoints().InsertNextPoint(place)
-    if line:
-        poses.SetLines(vtkCellArray())
-        poses.GetLines().InsertNextCell(len(PLACES), range(len(PLACES)))
-    for name, values in arrays.items():
-        values = numpy_to_vtk(np.asarray(values, dtype=float), deep=True)
-        values.SetName(name)
-        poses.GetPointData().AddArray(values)
-    return poses
-
-
-class TestTrajectory(CommandLineTest):
+class TestTrajectory(TrajectoryTest):
     """The room from three poses."""
-
-    def path(self, **options):
-        """The file of a trajectory."""
-        path = self.folder / "path.vtp"
-        write(vtkXMLPolyDataWriter(), trajectory(**options), path)
-        return path
-
-    def steps(self, name):
-        """What a .pvd lists: times, and the data of each."""
-        listed = ElementTree.parse(self.folder / name).getroot().findall("Collection/DataSet")
-        return ([float(entry.get("timestep")) for entry in listed],
-                [read(vtkXMLPolyDataReader(), self.folder / entry.get("file")) for entry in listed])
-
-    def tearDown(self):
-        for path in self.folder.iterdir():
-            path.rmdir() if path.is_dir() else path.unlink()
 
     def test_each_step_is_the_scan_from_its_pose(self):
         words = self.done("scan", ROOM, "--trajectory", self.path(Time=TIMES), *COARSE,
@@ -112,7 +76,7 @@ class TestTrajectory(CommandLineTest):
         cases = {
             "not allowed with argument": (2, "--trajectory", path, "--position", 0, 0, 1, *series),
             "ending must be .pvd": (2, "--trajectory", path, "-o", self.folder / "scan.vtp"),
-            "only -o and --map": (2, "--trajectory", path, *series,
+            "only -o, --map and --fused": (2, "--trajectory", path, *series,
                                   "--picture", self.folder / "picture.png"),
             "ending is not one of .vtp": (2, "--trajectory", "path.csv", *series),
             "cannot read trajectory 'nowhere.vtp'": (1, "--trajectory", "nowhere.vtp", *series),
@@ -229,8 +193,8 @@ class Terminal(io.StringIO):
 class TestProgress(unittest.TestCase):
     """One bar for all steps."""
 
-    def test_it_never_goes_back_and_ends_at_100(self):
-        simulation = Simulation(read_scene(ROOM))
+    def check_bar(self, simulation, works):
+        """Scan, map and more: the bar never goes back, and each work begins where one ends."""
         scans = TrajectoryScan(simulation, trajectory())
         with redirect_stderr(Terminal()) as shown:
             for _ in scans.run(with_map=True):
@@ -238,8 +202,19 @@ class TestProgress(unittest.TestCase):
         percents = [int(number) for number in re.findall(r"(\d+) %", shown.getvalue())]
         self.assertEqual(percents, sorted(percents))
         self.assertEqual(percents[-1], 100)
-        for number in range(1, 6):  # each of the six steps ends where the next one begins
-            self.assertIn(round(100 * number / 6), percents)
+        for number in range(1, works):
+            self.assertIn(round(100 * number / works), percents)
+        return shown.getvalue()
+
+    def test_it_never_goes_back_and_ends_at_100(self):
+        self.check_bar(Simulation(read_scene(ROOM)), 6)
+
+    def test_with_one_map_of_all_poses(self):
+        simulation = Simulation(read_scene(ROOM))
+        simulation.add_fusion(vtkLMS3DMapFusion())
+        shown = self.check_bar(simulation, 9)
+        for step in (1, 2, 3):
+            self.assertIn(f"joining {step}", shown)
 
 
 if __name__ == "__main__":

@@ -232,5 +232,62 @@ class TestKeys(WindowTest):
         self.assertLess(np.isclose(after, before).mean(), 0.9)
 
 
+class TestKeep(WindowTest):
+    """The key that keeps what was seen."""
+
+    def setUp(self):
+        super().setUp()
+        self.simulation.reconstruction.SetMaximumError(0.02)
+
+    def shown(self):
+        """The map in the right half."""
+        right = list(self.window.GetRenderers())[1]
+        mapper = right.GetActors().GetItemAsObject(0).GetMapper()
+        mapper.Update()
+        return mapper.GetInput()
+
+    def kept(self):
+        """The number of scans that the shown map has, None for a local map."""
+        array = self.shown().GetFieldData().GetArray("NumberOfScans")
+        return array and array.GetValue(0)
+
+    def test_the_map_grows_with_each_pose(self):
+        self.assertIsNone(self.kept())
+        self.press("k")
+        self.assertEqual(self.kept(), 1)
+        sizes = [self.shown().GetNumberOfCells()]
+        for number in range(2, 5):
+            self.press("Left")
+            self.assertEqual(self.kept(), number)
+            self.assertIn(f"kept: {number} scans, {self.shown().GetNumberOfCells():,} triangles",
+                          self.viewer.text)
+            sizes.append(self.shown().GetNumberOfCells())
+        self.assertGreater(sizes[-1], sizes[0])
+
+    def test_a_pose_counts_once_until_the_sensor_moves(self):
+        self.press("k")
+        for _ in range(3):
+            self.viewer.refresh()
+        self.assertEqual(self.kept(), 1)
+
+    def test_the_key_again_shows_the_local_map_alone(self):
+        for key in ("k", "Left", "k"):
+            self.press(key)
+        self.assertIsNone(self.kept())
+        self.assertEqual(self.shown().GetNumberOfCells(), self.simulation.map.GetNumberOfCells())
+        self.assertNotIn("kept:", self.viewer.text)
+        self.press("k")
+        self.assertEqual(self.kept(), 1)
+
+    def test_the_window_names_the_key(self):
+        self.assertIn("k: keep what was seen", self.viewer.text)
+
+    def test_a_map_without_a_bound_gives_a_reason(self):
+        self.simulation.reconstruction.SetMaximumError(0)
+        self.press("k")
+        self.assertIn("MaximumError", self.viewer.text)
+        self.assertEqual(self.shown().GetNumberOfCells(), 0)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -13,7 +13,7 @@ def _load_plugins_in_states():
 
     constructors = {
         "LMS3D": ("VRMLReader", "LMS3DScan", "LMS3DRangeError", "LMS3DSurfaceReconstruction",
-                  "LMS3DMapComparison"),
+                  "LMS3DMapComparison", "LMS3DMapFusion"),
         "LMS3DRemote": ("LMS3DRemote",),
     }
     start = "from paraview.simple import *\n"

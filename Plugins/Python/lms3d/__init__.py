@@ -9,15 +9,16 @@ Scan a mesh (metres; angles are in degrees, z is up) and look at the ranges, a n
     scan = lms3d.scan((vertices, triangles), position=(0.3, -0.2, 1.0))
     print(scan.ranges.shape, scan.points.shape)
 
-`scan` also accepts a vtkPolyData, and `reconstruct` makes a local map of triangles from a scan.
+`scan` also accepts a vtkPolyData, `reconstruct` makes a local map of triangles from a scan, and
+`FusedMap` joins the local maps of many scans to one map.
 `scan(..., device="lms200-mm")` measures as an LMS 200 does, and `undistort` corrects the scan of a
 sensor that moved meanwhile.
 
 The classes are ordinary VTK algorithms: vtkVRMLImporterSource reads a scene, vtkLMS3DScanFilter
 scans it, vtkLMS3DRangeErrorFilter gives the scan the errors of a real device,
-vtkLMS3DSurfaceReconstructionFilter makes a local map from a scan, and vtkLMS3DMapComparison measures
-how far the map is from the scene. If LMS3D was built with CORBA,
-vtkLMS3DRemoteSource shows the scans of a running server.
+vtkLMS3DSurfaceReconstructionFilter makes a local map from a scan, vtkLMS3DMapFusion joins such maps
+to one, and vtkLMS3DMapComparison measures how far a map is from the scene. If LMS3D was built with
+CORBA, vtkLMS3DRemoteSource shows the scans of a running server.
 Importing the package needs no display. The same job from a shell:
 ``python3 -m lms3d scan room.wrl --position 0.3 -0.2 1 -o scan.vtp``.
 """
@@ -36,6 +37,7 @@ try:
     from .vtkLMS3DFilters import *  # noqa: F401,F403
     from .vtkLMS3DReaders import *  # noqa: F401,F403
     from .device import set_device  # noqa: F401
+    from .fusion import FusedMap  # noqa: F401
     from .mesh import Mesh  # noqa: F401
     from .motion import undistort  # noqa: F401
     from .properties import DEVICES  # noqa: F401

@@ -83,7 +83,8 @@ class Figure:
         self.window.SetOffScreenRendering(off_screen)
         self.window.SetSize(*(size if off_screen else self._limit_to_screen(size)))
         self._add_half(self._left_actor(), (0.0, 0.0, 0.5, 1.0))
-        self._add_half(self._right_actor(edges), (0.5, 0.0, 1.0, 1.0))
+        self._right = self._right_actor(edges)
+        self._add_half(self._right, (0.5, 0.0, 1.0, 1.0))
         self.place_marker()
         self.reset_camera()
 
@@ -91,6 +92,10 @@ class Figure:
         """Move the marker to the sensor."""
         self._marker.SetPosition(self._simulation.sensor.GetPosition())
         self._marker.SetOrientation(self._simulation.sensor.GetOrientation())
+
+    def show_map(self, port=None):
+        """Show the map of an output port on the right; without one, the local map."""
+        self._right.GetMapper().SetInputConnection(port or self._map_port())
 
     def reset_camera(self):
         """Show the whole scene, from a side that the sensor sees. Without points the camera stays."""
@@ -133,7 +138,7 @@ class Figure:
         return _scene_actor(self._simulation.scene.surface)
 
     def _right_actor(self, edges):
-        return _map_actor(self._map_port(), edges)
+        return make_map_actor(self._map_port(), edges)
 
     def _map_port(self):
         """The output port of the local map."""
@@ -147,7 +152,7 @@ class Figure:
         renderer.UseFXAAOn()
         renderer.AddActor(actor)
         renderer.AddActor(self._marker)
-        _light(renderer)
+        add_lights(renderer)
         self.window.AddRenderer(renderer)
 
     def _limit_to_screen(self, size):
@@ -165,7 +170,7 @@ class Figure:
         self.window.GetRenderers().GetFirstRenderer().ResetCameraClippingRange()
 
 
-def _light(renderer):
+def add_lights(renderer):
     """Add lights that move with the camera and shade floor and walls of a room differently."""
     renderer.AutomaticLightCreationOff()
     for intensity, direction in _LIGHTS:
@@ -192,7 +197,7 @@ def _scene_actor(surface):
     return actor
 
 
-def _map_actor(port, edges):
+def make_map_actor(port, edges=False):
     """The local map of an output port, with flat shading."""
     actor = _surface_actor(port, _GREEN)
     actor.GetProperty().SetInterpolationToFlat()

@@ -137,19 +137,25 @@ def reconstruct(scan, *, maximum_error=0.01, depth_step=0.1, maximum_gap_size=-1
 
     Raises ValueError if an argument is invalid.
     """
+    return from_vtk(make_map(scan, locals()))
+
+
+def make_map(scan, given):
+    """The local map of a Scan as vtkPolyData; `given` are the arguments of `reconstruct` by name."""
     mapping = vtkLMS3DSurfaceReconstructionFilter()
     mapping.SetInputDataObject(scan.poly)
-    mapping.SetMaximumError(to_bound("maximum_error", maximum_error))
-    mapping.SetDepthStep(to_bound("depth_step", depth_step))
-    mapping.SetMaximumGapSize(to_count("maximum_gap_size", maximum_gap_size, -1, MAXIMUM_GROUP))
-    mapping.SetMaximumSpeckleSize(to_count("maximum_speckle_size", maximum_speckle_size, 0,
-                                            MAXIMUM_GROUP))
-    mapping.SetKeepSpeckles(bool(keep_speckles))
-    _update(mapping, "cannot build the local map")
-    return from_vtk(mapping.GetOutput())
+    mapping.SetMaximumError(to_bound("maximum_error", given["maximum_error"]))
+    mapping.SetDepthStep(to_bound("depth_step", given["depth_step"]))
+    mapping.SetMaximumGapSize(to_count("maximum_gap_size", given["maximum_gap_size"], -1,
+                                       MAXIMUM_GROUP))
+    mapping.SetMaximumSpeckleSize(to_count("maximum_speckle_size", given["maximum_speckle_size"], 0,
+                                           MAXIMUM_GROUP))
+    mapping.SetKeepSpeckles(bool(given["keep_speckles"]))
+    _update(mapping, "cannot build the local map", stack_level=4)
+    return mapping.GetOutput()
 
 
-def _update(algorithm, failure, time=None):
+def _update(algorithm, failure, time=None, stack_level=3):
     """Update, for a time if given; repeats VTK's warnings as Python's, and its errors as ValueError.
 
     Ctrl-C aborts the algorithm and raises KeyboardInterrupt.
@@ -165,4 +171,4 @@ def _update(algorithm, failure, time=None):
         except Problem as problem:
             raise ValueError(str(problem)) from None
     for text in messages.warnings:
-        warnings.warn(text, stacklevel=3)
+        warnings.warn(text, stacklevel=stack_level)

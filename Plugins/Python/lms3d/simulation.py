@@ -9,6 +9,7 @@ from typing import Optional
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import (
+    vtkLMS3DMapFusion,
     vtkLMS3DRangeErrorFilter,
     vtkLMS3DScanFilter,
     vtkLMS3DSurfaceReconstructionFilter,
@@ -24,7 +25,8 @@ class Simulation:
 
     `sensor` and `reconstruction` are connected VTK filters: set the properties of sensor and map
     there. `scan`, `range_image` and `map` are their outputs. `errors` is None, or the filter between
-    them that `add_errors` made; then scan, range image and map have reported ranges.
+    them that `add_errors` made; then scan, range image and map have reported ranges. `fusion` is None,
+    or the filter that `add_fusion` connected, which joins the maps of many poses.
     """
 
     scene: Scene
@@ -33,6 +35,7 @@ class Simulation:
         default_factory=vtkLMS3DSurfaceReconstructionFilter
     )
     errors: Optional[vtkLMS3DRangeErrorFilter] = field(default=None, init=False)
+    fusion: Optional[vtkLMS3DMapFusion] = field(default=None, init=False)
 
     def __post_init__(self):
         self.sensor.SetInputDataObject(self.scene.data)
@@ -43,6 +46,12 @@ class Simulation:
         self.errors = errors
         self.errors.SetInputConnection(self.sensor.GetOutputPort())
         self.reconstruction.SetInputConnection(self.errors.GetOutputPort())
+
+    def add_fusion(self, fusion):
+        """Let a filter join the maps of all poses that it is updated for; call add_errors before."""
+        self.fusion = fusion
+        fusion.SetInputConnection(self.reconstruction.GetOutputPort())
+        fusion.SetScanConnection(self._last.GetOutputPort())
 
     @property
     def steps(self):
@@ -66,6 +75,11 @@ class Simulation:
     def map(self):
         """The local map as vtkPolyData: triangles that face the sensor."""
         return self.reconstruction.GetOutput()
+
+    @property
+    def fused_map(self):
+        """The one map of all poses as vtkPolyData."""
+        return self.fusion.GetOutput()
 
     @property
     def beams(self):

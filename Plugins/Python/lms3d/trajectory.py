@@ -29,11 +29,17 @@ class TrajectoryScan:
         self.returns = []
 
     def run(self, with_map=False):
-        """Scan from each pose; yields its time when the simulation has its scan and map."""
+        """Scan from each pose; yields its time when the simulation has its scan and map.
+
+        A simulation with a fusion joins the maps on the way.
+        """
         works = self._simulation.steps
-        if with_map:
+        fusion = self._simulation.fusion
+        if with_map or fusion:
             works.append(
                 (self._simulation.reconstruction, "mapping", "cannot build the local map"))
+        if fusion:
+            works.append((fusion, "joining", "cannot join the map of this pose to the others"))
         whole = len(self.times) * len(works)
         done = 0
         for step, time in enumerate(self.times, 1):

@@ -11,10 +11,12 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindowInteractor, 
 from .camera import level_axes
 from .figure import Figure
 from .interruption import interruptible
+from .kept_map import KeptMap
 from .pose import TURN_STEP, describe, turn
 
 _HELP = ("arrows: move as seen", "page up/down: height", "x y z: turn about red, green, blue axis",
          "with shift: turn back", "mouse: camera", "r: reset", "q: quit")
+_KEEP_HELP = "k: keep what was seen"
 
 _INTERRUPTION_INTERVAL = 200  # milliseconds
 
@@ -42,6 +44,8 @@ class Window:
     degrees. Subclasses define where the sensor is, how it gets elsewhere and how the figure is
     refreshed.
     """
+
+    _help = _HELP
 
     def __init__(self, figure, title, step, length, turn_step=TURN_STEP):
         self._figure = figure
@@ -109,8 +113,13 @@ class Window:
             self.set_pose(*self._start)
             self._figure.reset_camera()
             self.refresh()
+        elif key == "k":
+            self._toggle_keeping()
         elif key == "q":
             interactor.TerminateApp()
+
+    def _toggle_keeping(self):
+        """Begin or end to keep what was seen, if the window can."""
 
     def _move(self, steps):
         position, orientation = self.pose()
@@ -129,7 +138,7 @@ class Window:
 
     def _set_text(self):
         letters = (self._figure.window.GetSize()[0] - 2 * _TEXT_MARGIN) / _LETTER_WIDTH
-        self._text.SetInput("\n".join(_wrap(self._parts, letters) + _wrap(_HELP, letters)))
+        self._text.SetInput("\n".join(_wrap(self._parts, letters) + _wrap(self._help, letters)))
 
     def _add_text(self):
         """A text in a layer of its own, over both halves."""
@@ -147,10 +156,13 @@ class Window:
 
 
 class Viewer(Window):
-    """A window that shows a simulation."""
+    """A window that shows a simulation. It can join the local maps of all poses to one map."""
+
+    _help = (*_HELP[:-2], _KEEP_HELP, *_HELP[-2:])
 
     def __init__(self, simulation, size, step=None, edges=False, turn_step=TURN_STEP):
         self._simulation = simulation
+        self._kept = None
         super().__init__(Figure(simulation, size, off_screen=False, edges=edges),
                          simulation.scene.path.name, step, simulation.scene.surface.GetLength(),
                          turn_step)
@@ -159,7 +171,7 @@ class Viewer(Window):
         """Scan from the sensor's pose and draw."""
         self._simulation.reconstruction.Update()
         self._figure.place_marker()
-        self.draw(self.pose(), self._simulation.returns)
+        self.draw(self.pose(), self._simulation.returns, *self._grow())
 
     def pose(self):
         """The sensor's position (metres) and orientation (degrees)."""
@@ -171,6 +183,19 @@ class Viewer(Window):
         self._simulation.sensor.SetPosition(position)
         self._simulation.sensor.SetOrientation(orientation)
         self.refresh()
+
+    def _toggle_keeping(self):
+        """Begin a map of what is seen from now on, or show the local map alone again."""
+        self._kept = None if self._kept else KeptMap(self._simulation)
+        self._figure.show_map(self._kept.port if self._kept else None)
+        self.refresh()
+
+    def _grow(self):
+        """Add what is seen to the kept map; what to say about it."""
+        if not self._kept:
+            return []
+        self._kept.grow()
+        return [self._kept.describe()]
 
 
 def _wrap(parts, letters):

@@ -16,6 +16,7 @@ import time
 import casting
 import device
 import drawing
+import fusion
 import growth
 import mapping
 import sampling
@@ -28,7 +29,7 @@ from places import CHART_FOLDER, ROOT
 # Each has LETTER, NAME, SUMMARY, measure(quick, csv_file), which writes the table, and
 # draw(table, machine), which makes the picture of the table, or None.
 CHARTS = {chart.LETTER: chart for chart in (casting, mapping, stability, growth, sampling, device,
-                                          speed)}
+                                          fusion, speed)}
 
 
 class ChartProblem(Exception):

@@ -180,6 +180,25 @@ def _make_device_tables(table):
              for row in table], words=2)
 
 
+# --- Chart G --------------------------------------------------------------------------------------
+
+FUSION_TIMES = ("scan ms", "map ms", "fusion ms", "slowest fusion ms")
+FUSION_SIZES = ("triangles", "triangles of all maps", "complete %", "all maps complete %",
+                "changed kB", "whole kB")
+
+
+def _make_fusion_tables(table):
+    for threads, in unique(table, "threads"):
+        rows = select(table, threads=threads)
+        yield f"Time for each pose, {threads} thread{'s' * (threads != '1')}", to_markdown(
+            ["poses", *FUSION_TIMES],
+            [[row["poses"], *(to_number(row[key]) for key in FUSION_TIMES)] for row in rows], words=0)
+    yield "The map", to_markdown(
+        ["poses", *FUSION_SIZES],
+        [[row["poses"], *(to_number(row[key], 4) for key in FUSION_SIZES)]
+         for row in select(table, threads="1")], words=0)
+
+
 # --- Pages ----------------------------------------------------------------------------------------
 
 PAGES = {
@@ -189,6 +208,7 @@ PAGES = {
     "D-growth": ("Chart D: how time and memory grow", _make_growth_tables),
     "E-sampling": ("Chart E: how fine a scan has to be", _make_sampling_tables),
     "F-device": ("Chart F: what a real device does", _make_device_tables),
+    "G-fusion": ("Chart G: how one map of many scans grows", _make_fusion_tables),
 }
 
 

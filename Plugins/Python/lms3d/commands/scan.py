@@ -8,15 +8,14 @@ from pathlib import Path
 from ..bag import Bag, is_bag
 from ..device import set_arrays
 from ..figure import Figure, check_display
-from ..messages import say
-from ..problems import Problem, UsageProblem
+from ..problems import UsageProblem
 from ..results import STREAM, ResultFiles, check_targets, reports, sort_targets
-from ..scene import check_readable, read_data
-from ..trajectory import Series, TrajectoryScan, check_names
-from . import device_options, picture_options, scene_options, sensor_options
+from ..scene import check_readable
+from . import (device_options, fusion_options, journey, picture_options, scene_options,
+               sensor_options)
 
 NAME = "scan"
-SUMMARY = "scan a scene; write points, range image, local map, picture"
+SUMMARY = "scan a scene; write points, range image, maps, picture"
 DESCRIPTION = """\
 Scan a scene once and write any of: the points, the range image, the local map, a picture.
 
@@ -41,14 +40,15 @@ Intensity and Time follow if they are asked for.
 what exists. The libraries are in Plugins/Python/requirements-formats.txt.
 
 The files get their names together, when all are complete. In place of a file, - is the standard
-output: points are then written as .csv, the range image as .vti, the map as .ply, and the picture
+output: points are then written as .csv, the range image as .vti, a map as .ply, and the picture
 as .png. The lines that the command prints go to the error stream then.
 
-With --trajectory there is one scan for each pose, and with --map also one local map. Each output
+With --trajectory there is one scan for each pose, and with --map also one local map. Each of these
 is a .pvd file, which lists the files of all steps and their times; ParaView plays it. A bag has the
-scans of all poses. The poses are in the scene's coordinates, after --up-axis. Without the point
-array Orientation the sensor looks along the polyline; without a polyline its orientation is
---orientation.
+scans of all poses. --fused joins the local maps of all poses to one map: every return that its local
+map explains is within --maximum-error. The poses are in the scene's coordinates, after --up-axis.
+Without the point array Orientation the sensor looks along the polyline; without a polyline its
+orientation is --orientation.
 
 By default the sensor is ideal. --device lms200-mm makes the scan that of an LMS 200: a beam has a
 width and mixes near and far surfaces at edges, dark surfaces do not return it, and ranges have
@@ -62,6 +62,7 @@ examples:
       --beta-resolution 181 -o points.csv --map map.stl --picture figure.png
   lms3d scan room.wrl --position 0.3 -0.2 1 -o - | gzip > points.csv.gz
   lms3d scan room.wrl --trajectory path.vtp -o scans.pvd --map maps.pvd
+  lms3d scan building.wrl --trajectory path.vtp --fused building.vtp --maximum-error 0.02
   lms3d scan hall.glb --position 2 3 1.2 -o hall.e57
   lms3d scan room.wrl --trajectory path.vtp -o journey.mcap
   lms3d scan room.wrl --position 0.3 -0.2 1 -o labelled.vtp --surface-attributes
@@ -90,7 +91,11 @@ def add_arguments(parser):
                          help="grid of ranges, NaN without a return: .vti, or -")
     results.add_argument("--map", metavar="FILE",
                          help="triangles: .vtp .ply .stl, or - for .ply; with --trajectory .pvd")
+    results.add_argument("--fused", metavar="FILE",
+                         help="with --trajectory: one map of all poses, triangles: .vtp .ply .stl, or "
+                         "- for .ply")
     sensor_options.add_map(results)
+    fusion_options.add_fusion(results)
     device_options.add_arrays(parser.add_argument_group("further arrays of the points"))
     results.add_argument("--picture", metavar="FILE",
                          help="scene in blue beside its local map in green: .png, or - (needs a "
@@ -114,7 +119,7 @@ def _scan(options):
                options.poses)
     print(f"scene    {simulation.scene}")
     if options.trajectory:
-        _scan_trajectory(options, simulation)
+        journey.scan(options, simulation)
     else:
         _scan_once(options, simulation)
 
@@ -130,47 +135,9 @@ def _scan_once(options, simulation):
     _write(options, simulation)
 
 
-def _scan_trajectory(options, simulation):
-    """Scan from each pose of the trajectory; writes no file before the last scan is done."""
-    scans = TrajectoryScan(simulation, read_data(options.trajectory, "trajectory"))
-    results = {"series of scans": lambda: simulation.scan, "series of maps": lambda: simulation.map}
-    targets = _targets(options)
-    with ExitStack() as stack:
-        series = [(results[result], stack.enter_context(
-            Bag(path, simulation, scans.times) if is_bag(path) else
-            Series(path, len(scans.times), (options.scene, options.trajectory))))
-            for result, path in targets]
-        for time in scans.run(with_map=bool(options.map)):
-            for data, files in series:
-                files.add(data(), time)
-        if not any(scans.returns):
-            raise Problem("no beam returned from any pose: move the trajectory, or widen the "
-                          "sensor's ranges or angles")
-        with ResultFiles() as together:
-            for _, files in series:
-                files.finish(together)
-    print(f"scans    {len(scans.times):,} from time {scans.times[0]:g} to "
-          f"{scans.times[-1]:g}, {sum(scans.returns):,} returns")
-    if 0 in scans.returns:
-        say(f"warning: no beam returned from {scans.returns.count(0)} of the poses")
-    for (_, path), (_, files) in zip(targets, series):
-        if is_bag(path):
-            _print_bag(path, files)
-        else:
-            print(f"wrote    {path} and the {len(scans.times):,} files that it lists")
-
-
-def _print_bag(path, bag):
-    if bag.delayed:
-        print(f"bag      {bag.delayed:,} scans begin after the time of their pose, when the scan "
-              "before has ended")
-    print(f"wrote    {path}")
-
-
 def _targets(options):
     if options.trajectory:
-        paths = (("series of scans", options.output), ("series of maps", options.map))
-        return [(result, path) for result, path in paths if path]
+        return journey.list_targets(options)
     paths = (("scan", options.output), ("range image", options.range_image),
              ("map", options.map), ("picture", options.picture))
     return [(result, path) for result, path in paths if path]
@@ -178,20 +145,14 @@ def _targets(options):
 
 def _check(options):
     targets = _targets(options)
-    inputs = {}
-    if options.trajectory:
-        inputs["trajectory"] = options.trajectory
-        check_readable(options.trajectory, "trajectory", (".vtp",))
-        if options.range_image or options.picture:
-            raise UsageProblem("with --trajectory only -o and --map can be written")
+    journey.check(options)
     if not targets:
-        raise UsageProblem("nothing to write: give a file name by -o, --range-image, --map or "
-                           "--picture")
+        raise UsageProblem("nothing to write: give a file name by -o, --range-image, --map, --fused "
+                           "or --picture")
     _check_arrays(options)
     sensor_options.check(options)
+    inputs = {"trajectory": options.trajectory} if options.trajectory else {}
     check_targets(targets, options.scene, **inputs)
-    if options.trajectory:
-        check_names(path for _, path in targets if not is_bag(path))
     check_readable(options.scene)
     if options.picture:
         check_display()

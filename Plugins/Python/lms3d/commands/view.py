@@ -21,6 +21,8 @@ than the screen.
   arrow keys          move the sensor at its height: left, right, up and down as you see them
   page up, page down  move the sensor along z
   x, y, z             turn the sensor about its red, green and blue axis; with shift, turn it back
+  k                   keeps what was seen: the map grows with each pose; again: the local map alone
+                      (not with --server)
   r                   resets sensor and camera
   q                   quits
 """

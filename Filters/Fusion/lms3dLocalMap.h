@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A local map with the triangle of each return.
+ */
+#ifndef lms3dLocalMap_h
+#define lms3dLocalMap_h
+
+#include "Device/lms3dScanInput.h"
+#include "Fusion/lms3dSeenRanges.h"
+#include "Geometry/lms3dTriangleMesh.h"
+#include "Pipeline/lms3dProgress.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkPolyData;
+
+/// A return that the local map explains. World coordinates, metres.
+struct lms3dMappedReturn
+{
+  lms3dVector Point;
+  /// The beam's, with length 1.
+  lms3dVector Direction;
+  double Range;
+  std::int32_t BeamId;
+  std::int32_t Triangle;
+};
+
+struct lms3dLocalMap
+{
+  /// Casts the beams of the scan at its map, with the threads of the calling TBB arena. Both must be valid, and
+  /// the map must have triangles.
+  lms3dLocalMap(vtkPolyData* map, const lms3dScanInput& scan, const lms3dSeenRanges& ranges,
+    double maximumError);
+
+  lms3dTriangleMesh Mesh;
+  /// The patch of each triangle, -1 for triangles between patches.
+  std::vector<int> PatchIds;
+  int NumberOfPatches = 0;
+  std::vector<lms3dMappedReturn> Returns;
+};
+
+#endif

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dOutlineSimplifier.h"
+
+#include "Fusion/lms3dRasterRows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Cells: the size of a bucket of corners.
+constexpr double BucketSize = 16.0;
+// Squared cells: corners nearer than this to a line lie on it.
+constexpr double OnLine = 1e-12;
+constexpr double Infinite = 1e300;
+
+double GetSquaredDistance(const lms3dPoint2& p, const lms3dPoint2& a, const lms3dPoint2& b)
+{
+  const double du = b[0] - a[0];
+  const double dv = b[1] - a[1];
+  const double square = du * du + dv * dv;
+  const double share =
+    square > 0.0 ? std::clamp(((p[0] - a[0]) * du + (p[1] - a[1]) * dv) / square, 0.0, 1.0) : 0.0;
+  const double u = p[0] - a[0] - share * du;
+  const double v = p[1] - a[1] - share * dv;
+  return u * u + v * v;
+}
+
+bool IsIn(const lms3dPoint2& p, const std::array<lms3dPoint2, 3>& triangle, int orientation)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (lms3dGetOrientation(triangle[i], triangle[(i + 1) % 3], p) * orientation < 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace
+
+lms3dOutlineSimplifier::lms3dOutlineSimplifier(const lms3dRaster& region,
+  const std::vector<lms3dLoop>& loops, const std::vector<bool>& isFixed, double tolerance)
+  : Region(region)
+  , IsFixed(isFixed)
+  , Tolerance(tolerance * tolerance)
+{
+  this->Link(loops);
+}
+
+void lms3dOutlineSimplifier::Link(const std::vector<lms3dLoop>& loops)
+{
+  for (std::size_t loop = 0; loop < loops.size(); ++loop)
+  {
+    const auto first = static_cast<Corner>(this->Points.size());
+    const auto size = static_cast<Corner>(loops[loop].size());
+    this->FirstOfLoop.push_back(first);
+    this->SizeOfLoop.push_back(size);
+    for (Corner i = 0; i < size; ++i)
+    {
+      this->Points.push_back(loops[loop][i]);
+      this->Next.push_back(first + (i + 1) % size);
+      this->Previous.push_back(first + (i + size - 1) % size);
+      this->LoopOf.push_back(static_cast<int>(loop));
+      this->Buckets[GetBucket(loops[loop][i])].push_back(first + i);
+    }
+  }
+  this->Versions.assign(this->Points.size(), 0);
+  this->IsGone.assign(this->Points.size(), false);
+}
+
+std::uint64_t lms3dOutlineSimplifier::GetBucket(std::int32_t u, std::int32_t v)
+{
+  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(u)) << 32 |
+    static_cast<std::uint32_t>(v);
+}
+
+std::uint64_t lms3dOutlineSimplifier::GetBucket(const lms3dPoint2& point)
+{
+  return GetBucket(static_cast<std::int32_t>(std::floor(point[0] / BucketSize)),
+    static_cast<std::int32_t>(std::floor(point[1] / BucketSize)));
+}
+
+// The square of the largest distance of a corner, and of those that went beside it, from the line that would take their place.
+double lms3dOutlineSimplifier::GetCost(Corner corner) const
+{
+  const Corner from = this->Previous[corner];
+  const Corner to = this->Next[corner];
+  const int loop = this->LoopOf[corner];
+  const Corner first = this->FirstOfLoop[loop];
+  const Corner end = first + this->SizeOfLoop[loop];
+  double cost = 0.0;
+  Corner original = from;
+  do
+  {
+    cost = std::max(
+      cost, GetSquaredDistance(this->Points[original], this->Points[from], this->Points[to]));
+    original = original + 1 < end ? original + 1 : first;
+  } while (original != to && cost <= this->Tolerance);
+  if (this->IsFixed[corner] && cost > OnLine)
+  {
+    return Infinite;
+  }
+  return cost;
+}
+
+void lms3dOutlineSimplifier::Queue(Corner corner)
+{
+  const double cost = this->GetCost(corner);
+  ++this->Versions[corner];
+  if (cost <= this->Tolerance)
+  {
+    this->Candidates.push({ cost, corner, this->Versions[corner] });
+  }
+}
+
+bool lms3dOutlineSimplifier::IsEmpty(
+  const std::array<lms3dPoint2, 3>& triangle, Corner corner) const
+{
+  const int orientation = lms3dGetOrientation(triangle[0], triangle[1], triangle[2]);
+  std::array<lms3dPoint2, 3> scaled = triangle;
+  for (lms3dPoint2& point : scaled)
+  {
+    point = { point[0] / BucketSize, point[1] / BucketSize };
+  }
+  const auto isFree = [&](Corner other)
+  {
+    return other == corner || other == this->Next[corner] || other == this->Previous[corner] ||
+      this->IsGone[other] || !IsIn(this->Points[other], triangle, orientation);
+  };
+  return lms3dForTouchedRows(scaled,
+    [&](std::int32_t row, std::int32_t first, std::int32_t last)
+    {
+      for (std::int32_t column = first; column <= last; ++column)
+      {
+        const auto bucket = this->Buckets.find(GetBucket(column, row));
+        if (bucket != this->Buckets.end() &&
+          !std::all_of(bucket->second.begin(), bucket->second.end(), isFree))
+        {
+          return false;
+        }
+      }
+      return true;
+    });
+}
+
+bool lms3dOutlineSimplifier::MayGo(Corner corner) const
+{
+  const std::array<lms3dPoint2, 3> triangle = { this->Points[this->Previous[corner]],
+    this->Points[corner], this->Points[this->Next[corner]] };
+  const int orientation = lms3dGetOrientation(triangle[0], triangle[1], triangle[2]);
+  if (orientation == 0)
+  {
+    return true;
+  }
+  if (GetSquaredDistance(triangle[1], triangle[0], triangle[2]) <= OnLine)
+  {
+    return this->IsEmpty(triangle, corner);
+  }
+  const bool isFree = orientation > 0
+    ? lms3dForCentreRows(triangle,
+        [&](std::int32_t row, std::int32_t first, std::int32_t last)
+        { return !this->Region.HasAny(&lms3dRasterBlock::Must, row, first, last); })
+    : lms3dForTouchedRows(triangle,
+        [&](std::int32_t row, std::int32_t first, std::int32_t last)
+        {
+          return this->Region.HasBlocks(row, first, last) &&
+            !this->Region.HasAny(&lms3dRasterBlock::Passed, row, first, last);
+        });
+  return isFree && this->IsEmpty(triangle, corner);
+}
+
+void lms3dOutlineSimplifier::Remove(Corner corner)
+{
+  const Corner previous = this->Previous[corner];
+  const Corner next = this->Next[corner];
+  this->IsGone[corner] = true;
+  this->Next[previous] = next;
+  this->Previous[next] = previous;
+  this->Queue(previous);
+  this->Queue(next);
+}
+
+std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
+{
+  const auto count = static_cast<Corner>(this->Points.size());
+  for (Corner corner = 0; corner < count; ++corner)
+  {
+    this->Queue(corner);
+  }
+  while (!this->Candidates.empty())
+  {
+    const Candidate candidate = this->Candidates.top();
+    this->Candidates.pop();
+    const Corner corner = candidate.Number;
+    const bool isCurrent = !this->IsGone[corner] && candidate.Version == this->Versions[corner];
+    const bool isTriangle = isCurrent && this->Next[this->Next[corner]] == this->Previous[corner];
+    if (isCurrent && !isTriangle && this->MayGo(corner))
+    {
+      this->Remove(corner);
+    }
+  }
+  std::vector<lms3dLoop> loops;
+  for (std::size_t i = 0; i < this->FirstOfLoop.size(); ++i)
+  {
+    lms3dLoop loop;
+    for (Corner corner = this->FirstOfLoop[i]; corner < this->FirstOfLoop[i] + this->SizeOfLoop[i];
+         ++corner)
+    {
+      if (!this->IsGone[corner])
+      {
+        loop.push_back(this->Points[corner]);
+      }
+    }
+    loops.push_back(loop);
+  }
+  return loops;
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Takes corners out of the outlines of a region.
+ */
+#ifndef lms3dOutlineSimplifier_h
+#define lms3dOutlineSimplifier_h
+
+#include "Fusion/lms3dRaster.h"
+#include "Fusion/lms3dRasterOutline.h"
+
+#include <array>
+#include <cstdint>
+#include <queue>
+#include <unordered_map>
+#include <vector>
+
+/**
+ * A corner goes if the straight line between its neighbours passes all corners that went before within a tolerance,
+ * and if the triangle between corner and line holds no other corner, so outlines never cross. If the region loses
+ * the triangle, no cell of Must may have its centre there; if the region gains it, no cell of Passed may touch
+ * it, and all its cells must lie in blocks. The corners that cost least go first (M. Visvalingam and J. Whyatt 1993,
+ * "Line generalisation by repeated elimination of points").
+ */
+class lms3dOutlineSimplifier
+{
+public:
+  /// `region` is that of lms3dMakeRegion. The tolerance is in cells. Corners of `isFixed`, in the order of the loops,
+  /// go only if they lie on a straight line.
+  lms3dOutlineSimplifier(const lms3dRaster& region, const std::vector<lms3dLoop>& loops,
+    const std::vector<bool>& isFixed, double tolerance);
+
+  std::vector<lms3dLoop> Simplify();
+
+private:
+  using Corner = std::int32_t;
+
+  struct Candidate
+  {
+    double Cost;
+    Corner Number;
+    int Version;
+    bool operator<(const Candidate& other) const
+    {
+      return this->Cost != other.Cost ? this->Cost > other.Cost : this->Number > other.Number;
+    }
+  };
+
+  void Link(const std::vector<lms3dLoop>& loops);
+  void Queue(Corner corner);
+  double GetCost(Corner corner) const;
+  bool MayGo(Corner corner) const;
+  bool IsEmpty(const std::array<lms3dPoint2, 3>& triangle, Corner corner) const;
+  void Remove(Corner corner);
+  static std::uint64_t GetBucket(const lms3dPoint2& point);
+  static std::uint64_t GetBucket(std::int32_t u, std::int32_t v);
+
+  const lms3dRaster& Region;
+  const std::vector<bool>& IsFixed;
+  /// Squared.
+  double Tolerance;
+  std::vector<lms3dPoint2> Points;
+  std::vector<Corner> Next;
+  std::vector<Corner> Previous;
+  std::vector<Corner> FirstOfLoop;
+  std::vector<int> SizeOfLoop;
+  std::vector<int> LoopOf;
+  std::vector<int> Versions;
+  std::vector<bool> IsGone;
+  std::unordered_map<std::uint64_t, std::vector<Corner>> Buckets;
+  std::priority_queue<Candidate> Candidates;
+};
+
+#endif

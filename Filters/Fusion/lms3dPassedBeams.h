@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Marks where the beams of a scan passed through a plane.
+ */
+#ifndef lms3dPassedBeams_h
+#define lms3dPassedBeams_h
+
+#include "Fusion/lms3dFusedPlane.h"
+#include "Fusion/lms3dSeenRanges.h"
+
+#include <vector>
+
+/// Keeps references, and memory from block to block.
+class lms3dPassedBeams
+{
+public:
+  /// A beam passed if its return is farther than the plane by more than `maximumError`, metres, unless the plane is
+  /// curved and the return within this distance of it: such a beam grazes a curved surface. If `forgets`, the
+  /// returns of other scans between beams that all passed are taken out.
+  lms3dPassedBeams(const lms3dSeenRanges& ranges, double maximumError, bool forgets)
+    : Ranges(ranges)
+    , MaximumError(maximumError)
+    , Forgets(forgets)
+  {
+  }
+
+  /// Sets Passed and Open of one block of a plane.
+  void Mark(lms3dFusedPlane& plane, int block);
+
+private:
+  /// Where a beam passed, cells.
+  struct Passage
+  {
+    bool IsPassed = false;
+    lms3dPoint2 Place = {};
+  };
+
+  Passage Find(const lms3dFusedPlane& plane, int beamId) const;
+  void MarkBeam(lms3dFusedPlane& plane, int block, int beamId);
+  void MarkAround(lms3dFusedPlane& plane, int beamId, const lms3dPoint2& place) const;
+  template <typename Points>
+  void Open(lms3dFusedPlane& plane, const Points& points) const;
+
+  const lms3dSeenRanges& Ranges;
+  const double MaximumError;
+  const bool Forgets;
+  std::vector<int> Bins;
+};
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief What scans know about a plane, cell by cell, in blocks that exist only where something was seen.
+ */
+#ifndef lms3dRaster_h
+#define lms3dRaster_h
+
+#include "Fusion/lms3dFusedMesh.h"
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+/// The bits of 64 x 64 cells, one word for each row.
+using lms3dBits = std::array<std::uint64_t, 64>;
+
+struct lms3dRasterBlock
+{
+  /// The numbers of the block along both axes.
+  std::int32_t U;
+  std::int32_t V;
+
+  /// A local map has surface here.
+  lms3dBits May = {};
+  /// A return lies here.
+  lms3dBits Must = {};
+  /// A beam passed here.
+  lms3dBits Passed = {};
+  /// Here is a place between beams that all passed, without a return among them.
+  lms3dBits Open = {};
+  /// A triangle of the mesh covers the centre of the cell.
+  lms3dBits Covered = {};
+  /// A triangle of the mesh touches the cell.
+  lms3dBits Touched = {};
+
+  /// The largest distance of a return from the plane, metres.
+  double Deviation = 0.0;
+  lms3dSightings Sightings;
+  /// How well BestScan saw the block: larger is better.
+  double Quality = 0.0;
+};
+
+/// Coordinates are cells.
+class lms3dRaster
+{
+public:
+  static constexpr int Size = 64;
+  using BitsOf = lms3dBits lms3dRasterBlock::*;
+
+  int GetNumberOfBlocks() const { return static_cast<int>(this->Blocks.size()); }
+  lms3dRasterBlock& GetBlock(int number) { return this->Blocks[number]; }
+  const lms3dRasterBlock& GetBlock(int number) const { return this->Blocks[number]; }
+
+  /// The number of a block, -1 if there is none.
+  int Find(std::int32_t u, std::int32_t v) const
+  {
+    const auto found = this->Numbers.find(GetKey(u, v));
+    return found == this->Numbers.end() ? -1 : found->second;
+  }
+  /// The same, but makes the block if there is none.
+  int Make(std::int32_t u, std::int32_t v);
+
+  static std::int32_t GetBlockOf(std::int32_t cell) { return cell >> 6; }
+  static int GetPlaceOf(std::int32_t cell) { return cell & 63; }
+
+  bool Has(BitsOf bits, std::int32_t u, std::int32_t v) const;
+
+  /// Returns whether a cell from `first` to `last` of a row has the bit.
+  bool HasAny(BitsOf bits, std::int32_t row, std::int32_t first, std::int32_t last) const;
+
+  /// Returns whether all cells from `first` to `last` of a row lie in blocks.
+  bool HasBlocks(std::int32_t row, std::int32_t first, std::int32_t last) const;
+
+  /// Sets or clears a bit of cells of a row. Blocks are made if `makesBlocks`; other cells without a block stay.
+  /// Calls `touch` with the number of each block in which a bit changed.
+  template <typename Visitor>
+  void SetRow(BitsOf bits, std::int32_t row, std::int32_t first, std::int32_t last, bool value,
+    bool makesBlocks, const Visitor& touch)
+  {
+    for (std::int32_t u = GetBlockOf(first); u <= GetBlockOf(last); ++u)
+    {
+      const std::int32_t v = GetBlockOf(row);
+      const int number = makesBlocks ? this->Make(u, v) : this->Find(u, v);
+      if (number < 0)
+      {
+        continue;
+      }
+      std::uint64_t& word = (this->Blocks[number].*bits)[GetPlaceOf(row)];
+      const std::uint64_t mask = GetMask(u, first, last);
+      const std::uint64_t changed = value ? word | mask : word & ~mask;
+      if (changed != word)
+      {
+        word = changed;
+        touch(number);
+      }
+    }
+  }
+
+private:
+  static std::uint64_t GetKey(std::int32_t u, std::int32_t v)
+  {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(u)) << 32 |
+      static_cast<std::uint32_t>(v);
+  }
+
+  /// The bits of cells from `first` to `last` in a block.
+  static std::uint64_t GetMask(std::int32_t block, std::int32_t first, std::int32_t last)
+  {
+    const int from = GetBlockOf(first) == block ? GetPlaceOf(first) : 0;
+    const int to = GetBlockOf(last) == block ? GetPlaceOf(last) : Size - 1;
+    return (~std::uint64_t{ 0 } << from) & (~std::uint64_t{ 0 } >> (Size - 1 - to));
+  }
+
+  std::vector<lms3dRasterBlock> Blocks;
+  std::unordered_map<std::uint64_t, int> Numbers;
+};
+
+#endif

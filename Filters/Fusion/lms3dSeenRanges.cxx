@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dSeenRanges.h"
+
+#include <algorithm>
+#include <utility>
+
+lms3dSeenRanges::lms3dSeenRanges(
+  const lms3dScanInput& scan, std::shared_ptr<const lms3dBeamTable> table)
+  : Table(std::move(table))
+  , Pose(scan.GetPose())
+  , Ranges(static_cast<std::size_t>(this->Table->GetGeometry().CountBeamsOfAllTurns()), 0.0F)
+  , LargestInBin(static_cast<std::size_t>(this->Table->GetNumberOfBins()), 0.0F)
+{
+  for (vtkIdType i = 0; i < scan.GetNumberOfReturns(); ++i)
+  {
+    this->Ranges[scan.GetBeamIds()[i]] = static_cast<float>(scan.GetRanges()[i]);
+  }
+  for (int bin = 0; bin < this->Table->GetNumberOfBins(); ++bin)
+  {
+    float& largest = this->LargestInBin[bin];
+    for (const int* id = this->Table->GetFirstInBin(bin); id != this->Table->GetEndOfBin(bin); ++id)
+    {
+      largest = std::max(largest, this->Ranges[*id]);
+    }
+    this->Largest = std::max<double>(this->Largest, largest);
+  }
+}
+
+void lms3dSeenRanges::FindBins(
+  const lms3dVector& centre, double radius, std::vector<int>& bins) const
+{
+  bins.clear();
+  const lms3dVector inSensor = this->ToSensor(centre);
+  const double nearest = lms3dGetLength(inSensor) - radius;
+  if (nearest > this->Largest)
+  {
+    return;
+  }
+  this->Table->FindBins(inSensor, radius, bins);
+  // Starts beside the sensor's position change distances by less than the ranges' order of size.
+  const double margin = this->Table->HasStarts() ? this->Largest : 0.0;
+  bins.erase(std::remove_if(bins.begin(), bins.end(),
+               [&](int bin) { return this->LargestInBin[bin] + margin < nearest; }),
+    bins.end());
+}

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLMS3DMapFusion
+ * @brief   joins the local maps of many scans to one map that grows
+ *
+ * vtkLMS3DMapFusion takes scans and their local maps, which vtkLMS3DSurfaceReconstructionFilter makes with a
+ * MaximumError above 0, and joins them to one surface of few triangles, in world coordinates.
+ *
+ * Inputs, both optional and repeatable:
+ * - 0, the local maps;
+ * - 1, the scans from which these maps were made, in the same order.
+ *
+ * @par Growing
+ * If the inputs have time steps, each update at a new time adds the poses of this time, so playing a trajectory makes
+ * the map grow. A scan that the map has already is not added twice. A change upstream begins a new map. Without time
+ * steps the map is that of all connections. Programs that have data instead of a pipeline call AddScan for each pose;
+ * the filter must then have no connections.
+ *
+ * The output is a vtkPolyData of triangles that face the sensors that saw them, metres, with the cell data
+ * - `Normals` (float32): unit vectors towards the sensors;
+ * - `BestScan` (int32): the scan, counted from 0 in the order in which scans were added, that saw the region of the
+ *   triangle best;
+ * - `ScanCount` (int32): the number of scans that saw it;
+ * - `LastScan` (int32): the last of them;
+ * - `RegionId` (int32): the region; a region is what changes at once;
+ * - `Revision` (int32): the Revision in which the region was last changed.
+ *
+ * Its field data are `NumberOfScans` and `Revision` (int32), and `SensorPositions` (float64, three components,
+ * metres), one for each scan.
+ *
+ * Invalid input gives an error message that says what is expected, the error code vtkErrorCode::UserError, and an
+ * empty output. Invalid are: maps without scans or scans without maps; a map without `PatchId`, or with a
+ * `LargestDeviation` above MaximumError; a scan that vtkLMS3DSurfaceReconstructionFilter refuses; a pose that is not a
+ * rotation and a translation. The filter reports an error once, until a property or an input changes. An abort leaves
+ * the output empty, and the next update begins a new map. The output is the same to the bit for any NumberOfThreads.
+ *
+ * @sa
+ * vtkLMS3DSurfaceReconstructionFilter vtkLMS3DScanFilter
+ */
+#ifndef vtkLMS3DMapFusion_h
+#define vtkLMS3DMapFusion_h
+
+#include "vtkLMS3DFiltersModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For std::unique_ptr
+
+class VTKLMS3DFILTERS_EXPORT vtkLMS3DMapFusion : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkLMS3DMapFusion* New();
+  vtkTypeMacro(vtkLMS3DMapFusion, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The second input, the scans. The first input, the local maps, has VTK's usual methods.
+   */
+  void SetScanConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void AddScanConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(1, output); }
+  void SetScanData(vtkDataObject* scan) { this->SetInputDataObject(1, scan); }
+  void AddScanData(vtkDataObject* scan) { this->AddInputDataObject(1, scan); }
+  ///@}
+
+  /**
+   * Adds the scan of one pose and its local map. Returns false, with an error, if they are invalid or if the filter
+   * has connections; the map is then as before. The data may be changed or deleted afterwards. The next
+   * update shows the map.
+   */
+  bool AddScan(vtkPolyData* map, vtkPolyData* scan);
+
+  /**
+   * Begins a new map without scans.
+   */
+  void Reset();
+
+  ///@{
+  /**
+   * The error bound of the map, metres, above 0. Other values are an error. The local maps must have been made with
+   * this MaximumError or a smaller one. A change begins a new map; scans of AddScan have then to be
+   * added again. The default is 0.01.
+   */
+  vtkSetMacro(MaximumError, double);
+  vtkGetMacro(MaximumError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the filter keeps the ranges of all scans, four bytes for each beam, so that what a later scan guesses
+   * between its returns is checked against the beams of earlier ones. Otherwise, only the map itself takes
+   * memory. On by default.
+   */
+  vtkSetMacro(KeepReturns, bool);
+  vtkGetMacro(KeepReturns, bool);
+  vtkBooleanMacro(KeepReturns, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether surface with returns is taken out if beams of a later scan pass through it: things that were moved. Off,
+   * the default, is for static scenes.
+   */
+  vtkSetMacro(ForgetSeenThrough, bool);
+  vtkGetMacro(ForgetSeenThrough, bool);
+  vtkBooleanMacro(ForgetSeenThrough, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The number of threads, 0 to 1024. 0, the default, uses all cores. The output does not depend on it.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  /**
+   * The number of scans in the map.
+   */
+  int GetNumberOfScans() const;
+
+  /**
+   * A number that grows with each scan that is added. Reset does not lower it.
+   */
+  int GetRevision() const;
+
+  /**
+   * Fills `delta` with the triangles of all regions that changed after a Revision, as the output has them, and with
+   * the field data `ChangedRegions` (int32), their RegionIds. A client that has the map of this Revision
+   * removes the triangles of these regions and adds the triangles of `delta`. Regions that have no triangles any more are
+   * in `ChangedRegions` alone. After a Reset, all regions of the map before it are among the changed ones.
+   */
+  void GetChanges(int sinceRevision, vtkPolyData* delta);
+
+protected:
+  vtkLMS3DMapFusion();
+  ~vtkLMS3DMapFusion() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkLMS3DMapFusion(const vtkLMS3DMapFusion&) = delete;
+  void operator=(const vtkLMS3DMapFusion&) = delete;
+
+  double MaximumError = 0.01;
+  bool KeepReturns = true;
+  bool ForgetSeenThrough = false;
+  int NumberOfThreads = 0;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

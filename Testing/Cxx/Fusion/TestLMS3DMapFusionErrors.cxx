@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks what a fusion refuses, and in which words.
+ */
+#include "Fusion/FusionFixtures.h"
+
+#include "vtkLMS3DScanFilter.h"
+#include "vtkLMS3DSurfaceReconstructionFilter.h"
+
+#include <vtkCellData.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+namespace
+{
+MappedScan MakeInput()
+{
+  return MakeMappedScan(MakeBall(2.0), { 0.1, 0.2, 0.3 });
+}
+
+void ExpectRefused(const MappedScan& scan, const std::string& words, double maximumError = 0.01)
+{
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  fusion->SetMaximumError(maximumError);
+  fusion->SetInputData(scan.Map);
+  fusion->SetScanData(scan.Scan);
+  EXPECT_NE(UpdateAndGetError(fusion).find(words), std::string::npos) << words;
+  EXPECT_EQ(fusion->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+  EXPECT_EQ(fusion->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(fusion->GetNumberOfScans(), 0);
+}
+} // namespace
+
+TEST(LMS3DMapFusionErrors, RefusesMapsWithoutScans)
+{
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  fusion->SetInputData(MakeInput().Map);
+  EXPECT_NE(UpdateAndGetError(fusion).find("1 local maps and 0 scans"), std::string::npos);
+  EXPECT_EQ(fusion->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(LMS3DMapFusionErrors, RefusesOtherBounds)
+{
+  ExpectRefused(MakeInput(), "Give both filters the same MaximumError", 1e-6);
+  for (double bad : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    ExpectRefused(MakeInput(), "MaximumError is", bad);
+  }
+}
+
+TEST(LMS3DMapFusionErrors, RefusesPosesThatScale)
+{
+  for (double factor : { 2.0, -1.0, 0.0 })
+  {
+    const MappedScan scan = MakeInput();
+    vtkDataArray* const pose = scan.Scan->GetFieldData()->GetArray("SensorToWorld");
+    for (int i : { 0, 4, 8 })
+    {
+      pose->SetTuple1(i, factor * pose->GetTuple1(i));
+    }
+    ExpectRefused(scan, "A pose is a rotation and a translation");
+  }
+}
+
+TEST(LMS3DMapFusionErrors, RefusesMapsThatAreNoLocalMaps)
+{
+  MappedScan scan = MakeInput();
+  scan.Map->GetCellData()->RemoveArray("PatchId");
+  ExpectRefused(scan, "has no PatchId");
+  scan = MakeInput();
+  scan.Map->GetFieldData()->RemoveArray("LargestDeviation");
+  ExpectRefused(scan, "no LargestDeviation");
+  scan = MakeInput();
+  scan.Scan->Initialize();
+  ExpectRefused(scan, "its scan has no returns");
+}
+
+TEST(LMS3DMapFusionErrors, RefusesBadScans)
+{
+  MappedScan scan = MakeInput();
+  scan.Scan->GetPointData()->RemoveArray("Range");
+  ExpectRefused(scan, "Range");
+  scan = MakeInput();
+  scan.Scan->GetPointData()->GetArray("Range")->SetTuple1(7, 0.0);
+  ExpectRefused(scan, "Return 7 of the scan has the Range");
+  scan = MakeInput();
+  scan.Scan->GetPointData()->GetArray("BeamId")->SetTuple1(7, 1e9);
+  ExpectRefused(scan, "Return 7 of the scan has the BeamId");
+}
+
+TEST(LMS3DMapFusionErrors, AddScanNeedsAFilterWithoutConnections)
+{
+  const MappedScan scan = MakeInput();
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  fusion->AddObserver(vtkCommand::ErrorEvent, observer);
+  fusion->SetInputData(scan.Map);
+  EXPECT_FALSE(fusion->AddScan(scan.Map, scan.Scan));
+  EXPECT_NE(observer->GetErrorMessage().find("without connections"), std::string::npos);
+}
+
+TEST(LMS3DMapFusionErrors, KeepsTheMapIfAScanIsRefused)
+{
+  const MappedScan scan = MakeInput();
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  EXPECT_TRUE(fusion->AddScan(scan.Map, scan.Scan));
+  const MappedScan bad = MakeInput();
+  bad.Map->GetCellData()->RemoveArray("PatchId");
+  vtkNew<vtkTest::ErrorObserver> observer;
+  fusion->AddObserver(vtkCommand::ErrorEvent, observer);
+  EXPECT_FALSE(fusion->AddScan(bad.Map, bad.Scan));
+  EXPECT_TRUE(observer->GetError());
+  EXPECT_EQ(fusion->GetNumberOfScans(), 1);
+}
+
+TEST(LMS3DMapFusionErrors, AnEmptyFilterGivesAnEmptyMap)
+{
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  EXPECT_EQ(UpdateAndGetError(fusion), "");
+  EXPECT_EQ(fusion->GetOutput()->GetNumberOfPolys(), 0);
+}
