@@ -6,6 +6,7 @@
 #include "Fusion/lms3dLocalMap.h"
 #include "Fusion/lms3dPassedBeams.h"
 #include "Fusion/lms3dRegionMesher.h"
+#include "Fusion/lms3dRegionSightings.h"
 #include "Fusion/lms3dScanJoin.h"
 
 #include <vtkPolyData.h>
