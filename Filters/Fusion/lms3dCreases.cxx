@@ -3,6 +3,7 @@
 #include "Fusion/lms3dCreases.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -68,6 +69,34 @@ bool Intersect(const lms3dPlaneFrame& a, const lms3dPlaneFrame& b, Line& line)
   line.Direction = lms3dNormalize(cross);
   return true;
 }
+
+// Adds the edge of a local map between two planes, if it lies on their line.
+void AddEdge(
+  const lms3dVector& a, const lms3dVector& b, int first, int second, lms3dFusedPlanes& planes)
+{
+  Line line;
+  if (!Intersect(planes[first].Frame, planes[second].Frame, line))
+  {
+    return;
+  }
+  std::array<double, 2> along = {};
+  for (int end = 0; end < 2; ++end)
+  {
+    const lms3dVector v = lms3dSubtract(end == 0 ? a : b, line.Point);
+    along[end] = lms3dDot(v, line.Direction);
+    if (lms3dGetLength(lms3dSubtract(v, lms3dScale(line.Direction, along[end]))) >
+      CreaseReach * planes.GetCell())
+    {
+      return;
+    }
+  }
+  lms3dCreaseParts& parts = planes[first].Creases[second];
+  const auto [from, to] = std::minmax(along[0], along[1]);
+  const bool isLonger = Merge(parts, from, to, CreaseGrowth * planes.GetCell());
+  planes[second].Creases[first] = parts;
+  planes[first].IsChanged = planes[first].IsChanged || isLonger;
+  planes[second].IsChanged = planes[second].IsChanged || isLonger;
+}
 } // namespace
 
 void lms3dAddCreases(
@@ -92,31 +121,8 @@ void lms3dAddCreases(
       {
         continue;
       }
-      const int first = std::min(plane, place->second);
-      const int second = std::max(plane, place->second);
-      Line line;
-      if (!Intersect(planes[first].Frame, planes[second].Frame, line))
-      {
-        continue;
-      }
-      double along[2];
-      double farthest = 0.0;
-      for (int end = 0; end < 2; ++end)
-      {
-        const lms3dVector v = lms3dSubtract(local.Mesh.Points[end == 0 ? a : b], line.Point);
-        along[end] = lms3dDot(v, line.Direction);
-        farthest = std::max(
-          farthest, lms3dGetLength(lms3dSubtract(v, lms3dScale(line.Direction, along[end]))));
-      }
-      if (farthest <= CreaseReach * planes.GetCell())
-      {
-        lms3dCreaseParts& parts = planes[first].Creases[second];
-        const bool isLonger = Merge(parts, std::min(along[0], along[1]),
-          std::max(along[0], along[1]), CreaseGrowth * planes.GetCell());
-        planes[second].Creases[first] = parts;
-        planes[first].IsChanged = planes[first].IsChanged || isLonger;
-        planes[second].IsChanged = planes[second].IsChanged || isLonger;
-      }
+      AddEdge(local.Mesh.Points[a], local.Mesh.Points[b], std::min(plane, place->second),
+        std::max(plane, place->second), planes);
     }
   }
 }

@@ -58,16 +58,7 @@ void lms3dScanJoin::Join()
     {
       continue;
     }
-    planeOfPatch[patch] = this->FindPlane(returns[patch], *fit);
-    if (planeOfPatch[patch] < 0 && fit->Deviation <= MatchShare * this->Planes.GetMaximumError() &&
-      !this->IsMostlyExplained(Select(this->Local, returns[patch]), planesBefore))
-    {
-      planeOfPatch[patch] = this->Planes.MakePlane(fit->Centre, fit->Normal);
-      lms3dFusedPlane& plane = this->Planes[planeOfPatch[patch]];
-      plane.IsCurved = fit->Correlation > SmallestCorrelation &&
-        fit->Deviation > CurvedShare * this->Planes.GetMaximumError();
-      plane.IsWeak = plane.IsCurved || returns[patch].size() < SmallestStrongCount;
-    }
+    planeOfPatch[patch] = this->FindOrMakePlane(returns[patch], *fit, planesBefore);
     if (planeOfPatch[patch] < 0)
     {
       continue;
@@ -85,6 +76,18 @@ void lms3dScanJoin::Join()
       isExplained[i] = this->Planes.AddReturn(planeOfPatch[patch], this->Local.Returns[i]);
     }
   }
+  this->AddTriangles(planeOfPatch);
+  for (const auto& [patch, numbers] : loose)
+  {
+    this->AddLoose(numbers, planeOfPatch[patch], isExplained);
+  }
+  lms3dAddCreases(this->Local, planeOfPatch, this->Planes);
+  this->AddRest(isExplained, planeOfPatch);
+}
+
+// Lets the planes have surface where their patches are.
+void lms3dScanJoin::AddTriangles(const std::vector<int>& planeOfPatch)
+{
   for (std::size_t triangle = 0; triangle < this->Local.PatchIds.size(); ++triangle)
   {
     const int patch = this->Local.PatchIds[triangle];
@@ -93,12 +96,24 @@ void lms3dScanJoin::Join()
       this->Planes.AddTriangle(planeOfPatch[patch], this->Local, static_cast<int>(triangle));
     }
   }
-  for (const auto& [patch, numbers] : loose)
+}
+
+// Returns -1 if the patch needs no plane of its own, or is too curved for one.
+int lms3dScanJoin::FindOrMakePlane(
+  const std::vector<int>& returns, const lms3dFittedPlane& fit, std::size_t planesBefore)
+{
+  const int found = this->FindPlane(returns, fit);
+  const double bound = this->Planes.GetMaximumError();
+  if (found >= 0 || fit.Deviation > MatchShare * bound ||
+    this->IsMostlyExplained(Select(this->Local, returns), planesBefore))
   {
-    this->AddLoose(numbers, planeOfPatch[patch], isExplained);
+    return found;
   }
-  lms3dAddCreases(this->Local, planeOfPatch, this->Planes);
-  this->AddRest(isExplained, planeOfPatch);
+  const int made = this->Planes.MakePlane(fit.Centre, fit.Normal);
+  lms3dFusedPlane& plane = this->Planes[made];
+  plane.IsCurved = fit.Correlation > SmallestCorrelation && fit.Deviation > CurvedShare * bound;
+  plane.IsWeak = plane.IsCurved || returns.size() < SmallestStrongCount;
+  return made;
 }
 
 int lms3dScanJoin::FindPlane(const std::vector<int>& returns, const lms3dFittedPlane& fit) const
@@ -226,25 +241,31 @@ void lms3dScanJoin::AddRest(
   }
   for (const auto& [triangle, returns] : returnsOf)
   {
-    const std::array<lms3dVector, 3> corners = { this->Local.GetCorner(triangle, 0),
-      this->Local.GetCorner(triangle, 1), this->Local.GetCorner(triangle, 2) };
-    const lms3dVector normal = lms3dNormalize(
-      lms3dGetWeightedNormal({ corners[0].data(), corners[1].data(), corners[2].data() }));
-    int number = this->FindPlaneBeside(returns, corners, normal);
-    if (number < 0)
+    this->AddTriangle(triangle, returns);
+  }
+}
+
+// Adds a triangle of the local map to a plane beside it, or as a region of its own.
+void lms3dScanJoin::AddTriangle(int triangle, const std::vector<int>& returns)
+{
+  const std::array<lms3dVector, 3> corners = { this->Local.GetCorner(triangle, 0),
+    this->Local.GetCorner(triangle, 1), this->Local.GetCorner(triangle, 2) };
+  const lms3dVector normal = lms3dNormalize(
+    lms3dGetWeightedNormal({ corners[0].data(), corners[1].data(), corners[2].data() }));
+  int number = this->FindPlaneBeside(returns, corners, normal);
+  if (number < 0)
+  {
+    number = this->Planes.MakePlane(corners[0], normal);
+    this->Planes[number].Verbatim.push_back(corners);
+    this->Planes[number].IsCurved = true;
+    this->Planes[number].IsWeak = true;
+  }
+  this->Planes.AddTriangle(number, this->Local, triangle);
+  for (int i : returns)
+  {
+    if (!this->Planes.AddReturn(number, this->Local.Returns[i]))
     {
-      number = this->Planes.MakePlane(corners[0], normal);
-      this->Planes[number].Verbatim.push_back(corners);
-      this->Planes[number].IsCurved = true;
-      this->Planes[number].IsWeak = true;
-    }
-    this->Planes.AddTriangle(number, this->Local, triangle);
-    for (int i : returns)
-    {
-      if (!this->Planes.AddReturn(number, this->Local.Returns[i]))
-      {
-        this->Planes.AddFacet(this->Local.Returns[i]);
-      }
+      this->Planes.AddFacet(this->Local.Returns[i]);
     }
   }
 }

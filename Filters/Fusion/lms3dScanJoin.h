@@ -29,11 +29,15 @@ public:
   void Join();
 
 private:
+  int FindOrMakePlane(
+    const std::vector<int>& returns, const lms3dFittedPlane& fit, std::size_t planesBefore);
+  void AddTriangles(const std::vector<int>& planeOfPatch);
   int FindPlane(const std::vector<int>& returns, const lms3dFittedPlane& fit) const;
   bool IsMostlyExplained(const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
   void AddLoose(const std::vector<int>& returns, int ownPlane, std::vector<bool>& isExplained);
   int FindPlaneBeside(const std::vector<int>& returns, const std::array<lms3dVector, 3>& corners,
     const lms3dVector& normal) const;
+  void AddTriangle(int triangle, const std::vector<int>& returns);
   void AddRest(const std::vector<bool>& isExplained, const std::vector<int>& planeOfPatch);
 
   const lms3dLocalMap& Local;
