@@ -26,7 +26,7 @@
  *
  * @par Free space
  * A beam passes through a plane if its return is farther than the plane by more than MaximumError, along the beam. There
- * the surface of other scans ends. Some tens of beams in a million are still blocked by a triangle that is nearer
+ * the surface of other scans ends. About a hundred beams in a million are still blocked by a triangle that is nearer
  * than their return by more than MaximumError: beams that graze curved surfaces within MaximumError of the surface, and
  * beams beside creases.
  *
@@ -114,7 +114,8 @@ public:
   ///@{
   /**
    * Whether the filter keeps the ranges of all scans, four bytes for each beam, so that what a later scan guesses
-   * between its returns is checked against the beams of earlier ones. Otherwise, the memory is that of the map and its
+   * between its returns is checked against the beams of earlier ones. Otherwise, about ten times as many beams of
+   * earlier scans are blocked, and the memory is that of the map and its
    * rasters alone, about 3 kB for each block of 64 x 64 cells. On by default.
    */
   vtkSetMacro(KeepReturns, bool);
