@@ -35,6 +35,13 @@ struct lms3dLocalMap
   lms3dLocalMap(vtkPolyData* map, const lms3dScanInput& scan, const lms3dSeenRanges& ranges,
     double maximumError);
 
+  /// A corner of a triangle.
+  lms3dVector GetCorner(int triangle, int corner) const
+  {
+    const double* point = this->Mesh.GetCorner(triangle, corner);
+    return { point[0], point[1], point[2] };
+  }
+
   lms3dTriangleMesh Mesh;
   /// The patch of each triangle, -1 for triangles between patches.
   std::vector<int> PatchIds;

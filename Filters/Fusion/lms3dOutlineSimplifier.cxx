@@ -124,8 +124,17 @@ bool lms3dOutlineSimplifier::IsEmpty(
   {
     point = { point[0] / BucketSize, point[1] / BucketSize };
   }
+  const auto [left, right] = std::minmax({ triangle[0][0], triangle[1][0], triangle[2][0] });
+  const auto [bottom, top] = std::minmax({ triangle[0][1], triangle[1][1], triangle[2][1] });
+  // Structured bindings cannot be captured in C++17.
+  const std::array<double, 4> box = { left, right, bottom, top };
   const auto isFree = [&](Corner other)
   {
+    const lms3dPoint2& point = this->Points[other];
+    if (point[0] < box[0] || point[0] > box[1] || point[1] < box[2] || point[1] > box[3])
+    {
+      return true;
+    }
     return other == corner || other == this->Next[corner] || other == this->Previous[corner] ||
       this->IsGone[other] || !IsIn(this->Points[other], triangle, orientation);
   };

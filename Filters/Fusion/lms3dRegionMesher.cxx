@@ -4,16 +4,14 @@
 
 #include "Fusion/lms3dCreaseSnapping.h"
 #include "Fusion/lms3dOutlineSimplifier.h"
+#include "Fusion/lms3dOutlineTriangles.h"
 #include "Fusion/lms3dRasterRows.h"
 #include "Fusion/lms3dRegionRaster.h"
-#include "Triangulation/lms3dTriangulation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
-#include <utility>
 
 namespace
 {
@@ -24,53 +22,7 @@ constexpr double NeighbourDistance = 2.1213203435596424;
 // Cells: the circumradius of a facet.
 constexpr double FacetRadius = 0.25;
 
-using Corners2 = std::array<lms3dPoint2, 3>;
-
-/// The triangles of outlines.
-std::optional<std::vector<Corners2>> Triangulate(const std::vector<lms3dLoop>& loops)
-{
-  std::vector<lms3dPoint2> points;
-  std::map<lms3dPoint2, std::int32_t> numbers;
-  std::vector<std::int32_t> corners;
-  std::vector<std::int32_t> ends;
-  for (const lms3dLoop& loop : loops)
-  {
-    if (loop.size() < 3)
-    {
-      continue;
-    }
-    for (const lms3dPoint2& point : loop)
-    {
-      const auto [place, isNew] =
-        numbers.try_emplace(point, static_cast<std::int32_t>(points.size()));
-      if (isNew)
-      {
-        points.push_back(point);
-      }
-      corners.push_back(place->second);
-    }
-    ends.push_back(static_cast<std::int32_t>(corners.size()));
-  }
-  std::vector<Corners2> triangles;
-  if (points.empty())
-  {
-    return triangles;
-  }
-  const lms3dTriangulation triangulation(points, corners, ends);
-  if (!triangulation.IsValid())
-  {
-    return {};
-  }
-  for (int i = 0; i < triangulation.GetNumberOfTriangles(); ++i)
-  {
-    if (triangulation.IsInside(i))
-    {
-      const std::array<std::int32_t, 3>& ids = triangulation.GetCorners(i);
-      triangles.push_back({ points[ids[0]], points[ids[1]], points[ids[2]] });
-    }
-  }
-  return triangles;
-}
+using Corners2 = lms3dTriangle2;
 
 /// Makes the mesh of one plane.
 class Mesher
@@ -151,7 +103,8 @@ private:
     const std::vector<lms3dLoop> snapped =
       lms3dSnapToCreases(outlines, this->Creases, this->Region, isFixed);
     lms3dOutlineSimplifier simplifier(this->Region, snapped, isFixed, tolerance);
-    std::optional<std::vector<Corners2>> triangles = Triangulate(simplifier.Simplify());
+    std::optional<std::vector<Corners2>> triangles =
+      lms3dTriangulateOutlines(simplifier.Simplify());
     if (!triangles)
     {
       std::size_t corners = 0;
@@ -161,58 +114,13 @@ private:
       }
       isFixed.assign(corners, false);
       lms3dOutlineSimplifier plain(this->Region, outlines, isFixed, tolerance);
-      triangles = Triangulate(plain.Simplify());
+      triangles = lms3dTriangulateOutlines(plain.Simplify());
     }
     if (!triangles)
     {
-      triangles = Triangulate(outlines);
+      triangles = lms3dTriangulateOutlines(outlines);
     }
-    return triangles ? this->DropIslands(*triangles) : std::vector<Corners2>();
-  }
-
-  /// Drops connected triangles without a return on any of them.
-  std::vector<Corners2> DropIslands(const std::vector<Corners2>& triangles) const
-  {
-    std::vector<std::size_t> group(triangles.size());
-    std::iota(group.begin(), group.end(), std::size_t{ 0 });
-    const auto find = [&group](std::size_t i)
-    {
-      while (group[i] != i)
-      {
-        group[i] = group[group[i]];
-        i = group[i];
-      }
-      return i;
-    };
-    std::map<std::pair<lms3dPoint2, lms3dPoint2>, std::size_t> edges;
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-    {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        const auto [place, isNew] =
-          edges.try_emplace(std::minmax(triangles[i][corner], triangles[i][(corner + 1) % 3]), i);
-        group[find(i)] = find(place->second);
-      }
-    }
-    std::vector<bool> hasReturn(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-    {
-      if (!hasReturn[find(i)])
-      {
-        hasReturn[find(i)] = !lms3dForCentreRows(triangles[i],
-          [&](std::int32_t row, std::int32_t first, std::int32_t last)
-          { return !this->Plane.Raster.HasAny(&lms3dRasterBlock::Must, row, first, last); });
-      }
-    }
-    std::vector<Corners2> kept;
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-    {
-      if (hasReturn[find(i)])
-      {
-        kept.push_back(triangles[i]);
-      }
-    }
-    return kept;
+    return triangles ? lms3dDropIslands(*triangles, this->Plane.Raster) : std::vector<Corners2>();
   }
 
   void Touch(const Corners2& triangle)
@@ -306,49 +214,11 @@ private:
   const lms3dRaster Region;
   std::map<lms3dPoint2, std::int32_t> Numbers;
 };
-
-/// The sightings of the block around a point, or of the nearest block if no return lies in this one.
-lms3dSightings GetSightings(const lms3dRaster& raster, const lms3dPoint2& point)
-{
-  const int number = raster.Find(lms3dRaster::GetBlockOf(static_cast<std::int32_t>(point[0])),
-    lms3dRaster::GetBlockOf(static_cast<std::int32_t>(point[1])));
-  if (number >= 0 && raster.GetBlock(number).Sightings.ScanCount > 0)
-  {
-    return raster.GetBlock(number).Sightings;
-  }
-  const double u = point[0] / lms3dRaster::Size - 0.5;
-  const double v = point[1] / lms3dRaster::Size - 0.5;
-  const lms3dRasterBlock* best = nullptr;
-  double least = 0.0;
-  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
-  {
-    const lms3dRasterBlock& block = raster.GetBlock(i);
-    const double distance = (block.U - u) * (block.U - u) + (block.V - v) * (block.V - v);
-    if (block.Sightings.ScanCount > 0 && (!best || distance < least))
-    {
-      best = &block;
-      least = distance;
-    }
-  }
-  return best ? best->Sightings : lms3dSightings();
-}
 } // namespace
 
 int lms3dGetCoveredReach(double deviation, double cell, double maximumError)
 {
   return std::hypot(deviation, NeighbourDistance * cell) <= maximumError ? 1 : 0;
-}
-
-void lms3dSetSightings(lms3dFusedPlane& plane)
-{
-  lms3dFusedMesh& mesh = plane.Mesh;
-  mesh.Sightings.clear();
-  for (const auto& [a, b, c] : mesh.Triangles)
-  {
-    const lms3dVector centre =
-      lms3dScale(lms3dAdd(mesh.Points[a], lms3dAdd(mesh.Points[b], mesh.Points[c])), 1.0 / 3.0);
-    mesh.Sightings.push_back(GetSightings(plane.Raster, plane.Frame.ToCells(centre)));
-  }
 }
 
 void lms3dMakeRegionMesh(

@@ -25,9 +25,6 @@ struct lms3dCreaseLine
 /// `deviation` is the return's distance from the plane; all lengths are in metres.
 int lms3dGetCoveredReach(double deviation, double cell, double maximumError);
 
-/// Sets which scans saw the triangles of a plane.
-void lms3dSetSightings(lms3dFusedPlane& plane);
-
 /// Replaces the mesh of a plane, but not its sightings. `maximumError` is in metres.
 void lms3dMakeRegionMesh(
   lms3dFusedPlane& plane, const std::vector<lms3dCreaseLine>& creases, double maximumError);

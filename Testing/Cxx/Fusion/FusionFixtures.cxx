@@ -86,6 +86,17 @@ std::vector<MappedScan> ScanRoom(bool isCoarse, double noise)
   return scans;
 }
 
+void Move(const Point& error, MappedScan& scan)
+{
+  vtkDataArray* const pose = scan.Scan->GetFieldData()->GetArray("SensorToWorld");
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    pose->SetTuple1(4 * axis + 3, pose->GetTuple1(4 * axis + 3) + error[axis]);
+  }
+  ScaleAndMove(scan.Scan, 1.0, error);
+  ScaleAndMove(scan.Map, 1.0, error);
+}
+
 void AddAll(const std::vector<MappedScan>& scans, vtkLMS3DMapFusion* fusion)
 {
   for (const MappedScan& scan : scans)

@@ -30,6 +30,9 @@ MappedScan MakeMappedScan(
 /// Five poses in Data/room.wrl, on both sides of its furniture.
 std::vector<MappedScan> ScanRoom(bool isCoarse = true, double noise = 0.0);
 
+/// Moves the returns, the pose and the map by an error of the pose, metres.
+void Move(const Point& error, MappedScan& scan);
+
 /// Adds all scans. Fails the test if one is refused.
 void AddAll(const std::vector<MappedScan>& scans, vtkLMS3DMapFusion* fusion);
 
@@ -44,7 +47,7 @@ struct FusionVerdict
   double LargestDistance = 0.0;
   /// Beams that meet a triangle nearer than their return by more than the bound.
   vtkIdType Blocked = 0;
-  /// Those of them whose return is farther than the bound from the plane of this triangle.
+  /// The part of them whose return is farther than the bound from the plane of this triangle.
   vtkIdType BlockedByFar = 0;
   /// Beams that meet no triangle nearer than their return by the bound or less, or behind it by that.
   vtkIdType Missed = 0;

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dFusedPlanes.h"
+
+#include "Fusion/lms3dRasterRows.h"
+#include "Fusion/lms3dRegionMesher.h"
+#include "Geometry/lms3dTriangleDistance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace
+{
+// Cells for each bound.
+constexpr double CellsPerBound = 3.0;
+// Cells: the circumradius of a facet.
+constexpr double FacetRadius = 0.25;
+// A weak plane with more returns is not weak any more.
+constexpr std::size_t LargestWeakCount = 20000;
+
+// Whether a return is near enough to a triangle of a local map that is a region of its own.
+bool IsAtVerbatim(const lms3dFusedPlane& plane, const lms3dVector& point, double bound)
+{
+  return plane.Verbatim.empty() ||
+    std::any_of(plane.Verbatim.begin(), plane.Verbatim.end(),
+      [&](const std::array<lms3dVector, 3>& corners)
+      { return lms3dGetDistance(point, corners[0], corners[1], corners[2]) <= bound; });
+}
+} // namespace
+
+lms3dFusedPlanes::lms3dFusedPlanes(double maximumError)
+  : MaximumError(maximumError)
+  , Cell(maximumError / CellsPerBound)
+{
+}
+
+int lms3dFusedPlanes::MakePlane(const lms3dVector& point, const lms3dVector& normal)
+{
+  this->Planes.emplace_back(lms3dPlaneFrame(point, normal, this->Cell));
+  return static_cast<int>(this->Planes.size()) - 1;
+}
+
+void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int triangle)
+{
+  lms3dFusedPlane& plane = this->Planes[number];
+  std::array<lms3dPoint2, 3> cells;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const lms3dVector point = local.GetCorner(triangle, corner);
+    cells[corner] = plane.Frame.ToCells(point);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      plane.Low[axis] = std::min(plane.Low[axis], point[axis]);
+      plane.High[axis] = std::max(plane.High[axis], point[axis]);
+    }
+  }
+  lms3dForTouchedRows(cells,
+    [&](std::int32_t row, std::int32_t first, std::int32_t last)
+    {
+      plane.Raster.SetRow(&lms3dRasterBlock::May, row, first, last, true, true, [](int) {});
+      return true;
+    });
+}
+
+bool lms3dFusedPlanes::IsCovered(
+  const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u, std::int32_t v) const
+{
+  if ((block.Covered[lms3dRaster::GetPlaceOf(v)] >> lms3dRaster::GetPlaceOf(u) & 1U) != 0)
+  {
+    return true;
+  }
+  const int reach = lms3dGetCoveredReach(block.Deviation, this->Cell, this->MaximumError);
+  for (std::int32_t row = v - reach; row <= v + reach; ++row)
+  {
+    if (plane.Raster.HasAny(&lms3dRasterBlock::Covered, row, u - reach, u + reach))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
+{
+  lms3dFusedPlane& plane = this->Planes[number];
+  if (!plane.Explains(mapped.Point, mapped.Direction, this->GetLargestDistance()))
+  {
+    return false;
+  }
+  const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+  const auto u = static_cast<std::int32_t>(std::floor(place[0]));
+  const auto v = static_cast<std::int32_t>(std::floor(place[1]));
+  lms3dRasterBlock& block = plane.Raster.GetBlock(
+    plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v)));
+  std::uint64_t& word = block.Must[lms3dRaster::GetPlaceOf(v)];
+  const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
+  plane.IsSeen = true;
+  if (plane.IsWeak)
+  {
+    plane.Returns.push_back(mapped);
+    if (plane.Returns.size() > LargestWeakCount)
+    {
+      plane.IsWeak = false;
+      plane.Returns = {};
+    }
+  }
+  word |= bit;
+  block.Deviation = std::max(block.Deviation, std::abs(plane.Frame.GetHeight(mapped.Point)));
+  plane.IsChanged = plane.IsChanged || !this->IsCovered(plane, block, u, v);
+  const int scan = this->Scan;
+  block.Sightings.ScanCount += block.Sightings.LastScan != scan ? 1 : 0;
+  block.Sightings.LastScan = scan;
+  const double quality =
+    -lms3dDot(plane.Frame.GetNormal(), mapped.Direction) / (mapped.Range * mapped.Range);
+  if (quality > block.Quality)
+  {
+    block.Quality = quality;
+    block.Sightings.BestScan = scan;
+  }
+  return true;
+}
+
+// A small triangle around a return, across its beam.
+void lms3dFusedPlanes::AddFacet(const lms3dMappedReturn& mapped)
+{
+  const lms3dVector normal = lms3dScale(mapped.Direction, -1.0);
+  const int number = this->MakePlane(mapped.Point, normal);
+  const lms3dPoint2 centre = this->Planes[number].Frame.ToCells(mapped.Point);
+  const double half = FacetRadius * std::sqrt(0.75);
+  const lms3dPlaneFrame& frame = this->Planes[number].Frame;
+  this->Planes[number].Verbatim.push_back(
+    { frame.ToWorld({ centre[0] - half, centre[1] - FacetRadius / 2.0 }),
+      frame.ToWorld({ centre[0] + half, centre[1] - FacetRadius / 2.0 }),
+      frame.ToWorld({ centre[0], centre[1] + FacetRadius }) });
+  this->AddReturn(number, mapped);
+}
+
+bool lms3dFusedPlanes::Shows(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const
+{
+  const double bound = this->GetLargestDistance();
+  if (lms3dDot(plane.Frame.GetNormal(), mapped.Direction) >= 0.0 ||
+    !plane.Explains(mapped.Point, mapped.Direction, bound))
+  {
+    return false;
+  }
+  const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+  const auto u = static_cast<std::int32_t>(std::floor(place[0]));
+  const auto v = static_cast<std::int32_t>(std::floor(place[1]));
+  return plane.Raster.Has(&lms3dRasterBlock::May, u, v) &&
+    !plane.Raster.Has(&lms3dRasterBlock::Open, u, v) &&
+    !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) && IsAtVerbatim(plane, mapped.Point, bound);
+}
+
+// The planes, out of the first `end`, whose boxes meet the box of returns.
+std::vector<int> lms3dFusedPlanes::FindPlanesNear(
+  const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
+{
+  lms3dVector low = { 1e300, 1e300, 1e300 };
+  lms3dVector high = { -1e300, -1e300, -1e300 };
+  for (const lms3dMappedReturn& mapped : returns)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::min(low[axis], mapped.Point[axis]);
+      high[axis] = std::max(high[axis], mapped.Point[axis]);
+    }
+  }
+  std::vector<int> planes;
+  const double bound = this->MaximumError;
+  for (std::size_t i = 0; i < end; ++i)
+  {
+    const lms3dFusedPlane& plane = this->Planes[i];
+    bool isNear = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      isNear =
+        isNear && high[axis] >= plane.Low[axis] - bound && low[axis] <= plane.High[axis] + bound;
+    }
+    if (isNear)
+    {
+      planes.push_back(static_cast<int>(i));
+    }
+  }
+  return planes;
+}
+
+double lms3dFusedPlanes::CountShown(
+  const std::vector<int>& planes, const std::vector<lms3dMappedReturn>& returns) const
+{
+  return static_cast<double>(std::count_if(returns.begin(), returns.end(),
+    [&](const lms3dMappedReturn& mapped)
+    {
+      return std::any_of(planes.begin(), planes.end(),
+        [&](int plane) { return this->Shows(this->Planes[plane], mapped); });
+    }));
+}
+
+bool lms3dFusedPlanes::AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped)
+{
+  return std::any_of(planes.begin(), planes.end(),
+    [&](int plane)
+    { return this->Shows(this->Planes[plane], mapped) && this->AddReturn(plane, mapped); });
+}

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The planes of a fused map, and how triangles and returns join them.
+ */
+#ifndef lms3dFusedPlanes_h
+#define lms3dFusedPlanes_h
+
+#include "Fusion/lms3dFusedPlane.h"
+#include "Fusion/lms3dLocalMap.h"
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+/// A plane keeps its number. Lengths are metres.
+class lms3dFusedPlanes
+{
+public:
+  explicit lms3dFusedPlanes(double maximumError);
+
+  double GetMaximumError() const { return this->MaximumError; }
+  double GetCell() const { return this->Cell; }
+  /// How far a return may be from its plane. The rest of the bound is for the size of cells.
+  double GetLargestDistance() const { return 0.97 * this->MaximumError; }
+  /// The scan, counted from 0, that AddReturn() takes the returns to be of.
+  void SetScan(int scan) { this->Scan = scan; }
+
+  std::size_t GetSize() const { return this->Planes.size(); }
+  lms3dFusedPlane& operator[](std::size_t number) { return this->Planes[number]; }
+  const lms3dFusedPlane& operator[](std::size_t number) const { return this->Planes[number]; }
+  const std::deque<lms3dFusedPlane>& GetAll() const { return this->Planes; }
+
+  /// Returns the number of a new plane.
+  int MakePlane(const lms3dVector& point, const lms3dVector& normal);
+
+  /// Lets a plane have surface where a triangle of a local map is.
+  void AddTriangle(int plane, const lms3dLocalMap& local, int triangle);
+
+  /// Adds a return to a plane. Returns false if the plane does not explain it.
+  bool AddReturn(int plane, const lms3dMappedReturn& mapped);
+
+  /// Adds a return to the first plane that shows it. Returns false if none does.
+  bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);
+
+  /// Makes a small triangle around a return, across its beam.
+  void AddFacet(const lms3dMappedReturn& mapped);
+
+  /// Whether a plane explains a return, and has surface there.
+  bool Shows(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const;
+
+  /// The planes, out of the first `end`, whose boxes meet the box of returns.
+  std::vector<int> FindPlanesNear(
+    const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
+
+  /// The number of returns that some of the planes show.
+  double CountShown(
+    const std::vector<int>& planes, const std::vector<lms3dMappedReturn>& returns) const;
+
+private:
+  bool IsCovered(const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u,
+    std::int32_t v) const;
+
+  const double MaximumError;
+  const double Cell;
+  int Scan = 0;
+  std::deque<lms3dFusedPlane> Planes;
+};
+
+#endif
