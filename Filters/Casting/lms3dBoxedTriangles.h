@@ -4,8 +4,8 @@
  * @file
  * @brief The triangles in each box of Embree's tree.
  *
- * The two halves of a square are often successive triangles, and their boxes are nearly the same: whatever
- * meets one box meets the other. One box for both makes the tree half as large and quicker to build.
+ * The two halves of a square are often successive triangles, and their boxes are nearly the same: a beam
+ * that meets one box meets the other. One box for both makes the tree half as large and quicker to build.
  */
 #ifndef lms3dBoxedTriangles_h
 #define lms3dBoxedTriangles_h

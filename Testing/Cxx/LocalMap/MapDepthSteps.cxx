@@ -117,8 +117,8 @@ void JudgeDepthSteps(const MapCase& map, const MapNeighbours& neighbours,
       return false;
     }
     // Lost returns do not make a step certain that the scan without errors leaves open.
-    return !ideal || ideal->Steps.AreApart(beam, next) ||
-      !MeetsItsReturn(*ideal, surface, beam) || !MeetsItsReturn(*ideal, surface, next);
+    return !ideal || ideal->Steps.AreApart(beam, next) || !MeetsItsReturn(*ideal, surface, beam) ||
+      !MeetsItsReturn(*ideal, surface, next);
   };
   JudgePairs(map, scene, surface, isJudged, verdict);
   if (ideal)
