@@ -47,7 +47,7 @@ private:
   using Groups = std::vector<std::uint32_t>;
 
   std::vector<Groups> DivideGrid() const;
-  lms3dTileBlock DivideBlock(int block, const Groups& groups, std::size_t maximum) const;
+  lms3dTileBlock DivideBlock(int number, const Groups& groups, std::size_t maximum) const;
   void AppendTriangles(const Groups& groups, lms3dTileBlock& block) const;
   std::size_t CountTriangles(const Groups& groups) const;
 

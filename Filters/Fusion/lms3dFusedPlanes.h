@@ -36,10 +36,10 @@ public:
   int MakePlane(const lms3dVector& point, const lms3dVector& normal);
 
   /// Lets a plane have surface where a triangle of a local map is.
-  void AddTriangle(int plane, const lms3dLocalMap& local, int triangle);
+  void AddTriangle(int number, const lms3dLocalMap& local, int triangle);
 
   /// Adds a return to a plane. Returns false if the plane does not explain it.
-  bool AddReturn(int plane, const lms3dMappedReturn& mapped);
+  bool AddReturn(int number, const lms3dMappedReturn& mapped);
 
   /// Adds a return to the first plane that shows it. Returns false if none does.
   bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -65,6 +66,7 @@ std::vector<lms3dFusionInput> lms3dGetFusionInputs(vtkInformationVector** inputV
       " scans. Connect the scan of each local map to the second input, in the same order.");
   }
   std::vector<lms3dFusionInput> inputs;
+  inputs.reserve(maps);
   for (int i = 0; i < maps; ++i)
   {
     inputs.push_back(
@@ -88,7 +90,7 @@ bool lms3dFusionInputs::BeginNewMap(
     }
   }
   const bool isNew = times != this->UpstreamTimes && !this->Known.empty();
-  this->UpstreamTimes = times;
+  this->UpstreamTimes = std::move(times);
   return isNew;
 }
 

@@ -114,11 +114,11 @@ std::vector<lms3dCollapsibleEdges::Edge> lms3dCollapsibleEdges::TakeIndependent(
   };
   // Looks at each edge once, in order.
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < this->Sorted.size(); ++i)
+  for (const Edge& edge : this->Sorted)
   {
-    if (!take(this->Sorted[i]))
+    if (!take(edge))
     {
-      this->Sorted[kept] = this->Sorted[i];
+      this->Sorted[kept] = edge;
       ++kept;
     }
   }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -22,6 +23,17 @@ constexpr int MaximumHalvings = 20;
 constexpr double SmallChange = 0.01;
 // Radians by which a ray may pass outside of a triangle.
 constexpr double Margin = 1e-9;
+
+/// A part of the way: two shares of it, and the ranges there.
+struct Part
+{
+  double Low;
+  double AtLow;
+  double High;
+  double AtHigh;
+  /// How often it may be halved. A change of range that is left then is a jump.
+  int Halvings;
+};
 
 /// The way from one beam to another.
 struct Way
@@ -39,25 +51,39 @@ struct Way
     return nearest == hits.end() ? Infinity : nearest->Range;
   }
 
-  // The sum of the jumps between two shares, with signs; infinity where a ray meets nothing.
-  double SumJumps(double low, double atLow, double high, double atHigh, int halvings) const
+  // The sum of the jumps in a part of the way, with signs; infinity where a ray meets nothing.
+  double SumJumps(const Part& whole) const
   {
-    if (std::isinf(atLow) || std::isinf(atHigh))
+    double sum = 0.0;
+    std::vector<Part> parts = { whole };
+    while (!parts.empty() && !std::isinf(sum))
     {
-      return Infinity;
+      const Part part = parts.back();
+      parts.pop_back();
+      const double change = part.AtHigh - part.AtLow;
+      if (std::isinf(part.AtLow) || std::isinf(part.AtHigh))
+      {
+        sum = Infinity;
+      }
+      else if (part.Halvings == 0 && std::abs(change) >= SmallChange)
+      {
+        sum += change;
+      }
+      else if (std::abs(change) >= SmallChange)
+      {
+        this->Halve(part, parts);
+      }
     }
-    if (std::abs(atHigh - atLow) < SmallChange)
-    {
-      return 0.0;
-    }
-    if (halvings == 0)
-    {
-      return atHigh - atLow;
-    }
-    const double middle = 0.5 * (low + high);
+    return sum;
+  }
+
+  // Appends both halves of a part.
+  void Halve(const Part& part, std::vector<Part>& parts) const
+  {
+    const double middle = 0.5 * (part.Low + part.High);
     const double atMiddle = this->GetRange(middle);
-    return this->SumJumps(low, atLow, middle, atMiddle, halvings - 1) +
-      this->SumJumps(middle, atMiddle, high, atHigh, halvings - 1);
+    parts.push_back({ middle, atMiddle, part.High, part.AtHigh, part.Halvings - 1 });
+    parts.push_back({ part.Low, part.AtLow, middle, atMiddle, part.Halvings - 1 });
   }
 
   const ScanGrid& Grid;
@@ -115,7 +141,7 @@ double TrueSteps::GetJump(const TriangleTree& surface, const Beam& a, const Beam
   {
     const double share = static_cast<double>(i) / NumberOfParts;
     const double range = way.GetRange(share);
-    sum += way.SumJumps(share - 1.0 / NumberOfParts, last, share, range, MaximumHalvings);
+    sum += way.SumJumps({ share - 1.0 / NumberOfParts, last, share, range, MaximumHalvings });
     last = range;
   }
   return std::abs(sum);
