@@ -46,7 +46,7 @@ class ClientTest(unittest.TestCase):
     def test_looks(self):
         """Status, scenes, scans."""
         self.assertIn("scene room.wrl, 804 triangles", self.run_client("status"))
-        self.assertEqual(self.run_client("scenes"), "room.wrl\nteapot.wrl\n")
+        self.assertEqual(self.run_client("scenes"), "building.wrl\nroom.wrl\nteapot.wrl\n")
         self.assertEqual(len(self.run_client("fetch").splitlines()), BEAMS + 1)
         self.assertEqual(len(self.run_client("watch", "3").splitlines()), 3)
         self.assertEqual(len(self.run_client("listen", "3").splitlines()), 3)
@@ -91,7 +91,7 @@ class ClientTest(unittest.TestCase):
         scan, surface = self.folder / "scan.vtp", self.folder / "map.vtp"
         self.run_client("save", scan, surface)
         self.assertIn(b'NumberOfPoints="%d"' % BEAMS, scan.read_bytes())
-        self.assertIn(b'NumberOfPolys="1288"', surface.read_bytes())
+        self.assertIn(b'NumberOfPolys="1176"', surface.read_bytes())
         self.assertEqual(sorted(self.folder.iterdir()), [surface, scan])
 
     def test_what_cannot_be_saved(self):

@@ -180,9 +180,10 @@ TEST(ServerValues, ChoosesScenes)
   ServerProcess server(Patience);
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   LMS3D::SceneNames_var names = scanner->listScenes();
-  ASSERT_EQ(names->length(), 2u);
-  EXPECT_STREQ(names[0u], "room.wrl");
-  EXPECT_STREQ(names[1u], "teapot.wrl");
+  ASSERT_EQ(names->length(), 3u);
+  EXPECT_STREQ(names[0u], "building.wrl");
+  EXPECT_STREQ(names[1u], "room.wrl");
+  EXPECT_STREQ(names[2u], "teapot.wrl");
 
   scanner->setPose(At(0.0, 0.0, 8.0));
   const LMS3D::ScanHeader header = WaitFor(scanner, scanner->selectScene("teapot.wrl"));
