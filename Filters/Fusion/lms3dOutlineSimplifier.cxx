@@ -63,23 +63,25 @@ void lms3dOutlineSimplifier::Link(const std::vector<lms3dLoop>& loops)
       this->Next.push_back(first + (i + 1) % size);
       this->Previous.push_back(first + (i + size - 1) % size);
       this->LoopOf.push_back(static_cast<int>(loop));
-      this->Buckets[GetBucket(loops[loop][i])].push_back(first + i);
+      this->GetBucket(loops[loop][i]).push_back(first + i);
     }
   }
   this->Versions.assign(this->Points.size(), 0);
   this->IsGone.assign(this->Points.size(), false);
 }
 
-std::uint64_t lms3dOutlineSimplifier::GetBucket(std::int32_t u, std::int32_t v)
+std::vector<lms3dOutlineSimplifier::Corner>& lms3dOutlineSimplifier::GetBucket(
+  const lms3dPoint2& point)
 {
-  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(u)) << 32 |
-    static_cast<std::uint32_t>(v);
-}
-
-std::uint64_t lms3dOutlineSimplifier::GetBucket(const lms3dPoint2& point)
-{
-  return GetBucket(static_cast<std::int32_t>(std::floor(point[0] / BucketSize)),
-    static_cast<std::int32_t>(std::floor(point[1] / BucketSize)));
+  const auto u = static_cast<std::int32_t>(std::floor(point[0] / BucketSize));
+  const auto v = static_cast<std::int32_t>(std::floor(point[1] / BucketSize));
+  const int found = this->Buckets.Find(u, v);
+  if (found >= 0)
+  {
+    return this->CornersOf[found];
+  }
+  this->Buckets.Add(u, v, static_cast<int>(this->CornersOf.size()));
+  return this->CornersOf.emplace_back();
 }
 
 // The square of the largest distance of a corner, and of those that went beside it, from the line that would take their place.
@@ -136,18 +138,25 @@ bool lms3dOutlineSimplifier::IsEmpty(
       return true;
     }
     return other == corner || other == this->Next[corner] || other == this->Previous[corner] ||
-      this->IsGone[other] || !IsIn(this->Points[other], triangle, orientation);
+      !IsIn(this->Points[other], triangle, orientation);
   };
-  return lms3dForTouchedRows(scaled,
-    [&](std::int32_t row, std::int32_t first, std::int32_t last)
+  const auto areFree = [&](std::int32_t column, std::int32_t row)
+  {
+    const int bucket = this->Buckets.Find(column, row);
+    return bucket < 0 ||
+      std::all_of(this->CornersOf[bucket].begin(), this->CornersOf[bucket].end(), isFree);
+  };
+  return lms3dForTouchedStrips(scaled,
+    [&](const lms3dCellStrip& strip)
     {
-      for (std::int32_t column = first; column <= last; ++column)
+      for (int row = 0; row < strip.Count; ++row)
       {
-        const auto bucket = this->Buckets.find(GetBucket(column, row));
-        if (bucket != this->Buckets.end() &&
-          !std::all_of(bucket->second.begin(), bucket->second.end(), isFree))
+        for (std::int32_t column = strip.First[row]; column <= strip.Last[row]; ++column)
         {
-          return false;
+          if (!areFree(column, strip.Row + row))
+          {
+            return false;
+          }
         }
       }
       return true;
@@ -168,14 +177,14 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
     return this->IsEmpty(triangle, corner);
   }
   const bool isFree = orientation > 0
-    ? lms3dForCentreRows(triangle,
-        [&](std::int32_t row, std::int32_t first, std::int32_t last)
-        { return !this->Region.HasAny(&lms3dRasterBlock::Must, row, first, last); })
-    : lms3dForTouchedRows(triangle,
-        [&](std::int32_t row, std::int32_t first, std::int32_t last)
+    ? lms3dForCentreStrips(triangle,
+        [&](const lms3dCellStrip& strip)
+        { return !this->Region.HasAny(&lms3dRasterBlock::Must, strip); })
+    : lms3dForTouchedStrips(triangle,
+        [&](const lms3dCellStrip& strip)
         {
-          return this->Region.HasBlocks(row, first, last) &&
-            !this->Region.HasAny(&lms3dRasterBlock::Passed, row, first, last);
+          return this->Region.HasBlocks(strip) &&
+            !this->Region.HasAny(&lms3dRasterBlock::Passed, strip);
         });
   return isFree && this->IsEmpty(triangle, corner);
 }
@@ -185,6 +194,9 @@ void lms3dOutlineSimplifier::Remove(Corner corner)
   const Corner previous = this->Previous[corner];
   const Corner next = this->Next[corner];
   this->IsGone[corner] = true;
+  std::vector<Corner>& bucket = this->GetBucket(this->Points[corner]);
+  *std::find(bucket.begin(), bucket.end(), corner) = bucket.back();
+  bucket.pop_back();
   this->Next[previous] = next;
   this->Previous[next] = previous;
   this->Queue(previous);

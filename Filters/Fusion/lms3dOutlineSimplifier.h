@@ -7,13 +7,13 @@
 #ifndef lms3dOutlineSimplifier_h
 #define lms3dOutlineSimplifier_h
 
+#include "Fusion/lms3dBlockIndex.h"
 #include "Fusion/lms3dRaster.h"
 #include "Fusion/lms3dRasterOutline.h"
 
 #include <array>
 #include <cstdint>
 #include <queue>
-#include <unordered_map>
 #include <vector>
 
 /**
@@ -53,8 +53,8 @@ private:
   bool MayGo(Corner corner) const;
   bool IsEmpty(const std::array<lms3dPoint2, 3>& triangle, Corner corner) const;
   void Remove(Corner corner);
-  static std::uint64_t GetBucket(const lms3dPoint2& point);
-  static std::uint64_t GetBucket(std::int32_t u, std::int32_t v);
+  /// The corners that did not go near a point.
+  std::vector<Corner>& GetBucket(const lms3dPoint2& point);
 
   const lms3dRaster& Region;
   const std::vector<bool>& IsFixed;
@@ -68,7 +68,8 @@ private:
   std::vector<int> LoopOf;
   std::vector<int> Versions;
   std::vector<bool> IsGone;
-  std::unordered_map<std::uint64_t, std::vector<Corner>> Buckets;
+  lms3dBlockIndex Buckets;
+  std::vector<std::vector<Corner>> CornersOf;
   std::priority_queue<Candidate> Candidates;
 };
 

@@ -91,24 +91,24 @@ void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int block, int beamId)
 template <typename Points>
 void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
 {
-  const auto setRow = [&](lms3dRaster::BitsOf bits, bool value)
+  const auto set = [&](lms3dRaster::BitsOf bits, bool value)
   {
-    return [&plane, bits, value](std::int32_t row, std::int32_t first, std::int32_t last)
+    return [&plane, bits, value](const lms3dCellStrip& strip)
     {
-      plane.Raster.SetRow(bits, row, first, last, value, false, [](int) {});
+      plane.Raster.Set(bits, strip, value);
       return true;
     };
   };
   if (this->Forgets)
   {
-    lms3dForTouchedRows(points, setRow(&lms3dRasterBlock::Must, false));
+    lms3dForTouchedStrips(points, set(&lms3dRasterBlock::Must, false));
   }
-  const bool isFree = lms3dForTouchedRows(points,
-    [&](std::int32_t row, std::int32_t first, std::int32_t last)
-    { return !plane.Raster.HasAny(&lms3dRasterBlock::Must, row, first, last); });
+  const bool isFree = lms3dForTouchedStrips(points,
+    [&](const lms3dCellStrip& strip)
+    { return !plane.Raster.HasAny(&lms3dRasterBlock::Must, strip); });
   if (isFree)
   {
-    lms3dForTouchedRows(points, setRow(&lms3dRasterBlock::Open, true));
+    lms3dForTouchedStrips(points, set(&lms3dRasterBlock::Open, true));
   }
 }
 

@@ -125,22 +125,20 @@ private:
 
   void Touch(const Corners2& triangle)
   {
-    lms3dForTouchedRows(triangle,
-      [&](std::int32_t row, std::int32_t first, std::int32_t last)
+    lms3dForTouchedStrips(triangle,
+      [&](const lms3dCellStrip& strip)
       {
-        this->Plane.Raster.SetRow(
-          &lms3dRasterBlock::Touched, row, first, last, true, false, [](int) {});
+        this->Plane.Raster.Set(&lms3dRasterBlock::Touched, strip, true);
         return true;
       });
   }
 
   void Cover(const Corners2& triangle)
   {
-    lms3dForCentreRows(triangle,
-      [&](std::int32_t row, std::int32_t first, std::int32_t last)
+    lms3dForCentreStrips(triangle,
+      [&](const lms3dCellStrip& strip)
       {
-        this->Plane.Raster.SetRow(
-          &lms3dRasterBlock::Covered, row, first, last, true, false, [](int) {});
+        this->Plane.Raster.Set(&lms3dRasterBlock::Covered, strip, true);
         return true;
       });
   }
