@@ -12,6 +12,15 @@
 #include <cstdint>
 #include <limits>
 
+/// The first and the last cells of both axes.
+struct lms3dCellBox
+{
+  std::int32_t Left;
+  std::int32_t Right;
+  std::int32_t Bottom;
+  std::int32_t Top;
+};
+
 struct lms3dCellStrip
 {
   /// The rows of a block.

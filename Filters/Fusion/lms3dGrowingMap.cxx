@@ -161,11 +161,10 @@ void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bo
     [&](std::size_t i)
     {
       lms3dFusedPlane& plane = this->Planes[i];
-      lms3dPassedBeams beams(ranges, this->Settings.MaximumError, forgets);
       const int first = newBlocksOnly ? plane.OldBlocks : 0;
-      for (int block = first; block < plane.Raster.GetNumberOfBlocks(); ++block)
+      if (first < plane.Raster.GetNumberOfBlocks())
       {
-        beams.Mark(plane, block);
+        lms3dPassedBeams(ranges, this->Settings.MaximumError, forgets).Mark(plane, first);
       }
     });
 }

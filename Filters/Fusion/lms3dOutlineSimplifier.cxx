@@ -27,6 +27,16 @@ double GetSquaredDistance(const lms3dPoint2& p, const lms3dPoint2& a, const lms3
   return u * u + v * v;
 }
 
+/// All cells that a triangle touches lie in the box.
+lms3dCellBox GetBox(const std::array<lms3dPoint2, 3>& triangle)
+{
+  const auto [left, right] = std::minmax({ triangle[0][0], triangle[1][0], triangle[2][0] });
+  const auto [bottom, top] = std::minmax({ triangle[0][1], triangle[1][1], triangle[2][1] });
+  return { static_cast<std::int32_t>(std::floor(left)),
+    static_cast<std::int32_t>(std::floor(right)), static_cast<std::int32_t>(std::floor(bottom)),
+    static_cast<std::int32_t>(std::floor(top)) };
+}
+
 bool IsIn(const lms3dPoint2& p, const std::array<lms3dPoint2, 3>& triangle, int orientation)
 {
   for (int i = 0; i < 3; ++i)
@@ -176,17 +186,28 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
   {
     return this->IsEmpty(triangle, corner);
   }
-  const bool isFree = orientation > 0
-    ? lms3dForCentreStrips(triangle,
-        [&](const lms3dCellStrip& strip)
-        { return !this->Region.HasAny(&lms3dRasterBlock::Must, strip); })
-    : lms3dForTouchedStrips(triangle,
-        [&](const lms3dCellStrip& strip)
-        {
-          return this->Region.HasBlocks(strip) &&
-            !this->Region.HasAny(&lms3dRasterBlock::Passed, strip);
-        });
-  return isFree && this->IsEmpty(triangle, corner);
+  return (orientation > 0 ? this->MayLose(triangle) : this->MayGain(triangle)) &&
+    this->IsEmpty(triangle, corner);
+}
+
+bool lms3dOutlineSimplifier::MayLose(const std::array<lms3dPoint2, 3>& triangle) const
+{
+  return !this->Region.HasAny(&lms3dRasterBlock::Must, GetBox(triangle)) ||
+    lms3dForCentreStrips(triangle,
+      [&](const lms3dCellStrip& strip)
+      { return !this->Region.HasAny(&lms3dRasterBlock::Must, strip); });
+}
+
+bool lms3dOutlineSimplifier::MayGain(const std::array<lms3dPoint2, 3>& triangle) const
+{
+  const lms3dCellBox box = GetBox(triangle);
+  return (!this->Region.HasAny(&lms3dRasterBlock::Passed, box) && this->Region.HasBlocks(box)) ||
+    lms3dForTouchedStrips(triangle,
+      [&](const lms3dCellStrip& strip)
+      {
+        return this->Region.HasBlocks(strip) &&
+          !this->Region.HasAny(&lms3dRasterBlock::Passed, strip);
+      });
 }
 
 void lms3dOutlineSimplifier::Remove(Corner corner)

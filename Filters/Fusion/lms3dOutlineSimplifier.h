@@ -51,6 +51,8 @@ private:
   void Queue(Corner corner);
   double GetCost(Corner corner) const;
   bool MayGo(Corner corner) const;
+  bool MayLose(const std::array<lms3dPoint2, 3>& triangle) const;
+  bool MayGain(const std::array<lms3dPoint2, 3>& triangle) const;
   bool IsEmpty(const std::array<lms3dPoint2, 3>& triangle, Corner corner) const;
   void Remove(Corner corner);
   /// The corners that did not go near a point.

@@ -74,6 +74,44 @@ bool lms3dRaster::HasAny(BitsOf bits, const lms3dCellStrip& strip) const
   return false;
 }
 
+bool lms3dRaster::HasAny(BitsOf bits, const lms3dCellBox& box) const
+{
+  for (std::int32_t v = GetBlockOf(box.Bottom); v <= GetBlockOf(box.Top); ++v)
+  {
+    const int from = GetBlockOf(box.Bottom) == v ? GetPlaceOf(box.Bottom) : 0;
+    const int to = GetBlockOf(box.Top) == v ? GetPlaceOf(box.Top) : Size - 1;
+    for (std::int32_t u = GetBlockOf(box.Left); u <= GetBlockOf(box.Right); ++u)
+    {
+      const int number = this->Find(u, v);
+      std::uint64_t found = 0;
+      for (int row = from; number >= 0 && row <= to; ++row)
+      {
+        found |= (this->Blocks[number].*bits)[row];
+      }
+      if ((found & GetMask(u, box.Left, box.Right)) != 0)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool lms3dRaster::HasBlocks(const lms3dCellBox& box) const
+{
+  for (std::int32_t v = GetBlockOf(box.Bottom); v <= GetBlockOf(box.Top); ++v)
+  {
+    for (std::int32_t u = GetBlockOf(box.Left); u <= GetBlockOf(box.Right); ++u)
+    {
+      if (this->Find(u, v) < 0)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 bool lms3dRaster::HasBlocks(const lms3dCellStrip& strip) const
 {
   const std::int32_t v = GetBlockOf(strip.Row);

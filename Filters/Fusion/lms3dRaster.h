@@ -13,7 +13,7 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <deque>
 
 /// The bits of 64 x 64 cells, one word for each row.
 using lms3dBits = std::array<std::uint64_t, 64>;
@@ -71,6 +71,12 @@ public:
   /// Returns whether a cell of a strip has the bit.
   bool HasAny(BitsOf bits, const lms3dCellStrip& strip) const;
 
+  /// Returns whether a cell of a box has the bit.
+  bool HasAny(BitsOf bits, const lms3dCellBox& box) const;
+
+  /// Returns whether all cells of a box lie in blocks.
+  bool HasBlocks(const lms3dCellBox& box) const;
+
   /// Returns whether all cells of a strip lie in blocks.
   bool HasBlocks(const lms3dCellStrip& strip) const;
 
@@ -117,7 +123,8 @@ private:
     return (~std::uint64_t{ 0 } << from) & (~std::uint64_t{ 0 } >> (Size - 1 - to));
   }
 
-  std::vector<lms3dRasterBlock> Blocks;
+  /// Blocks stay where they are in memory when others are made.
+  std::deque<lms3dRasterBlock> Blocks;
   lms3dBlockIndex Numbers;
 };
 
