@@ -128,11 +128,19 @@ bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
       changed.push_back(static_cast<int>(i));
     }
   }
+  // The threads share the work best if large planes come first.
+  std::stable_sort(changed.begin(), changed.end(),
+    [&](int a, int b)
+    {
+      return this->Planes[a].Raster.GetNumberOfBlocks() >
+        this->Planes[b].Raster.GetNumberOfBlocks();
+    });
   const std::size_t count = changed.size();
   for (std::size_t first = 0; first < count; first += PlanesOfStep)
   {
     const std::size_t end = std::min(first + PlanesOfStep, count);
-    tbb::parallel_for(first, end, [&](std::size_t i) { this->RenewPlane(changed[i]); });
+    tbb::parallel_for(
+      first, end, [&](std::size_t i) { this->RenewPlane(changed[i]); }, tbb::simple_partitioner());
     if (!progress(static_cast<double>(end) / static_cast<double>(count)))
     {
       return false;

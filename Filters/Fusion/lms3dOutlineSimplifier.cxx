@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace
 {
@@ -227,10 +229,16 @@ void lms3dOutlineSimplifier::Remove(Corner corner)
 std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
 {
   const auto count = static_cast<Corner>(this->Points.size());
+  std::vector<Candidate> candidates;
   for (Corner corner = 0; corner < count; ++corner)
   {
-    this->Queue(corner);
+    const double cost = this->GetCost(corner);
+    if (cost <= this->Tolerance)
+    {
+      candidates.push_back({ cost, corner, 0 });
+    }
   }
+  this->Candidates = std::priority_queue<Candidate>(std::less<Candidate>(), std::move(candidates));
   while (!this->Candidates.empty())
   {
     const Candidate candidate = this->Candidates.top();

@@ -6,6 +6,7 @@
 #include "Fusion/lms3dOutlineSimplifier.h"
 #include "Fusion/lms3dOutlineTriangles.h"
 #include "Fusion/lms3dRasterRows.h"
+#include "Fusion/lms3dRegionCover.h"
 #include "Fusion/lms3dRegionRaster.h"
 
 #include <algorithm>
@@ -49,10 +50,10 @@ public:
       this->AddVerbatim();
       return;
     }
-    for (const Corners2& triangle : this->FindTriangles())
+    const std::vector<Corners2> triangles = this->FindTriangles();
+    lms3dCoverRegion(triangles, this->Plane.Raster);
+    for (const Corners2& triangle : triangles)
     {
-      this->Cover(triangle);
-      this->Touch(triangle);
       this->Add(triangle);
     }
     this->AddFacets();
