@@ -29,16 +29,6 @@ double GetSquaredDistance(const lms3dPoint2& p, const lms3dPoint2& a, const lms3
   return u * u + v * v;
 }
 
-/// All cells that a triangle touches lie in the box.
-lms3dCellBox GetBox(const std::array<lms3dPoint2, 3>& triangle)
-{
-  const auto [left, right] = std::minmax({ triangle[0][0], triangle[1][0], triangle[2][0] });
-  const auto [bottom, top] = std::minmax({ triangle[0][1], triangle[1][1], triangle[2][1] });
-  return { static_cast<std::int32_t>(std::floor(left)),
-    static_cast<std::int32_t>(std::floor(right)), static_cast<std::int32_t>(std::floor(bottom)),
-    static_cast<std::int32_t>(std::floor(top)) };
-}
-
 bool IsIn(const lms3dPoint2& p, const std::array<lms3dPoint2, 3>& triangle, int orientation)
 {
   for (int i = 0; i < 3; ++i)
@@ -158,6 +148,15 @@ bool lms3dOutlineSimplifier::IsEmpty(
     return bucket < 0 ||
       std::all_of(this->CornersOf[bucket].begin(), this->CornersOf[bucket].end(), isFree);
   };
+  const lms3dCellBox near = lms3dGetTouchedBox(scaled);
+  if (near.Right - near.Left <= 1 && near.Top - near.Bottom <= 1)
+  {
+    return areFree(near.Left, near.Bottom) &&
+      (near.Right == near.Left || areFree(near.Right, near.Bottom)) &&
+      (near.Top == near.Bottom ||
+        (areFree(near.Left, near.Top) &&
+          (near.Right == near.Left || areFree(near.Right, near.Top))));
+  }
   return lms3dForTouchedStrips(scaled,
     [&](const lms3dCellStrip& strip)
     {
@@ -194,7 +193,7 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
 
 bool lms3dOutlineSimplifier::MayLose(const std::array<lms3dPoint2, 3>& triangle) const
 {
-  return !this->Region.HasAny(&lms3dRasterBlock::Must, GetBox(triangle)) ||
+  return !this->Region.HasAny(&lms3dRasterBlock::Must, lms3dGetTouchedBox(triangle)) ||
     lms3dForCentreStrips(triangle,
       [&](const lms3dCellStrip& strip)
       { return !this->Region.HasAny(&lms3dRasterBlock::Must, strip); });
@@ -202,7 +201,7 @@ bool lms3dOutlineSimplifier::MayLose(const std::array<lms3dPoint2, 3>& triangle)
 
 bool lms3dOutlineSimplifier::MayGain(const std::array<lms3dPoint2, 3>& triangle) const
 {
-  const lms3dCellBox box = GetBox(triangle);
+  const lms3dCellBox box = lms3dGetTouchedBox(triangle);
   return (!this->Region.HasAny(&lms3dRasterBlock::Passed, box) && this->Region.HasBlocks(box)) ||
     lms3dForTouchedStrips(triangle,
       [&](const lms3dCellStrip& strip)

@@ -154,9 +154,10 @@ void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
   {
     lms3dForTouchedStrips(points, set(&lms3dRasterBlock::Must, false));
   }
-  const bool isFree = lms3dForTouchedStrips(points,
-    [&](const lms3dCellStrip& strip)
-    { return !plane.Raster.HasAny(&lms3dRasterBlock::Must, strip); });
+  const bool isFree = !plane.Raster.HasAny(&lms3dRasterBlock::Must, lms3dGetTouchedBox(points)) ||
+    lms3dForTouchedStrips(points,
+      [&](const lms3dCellStrip& strip)
+      { return !plane.Raster.HasAny(&lms3dRasterBlock::Must, strip); });
   if (isFree)
   {
     lms3dForTouchedStrips(points, set(&lms3dRasterBlock::Open, true));

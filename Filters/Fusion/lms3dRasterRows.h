@@ -67,6 +67,25 @@ private:
   std::array<double, lms3dCellStrip::Size + 1> Last;
 };
 
+/// All cells that a polygon touches lie in the box.
+template <typename Points>
+lms3dCellBox lms3dGetTouchedBox(const Points& points)
+{
+  lms3dPoint2 low = points[0];
+  lms3dPoint2 high = points[0];
+  for (const lms3dPoint2& point : points)
+  {
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      low[axis] = std::min(low[axis], point[axis]);
+      high[axis] = std::max(high[axis], point[axis]);
+    }
+  }
+  return { static_cast<std::int32_t>(std::floor(low[0])),
+    static_cast<std::int32_t>(std::floor(high[0])), static_cast<std::int32_t>(std::floor(low[1])),
+    static_cast<std::int32_t>(std::floor(high[1])) };
+}
+
 /// The lowest and the highest coordinate along the second axis.
 template <typename Points>
 std::pair<double, double> lms3dGetHeights(const Points& points)
