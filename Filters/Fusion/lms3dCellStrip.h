@@ -32,7 +32,7 @@ struct lms3dCellStrip
   /// The first and the last cell of each row. A row without cells has the first behind the last.
   std::array<std::int32_t, Size> First;
   std::array<std::int32_t, Size> Last;
-  /// Those of all rows.
+  /// The first and the last cell of all rows.
   std::int32_t Left = std::numeric_limits<std::int32_t>::max();
   std::int32_t Right = std::numeric_limits<std::int32_t>::min();
 

@@ -11,8 +11,6 @@
 
 namespace
 {
-// Cells: the size of a bucket of corners.
-constexpr double BucketSize = 16.0;
 // Squared cells: corners nearer than this to a line lie on it.
 constexpr double OnLine = 1e-12;
 constexpr double Infinite = 1e300;
@@ -65,25 +63,11 @@ void lms3dOutlineSimplifier::Link(const std::vector<lms3dLoop>& loops)
       this->Next.push_back(first + (i + 1) % size);
       this->Previous.push_back(first + (i + size - 1) % size);
       this->LoopOf.push_back(static_cast<int>(loop));
-      this->GetBucket(loops[loop][i]).push_back(first + i);
+      this->Buckets.Add(first + i, loops[loop][i]);
     }
   }
   this->Versions.assign(this->Points.size(), 0);
   this->IsGone.assign(this->Points.size(), false);
-}
-
-std::vector<lms3dOutlineSimplifier::Corner>& lms3dOutlineSimplifier::GetBucket(
-  const lms3dPoint2& point)
-{
-  const auto u = static_cast<std::int32_t>(std::floor(point[0] / BucketSize));
-  const auto v = static_cast<std::int32_t>(std::floor(point[1] / BucketSize));
-  const int found = this->Buckets.Find(u, v);
-  if (found >= 0)
-  {
-    return this->CornersOf[found];
-  }
-  this->Buckets.Add(u, v, static_cast<int>(this->CornersOf.size()));
-  return this->CornersOf.emplace_back();
 }
 
 // The square of the largest distance of a corner, and of those that went beside it, from the line that would take their place.
@@ -123,11 +107,6 @@ bool lms3dOutlineSimplifier::IsEmpty(
   const std::array<lms3dPoint2, 3>& triangle, Corner corner) const
 {
   const int orientation = lms3dGetOrientation(triangle[0], triangle[1], triangle[2]);
-  std::array<lms3dPoint2, 3> scaled = triangle;
-  for (lms3dPoint2& point : scaled)
-  {
-    point = { point[0] / BucketSize, point[1] / BucketSize };
-  }
   const auto [left, right] = std::minmax({ triangle[0][0], triangle[1][0], triangle[2][0] });
   const auto [bottom, top] = std::minmax({ triangle[0][1], triangle[1][1], triangle[2][1] });
   // Structured bindings cannot be captured in C++17.
@@ -142,36 +121,7 @@ bool lms3dOutlineSimplifier::IsEmpty(
     return other == corner || other == this->Next[corner] || other == this->Previous[corner] ||
       !IsIn(this->Points[other], triangle, orientation);
   };
-  const auto areFree = [&](std::int32_t column, std::int32_t row)
-  {
-    const int bucket = this->Buckets.Find(column, row);
-    return bucket < 0 ||
-      std::all_of(this->CornersOf[bucket].begin(), this->CornersOf[bucket].end(), isFree);
-  };
-  const lms3dCellBox near = lms3dGetTouchedBox(scaled);
-  if (near.Right - near.Left <= 1 && near.Top - near.Bottom <= 1)
-  {
-    return areFree(near.Left, near.Bottom) &&
-      (near.Right == near.Left || areFree(near.Right, near.Bottom)) &&
-      (near.Top == near.Bottom ||
-        (areFree(near.Left, near.Top) &&
-          (near.Right == near.Left || areFree(near.Right, near.Top))));
-  }
-  return lms3dForTouchedStrips(scaled,
-    [&](const lms3dCellStrip& strip)
-    {
-      for (int row = 0; row < strip.Count; ++row)
-      {
-        for (std::int32_t column = strip.First[row]; column <= strip.Last[row]; ++column)
-        {
-          if (!areFree(column, strip.Row + row))
-          {
-            return false;
-          }
-        }
-      }
-      return true;
-    });
+  return this->Buckets.AllOf(triangle, isFree);
 }
 
 bool lms3dOutlineSimplifier::MayGo(Corner corner) const
@@ -216,9 +166,7 @@ void lms3dOutlineSimplifier::Remove(Corner corner)
   const Corner previous = this->Previous[corner];
   const Corner next = this->Next[corner];
   this->IsGone[corner] = true;
-  std::vector<Corner>& bucket = this->GetBucket(this->Points[corner]);
-  *std::find(bucket.begin(), bucket.end(), corner) = bucket.back();
-  bucket.pop_back();
+  this->Buckets.Remove(corner, this->Points[corner]);
   this->Next[previous] = next;
   this->Previous[next] = previous;
   this->Queue(previous);

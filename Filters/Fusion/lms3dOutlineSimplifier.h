@@ -7,7 +7,7 @@
 #ifndef lms3dOutlineSimplifier_h
 #define lms3dOutlineSimplifier_h
 
-#include "Fusion/lms3dBlockIndex.h"
+#include "Fusion/lms3dCornerBuckets.h"
 #include "Fusion/lms3dRaster.h"
 #include "Fusion/lms3dRasterOutline.h"
 
@@ -55,8 +55,6 @@ private:
   bool MayGain(const std::array<lms3dPoint2, 3>& triangle) const;
   bool IsEmpty(const std::array<lms3dPoint2, 3>& triangle, Corner corner) const;
   void Remove(Corner corner);
-  /// The corners that did not go near a point.
-  std::vector<Corner>& GetBucket(const lms3dPoint2& point);
 
   const lms3dRaster& Region;
   const std::vector<bool>& IsFixed;
@@ -70,8 +68,8 @@ private:
   std::vector<int> LoopOf;
   std::vector<int> Versions;
   std::vector<bool> IsGone;
-  lms3dBlockIndex Buckets;
-  std::vector<std::vector<Corner>> CornersOf;
+  /// The corners that did not go.
+  lms3dCornerBuckets Buckets;
   std::priority_queue<Candidate> Candidates;
 };
 
