@@ -19,8 +19,8 @@ constexpr double PassedShare = 0.999;
 constexpr double SmallestCosine = 1e-9;
 // Cells: no block lies farther away.
 constexpr double LargestCell = 2e9;
-// More than the rounding of a quick look at a beam, as a share of the range, and metres. At smaller cosines the
-// rounding may be larger.
+// More than the rounding of a quick look at a beam, as a share of the range, and metres. At smaller
+// cosines the rounding may be larger.
 constexpr double QuickShare = 1e-6;
 constexpr double QuickCosine = 1e-5;
 } // namespace

@@ -26,7 +26,8 @@ public:
   {
   }
 
-  /// Sets Passed of the blocks of a plane from `firstBlock` on, and Open between the beams that passed them.
+  /// Sets Passed of the blocks of a plane from `firstBlock` on, and Open between the beams that
+  /// passed them.
   void Mark(lms3dFusedPlane& plane, int firstBlock);
 
 private:

@@ -99,7 +99,8 @@ std::pair<double, double> lms3dGetHeights(const Points& points)
   return heights;
 }
 
-/// The cells that a convex polygon touches in rows from `row` to `last`, which lie in one row of blocks.
+/// The cells that a convex polygon touches in rows from `row` to `last`, which lie in one row of
+/// blocks.
 template <typename Points>
 lms3dCellStrip lms3dGetTouchedStrip(const Points& points, std::int32_t row, std::int32_t last)
 {
@@ -164,8 +165,8 @@ lms3dCellStrip lms3dGetCentreStrip(const Points& points, std::int32_t row, std::
   return strip;
 }
 
-/// Calls `visit` with the first and the last of the rows from `first` to `last` in each row of blocks. Stops, and
-/// returns false, if `visit` returns false.
+/// Calls `visit` with the first and the last of the rows from `first` to `last` in each row of
+/// blocks. Stops, and returns false, if `visit` returns false.
 template <typename Visitor>
 bool lms3dForRowsOfBlocks(std::int32_t first, std::int32_t last, const Visitor& visit)
 {
@@ -180,8 +181,8 @@ bool lms3dForRowsOfBlocks(std::int32_t first, std::int32_t last, const Visitor& 
   return true;
 }
 
-/// Calls `visit` with the strips of all cells that a convex polygon touches. Stops, and returns false, if `visit`
-/// returns false.
+/// Calls `visit` with the strips of all cells that a convex polygon touches. Stops, and returns
+/// false, if `visit` returns false.
 template <typename Points, typename Visitor>
 bool lms3dForTouchedStrips(const Points& points, const Visitor& visit)
 {

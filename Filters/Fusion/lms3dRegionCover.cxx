@@ -52,7 +52,8 @@ struct Crossing
   }
 };
 
-/// Each edge has its lower end, but not its upper one, so that each row has an even number of crossings.
+/// Each edge has its lower end, but not its upper one, so that each row has an even number of
+/// crossings.
 std::vector<Crossing> FindCrossings(const std::vector<Edge>& border)
 {
   std::vector<Crossing> crossings;
@@ -70,7 +71,8 @@ std::vector<Crossing> FindCrossings(const std::vector<Edge>& border)
   return crossings;
 }
 
-/// Sets Covered between successive crossings. The n-th spans of the rows of a row of blocks make a strip.
+/// Sets Covered between successive crossings. The n-th spans of the rows of a row of blocks make a
+/// strip.
 class Filler
 {
 public:

@@ -12,8 +12,8 @@
 
 #include <vector>
 
-/// Sets Covered and Touched of the cells that triangles cover and touch. The triangles share their edges, so only the
-/// edges around them are looked at.
+/// Sets Covered and Touched of the cells that triangles cover and touch. The triangles share their
+/// edges, so only the edges around them are looked at.
 void lms3dCoverRegion(const std::vector<lms3dTriangle2>& triangles, lms3dRaster& raster);
 
 #endif
