@@ -42,24 +42,15 @@ public:
       point = { point[0] / Size, point[1] / Size };
     }
     const lms3dCellBox box = lms3dGetTouchedBox(scaled);
-    // The buckets of a small box cost less than the strips of a triangle.
+    // The buckets of a small box cost less than the rows of a triangle.
     if (box.Right - box.Left <= 1 && box.Top - box.Bottom <= 1)
     {
       return this->AllInRow(box.Bottom, box.Left, box.Right, predicate) &&
         (box.Top == box.Bottom || this->AllInRow(box.Top, box.Left, box.Right, predicate));
     }
-    return lms3dForTouchedStrips(scaled,
-      [&](const lms3dCellStrip& strip)
-      {
-        for (int row = 0; row < strip.Count; ++row)
-        {
-          if (!this->AllInRow(strip.Row + row, strip.First[row], strip.Last[row], predicate))
-          {
-            return false;
-          }
-        }
-        return true;
-      });
+    return lms3dForTouchedRows(scaled,
+      [&](std::int32_t row, std::int32_t first, std::int32_t last)
+      { return this->AllInRow(row, first, last, predicate); });
   }
 
 private:

@@ -86,9 +86,9 @@ std::vector<lms3dTriangle2> lms3dDropIslands(
   {
     if (!hasReturn[find(i)])
     {
-      hasReturn[find(i)] = !lms3dForCentreStrips(triangles[i],
-        [&](const lms3dCellStrip& strip)
-        { return !raster.HasAny(&lms3dRasterBlock::Must, strip); });
+      hasReturn[find(i)] = !lms3dForCentreRows(triangles[i],
+        [&](std::int32_t row, std::int32_t first, std::int32_t last)
+        { return !raster.HasAny(&lms3dRasterBlock::Must, row, first, last); });
     }
   }
   std::vector<lms3dTriangle2> kept;

@@ -204,4 +204,35 @@ bool lms3dForCentreStrips(const Points& points, const Visitor& visit)
     { return visit(lms3dGetCentreStrip(points, first, last)); });
 }
 
+/// Calls `visit` with each row of a strip that has cells, its first and its last cell. Stops, and
+/// returns false, if `visit` returns false.
+template <typename Visitor>
+bool lms3dForRows(const lms3dCellStrip& strip, const Visitor& visit)
+{
+  for (int i = 0; i < strip.Count; ++i)
+  {
+    if (strip.First[i] <= strip.Last[i] && !visit(strip.Row + i, strip.First[i], strip.Last[i]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The same for all cells that a convex polygon touches.
+template <typename Points, typename Visitor>
+bool lms3dForTouchedRows(const Points& points, const Visitor& visit)
+{
+  return lms3dForTouchedStrips(
+    points, [&](const lms3dCellStrip& strip) { return lms3dForRows(strip, visit); });
+}
+
+/// The same for the cells whose centre lies in the polygon.
+template <typename Points, typename Visitor>
+bool lms3dForCentreRows(const Points& points, const Visitor& visit)
+{
+  return lms3dForCentreStrips(
+    points, [&](const lms3dCellStrip& strip) { return lms3dForRows(strip, visit); });
+}
+
 #endif
