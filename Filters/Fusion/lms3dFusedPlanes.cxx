@@ -55,10 +55,11 @@ void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int t
       plane.High[axis] = std::max(plane.High[axis], point[axis]);
     }
   }
-  lms3dForTouchedRows(cells,
-    [&](std::int32_t row, std::int32_t first, std::int32_t last)
+  lms3dForTouchedStrips(cells,
+    [&](const lms3dCellStrip& strip)
     {
-      plane.Raster.SetRow(&lms3dRasterBlock::May, row, first, last, true, true, [](int) {});
+      plane.Raster.MakeBlocks(strip);
+      plane.Raster.Set(&lms3dRasterBlock::May, strip, true);
       return true;
     });
 }

@@ -128,11 +128,19 @@ bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
       changed.push_back(static_cast<int>(i));
     }
   }
+  // The threads share the work best if large planes come first.
+  std::stable_sort(changed.begin(), changed.end(),
+    [&](int a, int b)
+    {
+      return this->Planes[a].Raster.GetNumberOfBlocks() >
+        this->Planes[b].Raster.GetNumberOfBlocks();
+    });
   const std::size_t count = changed.size();
   for (std::size_t first = 0; first < count; first += PlanesOfStep)
   {
     const std::size_t end = std::min(first + PlanesOfStep, count);
-    tbb::parallel_for(first, end, [&](std::size_t i) { this->RenewPlane(changed[i]); });
+    tbb::parallel_for(
+      first, end, [&](std::size_t i) { this->RenewPlane(changed[i]); }, tbb::simple_partitioner());
     if (!progress(static_cast<double>(end) / static_cast<double>(count)))
     {
       return false;
@@ -161,11 +169,10 @@ void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bo
     [&](std::size_t i)
     {
       lms3dFusedPlane& plane = this->Planes[i];
-      lms3dPassedBeams beams(ranges, this->Settings.MaximumError, forgets);
       const int first = newBlocksOnly ? plane.OldBlocks : 0;
-      for (int block = first; block < plane.Raster.GetNumberOfBlocks(); ++block)
+      if (first < plane.Raster.GetNumberOfBlocks())
       {
-        beams.Mark(plane, block);
+        lms3dPassedBeams(ranges, this->Settings.MaximumError, forgets).Mark(plane, first);
       }
     });
 }

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace
 {
-// Cells: the size of a bucket of corners.
-constexpr double BucketSize = 16.0;
 // Squared cells: corners nearer than this to a line lie on it.
 constexpr double OnLine = 1e-12;
 constexpr double Infinite = 1e300;
@@ -63,23 +63,11 @@ void lms3dOutlineSimplifier::Link(const std::vector<lms3dLoop>& loops)
       this->Next.push_back(first + (i + 1) % size);
       this->Previous.push_back(first + (i + size - 1) % size);
       this->LoopOf.push_back(static_cast<int>(loop));
-      this->Buckets[GetBucket(loops[loop][i])].push_back(first + i);
+      this->Buckets.Add(first + i, loops[loop][i]);
     }
   }
   this->Versions.assign(this->Points.size(), 0);
   this->IsGone.assign(this->Points.size(), false);
-}
-
-std::uint64_t lms3dOutlineSimplifier::GetBucket(std::int32_t u, std::int32_t v)
-{
-  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(u)) << 32 |
-    static_cast<std::uint32_t>(v);
-}
-
-std::uint64_t lms3dOutlineSimplifier::GetBucket(const lms3dPoint2& point)
-{
-  return GetBucket(static_cast<std::int32_t>(std::floor(point[0] / BucketSize)),
-    static_cast<std::int32_t>(std::floor(point[1] / BucketSize)));
 }
 
 // The square of the largest distance of a corner, and of those that went beside it, from the line that would take their place.
@@ -119,11 +107,6 @@ bool lms3dOutlineSimplifier::IsEmpty(
   const std::array<lms3dPoint2, 3>& triangle, Corner corner) const
 {
   const int orientation = lms3dGetOrientation(triangle[0], triangle[1], triangle[2]);
-  std::array<lms3dPoint2, 3> scaled = triangle;
-  for (lms3dPoint2& point : scaled)
-  {
-    point = { point[0] / BucketSize, point[1] / BucketSize };
-  }
   const auto [left, right] = std::minmax({ triangle[0][0], triangle[1][0], triangle[2][0] });
   const auto [bottom, top] = std::minmax({ triangle[0][1], triangle[1][1], triangle[2][1] });
   // Structured bindings cannot be captured in C++17.
@@ -136,22 +119,9 @@ bool lms3dOutlineSimplifier::IsEmpty(
       return true;
     }
     return other == corner || other == this->Next[corner] || other == this->Previous[corner] ||
-      this->IsGone[other] || !IsIn(this->Points[other], triangle, orientation);
+      !IsIn(this->Points[other], triangle, orientation);
   };
-  return lms3dForTouchedRows(scaled,
-    [&](std::int32_t row, std::int32_t first, std::int32_t last)
-    {
-      for (std::int32_t column = first; column <= last; ++column)
-      {
-        const auto bucket = this->Buckets.find(GetBucket(column, row));
-        if (bucket != this->Buckets.end() &&
-          !std::all_of(bucket->second.begin(), bucket->second.end(), isFree))
-        {
-          return false;
-        }
-      }
-      return true;
-    });
+  return this->Buckets.AllOf(triangle, isFree);
 }
 
 bool lms3dOutlineSimplifier::MayGo(Corner corner) const
@@ -167,17 +137,28 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
   {
     return this->IsEmpty(triangle, corner);
   }
-  const bool isFree = orientation > 0
-    ? lms3dForCentreRows(triangle,
-        [&](std::int32_t row, std::int32_t first, std::int32_t last)
-        { return !this->Region.HasAny(&lms3dRasterBlock::Must, row, first, last); })
-    : lms3dForTouchedRows(triangle,
-        [&](std::int32_t row, std::int32_t first, std::int32_t last)
-        {
-          return this->Region.HasBlocks(row, first, last) &&
-            !this->Region.HasAny(&lms3dRasterBlock::Passed, row, first, last);
-        });
-  return isFree && this->IsEmpty(triangle, corner);
+  return (orientation > 0 ? this->MayLose(triangle) : this->MayGain(triangle)) &&
+    this->IsEmpty(triangle, corner);
+}
+
+bool lms3dOutlineSimplifier::MayLose(const std::array<lms3dPoint2, 3>& triangle) const
+{
+  return !this->Region.HasAny(&lms3dRasterBlock::Must, lms3dGetTouchedBox(triangle)) ||
+    lms3dForCentreStrips(triangle,
+      [&](const lms3dCellStrip& strip)
+      { return !this->Region.HasAny(&lms3dRasterBlock::Must, strip); });
+}
+
+bool lms3dOutlineSimplifier::MayGain(const std::array<lms3dPoint2, 3>& triangle) const
+{
+  const lms3dCellBox box = lms3dGetTouchedBox(triangle);
+  return (!this->Region.HasAny(&lms3dRasterBlock::Passed, box) && this->Region.HasBlocks(box)) ||
+    lms3dForTouchedStrips(triangle,
+      [&](const lms3dCellStrip& strip)
+      {
+        return this->Region.HasBlocks(strip) &&
+          !this->Region.HasAny(&lms3dRasterBlock::Passed, strip);
+      });
 }
 
 void lms3dOutlineSimplifier::Remove(Corner corner)
@@ -185,6 +166,7 @@ void lms3dOutlineSimplifier::Remove(Corner corner)
   const Corner previous = this->Previous[corner];
   const Corner next = this->Next[corner];
   this->IsGone[corner] = true;
+  this->Buckets.Remove(corner, this->Points[corner]);
   this->Next[previous] = next;
   this->Previous[next] = previous;
   this->Queue(previous);
@@ -194,10 +176,16 @@ void lms3dOutlineSimplifier::Remove(Corner corner)
 std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
 {
   const auto count = static_cast<Corner>(this->Points.size());
+  std::vector<Candidate> candidates;
   for (Corner corner = 0; corner < count; ++corner)
   {
-    this->Queue(corner);
+    const double cost = this->GetCost(corner);
+    if (cost <= this->Tolerance)
+    {
+      candidates.push_back({ cost, corner, 0 });
+    }
   }
+  this->Candidates = std::priority_queue<Candidate>(std::less<Candidate>(), std::move(candidates));
   while (!this->Candidates.empty())
   {
     const Candidate candidate = this->Candidates.top();

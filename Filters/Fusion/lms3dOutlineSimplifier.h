@@ -7,13 +7,13 @@
 #ifndef lms3dOutlineSimplifier_h
 #define lms3dOutlineSimplifier_h
 
+#include "Fusion/lms3dCornerBuckets.h"
 #include "Fusion/lms3dRaster.h"
 #include "Fusion/lms3dRasterOutline.h"
 
 #include <array>
 #include <cstdint>
 #include <queue>
-#include <unordered_map>
 #include <vector>
 
 /**
@@ -51,10 +51,10 @@ private:
   void Queue(Corner corner);
   double GetCost(Corner corner) const;
   bool MayGo(Corner corner) const;
+  bool MayLose(const std::array<lms3dPoint2, 3>& triangle) const;
+  bool MayGain(const std::array<lms3dPoint2, 3>& triangle) const;
   bool IsEmpty(const std::array<lms3dPoint2, 3>& triangle, Corner corner) const;
   void Remove(Corner corner);
-  static std::uint64_t GetBucket(const lms3dPoint2& point);
-  static std::uint64_t GetBucket(std::int32_t u, std::int32_t v);
 
   const lms3dRaster& Region;
   const std::vector<bool>& IsFixed;
@@ -68,7 +68,8 @@ private:
   std::vector<int> LoopOf;
   std::vector<int> Versions;
   std::vector<bool> IsGone;
-  std::unordered_map<std::uint64_t, std::vector<Corner>> Buckets;
+  /// The corners that did not go.
+  lms3dCornerBuckets Buckets;
   std::priority_queue<Candidate> Candidates;
 };
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace
 {
@@ -16,12 +17,32 @@ constexpr double LargestDistance = 128.0;
 // The share of the bound from which on a beam counts as passed; less than 1 because of rounding.
 constexpr double PassedShare = 0.999;
 constexpr double SmallestCosine = 1e-9;
+// Cells: no block lies farther away.
+constexpr double LargestCell = 2e9;
+// More than the rounding of a quick look at a beam, as a share of the range, and metres. At smaller
+// cosines the rounding may be larger.
+constexpr double QuickShare = 1e-6;
+constexpr double QuickCosine = 1e-5;
 } // namespace
+
+// A quick look, in the sensor frame. Returns false if in doubt.
+bool lms3dPassedBeams::IsSurelyShort(int beamId, double range) const
+{
+  const lms3dBeamTable& table = this->Ranges.GetTable();
+  const double cosine = lms3dDot(this->Normal, table.GetDirection(beamId));
+  if (table.HasStarts() || std::abs(cosine) < QuickCosine)
+  {
+    return false;
+  }
+  const double crossing = -this->Height / cosine;
+  const double margin = QuickShare * (1.0 + std::abs(crossing));
+  return crossing < -margin || range - crossing < PassedShare * this->MaximumError - margin;
+}
 
 lms3dPassedBeams::Passage lms3dPassedBeams::Find(const lms3dFusedPlane& plane, int beamId) const
 {
   const double range = this->Ranges.GetRange(beamId);
-  if (range == 0.0)
+  if (range == 0.0 || this->IsSurelyShort(beamId, range))
   {
     return {};
   }
@@ -46,43 +67,73 @@ lms3dPassedBeams::Passage lms3dPassedBeams::Find(const lms3dFusedPlane& plane, i
   return { true, plane.Frame.ToCells(lms3dAdd(start, lms3dScale(direction, crossing))) };
 }
 
-void lms3dPassedBeams::Mark(lms3dFusedPlane& plane, int block)
+void lms3dPassedBeams::FindBins(const lms3dFusedPlane& plane, int firstBlock)
 {
-  const lms3dRasterBlock& cells = plane.Raster.GetBlock(block);
-  const lms3dVector centre = plane.Frame.ToWorld(
-    { (cells.U + 0.5) * lms3dRaster::Size, (cells.V + 0.5) * lms3dRaster::Size });
-  this->Ranges.FindBins(centre, HalfDiagonal * plane.Frame.GetCell(), this->Bins);
+  this->Bins.clear();
+  this->HasBin.resize(static_cast<std::size_t>(this->Ranges.GetTable().GetNumberOfBins()));
+  for (int block = firstBlock; block < plane.Raster.GetNumberOfBlocks(); ++block)
+  {
+    const lms3dRasterBlock& cells = plane.Raster.GetBlock(block);
+    const lms3dVector centre = plane.Frame.ToWorld(
+      { (cells.U + 0.5) * lms3dRaster::Size, (cells.V + 0.5) * lms3dRaster::Size });
+    this->Ranges.FindBins(centre, HalfDiagonal * plane.Frame.GetCell(), this->BinsOfBlock);
+    for (const int bin : this->BinsOfBlock)
+    {
+      if (!this->HasBin[bin])
+      {
+        this->HasBin[bin] = true;
+        this->Bins.push_back(bin);
+      }
+    }
+  }
+  for (const int bin : this->Bins)
+  {
+    this->HasBin[bin] = false;
+  }
+}
+
+void lms3dPassedBeams::Mark(lms3dFusedPlane& plane, int firstBlock)
+{
+  this->FindBins(plane, firstBlock);
+  const lms3dVector& position = this->Ranges.GetPosition();
+  this->Normal = this->Ranges.ToSensor(lms3dAdd(position, plane.Frame.GetNormal()));
+  this->Height = plane.Frame.GetHeight(position);
   const lms3dBeamTable& table = this->Ranges.GetTable();
   for (const int bin : this->Bins)
   {
     for (const int* id = table.GetFirstInBin(bin); id != table.GetEndOfBin(bin); ++id)
     {
-      this->MarkBeam(plane, block, *id);
+      this->MarkBeam(plane, firstBlock, *id);
     }
   }
 }
 
-void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int block, int beamId)
+void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int firstBlock, int beamId)
 {
   const Passage passage = this->Find(plane, beamId);
-  if (!passage.IsPassed)
+  if (!passage.IsPassed || std::abs(passage.Place[0]) > LargestCell ||
+    std::abs(passage.Place[1]) > LargestCell)
+  {
+    return;
+  }
+  const auto column = static_cast<std::int32_t>(std::floor(passage.Place[0]));
+  const auto row = static_cast<std::int32_t>(std::floor(passage.Place[1]));
+  const int block =
+    plane.Raster.Find(lms3dRaster::GetBlockOf(column), lms3dRaster::GetBlockOf(row));
+  if (block < firstBlock)
   {
     return;
   }
   lms3dRasterBlock& cells = plane.Raster.GetBlock(block);
-  const double u = std::floor(passage.Place[0]) - static_cast<double>(cells.U) * lms3dRaster::Size;
-  const double v = std::floor(passage.Place[1]) - static_cast<double>(cells.V) * lms3dRaster::Size;
-  if (u < 0.0 || v < 0.0 || u >= lms3dRaster::Size || v >= lms3dRaster::Size)
-  {
-    return;
-  }
-  std::uint64_t& word = cells.Passed[static_cast<int>(v)];
-  const std::uint64_t bit = std::uint64_t{ 1 } << static_cast<int>(u);
-  plane.IsChanged = plane.IsChanged || (~word & cells.Touched[static_cast<int>(v)] & bit) != 0;
+  const int u = lms3dRaster::GetPlaceOf(column);
+  const int v = lms3dRaster::GetPlaceOf(row);
+  std::uint64_t& word = cells.Passed[v];
+  const std::uint64_t bit = std::uint64_t{ 1 } << u;
+  plane.IsChanged = plane.IsChanged || (~word & cells.Touched[v] & bit) != 0;
   word |= bit;
   if (this->Forgets)
   {
-    cells.Must[static_cast<int>(v)] &= ~bit;
+    cells.Must[v] &= ~bit;
   }
   this->MarkAround(plane, beamId, passage.Place);
 }
@@ -91,24 +142,25 @@ void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int block, int beamId)
 template <typename Points>
 void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
 {
-  const auto setRow = [&](lms3dRaster::BitsOf bits, bool value)
+  const auto set = [&](lms3dRaster::BitsOf bits, bool value)
   {
-    return [&plane, bits, value](std::int32_t row, std::int32_t first, std::int32_t last)
+    return [&plane, bits, value](const lms3dCellStrip& strip)
     {
-      plane.Raster.SetRow(bits, row, first, last, value, false, [](int) {});
+      plane.Raster.Set(bits, strip, value);
       return true;
     };
   };
   if (this->Forgets)
   {
-    lms3dForTouchedRows(points, setRow(&lms3dRasterBlock::Must, false));
+    lms3dForTouchedStrips(points, set(&lms3dRasterBlock::Must, false));
   }
-  const bool isFree = lms3dForTouchedRows(points,
-    [&](std::int32_t row, std::int32_t first, std::int32_t last)
-    { return !plane.Raster.HasAny(&lms3dRasterBlock::Must, row, first, last); });
+  const bool isFree = !plane.Raster.HasAny(&lms3dRasterBlock::Must, lms3dGetTouchedBox(points)) ||
+    lms3dForTouchedStrips(points,
+      [&](const lms3dCellStrip& strip)
+      { return !plane.Raster.HasAny(&lms3dRasterBlock::Must, strip); });
   if (isFree)
   {
-    lms3dForTouchedRows(points, setRow(&lms3dRasterBlock::Open, true));
+    lms3dForTouchedStrips(points, set(&lms3dRasterBlock::Open, true));
   }
 }
 

@@ -26,8 +26,9 @@ public:
   {
   }
 
-  /// Sets Passed and Open of one block of a plane.
-  void Mark(lms3dFusedPlane& plane, int block);
+  /// Sets Passed of the blocks of a plane from `firstBlock` on, and Open between the beams that
+  /// passed them.
+  void Mark(lms3dFusedPlane& plane, int firstBlock);
 
 private:
   /// Where a beam passed, cells.
@@ -37,8 +38,10 @@ private:
     lms3dPoint2 Place = {};
   };
 
+  void FindBins(const lms3dFusedPlane& plane, int firstBlock);
+  bool IsSurelyShort(int beamId, double range) const;
   Passage Find(const lms3dFusedPlane& plane, int beamId) const;
-  void MarkBeam(lms3dFusedPlane& plane, int block, int beamId);
+  void MarkBeam(lms3dFusedPlane& plane, int firstBlock, int beamId);
   void MarkAround(lms3dFusedPlane& plane, int beamId, const lms3dPoint2& place) const;
   template <typename Points>
   void Open(lms3dFusedPlane& plane, const Points& points) const;
@@ -46,7 +49,12 @@ private:
   const lms3dSeenRanges& Ranges;
   const double MaximumError;
   const bool Forgets;
+  /// The plane in the sensor frame: its normal, and the sensor's distance in front of it.
+  lms3dVector Normal = {};
+  double Height = 0.0;
   std::vector<int> Bins;
+  std::vector<int> BinsOfBlock;
+  std::vector<bool> HasBin;
 };
 
 #endif

@@ -4,15 +4,29 @@
 
 int lms3dRaster::Make(std::int32_t u, std::int32_t v)
 {
-  const auto [place, isNew] = this->Numbers.try_emplace(GetKey(u, v), this->GetNumberOfBlocks());
-  if (isNew)
+  const int found = this->Numbers.Find(u, v);
+  if (found >= 0)
   {
-    lms3dRasterBlock block;
-    block.U = u;
-    block.V = v;
-    this->Blocks.push_back(block);
+    return found;
   }
-  return place->second;
+  const int made = this->GetNumberOfBlocks();
+  this->Numbers.Add(u, v, made);
+  this->Blocks.emplace_back();
+  this->Blocks.back().U = u;
+  this->Blocks.back().V = v;
+  return made;
+}
+
+void lms3dRaster::MakeBlocksOf(const lms3dRaster& other)
+{
+  this->Numbers = other.Numbers;
+  this->Blocks.clear();
+  this->Blocks.resize(other.Blocks.size());
+  for (std::size_t i = 0; i < other.Blocks.size(); ++i)
+  {
+    this->Blocks[i].U = other.Blocks[i].U;
+    this->Blocks[i].V = other.Blocks[i].V;
+  }
 }
 
 bool lms3dRaster::Has(BitsOf bits, std::int32_t u, std::int32_t v) const
@@ -35,14 +49,124 @@ bool lms3dRaster::HasAny(BitsOf bits, std::int32_t row, std::int32_t first, std:
   return false;
 }
 
-bool lms3dRaster::HasBlocks(std::int32_t row, std::int32_t first, std::int32_t last) const
+bool lms3dRaster::HasAny(BitsOf bits, const lms3dCellStrip& strip) const
 {
-  for (std::int32_t u = GetBlockOf(first); u <= GetBlockOf(last); ++u)
+  const std::int32_t v = GetBlockOf(strip.Row);
+  for (std::int32_t u = GetBlockOf(strip.Left); !strip.IsEmpty() && u <= GetBlockOf(strip.Right);
+       ++u)
   {
-    if (this->Find(u, GetBlockOf(row)) < 0)
+    const int number = this->Find(u, v);
+    if (number < 0)
     {
-      return false;
+      continue;
+    }
+    const std::uint64_t* words = &(this->Blocks[number].*bits)[GetPlaceOf(strip.Row)];
+    std::uint64_t found = 0;
+    for (int row = 0; row < strip.Count; ++row)
+    {
+      found |= words[row] & strip.GetBits(row, u * Size);
+    }
+    if (found != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool lms3dRaster::HasAny(BitsOf bits, const lms3dCellBox& box) const
+{
+  for (std::int32_t v = GetBlockOf(box.Bottom); v <= GetBlockOf(box.Top); ++v)
+  {
+    const int from = GetBlockOf(box.Bottom) == v ? GetPlaceOf(box.Bottom) : 0;
+    const int to = GetBlockOf(box.Top) == v ? GetPlaceOf(box.Top) : Size - 1;
+    for (std::int32_t u = GetBlockOf(box.Left); u <= GetBlockOf(box.Right); ++u)
+    {
+      const int number = this->Find(u, v);
+      std::uint64_t found = 0;
+      for (int row = from; number >= 0 && row <= to; ++row)
+      {
+        found |= (this->Blocks[number].*bits)[row];
+      }
+      if ((found & GetMask(u, box.Left, box.Right)) != 0)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool lms3dRaster::HasBlocks(const lms3dCellBox& box) const
+{
+  for (std::int32_t v = GetBlockOf(box.Bottom); v <= GetBlockOf(box.Top); ++v)
+  {
+    for (std::int32_t u = GetBlockOf(box.Left); u <= GetBlockOf(box.Right); ++u)
+    {
+      if (this->Find(u, v) < 0)
+      {
+        return false;
+      }
     }
   }
   return true;
+}
+
+bool lms3dRaster::HasBlocks(const lms3dCellStrip& strip) const
+{
+  const std::int32_t v = GetBlockOf(strip.Row);
+  for (std::int32_t u = GetBlockOf(strip.Left); !strip.IsEmpty() && u <= GetBlockOf(strip.Right);
+       ++u)
+  {
+    for (int row = 0; row < strip.Count && this->Find(u, v) < 0; ++row)
+    {
+      if (strip.GetBits(row, u * Size) != 0)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void lms3dRaster::Set(BitsOf bits, const lms3dCellStrip& strip, bool value)
+{
+  const std::int32_t v = GetBlockOf(strip.Row);
+  for (std::int32_t u = GetBlockOf(strip.Left); !strip.IsEmpty() && u <= GetBlockOf(strip.Right);
+       ++u)
+  {
+    const int number = this->Find(u, v);
+    if (number < 0)
+    {
+      continue;
+    }
+    std::uint64_t* words = &(this->Blocks[number].*bits)[GetPlaceOf(strip.Row)];
+    for (int row = 0; row < strip.Count; ++row)
+    {
+      const std::uint64_t mask = strip.GetBits(row, u * Size);
+      words[row] = value ? words[row] | mask : words[row] & ~mask;
+    }
+  }
+}
+
+void lms3dRaster::MakeBlocks(const lms3dCellStrip& strip)
+{
+  const std::int32_t v = GetBlockOf(strip.Row);
+  std::int32_t left = 1;
+  std::int32_t right = 0;
+  for (int row = 0; row < strip.Count; ++row)
+  {
+    const std::int32_t first = GetBlockOf(strip.First[row]);
+    const std::int32_t last = GetBlockOf(strip.Last[row]);
+    if (strip.First[row] > strip.Last[row] || (left <= first && last <= right))
+    {
+      continue;
+    }
+    for (std::int32_t u = first; u <= last; ++u)
+    {
+      this->Make(u, v);
+    }
+    left = first;
+    right = last;
+  }
 }

@@ -7,12 +7,13 @@
 #ifndef lms3dRaster_h
 #define lms3dRaster_h
 
+#include "Fusion/lms3dBlockIndex.h"
+#include "Fusion/lms3dCellStrip.h"
 #include "Fusion/lms3dFusedMesh.h"
 
 #include <array>
 #include <cstdint>
-#include <unordered_map>
-#include <vector>
+#include <deque>
 
 /// The bits of 64 x 64 cells, one word for each row.
 using lms3dBits = std::array<std::uint64_t, 64>;
@@ -55,11 +56,7 @@ public:
   const lms3dRasterBlock& GetBlock(int number) const { return this->Blocks[number]; }
 
   /// The number of a block, -1 if there is none.
-  int Find(std::int32_t u, std::int32_t v) const
-  {
-    const auto found = this->Numbers.find(GetKey(u, v));
-    return found == this->Numbers.end() ? -1 : found->second;
-  }
+  int Find(std::int32_t u, std::int32_t v) const { return this->Numbers.Find(u, v); }
   /// The same, but makes the block if there is none.
   int Make(std::int32_t u, std::int32_t v);
 
@@ -71,8 +68,26 @@ public:
   /// Returns whether a cell from `first` to `last` of a row has the bit.
   bool HasAny(BitsOf bits, std::int32_t row, std::int32_t first, std::int32_t last) const;
 
-  /// Returns whether all cells from `first` to `last` of a row lie in blocks.
-  bool HasBlocks(std::int32_t row, std::int32_t first, std::int32_t last) const;
+  /// Returns whether a cell of a strip has the bit.
+  bool HasAny(BitsOf bits, const lms3dCellStrip& strip) const;
+
+  /// Returns whether a cell of a box has the bit.
+  bool HasAny(BitsOf bits, const lms3dCellBox& box) const;
+
+  /// Returns whether all cells of a box lie in blocks.
+  bool HasBlocks(const lms3dCellBox& box) const;
+
+  /// Returns whether all cells of a strip lie in blocks.
+  bool HasBlocks(const lms3dCellStrip& strip) const;
+
+  /// Sets or clears a bit of the cells of a strip that lie in blocks.
+  void Set(BitsOf bits, const lms3dCellStrip& strip, bool value);
+
+  /// Makes the blocks of a strip that do not exist, row by row.
+  void MakeBlocks(const lms3dCellStrip& strip);
+
+  /// Makes the blocks of another raster, without bits.
+  void MakeBlocksOf(const lms3dRaster& other);
 
   /// Sets or clears a bit of cells of a row. Blocks are made if `makesBlocks`; other cells without a block stay.
   /// Calls `touch` with the number of each block in which a bit changed.
@@ -100,12 +115,6 @@ public:
   }
 
 private:
-  static std::uint64_t GetKey(std::int32_t u, std::int32_t v)
-  {
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(u)) << 32 |
-      static_cast<std::uint32_t>(v);
-  }
-
   /// The bits of cells from `first` to `last` in a block.
   static std::uint64_t GetMask(std::int32_t block, std::int32_t first, std::int32_t last)
   {
@@ -114,8 +123,9 @@ private:
     return (~std::uint64_t{ 0 } << from) & (~std::uint64_t{ 0 } >> (Size - 1 - to));
   }
 
-  std::vector<lms3dRasterBlock> Blocks;
-  std::unordered_map<std::uint64_t, int> Numbers;
+  /// Blocks stay where they are in memory when others are made.
+  std::deque<lms3dRasterBlock> Blocks;
+  lms3dBlockIndex Numbers;
 };
 
 #endif

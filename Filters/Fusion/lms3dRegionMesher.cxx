@@ -6,6 +6,7 @@
 #include "Fusion/lms3dOutlineSimplifier.h"
 #include "Fusion/lms3dOutlineTriangles.h"
 #include "Fusion/lms3dRasterRows.h"
+#include "Fusion/lms3dRegionCover.h"
 #include "Fusion/lms3dRegionRaster.h"
 
 #include <algorithm>
@@ -49,10 +50,10 @@ public:
       this->AddVerbatim();
       return;
     }
-    for (const Corners2& triangle : this->FindTriangles())
+    const std::vector<Corners2> triangles = this->FindTriangles();
+    lms3dCoverRegion(triangles, this->Plane.Raster);
+    for (const Corners2& triangle : triangles)
     {
-      this->Cover(triangle);
-      this->Touch(triangle);
       this->Add(triangle);
     }
     this->AddFacets();
@@ -125,22 +126,20 @@ private:
 
   void Touch(const Corners2& triangle)
   {
-    lms3dForTouchedRows(triangle,
-      [&](std::int32_t row, std::int32_t first, std::int32_t last)
+    lms3dForTouchedStrips(triangle,
+      [&](const lms3dCellStrip& strip)
       {
-        this->Plane.Raster.SetRow(
-          &lms3dRasterBlock::Touched, row, first, last, true, false, [](int) {});
+        this->Plane.Raster.Set(&lms3dRasterBlock::Touched, strip, true);
         return true;
       });
   }
 
   void Cover(const Corners2& triangle)
   {
-    lms3dForCentreRows(triangle,
-      [&](std::int32_t row, std::int32_t first, std::int32_t last)
+    lms3dForCentreStrips(triangle,
+      [&](const lms3dCellStrip& strip)
       {
-        this->Plane.Raster.SetRow(
-          &lms3dRasterBlock::Covered, row, first, last, true, false, [](int) {});
+        this->Plane.Raster.Set(&lms3dRasterBlock::Covered, strip, true);
         return true;
       });
   }

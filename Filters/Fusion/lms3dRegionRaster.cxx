@@ -3,29 +3,13 @@
 #include "Fusion/lms3dRegionRaster.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace
 {
 constexpr int Last = lms3dRaster::Size - 1;
-
-/// The word of a row of passed cells, where rows -1 and 64 belong to the neighbours.
-std::uint64_t GetWord(const lms3dRaster& raster, std::int32_t u, std::int32_t v, int row)
-{
-  const int above = row > Last ? 1 : 0;
-  const int below = row < 0 ? 1 : 0;
-  const int number = raster.Find(u, v + above - below);
-  return number < 0 ? 0 : raster.GetBlock(number).Passed[row & Last];
-}
-
-/// A row of passed cells, widened by one cell on both sides.
-std::uint64_t GetWideWord(const lms3dRaster& raster, const lms3dRasterBlock& block, int row)
-{
-  const std::uint64_t word = GetWord(raster, block.U, block.V, row);
-  const std::uint64_t left = GetWord(raster, block.U - 1, block.V, row);
-  const std::uint64_t right = GetWord(raster, block.U + 1, block.V, row);
-  return word | word << 1 | word >> 1 | left >> Last | right << Last;
-}
 
 bool IsEmpty(const lms3dBits& bits)
 {
@@ -37,21 +21,52 @@ bool IsEmpty(const lms3dBits& bits)
   return all == 0;
 }
 
-bool HasPassedAround(const lms3dRaster& raster, const lms3dRasterBlock& block)
+/// The passed cells of a block and of its eight neighbours.
+class PassedAround
 {
-  for (int v = -1; v <= 1; ++v)
+public:
+  explicit PassedAround(const lms3dRaster& raster)
+    : Raster(raster)
+    , HasPassed(static_cast<std::size_t>(raster.GetNumberOfBlocks()))
   {
-    for (int u = -1; u <= 1; ++u)
+    for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
     {
-      const int number = raster.Find(block.U + u, block.V + v);
-      if (number >= 0 && !IsEmpty(raster.GetBlock(number).Passed))
-      {
-        return true;
-      }
+      this->HasPassed[i] = !IsEmpty(raster.GetBlock(i).Passed);
     }
   }
-  return false;
-}
+
+  /// Returns whether there is a passed cell.
+  bool MoveTo(const lms3dRasterBlock& block)
+  {
+    bool hasAny = false;
+    for (int v = 0; v < 3; ++v)
+    {
+      for (int u = 0; u < 3; ++u)
+      {
+        const int number = this->Raster.Find(block.U + u - 1, block.V + v - 1);
+        const bool isPassed = number >= 0 && this->HasPassed[number];
+        this->Bits[v][u] = isPassed ? &this->Raster.GetBlock(number).Passed : &this->None;
+        hasAny = hasAny || isPassed;
+      }
+    }
+    return hasAny;
+  }
+
+  /// A row, from -1 to 64, widened by one cell on both sides.
+  std::uint64_t GetWideWord(int row) const
+  {
+    const auto& bits = this->Bits[row < 0 ? 0 : (row > Last ? 2 : 1)];
+    const std::uint64_t word = (*bits[1])[row & Last];
+    return word | word << 1 | word >> 1 | (*bits[0])[row & Last] >> Last |
+      (*bits[2])[row & Last] << Last;
+  }
+
+private:
+  const lms3dRaster& Raster;
+  std::vector<bool> HasPassed;
+  const lms3dBits None = {};
+  std::array<std::array<const lms3dBits*, 3>, 3> Bits = {};
+};
 
 // Cells: how far around a beam that passed the region is taken out at most.
 constexpr int LargestBall = 16;
@@ -160,17 +175,26 @@ void TakeOut(const lms3dRaster& raster, lms3dRaster& region)
 lms3dRaster lms3dMakeRegion(const lms3dRaster& raster)
 {
   lms3dRaster region;
+  region.MakeBlocksOf(raster);
+  PassedAround passed(raster);
   for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
   {
     const lms3dRasterBlock& block = raster.GetBlock(i);
-    lms3dRasterBlock& cells = region.GetBlock(region.Make(block.U, block.V));
-    const bool isDisputed = HasPassedAround(raster, block);
+    lms3dRasterBlock& cells = region.GetBlock(i);
+    if (!passed.MoveTo(block))
+    {
+      cells.Must = block.Must;
+      for (int row = 0; row <= Last; ++row)
+      {
+        cells.May[row] = (block.May[row] & ~block.Open[row]) | block.Must[row];
+      }
+      continue;
+    }
+    cells.Passed = block.Passed;
     for (int row = 0; row <= Last; ++row)
     {
-      const std::uint64_t disputed = isDisputed ? GetWideWord(raster, block, row - 1) |
-          GetWideWord(raster, block, row) | GetWideWord(raster, block, row + 1)
-                                                : 0;
-      cells.Passed[row] = block.Passed[row];
+      const std::uint64_t disputed =
+        passed.GetWideWord(row - 1) | passed.GetWideWord(row) | passed.GetWideWord(row + 1);
       cells.Must[row] = block.Must[row] & ~disputed;
       cells.May[row] = (block.May[row] & ~block.Open[row] & ~block.Passed[row]) | cells.Must[row];
     }

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Cells of a raster in successive rows of one row of blocks.
+ */
+#ifndef lms3dCellStrip_h
+#define lms3dCellStrip_h
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+
+/// The first and the last cells of both axes.
+struct lms3dCellBox
+{
+  std::int32_t Left;
+  std::int32_t Right;
+  std::int32_t Bottom;
+  std::int32_t Top;
+};
+
+struct lms3dCellStrip
+{
+  /// The rows of a block.
+  static constexpr int Size = 64;
+
+  /// The first row.
+  std::int32_t Row = 0;
+  int Count = 0;
+  /// The first and the last cell of each row. A row without cells has the first behind the last.
+  std::array<std::int32_t, Size> First;
+  std::array<std::int32_t, Size> Last;
+  /// The first and the last cell of all rows.
+  std::int32_t Left = std::numeric_limits<std::int32_t>::max();
+  std::int32_t Right = std::numeric_limits<std::int32_t>::min();
+
+  void Add(std::int32_t first, std::int32_t last)
+  {
+    this->First[this->Count] = first;
+    this->Last[this->Count] = last;
+    ++this->Count;
+    if (first <= last)
+    {
+      this->Left = std::min(this->Left, first);
+      this->Right = std::max(this->Right, last);
+    }
+  }
+
+  void AddEmpty() { this->Add(0, -1); }
+  bool IsEmpty() const { return this->Left > this->Right; }
+
+  /// The cells of a row in a block that begins with the cell `start`, as bits.
+  std::uint64_t GetBits(int row, std::int32_t start) const
+  {
+    const std::int32_t from = std::max(this->First[row] - start, 0);
+    const std::int32_t to = std::min(this->Last[row] - start, Size - 1);
+    return from > to ? 0 : (~std::uint64_t{ 0 } << from) & (~std::uint64_t{ 0 } >> (Size - 1 - to));
+  }
+};
+
+#endif
