@@ -58,9 +58,23 @@ void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int t
   lms3dForTouchedRows(cells,
     [&](std::int32_t row, std::int32_t first, std::int32_t last)
     {
-      plane.Raster.SetRow(&lms3dRasterBlock::May, row, first, last, true, true, [](int) {});
+      plane.Raster.SetRow(&lms3dRasterBlock::Guess, row, first, last, true, true, [](int) {});
       return true;
     });
+}
+
+void lms3dFusedPlanes::AcceptGuesses(int number)
+{
+  lms3dRaster& raster = this->Planes[number].Raster;
+  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
+  {
+    lms3dRasterBlock& block = raster.GetBlock(i);
+    for (int row = 0; row < lms3dRaster::Size; ++row)
+    {
+      block.May[row] |= block.Guess[row];
+    }
+    block.Guess = {};
+  }
 }
 
 bool lms3dFusedPlanes::IsCovered(
