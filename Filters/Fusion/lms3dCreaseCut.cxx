@@ -12,7 +12,7 @@ constexpr int Last = lms3dRaster::Size - 1;
 // Cells: how far a crease reaches beyond its parts.
 constexpr double ReachAlong = 12.0;
 // Cells: returns nearer to a crease may be of the other plane.
-constexpr double ReachAcross = 4.0;
+constexpr double ReachAcross = 8.0;
 
 /// Grows bits in a row through all bits of `free`.
 std::uint64_t Fill(std::uint64_t bits, std::uint64_t free)
