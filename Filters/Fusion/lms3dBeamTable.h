@@ -20,6 +20,8 @@ public:
   explicit lms3dBeamTable(const lms3dScanGeometry& geometry);
 
   const lms3dScanGeometry& GetGeometry() const { return this->Geometry; }
+  /// The number of beams.
+  int GetSize() const { return this->Size; }
   const lms3dVector& GetDirection(int beamId) const { return this->Directions[beamId]; }
 
   /// Metres. Zeros if all beams start at the sensor's position.

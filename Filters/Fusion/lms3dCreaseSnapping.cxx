@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dCreaseSnapping.h"
 
+#include "Fusion/lms3dRasterRows.h"
+
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -124,6 +127,41 @@ struct Snapped
   bool IsFixed;
 };
 
+// Whether a side of an outline moves inwards, or no beam passed where it moves over.
+bool IsSweepFree(const std::array<lms3dPoint2, 3>& triangle, const lms3dRaster& region)
+{
+  return lms3dGetOrientation(triangle[0], triangle[1], triangle[2]) >= 0 ||
+    lms3dForTouchedRows(triangle,
+      [&](std::int32_t row, std::int32_t first, std::int32_t last)
+      { return !region.HasAny(&lms3dRasterBlock::Passed, row, first, last); });
+}
+
+// Moves corners back until no side moves over a beam that passed.
+void MoveBack(const lms3dLoop& loop, const lms3dRaster& region, std::vector<Snapped>& corners)
+{
+  const std::size_t count = loop.size();
+  for (bool isChanged = true; isChanged;)
+  {
+    isChanged = false;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::size_t next = (i + 1) % count;
+      Snapped& a = corners[i];
+      Snapped& b = corners[next];
+      if (b.IsFixed && !IsSweepFree({ loop[i], loop[next], b.Point }, region))
+      {
+        b = { loop[next], false };
+        isChanged = true;
+      }
+      if (a.IsFixed && !IsSweepFree({ loop[i], b.Point, a.Point }, region))
+      {
+        a = { loop[i], false };
+        isChanged = true;
+      }
+    }
+  }
+}
+
 bool IsSame(const lms3dPoint2& a, const lms3dPoint2& b)
 {
   return std::abs(a[0] - b[0]) < 1e-7 && std::abs(a[1] - b[1]) < 1e-7;
@@ -175,6 +213,7 @@ std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
       const bool moves = place && IsWayFree(point, *place, region);
       corners.push_back({ moves ? *place : point, moves });
     }
+    MoveBack(loop, region, corners);
     Clean(corners);
     if (corners.size() < 3)
     {

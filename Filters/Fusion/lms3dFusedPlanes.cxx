@@ -59,9 +59,23 @@ void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int t
     [&](const lms3dCellStrip& strip)
     {
       plane.Raster.MakeBlocks(strip);
-      plane.Raster.Set(&lms3dRasterBlock::May, strip, true);
+      plane.Raster.Set(&lms3dRasterBlock::Guess, strip, true);
       return true;
     });
+}
+
+void lms3dFusedPlanes::AcceptGuesses(int number)
+{
+  lms3dRaster& raster = this->Planes[number].Raster;
+  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
+  {
+    lms3dRasterBlock& block = raster.GetBlock(i);
+    for (int row = 0; row < lms3dRaster::Size; ++row)
+    {
+      block.May[row] |= block.Guess[row];
+    }
+    block.Guess = {};
+  }
 }
 
 bool lms3dFusedPlanes::IsCovered(

@@ -35,8 +35,11 @@ public:
   /// Returns the number of a new plane.
   int MakePlane(const lms3dVector& point, const lms3dVector& normal);
 
-  /// Lets a plane have surface where a triangle of a local map is.
+  /// Lets a plane have surface where a triangle of a local map is. The cells get Guess until AcceptGuesses().
   void AddTriangle(int number, const lms3dLocalMap& local, int triangle);
+
+  /// Lets a plane have surface where Guess says so.
+  void AcceptGuesses(int plane);
 
   /// Adds a return to a plane. Returns false if the plane does not explain it.
   bool AddReturn(int number, const lms3dMappedReturn& mapped);

@@ -62,7 +62,7 @@ bool lms3dGrowingMap::Add(
     this->MarkPassed(*ranges, true, false);
   }
   this->Planes.SetScan(this->GetNumberOfScans() - 1);
-  lms3dScanJoin(local, this->Planes).Join();
+  lms3dScanJoin(local, *ranges, this->Planes).Join();
   this->MarkPassed(*ranges, false, false);
   for (const std::unique_ptr<lms3dSeenRanges>& earlier : this->Seen)
   {

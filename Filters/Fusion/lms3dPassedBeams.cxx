@@ -58,12 +58,6 @@ lms3dPassedBeams::Passage lms3dPassedBeams::Find(const lms3dFusedPlane& plane, i
   {
     return {};
   }
-  if (plane.IsCurved &&
-    std::abs(plane.Frame.GetHeight(lms3dAdd(start, lms3dScale(direction, range)))) <=
-      this->MaximumError)
-  {
-    return {};
-  }
   return { true, plane.Frame.ToCells(lms3dAdd(start, lms3dScale(direction, crossing))) };
 }
 

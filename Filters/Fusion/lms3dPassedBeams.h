@@ -16,8 +16,7 @@
 class lms3dPassedBeams
 {
 public:
-  /// A beam passed if its return is farther than the plane by more than `maximumError`, metres, unless the plane is
-  /// curved and the return within this distance of it: such a beam grazes a curved surface. If `forgets`, the
+  /// A beam passed if its return is farther than the plane by more than `maximumError`, metres. If `forgets`, the
   /// returns of other scans between beams that all passed are taken out.
   lms3dPassedBeams(const lms3dSeenRanges& ranges, double maximumError, bool forgets)
     : Ranges(ranges)

@@ -26,6 +26,8 @@ struct lms3dRasterBlock
 
   /// A local map has surface here.
   lms3dBits May = {};
+  /// The local map that joins has surface here.
+  lms3dBits Guess = {};
   /// A return lies here.
   lms3dBits Must = {};
   /// A beam passed here.

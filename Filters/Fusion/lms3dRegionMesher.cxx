@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionMesher.h"
 
+#include "Fusion/lms3dCreaseCut.h"
 #include "Fusion/lms3dCreaseSnapping.h"
 #include "Fusion/lms3dOutlineSimplifier.h"
 #include "Fusion/lms3dOutlineTriangles.h"
@@ -35,6 +36,7 @@ public:
     , MaximumError(maximumError)
     , Region(lms3dMakeRegion(plane.Raster))
   {
+    lms3dCutAtCreases(creases, this->Region);
   }
 
   void Make()
@@ -210,7 +212,7 @@ private:
   lms3dFusedPlane& Plane;
   const std::vector<lms3dCreaseLine>& Creases;
   const double MaximumError;
-  const lms3dRaster Region;
+  lms3dRaster Region;
   std::map<lms3dPoint2, std::int32_t> Numbers;
 };
 } // namespace

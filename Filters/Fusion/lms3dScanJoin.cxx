@@ -3,11 +3,13 @@
 #include "Fusion/lms3dScanJoin.h"
 
 #include "Fusion/lms3dCreases.h"
+#include "Fusion/lms3dHiddenGuesses.h"
 #include "Geometry/lms3dTriangleDistance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace
 {
@@ -94,6 +96,14 @@ void lms3dScanJoin::AddTriangles(const std::vector<int>& planeOfPatch)
     if (patch >= 0 && planeOfPatch[patch] >= 0)
     {
       this->Planes.AddTriangle(planeOfPatch[patch], this->Local, static_cast<int>(triangle));
+    }
+  }
+  lms3dTakeOutHiddenGuesses(this->Local, this->Ranges, planeOfPatch, this->Planes);
+  for (const int plane : std::set<int>(planeOfPatch.begin(), planeOfPatch.end()))
+  {
+    if (plane >= 0)
+    {
+      this->Planes.AcceptGuesses(plane);
     }
   }
 }
@@ -261,6 +271,7 @@ void lms3dScanJoin::AddTriangle(int triangle, const std::vector<int>& returns)
     this->Planes[number].IsWeak = true;
   }
   this->Planes.AddTriangle(number, this->Local, triangle);
+  this->Planes.AcceptGuesses(number);
   for (int i : returns)
   {
     if (!this->Planes.AddReturn(number, this->Local.Returns[i]))

@@ -20,8 +20,9 @@ class lms3dScanJoin
 {
 public:
   /// Keeps references.
-  lms3dScanJoin(const lms3dLocalMap& local, lms3dFusedPlanes& planes)
+  lms3dScanJoin(const lms3dLocalMap& local, const lms3dSeenRanges& ranges, lms3dFusedPlanes& planes)
     : Local(local)
+    , Ranges(ranges)
     , Planes(planes)
   {
   }
@@ -41,6 +42,7 @@ private:
   void AddRest(const std::vector<bool>& isExplained, const std::vector<int>& planeOfPatch);
 
   const lms3dLocalMap& Local;
+  const lms3dSeenRanges& Ranges;
   lms3dFusedPlanes& Planes;
 };
 

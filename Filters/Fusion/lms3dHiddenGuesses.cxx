@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dHiddenGuesses.h"
+
+#include "Fusion/lms3dRasterRows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+// The sine of the smallest angle between planes of which one hides the other.
+constexpr double SmallestSine = 0.17;
+// As a share of the bound: how far a guess may lie behind a plane. Less would fray the borders at creases.
+constexpr double BehindShare = 4.0;
+// Metres: how far behind the returns around it a guess is looked for.
+constexpr double LargestOvershoot = 5.0;
+constexpr double SmallestCosine = 1e-6;
+
+/// Four beams in each of four turns. The guesses lie between the four in the middle.
+using Around = std::array<int, 16>;
+constexpr std::array<int, 4> Middle = { 5, 6, 10, 9 };
+
+/// A corner of a polygon in a plane, and its height above another plane, metres.
+struct Corner
+{
+  lms3dPoint2 Place;
+  double Height;
+};
+
+/// The part of a convex polygon that lies lower than a height.
+std::vector<lms3dPoint2> Clip(const std::array<Corner, 4>& corners, double height)
+{
+  std::vector<lms3dPoint2> clipped;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const Corner& a = corners[i];
+    const Corner& b = corners[(i + 1) % corners.size()];
+    if (a.Height < height)
+    {
+      clipped.push_back(a.Place);
+    }
+    if ((a.Height < height) != (b.Height < height))
+    {
+      const double share = (height - a.Height) / (b.Height - a.Height);
+      clipped.push_back({ a.Place[0] + share * (b.Place[0] - a.Place[0]),
+        a.Place[1] + share * (b.Place[1] - a.Place[1]) });
+    }
+  }
+  return clipped;
+}
+
+class HiddenGuesses
+{
+public:
+  HiddenGuesses(const lms3dLocalMap& local, const lms3dSeenRanges& ranges,
+    const std::vector<int>& planeOfPatch, lms3dFusedPlanes& planes)
+    : Local(local)
+    , Ranges(ranges)
+    , Planes(planes)
+    , PlaneOfBeam(static_cast<std::size_t>(ranges.GetTable().GetSize()), -1)
+    , ReturnOfBeam(PlaneOfBeam)
+  {
+    for (std::size_t i = 0; i < local.Returns.size(); ++i)
+    {
+      const lms3dMappedReturn& mapped = local.Returns[i];
+      const int patch = local.PatchIds[mapped.Triangle];
+      const int plane = patch < 0 ? -1 : planeOfPatch[patch];
+      const bool isOnPlane = plane >= 0 &&
+        std::abs(planes[plane].Frame.GetHeight(mapped.Point)) <= planes.GetMaximumError();
+      this->PlaneOfBeam[mapped.BeamId] = isOnPlane ? plane : -1;
+      this->ReturnOfBeam[mapped.BeamId] = static_cast<int>(i);
+    }
+  }
+
+  void TakeOut()
+  {
+    for (int id = 0; id < this->Ranges.GetTable().GetSize(); ++id)
+    {
+      Around around = {};
+      if (this->FindAround(id, around) && this->HasTwoPlanes(around))
+      {
+        this->TakeOutBetween(around);
+      }
+    }
+  }
+
+private:
+  /// Returns false if the scan ends before.
+  bool FindAround(int first, Around& around) const
+  {
+    const lms3dBeamTable& table = this->Ranges.GetTable();
+    for (int turn = 0; turn < 4; ++turn)
+    {
+      int id = first;
+      for (int beam = 0; beam < 4; ++beam)
+      {
+        if (id < 0)
+        {
+          return false;
+        }
+        around[4 * turn + beam] = id;
+        id = table.GetNextInFan(id);
+      }
+      first = table.GetNextTurn(first);
+    }
+    return true;
+  }
+
+  bool HasTwoPlanes(const Around& around) const
+  {
+    const int first = this->PlaneOfBeam[around.front()];
+    return std::any_of(
+      around.begin(), around.end(), [&](int id) { return this->PlaneOfBeam[id] != first; });
+  }
+
+  void TakeOutBetween(const Around& around)
+  {
+    std::vector<int> guessed;
+    for (const int id : around)
+    {
+      guessed.push_back(this->PlaneOfBeam[id]);
+    }
+    std::vector<int> hiding;
+    for (const int i : Middle)
+    {
+      hiding.push_back(guessed[i]);
+    }
+    for (std::vector<int>* planes : { &guessed, &hiding })
+    {
+      std::sort(planes->begin(), planes->end());
+      planes->erase(std::unique(planes->begin(), planes->end()), planes->end());
+    }
+    for (const int guess : guessed)
+    {
+      for (const int other : hiding)
+      {
+        if (guess >= 0 && other >= 0 && guess != other && this->MayHide(around, guess, other))
+        {
+          this->TakeOutBehind(around, guess, other);
+        }
+      }
+    }
+  }
+
+  /// Whether the planes meet, and no return of the guessed one is behind the other.
+  bool MayHide(const Around& around, int guess, int other) const
+  {
+    const lms3dPlaneFrame& frame = this->Planes[other].Frame;
+    const lms3dVector cross = lms3dCross(this->Planes[guess].Frame.GetNormal(), frame.GetNormal());
+    return lms3dDot(cross, cross) >= SmallestSine * SmallestSine &&
+      std::none_of(around.begin(), around.end(),
+        [&](int id)
+        {
+          return this->PlaneOfBeam[id] == guess &&
+            frame.GetHeight(this->Local.Returns[this->ReturnOfBeam[id]].Point) <
+            -this->Planes.GetMaximumError();
+        });
+  }
+
+  void TakeOutBehind(const Around& around, int guess, int other)
+  {
+    lms3dFusedPlane& plane = this->Planes[guess];
+    double largest = 0.0;
+    for (const int i : Middle)
+    {
+      largest = std::max(largest, this->Ranges.GetRange(around[i]));
+    }
+    largest += LargestOvershoot;
+    std::array<Corner, 4> corners = {};
+    for (std::size_t i = 0; i < Middle.size(); ++i)
+    {
+      const lms3dVector start = this->Ranges.GetStart(around[Middle[i]]);
+      const lms3dVector direction = this->Ranges.GetDirection(around[Middle[i]]);
+      const double height = plane.Frame.GetHeight(start);
+      const double cosine = -lms3dDot(plane.Frame.GetNormal(), direction);
+      if (height <= 0.0)
+      {
+        return;
+      }
+      const double range = cosine > SmallestCosine ? std::min(height / cosine, largest) : largest;
+      corners[i].Place = plane.Frame.ToCells(lms3dAdd(start, lms3dScale(direction, range)));
+      corners[i].Height =
+        this->Planes[other].Frame.GetHeight(plane.Frame.ToWorld(corners[i].Place));
+    }
+    const std::vector<lms3dPoint2> hidden =
+      Clip(corners, -BehindShare * this->Planes.GetMaximumError());
+    if (hidden.size() < 3)
+    {
+      return;
+    }
+    lms3dForCentreRows(hidden,
+      [&](std::int32_t row, std::int32_t first, std::int32_t last)
+      {
+        plane.Raster.SetRow(&lms3dRasterBlock::Guess, row, first, last, false, false, [](int) {});
+        return true;
+      });
+  }
+
+  const lms3dLocalMap& Local;
+  const lms3dSeenRanges& Ranges;
+  lms3dFusedPlanes& Planes;
+  std::vector<int> PlaneOfBeam;
+  std::vector<int> ReturnOfBeam;
+};
+} // namespace
+
+void lms3dTakeOutHiddenGuesses(const lms3dLocalMap& local, const lms3dSeenRanges& ranges,
+  const std::vector<int>& planeOfPatch, lms3dFusedPlanes& planes)
+{
+  HiddenGuesses(local, ranges, planeOfPatch, planes).TakeOut();
+}
