@@ -26,9 +26,9 @@
  *
  * @par Free space
  * A beam passes through a plane if its return is farther than the plane by more than MaximumError, along the beam. There
- * the surface of other scans ends. About a hundred beams in a million are still blocked by a triangle that is nearer
- * than their return by more than MaximumError: beams that graze curved surfaces within MaximumError of the surface, and
- * beams beside creases.
+ * the surface of other scans ends, so that beams without noise meet no triangle nearer than their return by more.
+ * What lies between beams is a guess. A scan's guess far behind the planes of the returns around it is left out. Beyond
+ * a crease, surface needs a return that it is joined to without a way across a crease.
  *
  * @par Noise and errors of poses
  * With noise, the bound counts from the noisy returns. Poses are taken as they are. With errors well below MaximumError,

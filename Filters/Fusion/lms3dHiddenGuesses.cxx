@@ -10,7 +10,7 @@
 
 namespace
 {
-// The sine of the smallest angle between planes of which one hides the other.
+// The sine of the smallest angle at which a plane can hide another.
 constexpr double SmallestSine = 0.17;
 // As a share of the bound: how far a guess may lie behind a plane. Less would fray the borders at creases.
 constexpr double BehindShare = 4.0;

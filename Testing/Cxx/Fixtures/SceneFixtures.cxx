@@ -112,6 +112,14 @@ vtkSmartPointer<vtkPolyData> ReadRoom()
   return reader->GetOutput();
 }
 
+vtkSmartPointer<vtkPolyData> ReadBuilding()
+{
+  vtkNew<vtkVRMLImporterSource> reader;
+  reader->SetFileName(LMS3D_DATA_DIR "/building.wrl");
+  reader->Update();
+  return reader->GetOutput();
+}
+
 namespace
 {
 // FNV-1a.

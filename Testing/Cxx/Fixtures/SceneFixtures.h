@@ -45,6 +45,9 @@ void ScaleAndMove(vtkPolyData* surface, double scale, const Point& offset);
 /// Data/room.wrl.
 vtkSmartPointer<vtkPolyData> ReadRoom();
 
+/// Data/building.wrl.
+vtkSmartPointer<vtkPolyData> ReadBuilding();
+
 /// A fingerprint of all bytes of an array, or of a data set's points, cells and arrays.
 std::uint64_t Hash(vtkDataArray* array);
 std::uint64_t Hash(vtkDataSet* data);

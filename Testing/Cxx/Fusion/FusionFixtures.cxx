@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/FusionFixtures.h"
 
-#include "Fixtures/TriangleTree.h"
-
 #include "vtkLMS3DRangeErrorFilter.h"
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
@@ -23,7 +21,14 @@
 
 namespace
 {
-/// A map, seen from a point.
+double GetDistanceOfPlane(const Vector& point, const std::array<Vector, 3>& corners)
+{
+  Vector normal = lms3dNormalize(
+    lms3dCross(lms3dSubtract(corners[1], corners[0]), lms3dSubtract(corners[2], corners[0])));
+  return std::abs(lms3dDot(normal, lms3dSubtract(point, corners[0])));
+}
+} // namespace
+
 TriangleTree MakeTree(vtkPolyData* map, const Point& origin)
 {
   std::vector<Vector> points(static_cast<std::size_t>(map->GetNumberOfPoints()));
@@ -44,14 +49,6 @@ TriangleTree MakeTree(vtkPolyData* map, const Point& origin)
   }
   return { points, triangles };
 }
-
-double GetDistanceOfPlane(const Vector& point, const std::array<Vector, 3>& corners)
-{
-  Vector normal = lms3dNormalize(
-    lms3dCross(lms3dSubtract(corners[1], corners[0]), lms3dSubtract(corners[2], corners[0])));
-  return std::abs(lms3dDot(normal, lms3dSubtract(point, corners[0])));
-}
-} // namespace
 
 MappedScan MakeMappedScan(vtkPolyData* scene, const Point& position, bool isCoarse, double noise)
 {

@@ -8,6 +8,7 @@
 #define FusionFixtures_h
 
 #include "Fixtures/SceneFixtures.h"
+#include "Fixtures/TriangleTree.h"
 
 #include "vtkLMS3DMapFusion.h"
 
@@ -37,6 +38,9 @@ void Move(const Point& error, MappedScan& scan);
 void AddAll(const std::vector<MappedScan>& scans, vtkLMS3DMapFusion* fusion);
 
 vtkIdType CountTriangles(const std::vector<MappedScan>& scans);
+
+/// The triangles of a map, relative to a point.
+TriangleTree MakeTree(vtkPolyData* map, const Point& origin);
 
 /// What the returns of a scan say about a map. The judge shares no code with the filter.
 struct FusionVerdict
