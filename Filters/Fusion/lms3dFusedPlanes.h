@@ -39,7 +39,7 @@ public:
   void AddTriangle(int number, const lms3dLocalMap& local, int triangle);
 
   /// Lets a plane have surface where Guess says so.
-  void AcceptGuesses(int plane);
+  void AcceptGuesses(int number);
 
   /// Adds a return to a plane. Returns false if the plane does not explain it.
   bool AddReturn(int number, const lms3dMappedReturn& mapped);

@@ -118,11 +118,13 @@ private:
   void TakeOutBetween(const Around& around)
   {
     std::vector<int> guessed;
+    guessed.reserve(around.size());
     for (const int id : around)
     {
       guessed.push_back(this->PlaneOfBeam[id]);
     }
     std::vector<int> hiding;
+    hiding.reserve(Middle.size());
     for (const int i : Middle)
     {
       hiding.push_back(guessed[i]);

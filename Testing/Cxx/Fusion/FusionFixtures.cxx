@@ -19,16 +19,6 @@
 #include <cmath>
 #include <limits>
 
-namespace
-{
-double GetDistanceOfPlane(const Vector& point, const std::array<Vector, 3>& corners)
-{
-  Vector normal = lms3dNormalize(
-    lms3dCross(lms3dSubtract(corners[1], corners[0]), lms3dSubtract(corners[2], corners[0])));
-  return std::abs(lms3dDot(normal, lms3dSubtract(point, corners[0])));
-}
-} // namespace
-
 TriangleTree MakeTree(vtkPolyData* map, const Point& origin)
 {
   std::vector<Vector> points(static_cast<std::size_t>(map->GetNumberOfPoints()));
@@ -146,8 +136,6 @@ FusionVerdict JudgeFusion(vtkPolyData* fused, const MappedScan& scan, double max
     else if (nearest->Range < range - maximumError)
     {
       ++verdict.Blocked;
-      verdict.BlockedByFar +=
-        GetDistanceOfPlane(point, tree.GetCorners(nearest->Triangle)) > maximumError ? 1 : 0;
     }
   }
   return verdict;
@@ -164,7 +152,6 @@ FusionVerdict JudgeFusion(
     sum.Beyond += verdict.Beyond;
     sum.LargestDistance = std::max(sum.LargestDistance, verdict.LargestDistance);
     sum.Blocked += verdict.Blocked;
-    sum.BlockedByFar += verdict.BlockedByFar;
     sum.Missed += verdict.Missed;
   }
   return sum;

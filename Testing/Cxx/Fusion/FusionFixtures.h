@@ -51,8 +51,6 @@ struct FusionVerdict
   double LargestDistance = 0.0;
   /// Beams that meet a triangle nearer than their return by more than the bound.
   vtkIdType Blocked = 0;
-  /// The part of them whose return is farther than the bound from the plane of this triangle.
-  vtkIdType BlockedByFar = 0;
   /// Beams that meet no triangle nearer than their return by the bound or less, or behind it by that.
   vtkIdType Missed = 0;
 };

@@ -64,8 +64,9 @@ void AddTriangle(
     for (int j = 0; j < 2 * (count - i) - 1; ++j)
     {
       const double third = j % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
+      const int pair = j / 2;
       const double along = (i + third) / count;
-      const double across = (j / 2 + third) / count;
+      const double across = (pair + third) / count;
       const Vector sample =
         lms3dAdd(corners[0], lms3dAdd(lms3dScale(u, along), lms3dScale(v, across)));
       falsehood.FarArea += scene.GetDistance(sample, 0.2) > 0.1 ? share : 0.0;
