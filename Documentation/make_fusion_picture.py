@@ -41,7 +41,7 @@ ROOT = Path(__file__).resolve().parents[1]
 SCENE, JOURNEY = ROOT / "Data/building.wrl", ROOT / "Data/building_journey.vtp"
 PICTURE = ROOT / "Documentation/images/fusion.png"
 
-BEAMS, TURNS = 91, 90
+BEAMS, TURNS = 181, 180
 MAXIMUM_ERROR = 0.02  # metres
 ON_THE_WAY = (30, 90, 150)  # numbers of poses
 
