@@ -63,9 +63,18 @@ def check_targets(targets, scene=None, **inputs):
                 check_new(result, path)
             check_writable(result, path)
             _check_format(result, path)
-        other = taken.setdefault(Path(path).resolve(), result)
-        if other != result:
-            raise UsageProblem(f"'{path}' is both {other} and {result}: choose two names")
+        _claim(taken, result, path)
+
+
+def check_apart(result, path, **inputs):
+    """Raise UsageProblem if a result would replace a file that is read; some inputs may be None."""
+    _claim({Path(each).resolve(): name for name, each in inputs.items() if each}, result, path)
+
+
+def _claim(taken, result, path):
+    other = taken.setdefault(Path(path).resolve(), result)
+    if other != result:
+        raise UsageProblem(f"'{path}' is both {other} and {result}: choose two names")
 
 
 def _check_stream(result):

@@ -22,7 +22,7 @@ from ..emulation.terminal import Terminal
 from ..execution import update
 from ..messages import VTKMessages
 from ..problems import UsageProblem
-from ..results import STREAM, check_writable, reports, writing
+from ..results import STREAM, check_apart, check_writable, reports, writing
 from ..scene import check_readable, read_data
 from ..simulation import Simulation
 from ..trajectory import TrajectoryScan
@@ -59,13 +59,20 @@ _STEPPED = "stepped"
 _UNITS = {"mm": MILLIMETRES, "cm": CENTIMETRES}
 _PACES = ("line", "mirror")
 _MAXIMUM_TURN_RATE = 3600.0
+# Options that a stored scan has decided.
+_WITHOUT_SCAN = ("up_axis", "orientation", "beta_range", "beta_resolution", "minimum_range",
+                 "maximum_range")
 
 
 def _turn(text):
     """--turn: "stepped" or degrees a second."""
     if text.strip() == _STEPPED:
         return None
-    value = values.number(text)
+    try:
+        value = values.number(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is neither {_STEPPED} nor a number") from None
     if abs(value) > _MAXIMUM_TURN_RATE:
         raise argparse.ArgumentTypeError(
             f"{text.strip()} is not within {-_MAXIMUM_TURN_RATE:g} to {_MAXIMUM_TURN_RATE:g}")
@@ -91,6 +98,7 @@ def add_arguments(parser):
                         alpha_resolution=sensor.GetAlphaResolution(),
                         # The measuring mode limits the ranges, and not the device.
                         maximum_range=sensor.GetMaximumRange())
+    parser.set_defaults(without_scan={each: parser.get_default(each) for each in _WITHOUT_SCAN})
 
 
 def _add_platform(group):
@@ -138,6 +146,9 @@ def _check(options):
     if options.scan:
         if options.position or options.trajectory:
             raise UsageProblem("--scan: a stored scan has its own pose")
+        for name, default in options.without_scan.items():
+            if getattr(options, name) != default:
+                raise UsageProblem(f"--scan: a stored scan has its own --{name.replace('_', '-')}")
         check_readable(options.scan, "scan", (".vtp",))
     else:
         if not options.position and not options.trajectory:
@@ -148,6 +159,8 @@ def _check(options):
         check_readable(options.trajectory, "trajectory", (".vtp",))
     if options.angles not in (None, STREAM):
         check_writable("angles", options.angles)
+        check_apart("angles", options.angles, scene=options.scene, scan=options.scan,
+                    trajectory=options.trajectory)
     if options.link is not None:
         check_link(options.link)
 
@@ -170,6 +183,8 @@ def _serve(options):
         gc.freeze()
         emulator = Emulator(device, terminal, stop, lines)
         emulator.run()
+        if lines:
+            lines.finish()
     with closed_terminal():
         print(f"ended    after {emulator.fans:,} fans", flush=True)
 

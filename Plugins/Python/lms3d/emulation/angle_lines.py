@@ -5,6 +5,7 @@
 import os
 import select
 from collections import deque
+from contextlib import suppress
 
 from ..messages import say
 from ..problems import Problem
@@ -36,6 +37,14 @@ class AngleLines:
             self._has_lost = True
             say(f"warning: {self._name} is not read; lines of angles are lost")
         self.flush()
+
+    def finish(self):
+        """Write the rest at the end; says how many lines nobody has read."""
+        with suppress(Problem):  # the reader may have ended with the command
+            self.flush()
+        if self._lines:
+            say(f"warning: {self._name} was not read; the last {len(self._lines):,} lines of angles "
+                "are lost")
 
     def flush(self):
         """Write the lines for which there is room."""

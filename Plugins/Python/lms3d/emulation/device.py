@@ -12,7 +12,7 @@ from .fan import FanRecord
 from .measured_values import encode_count, encode_output, encode_ranges
 from .plan import Planned, SendingQueue
 from .telegrams import ACKNOWLEDGE, REFUSE, TelegramReader, frame_answer
-from .variants import TURNS_PER_SECOND, interval
+from .variants import BITS_PER_BYTE, TURNS_PER_SECOND, interval
 
 # Seconds. The device may take 60 ms (TL 24). Some drivers clear their input after they have
 # written, and others send a command again after 6 ms.
@@ -45,6 +45,8 @@ class Device:
         self._queue = SendingQueue()
         self._telegrams = 0
         self._ready_time = now
+        self._line_free_time = now
+        self._unfinished = None  # a Reply whose rate or reset follows its answer
 
     @property
     def rate(self):
@@ -56,8 +58,9 @@ class Device:
         if now < self._ready_time:
             return
         for payload in self._reader.read(data, now):
-            # A new command cancels the answers to earlier ones (TL 24).
-            self._queue.clear()
+            self._break_off(now)
+            if now < self._ready_time:
+                return
             if payload is None:
                 self._plan_bytes(now + ACKNOWLEDGE_DELAY, REFUSE)
                 self._plan_stream(now + ACKNOWLEDGE_DELAY)
@@ -70,7 +73,11 @@ class Device:
 
     def take(self, now):
         """The next Sending that is due now, or None."""
-        return self._queue.take(now, lambda: self.rate)
+        sending = self._queue.take(now, lambda: self.rate)
+        if sending:
+            self._line_free_time = (max(self._line_free_time, now)
+                                    + self._line_time(sending.data, sending.rate))
+        return sending
 
     def confirm(self, record):
         """Say that the host has received the telegram of a fan: the platform may turn."""
@@ -81,20 +88,35 @@ class Device:
         self._reader.clear()
         self._queue.skip(now)
 
+    def _break_off(self, now):
+        """Cancel what has not been sent (TL 24). What a cancelled answer announces happens now."""
+        self._queue.clear()
+        if self._unfinished:
+            self._finish(now)
+
+    def _line_time(self, data, rate):
+        """How long the line needs for bytes, seconds."""
+        return len(data) * BITS_PER_BYTE / rate if self._is_paced_by_line else 0.0
+
     def _execute(self, payload, now):
         reply = execute(self.state, payload)
         self._plan_bytes(now + ACKNOWLEDGE_DELAY, ACKNOWLEDGE)
         due = now + (SLOW_ANSWER_DELAY if reply.is_slow else ANSWER_DELAY)
+        if reply.is_reset or reply.rate is not None:
+            self._unfinished = reply
+            self._plan_bytes(due, frame_answer(reply.code, reply.data), self._finish)
+            return
         if reply.code is not None:
-            self._plan_bytes(due, frame_answer(reply.code, reply.data),
-                             lambda time: self._finish(reply, time))
+            answer = frame_answer(reply.code, reply.data)
+            self._plan_bytes(due, answer)
+            due += self._line_time(answer, self.rate)
         if reply.output:
             due = self._plan_request(reply.output, now)
-        if not reply.is_reset and reply.rate is None:
-            self._plan_stream(due)
+        self._plan_stream(due)
 
-    def _finish(self, reply, now):
-        """What happens after an answer."""
+    def _finish(self, now):
+        """What follows the answer to a command that changes the rate or resets the device."""
+        reply, self._unfinished = self._unfinished, None
         if reply.rate is not None:
             self.state.rate = reply.rate
             self._plan_stream(now)
@@ -129,9 +151,9 @@ class Device:
         return self._time(first + turns)
 
     def _plan_stream(self, after):
-        """Plan the next telegram of a stream: a scan that begins after a time."""
+        """Plan the next telegram of a stream: a scan that begins after a time, when the line is free."""
         if self.state.stream:
-            first = math.ceil(self._turn(after))
+            first = math.ceil(self._turn(max(after, self._line_free_time)))
             self._plan_output(self.state.stream, first, lambda now: self._continue(first, now))
 
     def _continue(self, first, now):

@@ -40,10 +40,10 @@ class Emulator:
             if has_host:
                 self._terminal.flush()
                 self._send()
-                if self._lines:
-                    self._lines.flush()
             else:
                 self._device.skip(now)
+            if self._lines:
+                self._lines.flush()
             if has_news:
                 has_host = self._terminal.has_host()
 

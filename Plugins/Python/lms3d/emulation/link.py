@@ -6,7 +6,10 @@ import os
 from contextlib import contextmanager
 from pathlib import Path
 
+from ..messages import say
 from ..problems import Problem
+
+_PSEUDO_TERMINALS = Path("/dev/pts")
 
 
 def check_link(path):
@@ -14,9 +17,15 @@ def check_link(path):
     path = Path(path)
     if not path.parent.is_dir():
         raise Problem(f"cannot make the link '{path}': there is no folder '{path.parent}'")
-    # Only a link of an earlier run may be replaced: to a terminal, or to one that has gone.
-    if path.exists() and not (path.is_symlink() and path.is_char_device()):
+    if not os.access(path.parent, os.W_OK):
+        raise Problem(f"cannot make the link '{path}': the folder '{path.parent}' is not writable")
+    if not os.path.lexists(path):
+        return
+    # Only a link to a pseudo-terminal may be replaced: an earlier run can have left it.
+    if not path.is_symlink() or Path(os.readlink(path)).parent != _PSEUDO_TERMINALS:
         raise Problem(f"cannot make the link '{path}': something else has this name")
+    if path.exists():
+        say(f"warning: '{path}' is a link to {os.readlink(path)}, which is open; it is replaced")
 
 
 @contextmanager

@@ -21,8 +21,8 @@ class Stepped:
         self._fans = fans
         self._scan = 0
         self._turn = 0
-        self._received = 0
         self._parts = 1  # of the fan that was measured last
+        self._received = set()  # parts of the present turn
 
     def measure(self, variant, part, _time, means):
         """The Fan of a variant, or one part of it; ranges are averaged over a number of scans."""
@@ -31,12 +31,12 @@ class Stepped:
         return Fan(ranges if part is None else ranges[part::variant.parts],
                    self._fans.angles[self._turn])
 
-    def confirm(self, _record):
-        """The host has received a telegram."""
-        self._received += 1
-        if self._received < self._parts:
+    def confirm(self, record):
+        """The host has received a telegram, with the FanRecord."""
+        self._received.add(record.turn % self._parts)
+        if len(self._received) < self._parts:
             return
-        self._received = 0
+        self._received.clear()
         self._turn += 1
         if self._turn == len(self._fans.angles):
             self._scan, self._turn = self._scan + 1, 0

@@ -10,7 +10,7 @@ from typing import Optional
 from .telegrams import FRAME_SIZE
 
 TURNS_PER_SECOND = 75  # of the mirror; a turn measures a value for each degree (TL 19)
-_BITS_PER_BYTE = 10  # on the line, with start and stop bit
+BITS_PER_BYTE = 10  # on the line, with start and stop bit
 
 
 @dataclass(frozen=True)
@@ -80,13 +80,11 @@ class Output:
         """The variant that is measured. A partial scan has 180 degrees always (TL 46)."""
         return _HALF_CIRCLES[variant.step] if self.is_partial else variant
 
-    def value_count(self, variant, part=0):
-        """Number of values in a telegram."""
+    def value_count(self, variant):
+        """Number of values in the longest telegram."""
         if self.has_borders:
             return self.last - self.first + 1
-        if self.is_partial:
-            return 181 if part == 0 else 180
-        return variant.count
+        return _HALF_CIRCLES[100].count if self.is_partial else variant.count
 
     def size(self, variant, has_indices):
         """Number of bytes of the longest telegram."""
@@ -101,7 +99,7 @@ def interval(output, variant, size, rate):
     numbers of scans.) All parts of a partial scan come in turn. Without a rate, no scan is lost.
     """
     turns = output.turns(variant)
-    scans = -(-size * _BITS_PER_BYTE * TURNS_PER_SECOND // (rate * turns)) if rate else 1
+    scans = -(-size * BITS_PER_BYTE * TURNS_PER_SECOND // (rate * turns)) if rate else 1
     if output.is_partial:
         while math.gcd(scans, variant.parts) > 1:
             scans += 1
