@@ -161,6 +161,16 @@ lms3dPacketMask lms3dTileSearch::FindNearest(
   return open;
 }
 
+bool lms3dTileSearch::IsDecided(const lms3dPacketRectangle& tile, std::int32_t& triangle) const
+{
+  const lms3dTileBlock& block = this->Blocks[this->Grid.FindBlock(tile.FirstTurn, tile.FirstBeam)];
+  const int part = lms3dTileGrid::FindPart(tile.FirstTurn, tile.FirstBeam);
+  triangle = block.First[part] == block.First[part + 1]
+    ? lms3dBeamPacket::NoTriangle
+    : block.Candidates[block.First[part]].Triangle;
+  return lms3dHasBit(block.Decided, part);
+}
+
 bool lms3dTileSearch::IsEmpty(const lms3dPacketRectangle& rectangle) const
 {
   for (int column = 0; column < rectangle.Columns; column += PacketsPerSide)

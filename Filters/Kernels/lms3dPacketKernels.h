@@ -24,6 +24,8 @@
 #include "Kernels/lms3dRangeErrorRow.h"
 #include "Kernels/lms3dTile.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 /// Cosine and sine of the elevation of each beam of a packet.
@@ -55,6 +57,28 @@ struct lms3dHitMasks
 
   /// Beams so near to an edge that double precision cannot decide.
   std::uint32_t Uncertain;
+};
+
+/// Some turns and up to lms3dBeamPacket::Size beams of a scan's grid. The arrays belong to the caller.
+struct lms3dBeamsOfTile
+{
+  /// Cosine and sine of the elevation of each beam.
+  const double* Cosines;
+  const double* Sines;
+
+  /// The fan's horizontal axis in each turn, and the upward axis, in world coordinates.
+  const std::array<double, 3>* FanAxes;
+  const double* Up;
+
+  int Turns;
+  int Beams;
+};
+
+/// Metres.
+struct lms3dRangeInterval
+{
+  double Minimum;
+  double Maximum;
 };
 
 /// The returns of one turn, and where their beams start. The arrays belong to the caller.
@@ -189,6 +213,11 @@ struct lms3dPacketKernels
   /// triangle has an area.
   void (*IntersectDoubleDoublePlane)(
     const lms3dDoubleDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges);
+
+  /// The same for the beams of a tile, `stride` ranges from one turn to the next. Returns whether all ranges
+  /// are above 0 and in an interval.
+  bool (*IntersectTile)(const lms3dDoubleDoublePlane& plane, const lms3dBeamsOfTile& beams,
+    const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride);
 
   /// The same for beams that each have a plane of their own.
   void (*IntersectDoubleDoublePlanes)(

@@ -31,7 +31,7 @@
   GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, MakeNarrowTriangle,    \
     UpdateNarrow, UpdateFromCorners, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles,    \
     FindTilesOfBox, FindHits, MakeDoubleDoublePlane, MakeDoubleDoublePlanes, MakeDoublePlane,   \
-    IntersectDoubleDoublePlane, IntersectDoubleDoublePlanes, IntersectDoublePlane, StoreRanges, \
+    IntersectDoubleDoublePlane, IntersectTile, IntersectDoubleDoublePlanes, IntersectDoublePlane, StoreRanges, \
     StoreRangesOfBeams, ApplyMinimumRange, Locate, AddStrip, DrawNormals, ReportRanges,         \
   {                                                                                             \
     LMS3D_FREE_KERNELS                                                                          \

@@ -10,6 +10,8 @@
 #include "Kernels/lms3dPacketMask.inl"
 #include "Kernels/lms3dPairArithmetic.inl"
 
+#include <cstddef>
+
 namespace
 {
 // The four numbers of a plane, for the inner loop of several triangles at once.
@@ -82,22 +84,21 @@ void MakeDoubleDoublePlanes(const lms3dPacketCorners& corners, int count, const 
   }
 }
 
-// Returns offset / normal.direction of beam i, with one rounding.
+// Returns offset / normal.direction, with one rounding.
 [[gnu::always_inline]] inline double Intersect(
-  const Pair* normal, const Pair& offset, const double (&directions)[3][Size], int i)
+  const Pair* normal, const Pair& offset, const double (&direction)[3])
 {
   // The dot product normal.direction; `error` sums the rounding errors of its products and sums
   // (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005).
-  const Pair first = Multiply(normal[0].High, directions[0][i]);
+  const Pair first = Multiply(normal[0].High, direction[0]);
   double slope = first.High;
-  double error = first.Low + normal[0].Low * directions[0][i];
+  double error = first.Low + normal[0].Low * direction[0];
   for (int axis = 1; axis < 3; ++axis)
   {
-    const double direction = directions[axis][i];
-    const Pair product = Multiply(normal[axis].High, direction);
+    const Pair product = Multiply(normal[axis].High, direction[axis]);
     const Pair sum = lms3dTwoSum(slope, product.High);
     slope = sum.High;
-    error += sum.Low + (product.Low + normal[axis].Low * direction);
+    error += sum.Low + (product.Low + normal[axis].Low * direction[axis]);
   }
   // At grazing incidence the error is not small compared with the slope.
   const Pair whole = lms3dTwoSum(slope, error);
@@ -107,6 +108,14 @@ void MakeDoubleDoublePlanes(const lms3dPacketCorners& corners, int count, const 
   const double remainder =
     ((offset.High - back.High) - back.Low) + (offset.Low - quotient * whole.Low);
   return quotient + remainder / whole.High;
+}
+
+// The same for beam i of some.
+[[gnu::always_inline]] inline double Intersect(
+  const Pair* normal, const Pair& offset, const double (&directions)[3][Size], int i)
+{
+  const double direction[3] = { directions[0][i], directions[1][i], directions[2][i] };
+  return Intersect(normal, offset, direction);
 }
 
 // `ranges` must not overlap the input, so that the compiler can vectorize the loop.
@@ -137,6 +146,64 @@ void IntersectDoublePlane(
   {
     ranges[i] = plane.Offset / Dot(packet.Direction, i, plane.Normal);
   }
+}
+
+// The elevations of one tile's beams. Beyond the last, the last is repeated.
+struct TileElevations
+{
+  alignas(64) double Cosine[Size];
+  alignas(64) double Sine[Size];
+};
+
+// Intersects the beams of one turn. Directions are those of GenerateDirections. `ranges` must not overlap
+// the input, so that the compiler can vectorize the loop.
+[[gnu::always_inline]] inline bool IntersectTurn(const lms3dDoubleDoublePlane& plane,
+  const TileElevations& elevations, const double* fan, const double* up,
+  const lms3dRangeInterval& within, double* __restrict ranges)
+{
+  // As wide as the ranges, so that the compiler can vectorize the loop.
+  std::int64_t areWithin = -1;
+  for (int i = 0; i < Size; ++i)
+  {
+    const double cosine = elevations.Cosine[i];
+    const double sine = elevations.Sine[i];
+    const double direction[3] = { cosine * fan[0] + sine * up[0], cosine * fan[1] + sine * up[1],
+      cosine * fan[2] + sine * up[2] };
+    const double range = Intersect(plane.Normal, plane.Offset, direction);
+    areWithin &= (range > 0.0) & (range >= within.Minimum) & (range <= within.Maximum) ? -1 : 0;
+    ranges[i] = range;
+  }
+  return areWithin != 0;
+}
+
+bool IntersectTile(const lms3dDoubleDoublePlane& plane, const lms3dBeamsOfTile& beams,
+  const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride)
+{
+  // Copies, which the ranges certainly do not overlap.
+  const lms3dDoubleDoublePlane copy = plane;
+  const double up[3] = { beams.Up[0], beams.Up[1], beams.Up[2] };
+  TileElevations elevations;
+  for (int i = 0; i < Size; ++i)
+  {
+    const int beam = Minimum(i, beams.Beams - 1);
+    elevations.Cosine[i] = beams.Cosines[beam];
+    elevations.Sine[i] = beams.Sines[beam];
+  }
+  bool areWithin = true;
+  alignas(64) double ofTurn[Size];
+  for (int turn = 0; turn < beams.Turns; ++turn, ranges += stride)
+  {
+    const double fan[3] = { beams.FanAxes[turn][0], beams.FanAxes[turn][1],
+      beams.FanAxes[turn][2] };
+    if (beams.Beams == Size)
+    {
+      areWithin &= IntersectTurn(copy, elevations, fan, up, within, ranges);
+      continue;
+    }
+    areWithin &= IntersectTurn(copy, elevations, fan, up, within, ofTurn);
+    __builtin_memcpy(ranges, ofTurn, static_cast<std::size_t>(beams.Beams) * sizeof(double));
+  }
+  return areWithin;
 }
 
 // Returns whether all ranges are above 0 and not above a maximum.
