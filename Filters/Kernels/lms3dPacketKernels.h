@@ -22,6 +22,7 @@
 #include "Kernels/lms3dNormalStrip.h"
 #include "Kernels/lms3dPacketPlanes.h"
 #include "Kernels/lms3dRangeErrorRow.h"
+#include "Kernels/lms3dReturnRun.h"
 #include "Kernels/lms3dTile.h"
 
 #include <array>
@@ -241,6 +242,12 @@ struct lms3dPacketKernels
 
   /// Computes the world coordinates of the returns, three numbers for each.
   void (*Locate)(const lms3dReturnsOfTurn& returns, double* points);
+
+  /// Fills the arrays of a run of returns.
+  void (*FillReturnRun)(const lms3dReturnRunArrays& run);
+
+  /// Copies the numbers of triangles.
+  void (*WidenTriangles)(const std::int32_t* triangles, int count, long long* cells);
 
   /// Adds the normals of the triangles between the strip's two turns, completes the sums of the first
   /// turn and makes the second turn the first one.

@@ -18,6 +18,7 @@
 #include "Kernels/lms3dNormalKernels.inl"
 #include "Kernels/lms3dRangeErrorKernels.inl"
 #include "Kernels/lms3dRangeKernels.inl"
+#include "Kernels/lms3dReturnKernels.inl"
 #include "Kernels/lms3dTileBoxKernels.inl"
 #include "Kernels/lms3dTileKernels.inl"
 
@@ -32,7 +33,7 @@
     UpdateNarrow, UpdateFromCorners, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles,    \
     FindTilesOfBox, FindHits, MakeDoubleDoublePlane, MakeDoubleDoublePlanes, MakeDoublePlane,   \
     IntersectDoubleDoublePlane, IntersectTile, IntersectDoubleDoublePlanes, IntersectDoublePlane, StoreRanges, \
-    StoreRangesOfBeams, ApplyMinimumRange, Locate, AddStrip, DrawNormals, ReportRanges,         \
+    StoreRangesOfBeams, ApplyMinimumRange, Locate, FillReturnRun, WidenTriangles, AddStrip, DrawNormals, ReportRanges,         \
   {                                                                                             \
     LMS3D_FREE_KERNELS                                                                          \
   }
