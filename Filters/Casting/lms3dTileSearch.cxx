@@ -76,7 +76,7 @@ std::unique_ptr<lms3dTileSearch> lms3dTileSearch::New(const lms3dExactView& view
 {
   std::unique_ptr<lms3dTileSearch> search(new lms3dTileSearch(view, grid));
   search->Blocks =
-    lms3dClusterDivision(clusters, normalization, view.GetOrigin().Position, search->Grid)
+    lms3dClusterDivision(clusters, normalization, search->Classifier, search->Grid)
       .Divide(MaximumCandidatesOfTile);
   return search;
 }
