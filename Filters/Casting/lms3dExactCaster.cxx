@@ -66,7 +66,8 @@ public:
     }
   }
 
-  int GetRows() const override { return this->Tiles ? lms3dTileSearch::PacketsPerSide : 1; }
+  // Nearly square rectangles, whose packets meet the same triangles, also where there are no tiles.
+  int GetRows() const override { return lms3dTileSearch::PacketsPerSide; }
 
   int GetColumns() const override { return MaximumPackets / this->GetRows(); }
 
