@@ -93,15 +93,12 @@ std::uint32_t lms3dDoubleDoubleIntersector::RefineFirst(
 {
   const std::int32_t triangle = packet.Triangle[lms3dGetFirstBit(beams)];
   const Plane& plane = this->GetPlane(triangle);
+  if (!plane.IsNear)
+  {
+    return this->Kernels.RefineRanges(plane.Value, triangle, maximumRange, packet);
+  }
   alignas(64) double ranges[lms3dBeamPacket::Size];
-  if (plane.IsNear)
-  {
-    lms3dIntersectNearPlane(lms3dGetCorners(this->Mesh, triangle), this->Origin, packet, ranges);
-  }
-  else
-  {
-    this->Kernels.IntersectDoubleDoublePlane(plane.Value, packet, ranges);
-  }
+  lms3dIntersectNearPlane(lms3dGetCorners(this->Mesh, triangle), this->Origin, packet, ranges);
   return this->Kernels.StoreRanges(ranges, triangle, maximumRange, packet);
 }
 

@@ -17,7 +17,6 @@ constexpr std::size_t MaximumTriangles = 5000;
 constexpr double MaximumCandidatesPerPacket = 0.75;
 constexpr std::size_t MaximumClustersPerPacket = 2;
 constexpr std::size_t MaximumCandidatesOfTile = 64;
-constexpr std::size_t MaximumCandidatesOfPacket = 16;
 } // namespace
 
 /// The packets of one tile, in an array that has the packets of several tiles side by side.
@@ -234,10 +233,6 @@ void lms3dTileSearch::FindInParts(
       }
       ofPacket.clear();
       parts.AppendCandidates(i, ofPacket);
-      if (ofPacket.size() > MaximumCandidatesOfPacket)
-      {
-        return false;
-      }
       this->TestCandidates(ofPacket, packets.Kept, packet);
       return true;
     });

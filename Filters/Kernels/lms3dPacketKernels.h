@@ -233,6 +233,10 @@ struct lms3dPacketKernels
   std::uint32_t (*StoreRanges)(
     const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet);
 
+  /// Does what IntersectDoubleDoublePlane and StoreRanges do.
+  std::uint32_t (*RefineRanges)(const lms3dDoubleDoublePlane& plane, std::int32_t triangle,
+    double maximumRange, lms3dBeamPacket& packet);
+
   /// Stores the range of some beams likewise.
   void (*StoreRangesOfBeams)(
     const double* ranges, std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet);

@@ -32,7 +32,7 @@
   GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, MakeNarrowTriangle,    \
     UpdateNarrow, UpdateFromCorners, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles,    \
     FindTilesOfBox, FindHits, MakeDoubleDoublePlane, MakeDoubleDoublePlanes, MakeDoublePlane,   \
-    IntersectDoubleDoublePlane, IntersectTile, IntersectDoubleDoublePlanes, IntersectDoublePlane, StoreRanges, \
+    IntersectDoubleDoublePlane, IntersectTile, IntersectDoubleDoublePlanes, IntersectDoublePlane, StoreRanges, RefineRanges, \
     StoreRangesOfBeams, ApplyMinimumRange, Locate, FillReturnRun, WidenTriangles, AddStrip, DrawNormals, ReportRanges,         \
   {                                                                                             \
     LMS3D_FREE_KERNELS                                                                          \

@@ -277,6 +277,14 @@ std::uint32_t StoreRanges(
   }
   return bits;
 }
+
+std::uint32_t RefineRanges(const lms3dDoubleDoublePlane& plane, std::int32_t triangle,
+  double maximumRange, lms3dBeamPacket& packet)
+{
+  alignas(64) double ranges[Size];
+  IntersectDoubleDoublePlane(plane, packet, ranges);
+  return StoreRanges(ranges, triangle, maximumRange, packet);
+}
 } // namespace
 
 #endif
