@@ -24,7 +24,8 @@
 class lms3dClusterDivision
 {
 public:
-  /// The sensor of the classifier's view is within the normalization's bounding sphere. References must outlive the object.
+  /// The sensor of the classifier's view is within the normalization's bounding sphere. References must
+  /// outlive the object.
   lms3dClusterDivision(const lms3dTriangleClusters& clusters,
     const lms3dNormalization& normalization, const lms3dTileClassifier& classifier,
     const lms3dTileGrid& grid);

@@ -83,8 +83,7 @@ bool lms3dDoubleDoubleIntersector::FillTile(std::int32_t triangle, const lms3dBe
   const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride)
 {
   const Plane& plane = this->GetPlane(triangle);
-  return !plane.IsNear &&
-    this->Kernels.IntersectTile(plane.Value, beams, within, ranges, stride);
+  return !plane.IsNear && this->Kernels.IntersectTile(plane.Value, beams, within, ranges, stride);
 }
 
 // Refines the beams that have the same triangle as the first of `beams`, and returns them.

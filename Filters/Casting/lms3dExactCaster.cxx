@@ -76,36 +76,17 @@ public:
     return this->Tiles ? lms3dTileSearch::PacketsPerSide : MaximumPackets;
   }
 
-  bool CastAtOnce(const lms3dPacketRectangle& tile, double minimumRange,
-    const lms3dBeamHits& hits) const override
+  bool CastAtOnce(
+    const lms3dPacketRectangle& tile, double minimumRange, const lms3dBeamHits& hits) const override
   {
     std::int32_t triangle = lms3dBeamPacket::NoTriangle;
-    if (!this->Tiles || !this->Tiles->IsDecided(tile, triangle))
+    if (!this->Tiles || !this->Tiles->IsDecided(tile.FirstTurn, tile.FirstBeam, triangle))
     {
       return false;
     }
-    const lms3dBeamsOfTile beams = this->GetBeams(tile);
-    const std::ptrdiff_t stride = this->Grid.Beams;
-    const std::ptrdiff_t first = tile.FirstTurn * stride + tile.FirstBeam;
-    if (triangle != lms3dBeamPacket::NoTriangle)
-    {
-      const lms3dRayOrigin& origin = this->View.GetOrigin();
-      if (!this->Refinement.FillTile(origin, triangle, beams,
-            { minimumRange, origin.MaximumRange }, hits.Ranges + first, stride))
-      {
-        return false;
-      }
-    }
-    for (int turn = 0; turn < beams.Turns; ++turn)
-    {
-      const std::ptrdiff_t slot = first + turn * stride;
-      std::fill_n(hits.Triangles + slot, beams.Beams, triangle);
-      if (triangle == lms3dBeamPacket::NoTriangle)
-      {
-        std::fill_n(hits.Ranges + slot, beams.Beams, std::numeric_limits<double>::quiet_NaN());
-      }
-    }
-    return true;
+    return triangle == lms3dBeamPacket::NoTriangle
+      ? this->StoreNothing(tile, hits)
+      : this->StoreTriangle(tile, triangle, minimumRange, hits);
   }
 
   bool IsEmpty(const lms3dPacketRectangle& rectangle) const override
@@ -127,6 +108,42 @@ public:
   }
 
 private:
+  std::ptrdiff_t GetSlot(int turn, int beam) const
+  {
+    return static_cast<std::ptrdiff_t>(turn) * this->Grid.Beams + beam;
+  }
+
+  bool StoreNothing(const lms3dPacketRectangle& tile, const lms3dBeamHits& hits) const
+  {
+    const lms3dBeamsOfTile beams = this->GetBeams(tile);
+    for (int turn = 0; turn < beams.Turns; ++turn)
+    {
+      const std::ptrdiff_t slot = this->GetSlot(tile.FirstTurn + turn, tile.FirstBeam);
+      std::fill_n(hits.Ranges + slot, beams.Beams, std::numeric_limits<double>::quiet_NaN());
+      std::fill_n(hits.Triangles + slot, beams.Beams, lms3dBeamPacket::NoTriangle);
+    }
+    return true;
+  }
+
+  // Returns false if a range does not count.
+  bool StoreTriangle(const lms3dPacketRectangle& tile, std::int32_t triangle, double minimumRange,
+    const lms3dBeamHits& hits) const
+  {
+    const lms3dBeamsOfTile beams = this->GetBeams(tile);
+    const lms3dRayOrigin& origin = this->View.GetOrigin();
+    if (!this->Refinement.FillTile(origin, triangle, beams, { minimumRange, origin.MaximumRange },
+          hits.Ranges + this->GetSlot(tile.FirstTurn, tile.FirstBeam), this->Grid.Beams))
+    {
+      return false;
+    }
+    for (int turn = 0; turn < beams.Turns; ++turn)
+    {
+      std::fill_n(hits.Triangles + this->GetSlot(tile.FirstTurn + turn, tile.FirstBeam),
+        beams.Beams, triangle);
+    }
+    return true;
+  }
+
   lms3dBeamsOfTile GetBeams(const lms3dPacketRectangle& tile) const
   {
     constexpr int Side = lms3dBeamGrid::Side;

@@ -22,10 +22,10 @@
 #include "Kernels/lms3dNormalStrip.h"
 #include "Kernels/lms3dPacketPlanes.h"
 #include "Kernels/lms3dRangeErrorRow.h"
-#include "Kernels/lms3dReturnRun.h"
+#include "Kernels/lms3dReturnArrays.h"
 #include "Kernels/lms3dTile.h"
+#include "Kernels/lms3dTileBeams.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -58,43 +58,6 @@ struct lms3dHitMasks
 
   /// Beams so near to an edge that double precision cannot decide.
   std::uint32_t Uncertain;
-};
-
-/// Some turns and up to lms3dBeamPacket::Size beams of a scan's grid. The arrays belong to the caller.
-struct lms3dBeamsOfTile
-{
-  /// Cosine and sine of the elevation of each beam.
-  const double* Cosines;
-  const double* Sines;
-
-  /// The fan's horizontal axis in each turn, and the upward axis, in world coordinates.
-  const std::array<double, 3>* FanAxes;
-  const double* Up;
-
-  int Turns;
-  int Beams;
-};
-
-/// Metres.
-struct lms3dRangeInterval
-{
-  double Minimum;
-  double Maximum;
-};
-
-/// The returns of one turn, and where their beams start. The arrays belong to the caller.
-struct lms3dReturnsOfTurn
-{
-  /// Cosine and sine of the elevation, and range, of each return.
-  const double* Cosines;
-  const double* Sines;
-  const double* Ranges;
-  int Count;
-
-  /// The fan's horizontal axis, the upward axis and the sensor's position in world coordinates.
-  const double* FanAxis;
-  const double* Up;
-  const double* Position;
 };
 
 /// The directions d with Axis.d >= Minimum.

@@ -8,7 +8,7 @@
 #define lms3dReturnKernels_inl
 
 #include "Kernels/lms3dPacketMask.inl"
-#include "Kernels/lms3dReturnRun.h"
+#include "Kernels/lms3dReturnArrays.h"
 
 namespace
 {

@@ -101,9 +101,9 @@ private:
     return { piece.Count, this->Turns.Ranges + first,
       this->GetGeometry().GetAlphaAngles().data() + run.FirstBeam,
       static_cast<float>(this->GetGeometry().GetBetaAngles()[piece.Turn]),
-      static_cast<std::int32_t>(first), static_cast<std::int32_t>(slot),
-      this->Returns.Range + slot, this->Returns.Alpha + slot, this->Returns.Beta + slot,
-      this->Returns.BeamId + slot, this->Returns.VertexOffsets->GetPointer(0) + slot,
+      static_cast<std::int32_t>(first), static_cast<std::int32_t>(slot), this->Returns.Range + slot,
+      this->Returns.Alpha + slot, this->Returns.Beta + slot, this->Returns.BeamId + slot,
+      this->Returns.VertexOffsets->GetPointer(0) + slot,
       this->Returns.VertexPoints->GetPointer(0) + slot };
   }
 

@@ -2,14 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The returns of neighbouring beams of one turn, and where their values go.
+ * @brief The returns of one turn, and where their values go.
  */
-#ifndef lms3dReturnRun_h
-#define lms3dReturnRun_h
+#ifndef lms3dReturnArrays_h
+#define lms3dReturnArrays_h
 
 #include <cstdint>
 
-/// All arrays belong to the caller. None of the outputs overlaps another array.
+/// The returns of one turn, and where their beams start. The arrays belong to the caller.
+struct lms3dReturnsOfTurn
+{
+  /// Cosine and sine of the elevation, and range, of each return.
+  const double* Cosines;
+  const double* Sines;
+  const double* Ranges;
+  int Count;
+
+  /// The fan's horizontal axis, the upward axis and the sensor's position in world coordinates.
+  const double* FanAxis;
+  const double* Up;
+  const double* Position;
+};
+
+/// The returns of neighbouring beams of one turn. All arrays belong to the caller. None of the outputs
+/// overlaps another array.
 struct lms3dReturnRunArrays
 {
   int Count;
