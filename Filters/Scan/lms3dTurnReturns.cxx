@@ -25,6 +25,18 @@ void FillEach(T* out, int count, const ValueOf& valueOf)
   }
 }
 
+void Widen(const std::int32_t* triangles, int count, long long* cells)
+{
+  lms3dGetPacketKernels().WidenTriangles(triangles, count, cells);
+}
+
+// For builds of VTK whose vtkIdType is another type.
+template <typename Id>
+void Widen(const std::int32_t* triangles, int count, Id* cells)
+{
+  std::copy_n(triangles, count, cells);
+}
+
 /// Fills the arrays of one scan. In the methods, `beamOf` maps a return of a piece to its beam in the turn.
 class Filler
 {
@@ -83,8 +95,7 @@ private:
     const Piece& piece = run.Returns;
     if (this->Turns.Mesh && this->Turns.Mesh->Cells.empty())
     {
-      lms3dGetPacketKernels().WidenTriangles(
-        this->Turns.Triangles + this->GetFirst(piece) + run.FirstBeam, piece.Count,
+      Widen(this->Turns.Triangles + this->GetFirst(piece) + run.FirstBeam, piece.Count,
         this->CellIds + piece.Slot);
     }
     else
