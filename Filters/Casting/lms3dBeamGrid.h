@@ -9,6 +9,17 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+
+/// A hit for each beam of a scan, ordered by turn, then by beam. The arrays belong to the caller.
+struct lms3dBeamHits
+{
+  /// Metres.
+  double* Ranges;
+
+  /// Indices into the caster's mesh, lms3dBeamPacket::NoTriangle if there is no hit.
+  std::int32_t* Triangles;
+};
 
 /// The arrays belong to the caller. If there are FanAxes, the direction of a beam is the fan's axis in its
 /// turn times the cosine of its elevation, plus the upward axis times the sine. Otherwise the beams have

@@ -14,6 +14,17 @@ inline bool lms3dHasBit(std::uint32_t mask, int bit)
   return (mask >> bit) & 1u;
 }
 
+/// Returns the number of bits that are set.
+inline int lms3dCountBits(std::uint32_t mask)
+{
+  int count = 0;
+  for (; mask != 0; mask &= mask - 1)
+  {
+    ++count;
+  }
+  return count;
+}
+
 /// Returns the lowest bit of a mask that is not 0.
 inline int lms3dGetFirstBit(std::uint32_t mask)
 {

@@ -16,6 +16,10 @@ namespace
 // Measured: a cluster is replaced by its parts within this number of its radii.
 constexpr float NearDistance = 4.0f;
 
+// A group of few triangles that can meet this many tiles of a block lies beside the sensor or around it.
+constexpr std::uint32_t MaximumOfDivided = 16;
+constexpr int MinimumTilesOfDivided = 8;
+
 // Margins of the boxes cover the rounding of the position and of these four operations.
 lms3dTileBox MakeTileBox(const lms3dNormalizedBox& box, const float (&position)[3])
 {
@@ -42,10 +46,13 @@ bool IsNear(const lms3dTileBox& box)
 } // namespace
 
 lms3dClusterDivision::lms3dClusterDivision(const lms3dTriangleClusters& clusters,
-  const lms3dNormalization& normalization, const double origin[3], const lms3dTileGrid& grid)
+  const lms3dNormalization& normalization, const lms3dTileClassifier& classifier,
+  const lms3dTileGrid& grid)
   : All(clusters)
+  , Classifier(classifier)
   , Grid(grid)
 {
+  const double(&origin)[3] = classifier.GetView().GetOrigin().Position;
   float position[3];
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -100,23 +107,30 @@ lms3dTileBlock lms3dClusterDivision::DivideBlock(
 {
   lms3dTiles tiles;
   const std::uint32_t present = this->Grid.FillParts(this->Grid.GetBlock(number), tiles);
-  std::array<Groups, lms3dTiles::Size> ofTiles;
-  for (std::uint32_t group : groups)
+  std::array<Contents, lms3dTiles::Size> ofTiles;
+  for (std::uint32_t groupNumber : groups)
   {
-    std::uint32_t met = present & this->Kernels.FindTilesOfBox(tiles, this->Chosen[group].Box);
+    const Group& group = this->Chosen[groupNumber];
+    std::uint32_t met = present & this->Kernels.FindTilesOfBox(tiles, group.Box);
+    if (group.Count <= MaximumOfDivided && lms3dCountBits(met) >= MinimumTilesOfDivided)
+    {
+      this->AddTriangles(group, met, tiles, ofTiles);
+      continue;
+    }
     for (; met != 0; met &= met - 1)
     {
-      ofTiles[lms3dGetFirstBit(met)].push_back(group);
+      ofTiles[lms3dGetFirstBit(met)].Whole.push_back(groupNumber);
     }
   }
   lms3dTileBlock block;
   for (int tile = 0; tile < lms3dTiles::Size; ++tile)
   {
-    if (ofTiles[tile].empty())
+    const std::size_t count = this->CountTriangles(ofTiles[tile]);
+    if (count == 0)
     {
       block.Decided |= 1u << tile;
     }
-    else if (this->CountTriangles(ofTiles[tile]) > maximum)
+    else if (count > maximum)
     {
       block.Crowded |= 1u << tile;
     }
@@ -129,24 +143,45 @@ lms3dTileBlock lms3dClusterDivision::DivideBlock(
   return block;
 }
 
-std::size_t lms3dClusterDivision::CountTriangles(const Groups& groups) const
+// Adds the triangles of a group whose box says little.
+void lms3dClusterDivision::AddTriangles(const Group& group, std::uint32_t met,
+  const lms3dTiles& tiles, std::array<Contents, lms3dTiles::Size>& ofTiles) const
 {
-  std::size_t count = 0;
-  for (std::uint32_t group : groups)
+  lms3dNarrowCache* const kept = this->Classifier.GetView().GetKept();
+  for (std::uint32_t i = group.First; i < group.First + group.Count; ++i)
+  {
+    const std::uint32_t triangle = this->All.GetTriangles()[i];
+    std::uint32_t rest =
+      this->Classifier.FindMet(static_cast<std::int32_t>(triangle), met, tiles, kept);
+    for (; rest != 0; rest &= rest - 1)
+    {
+      ofTiles[lms3dGetFirstBit(rest)].Triangles.push_back(triangle);
+    }
+  }
+}
+
+std::size_t lms3dClusterDivision::CountTriangles(const Contents& contents) const
+{
+  std::size_t count = contents.Triangles.size();
+  for (std::uint32_t group : contents.Whole)
   {
     count += this->Chosen[group].Count;
   }
   return count;
 }
 
-void lms3dClusterDivision::AppendTriangles(const Groups& groups, lms3dTileBlock& block) const
+void lms3dClusterDivision::AppendTriangles(const Contents& contents, lms3dTileBlock& block) const
 {
-  for (std::uint32_t group : groups)
+  const auto append = [&block](const std::uint32_t* first, std::size_t count)
   {
-    const std::uint32_t* const first = this->All.GetTriangles() + this->Chosen[group].First;
-    std::transform(first, first + this->Chosen[group].Count, std::back_inserter(block.Candidates),
+    std::transform(first, first + count, std::back_inserter(block.Candidates),
       [](std::uint32_t triangle) {
         return lms3dTileCandidate{ static_cast<std::int32_t>(triangle), false };
       });
+  };
+  append(contents.Triangles.data(), contents.Triangles.size());
+  for (std::uint32_t group : contents.Whole)
+  {
+    append(this->All.GetTriangles() + this->Chosen[group].First, this->Chosen[group].Count);
   }
 }

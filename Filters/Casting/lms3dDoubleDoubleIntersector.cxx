@@ -23,7 +23,7 @@ void SetPlane(const lms3dDoubleDoublePlane& plane, int beam, lms3dPacketPlanes& 
   planes.Low[3][beam] = plane.Offset.Low;
 }
 
-lms3dDoubleDoublePlane GetPlane(const lms3dPacketPlanes& planes, int i)
+lms3dDoubleDoublePlane GetPlaneOf(const lms3dPacketPlanes& planes, int i)
 {
   const auto get = [&planes, i](int number) {
     return lms3dDoubleDouble{ planes.High[number][i], planes.Low[number][i] };
@@ -79,22 +79,25 @@ void lms3dDoubleDoubleIntersector::Refine(double maximumRange, lms3dBeamPacket& 
   }
 }
 
+bool lms3dDoubleDoubleIntersector::FillTile(std::int32_t triangle, const lms3dBeamsOfTile& beams,
+  const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride)
+{
+  const Plane& plane = this->GetPlane(triangle);
+  return !plane.IsNear && this->Kernels.IntersectTile(plane.Value, beams, within, ranges, stride);
+}
+
 // Refines the beams that have the same triangle as the first of `beams`, and returns them.
 std::uint32_t lms3dDoubleDoubleIntersector::RefineFirst(
   std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet)
 {
   const std::int32_t triangle = packet.Triangle[lms3dGetFirstBit(beams)];
-  const Plane& plane =
-    this->Planes.Get(triangle, [this](std::int32_t t) { return this->MakePlane(t); });
+  const Plane& plane = this->GetPlane(triangle);
+  if (!plane.IsNear)
+  {
+    return this->Kernels.RefineRanges(plane.Value, triangle, maximumRange, packet);
+  }
   alignas(64) double ranges[lms3dBeamPacket::Size];
-  if (plane.IsNear)
-  {
-    lms3dIntersectNearPlane(lms3dGetCorners(this->Mesh, triangle), this->Origin, packet, ranges);
-  }
-  else
-  {
-    this->Kernels.IntersectDoubleDoublePlane(plane.Value, packet, ranges);
-  }
+  lms3dIntersectNearPlane(lms3dGetCorners(this->Mesh, triangle), this->Origin, packet, ranges);
   return this->Kernels.StoreRanges(ranges, triangle, maximumRange, packet);
 }
 
@@ -156,7 +159,7 @@ void lms3dDoubleDoubleIntersector::MakePlanes(MissingPlanes& missing) const
   for (int i = 0; i < missing.Count; ++i)
   {
     const lms3dCorners ofTriangle = lms3dGetCorners(this->Mesh, missing.Triangles[i]);
-    const lms3dDoubleDoublePlane plane = GetPlane(planes, i);
+    const lms3dDoubleDoublePlane plane = GetPlaneOf(planes, i);
     missing.Planes[i] = { plane, lms3dIsNearPlane(ofTriangle, this->Origin, plane) };
   }
 }

@@ -11,6 +11,7 @@
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Kernels/lms3dPacketKernels.h"
 
+#include <cstddef>
 #include <cstdint>
 
 /// Keeps the planes of recent triangles. The mesh must outlive this object.
@@ -29,6 +30,10 @@ public:
   /// above the maximum.
   void Refine(double maximumRange, lms3dBeamPacket& packet);
 
+  /// Does what lms3dRangeRefinement::FillTile does.
+  bool FillTile(std::int32_t triangle, const lms3dBeamsOfTile& beams,
+    const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride);
+
 private:
   /// Enough for a whole scan of a small scene.
   static constexpr int NumberOfPlanes = 1024;
@@ -45,6 +50,10 @@ private:
   bool RefineEach(std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet);
   void MakePlanes(MissingPlanes& missing) const;
   Plane MakePlane(std::int32_t triangle) const;
+  const Plane& GetPlane(std::int32_t triangle)
+  {
+    return this->Planes.Get(triangle, [this](std::int32_t t) { return this->MakePlane(t); });
+  }
 
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dTriangleMesh& Mesh;

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 
 namespace
 {
@@ -33,8 +35,10 @@ class ExactGridCaster final : public lms3dGridCaster
 public:
   /// `clusters` may be null.
   ExactGridCaster(const lms3dTriangleMesh& mesh, const lms3dEmbreeCandidates& candidates,
-    const lms3dTriangleClusters* clusters, const lms3dRayOrigin& origin, const lms3dBeamGrid& grid)
+    const lms3dRangeRefinement& refinement, const lms3dTriangleClusters* clusters,
+    const lms3dRayOrigin& origin, const lms3dBeamGrid& grid)
     : Candidates(candidates)
+    , Refinement(refinement)
     , Grid(grid)
     , Cone(candidates.GetCone(origin.Position))
     , View(mesh, origin, candidates.GetUnit())
@@ -62,9 +66,28 @@ public:
     }
   }
 
-  int GetRows() const override { return this->Tiles ? lms3dTileSearch::PacketsPerSide : 1; }
+  // Nearly square rectangles, whose packets meet the same triangles, also where there are no tiles.
+  int GetRows() const override { return lms3dTileSearch::PacketsPerSide; }
 
   int GetColumns() const override { return MaximumPackets / this->GetRows(); }
+
+  int GetColumnsAtOnce() const override
+  {
+    return this->Tiles ? lms3dTileSearch::PacketsPerSide : MaximumPackets;
+  }
+
+  bool CastAtOnce(
+    const lms3dPacketRectangle& tile, double minimumRange, const lms3dBeamHits& hits) const override
+  {
+    std::int32_t triangle = lms3dBeamPacket::NoTriangle;
+    if (!this->Tiles || !this->Tiles->IsDecided(tile.FirstTurn, tile.FirstBeam, triangle))
+    {
+      return false;
+    }
+    return triangle == lms3dBeamPacket::NoTriangle
+      ? this->StoreNothing(tile, hits)
+      : this->StoreTriangle(tile, triangle, minimumRange, hits);
+  }
 
   bool IsEmpty(const lms3dPacketRectangle& rectangle) const override
   {
@@ -85,7 +108,53 @@ public:
   }
 
 private:
+  std::ptrdiff_t GetSlot(int turn, int beam) const
+  {
+    return static_cast<std::ptrdiff_t>(turn) * this->Grid.Beams + beam;
+  }
+
+  bool StoreNothing(const lms3dPacketRectangle& tile, const lms3dBeamHits& hits) const
+  {
+    const lms3dBeamsOfTile beams = this->GetBeams(tile);
+    for (int turn = 0; turn < beams.Turns; ++turn)
+    {
+      const std::ptrdiff_t slot = this->GetSlot(tile.FirstTurn + turn, tile.FirstBeam);
+      std::fill_n(hits.Ranges + slot, beams.Beams, std::numeric_limits<double>::quiet_NaN());
+      std::fill_n(hits.Triangles + slot, beams.Beams, lms3dBeamPacket::NoTriangle);
+    }
+    return true;
+  }
+
+  // Returns false if a range does not count.
+  bool StoreTriangle(const lms3dPacketRectangle& tile, std::int32_t triangle, double minimumRange,
+    const lms3dBeamHits& hits) const
+  {
+    const lms3dBeamsOfTile beams = this->GetBeams(tile);
+    const lms3dRayOrigin& origin = this->View.GetOrigin();
+    if (!this->Refinement.FillTile(origin, triangle, beams, { minimumRange, origin.MaximumRange },
+          hits.Ranges + this->GetSlot(tile.FirstTurn, tile.FirstBeam), this->Grid.Beams))
+    {
+      return false;
+    }
+    for (int turn = 0; turn < beams.Turns; ++turn)
+    {
+      std::fill_n(hits.Triangles + this->GetSlot(tile.FirstTurn + turn, tile.FirstBeam),
+        beams.Beams, triangle);
+    }
+    return true;
+  }
+
+  lms3dBeamsOfTile GetBeams(const lms3dPacketRectangle& tile) const
+  {
+    constexpr int Side = lms3dBeamGrid::Side;
+    return { this->Grid.Cosines + tile.FirstBeam, this->Grid.Sines + tile.FirstBeam,
+      this->Grid.FanAxes + tile.FirstTurn, this->Grid.Up.data(),
+      std::min(tile.Rows * Side, this->Grid.Turns - tile.FirstTurn),
+      std::min(tile.Columns * Side, this->Grid.Beams - tile.FirstBeam) };
+  }
+
   const lms3dEmbreeCandidates& Candidates;
+  const lms3dRangeRefinement& Refinement;
   const lms3dBeamGrid Grid;
   const lms3dCone Cone;
   lms3dExactView View;
@@ -124,7 +193,7 @@ public:
     const lms3dRayOrigin& origin, const lms3dBeamGrid& grid) const override
   {
     return std::make_unique<ExactGridCaster>(
-      this->GetMesh(), this->Candidates, this->Clusters.get(), origin, grid);
+      this->GetMesh(), this->Candidates, this->Refinement, this->Clusters.get(), origin, grid);
   }
 
   void ComputeRanges(

@@ -7,6 +7,7 @@
 #ifndef lms3dGridCaster_h
 #define lms3dGridCaster_h
 
+#include "Casting/lms3dBeamGrid.h"
 #include "Kernels/lms3dBeamPacket.h"
 
 #include <bitset>
@@ -36,6 +37,18 @@ public:
   virtual int GetRows() const = 0;
   virtual int GetColumns() const = 0;
   ///@}
+
+  /// The columns of the parts of a rectangle that CastAtOnce takes.
+  virtual int GetColumnsAtOnce() const { return MaximumPackets; }
+
+  /// Stores the final hits of a part of a rectangle if all its beams hit one triangle at ranges that count,
+  /// or none: what FindNearest, lms3dRayCaster::RefineRanges and the minimum range give. Otherwise returns
+  /// false, and the hits of these beams are undefined. Several threads may call this at once.
+  virtual bool CastAtOnce(
+    const lms3dPacketRectangle&, double /*minimumRange*/, const lms3dBeamHits&) const
+  {
+    return false;
+  }
 
   /// Returns true only if no beam of a rectangle hits a triangle. Such rectangles need not be cast.
   virtual bool IsEmpty(const lms3dPacketRectangle&) const { return false; }

@@ -88,3 +88,12 @@ void lms3dRangeRefinement::Refine(
     intersector.Refine(origin.MaximumRange, packets[i]);
   }
 }
+
+bool lms3dRangeRefinement::FillTile(const lms3dRayOrigin& origin, std::int32_t triangle,
+  const lms3dBeamsOfTile& beams, const lms3dRangeInterval& within, double* ranges,
+  std::ptrdiff_t stride) const
+{
+  lms3dDoubleDoubleIntersector& intersector = this->Internal->Intersectors.local();
+  intersector.SetOrigin(origin.Position);
+  return intersector.FillTile(triangle, beams, within, ranges, stride);
+}

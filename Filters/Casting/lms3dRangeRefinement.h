@@ -8,8 +8,10 @@
 #define lms3dRangeRefinement_h
 
 #include "Geometry/lms3dTriangleMesh.h"
-#include "Kernels/lms3dBeamPacket.h"
+#include "Kernels/lms3dPacketKernels.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 
 /**
@@ -36,6 +38,12 @@ public:
 
   /// Several threads may call this at once, with any origins.
   void Refine(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
+
+  /// Computes the ranges of beams that all have one triangle, `stride` ranges from one turn to the next.
+  /// Returns false, and the ranges are undefined, if a range is not above 0 or not in an interval, or if
+  /// the triangle's plane passes too near to the origin.
+  bool FillTile(const lms3dRayOrigin& origin, std::int32_t triangle, const lms3dBeamsOfTile& beams,
+    const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride) const;
 
 private:
   struct Internals;

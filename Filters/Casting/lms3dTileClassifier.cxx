@@ -44,6 +44,16 @@ lms3dTileCandidateLists lms3dTileClassifier::Classify(const lms3dTileCandidate* 
   return parts;
 }
 
+std::uint32_t lms3dTileClassifier::FindMet(std::int32_t triangle, std::uint32_t present,
+  const lms3dTiles& tiles, lms3dNarrowCache* kept) const
+{
+  lms3dTileCover cover = {};
+  return this->Kernels
+    .ClassifyTiles(tiles, this->View.GetNarrowTriangle(triangle, kept), this->GetCorners(triangle),
+      { present, 0u, 0u }, this->View.GetMinimumInverse(), cover)
+    .Met;
+}
+
 lms3dCornerDirections lms3dTileClassifier::GetCorners(std::size_t triangle) const
 {
   return lms3dGetCornerDirections(lms3dToSensorFrame(

@@ -32,6 +32,10 @@ public:
   lms3dTileCandidateLists Classify(const lms3dTileCandidate* candidates, std::size_t count,
     std::uint32_t present, const lms3dTiles& tiles, lms3dNarrowCache* kept) const;
 
+  /// Returns the tiles among `present` that one triangle can meet.
+  std::uint32_t FindMet(std::int32_t triangle, std::uint32_t present, const lms3dTiles& tiles,
+    lms3dNarrowCache* kept) const;
+
   const lms3dExactView& GetView() const { return this->View; }
 
 private:

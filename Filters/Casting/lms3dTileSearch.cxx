@@ -17,7 +17,6 @@ constexpr std::size_t MaximumTriangles = 5000;
 constexpr double MaximumCandidatesPerPacket = 0.75;
 constexpr std::size_t MaximumClustersPerPacket = 2;
 constexpr std::size_t MaximumCandidatesOfTile = 64;
-constexpr std::size_t MaximumCandidatesOfPacket = 16;
 } // namespace
 
 /// The packets of one tile, in an array that has the packets of several tiles side by side.
@@ -75,9 +74,8 @@ std::unique_ptr<lms3dTileSearch> lms3dTileSearch::New(const lms3dExactView& view
   const lms3dNormalization& normalization)
 {
   std::unique_ptr<lms3dTileSearch> search(new lms3dTileSearch(view, grid));
-  search->Blocks =
-    lms3dClusterDivision(clusters, normalization, view.GetOrigin().Position, search->Grid)
-      .Divide(MaximumCandidatesOfTile);
+  search->Blocks = lms3dClusterDivision(clusters, normalization, search->Classifier, search->Grid)
+                     .Divide(MaximumCandidatesOfTile);
   return search;
 }
 
@@ -161,14 +159,24 @@ lms3dPacketMask lms3dTileSearch::FindNearest(
   return open;
 }
 
+bool lms3dTileSearch::IsDecided(int turn, int beam, std::int32_t& triangle) const
+{
+  const lms3dTileBlock& block = this->Blocks[this->Grid.FindBlock(turn, beam)];
+  const int part = lms3dTileGrid::FindPart(turn, beam);
+  triangle = block.First[part] == block.First[part + 1]
+    ? lms3dBeamPacket::NoTriangle
+    : block.Candidates[block.First[part]].Triangle;
+  return lms3dHasBit(block.Decided, part);
+}
+
 bool lms3dTileSearch::IsEmpty(const lms3dPacketRectangle& rectangle) const
 {
   for (int column = 0; column < rectangle.Columns; column += PacketsPerSide)
   {
     const int beam = rectangle.FirstBeam + column * lms3dBeamGrid::Side;
-    const lms3dTileBlock& block = this->Blocks[this->Grid.FindBlock(rectangle.FirstTurn, beam)];
-    const int part = lms3dTileGrid::FindPart(rectangle.FirstTurn, beam);
-    if (!lms3dHasBit(block.Decided, part) || block.First[part] != block.First[part + 1])
+    std::int32_t triangle = lms3dBeamPacket::NoTriangle;
+    if (!this->IsDecided(rectangle.FirstTurn, beam, triangle) ||
+      triangle != lms3dBeamPacket::NoTriangle)
     {
       return false;
     }
@@ -179,28 +187,25 @@ bool lms3dTileSearch::IsEmpty(const lms3dPacketRectangle& rectangle) const
 void lms3dTileSearch::FindInTile(const PacketsOfTile& packets) const
 {
   const lms3dPacketRectangle& tile = packets.Tile;
-  const lms3dTileBlock& block = this->Blocks[this->Grid.FindBlock(tile.FirstTurn, tile.FirstBeam)];
-  const int part = lms3dTileGrid::FindPart(tile.FirstTurn, tile.FirstBeam);
-  const lms3dTileCandidate* candidates = block.Candidates.data() + block.First[part];
-  const std::size_t count = block.First[part + 1] - block.First[part];
-  if (lms3dHasBit(block.Decided, part))
+  std::int32_t triangle = lms3dBeamPacket::NoTriangle;
+  if (this->IsDecided(tile.FirstTurn, tile.FirstBeam, triangle))
   {
-    const std::int32_t triangle = count == 0 ? lms3dBeamPacket::NoTriangle : candidates[0].Triangle;
     packets.ForEach(
       [triangle](int, lms3dBeamPacket& packet)
       {
         lms3dSetTriangle(triangle, packet);
         return true;
       });
+    return;
   }
-  else if (count > MaximumCandidatesOfTile || lms3dHasBit(block.Crowded, part))
+  const lms3dTileBlock& block = this->Blocks[this->Grid.FindBlock(tile.FirstTurn, tile.FirstBeam)];
+  const int part = lms3dTileGrid::FindPart(tile.FirstTurn, tile.FirstBeam);
+  const std::size_t count = block.First[part + 1] - block.First[part];
+  if (count > MaximumCandidatesOfTile || lms3dHasBit(block.Crowded, part))
   {
-    packets.ForEach([](int, lms3dBeamPacket&) { return false; });
+    return packets.ForEach([](int, lms3dBeamPacket&) { return false; });
   }
-  else
-  {
-    this->FindInParts(candidates, count, packets);
-  }
+  this->FindInParts(block.Candidates.data() + block.First[part], count, packets);
 }
 
 void lms3dTileSearch::FindInParts(
@@ -224,10 +229,6 @@ void lms3dTileSearch::FindInParts(
       }
       ofPacket.clear();
       parts.AppendCandidates(i, ofPacket);
-      if (ofPacket.size() > MaximumCandidatesOfPacket)
-      {
-        return false;
-      }
       this->TestCandidates(ofPacket, packets.Kept, packet);
       return true;
     });

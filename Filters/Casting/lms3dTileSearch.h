@@ -63,6 +63,10 @@ public:
   lms3dPacketMask FindNearest(
     const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const;
 
+  /// Returns whether all beams of the tile that begins at a turn and beam hit one triangle, or none, and sets
+  /// this triangle or lms3dBeamPacket::NoTriangle.
+  bool IsDecided(int turn, int beam, std::int32_t& triangle) const;
+
   /// Returns true only if no beam of such a rectangle hits a triangle.
   bool IsEmpty(const lms3dPacketRectangle& rectangle) const;
 

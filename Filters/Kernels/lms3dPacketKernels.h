@@ -22,8 +22,11 @@
 #include "Kernels/lms3dNormalStrip.h"
 #include "Kernels/lms3dPacketPlanes.h"
 #include "Kernels/lms3dRangeErrorRow.h"
+#include "Kernels/lms3dReturnArrays.h"
 #include "Kernels/lms3dTile.h"
+#include "Kernels/lms3dTileBeams.h"
 
+#include <cstddef>
 #include <cstdint>
 
 /// Cosine and sine of the elevation of each beam of a packet.
@@ -55,21 +58,6 @@ struct lms3dHitMasks
 
   /// Beams so near to an edge that double precision cannot decide.
   std::uint32_t Uncertain;
-};
-
-/// The returns of one turn, and where their beams start. The arrays belong to the caller.
-struct lms3dReturnsOfTurn
-{
-  /// Cosine and sine of the elevation, and range, of each return.
-  const double* Cosines;
-  const double* Sines;
-  const double* Ranges;
-  int Count;
-
-  /// The fan's horizontal axis, the upward axis and the sensor's position in world coordinates.
-  const double* FanAxis;
-  const double* Up;
-  const double* Position;
 };
 
 /// The directions d with Axis.d >= Minimum.
@@ -190,6 +178,11 @@ struct lms3dPacketKernels
   void (*IntersectDoubleDoublePlane)(
     const lms3dDoubleDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges);
 
+  /// The same for the beams of a tile, `stride` ranges from one turn to the next. Returns whether all ranges
+  /// are above 0 and in an interval.
+  bool (*IntersectTile)(const lms3dDoubleDoublePlane& plane, const lms3dBeamsOfTile& beams,
+    const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride);
+
   /// The same for beams that each have a plane of their own.
   void (*IntersectDoubleDoublePlanes)(
     const lms3dPacketPlanes& planes, const lms3dBeamPacket& packet, double* ranges);
@@ -203,6 +196,10 @@ struct lms3dPacketKernels
   std::uint32_t (*StoreRanges)(
     const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet);
 
+  /// Does what IntersectDoubleDoublePlane and StoreRanges do.
+  std::uint32_t (*RefineRanges)(const lms3dDoubleDoublePlane& plane, std::int32_t triangle,
+    double maximumRange, lms3dBeamPacket& packet);
+
   /// Stores the range of some beams likewise.
   void (*StoreRangesOfBeams)(
     const double* ranges, std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet);
@@ -212,6 +209,12 @@ struct lms3dPacketKernels
 
   /// Computes the world coordinates of the returns, three numbers for each.
   void (*Locate)(const lms3dReturnsOfTurn& returns, double* points);
+
+  /// Fills the arrays of a run of returns.
+  void (*FillReturnRun)(const lms3dReturnRunArrays& run);
+
+  /// Copies the numbers of triangles.
+  void (*WidenTriangles)(const std::int32_t* triangles, int count, long long* cells);
 
   /// Adds the normals of the triangles between the strip's two turns, completes the sums of the first
   /// turn and makes the second turn the first one.

@@ -18,8 +18,10 @@
 #include "Kernels/lms3dNormalKernels.inl"
 #include "Kernels/lms3dRangeErrorKernels.inl"
 #include "Kernels/lms3dRangeKernels.inl"
+#include "Kernels/lms3dReturnKernels.inl"
 #include "Kernels/lms3dTileBoxKernels.inl"
 #include "Kernels/lms3dTileKernels.inl"
+#include "Kernels/lms3dTileRangeKernels.inl"
 
 // In the order of lms3dFreeKernels.
 #define LMS3D_FREE_KERNELS                                                                   \
@@ -27,14 +29,15 @@
     IntersectFreeDoublePlane
 
 // In the order of lms3dPacketKernels.
-#define LMS3D_PACKET_KERNELS                                                                    \
-  GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, MakeNarrowTriangle,    \
-    UpdateNarrow, UpdateFromCorners, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles,    \
-    FindTilesOfBox, FindHits, MakeDoubleDoublePlane, MakeDoubleDoublePlanes, MakeDoublePlane,   \
-    IntersectDoubleDoublePlane, IntersectDoubleDoublePlanes, IntersectDoublePlane, StoreRanges, \
-    StoreRangesOfBeams, ApplyMinimumRange, Locate, AddStrip, DrawNormals, ReportRanges,         \
-  {                                                                                             \
-    LMS3D_FREE_KERNELS                                                                          \
+#define LMS3D_PACKET_KERNELS                                                                      \
+  GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, MakeNarrowTriangle,      \
+    UpdateNarrow, UpdateFromCorners, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles,      \
+    FindTilesOfBox, FindHits, MakeDoubleDoublePlane, MakeDoubleDoublePlanes, MakeDoublePlane,     \
+    IntersectDoubleDoublePlane, IntersectTile, IntersectDoubleDoublePlanes, IntersectDoublePlane, \
+    StoreRanges, RefineRanges, StoreRangesOfBeams, ApplyMinimumRange, Locate, FillReturnRun,      \
+    WidenTriangles, AddStrip, DrawNormals, ReportRanges,                                          \
+  {                                                                                               \
+    LMS3D_FREE_KERNELS                                                                            \
   }
 
 #endif

@@ -82,22 +82,21 @@ void MakeDoubleDoublePlanes(const lms3dPacketCorners& corners, int count, const 
   }
 }
 
-// Returns offset / normal.direction of beam i, with one rounding.
+// Returns offset / normal.direction, with one rounding.
 [[gnu::always_inline]] inline double Intersect(
-  const Pair* normal, const Pair& offset, const double (&directions)[3][Size], int i)
+  const Pair* normal, const Pair& offset, const double (&direction)[3])
 {
   // The dot product normal.direction; `error` sums the rounding errors of its products and sums
   // (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005).
-  const Pair first = Multiply(normal[0].High, directions[0][i]);
+  const Pair first = Multiply(normal[0].High, direction[0]);
   double slope = first.High;
-  double error = first.Low + normal[0].Low * directions[0][i];
+  double error = first.Low + normal[0].Low * direction[0];
   for (int axis = 1; axis < 3; ++axis)
   {
-    const double direction = directions[axis][i];
-    const Pair product = Multiply(normal[axis].High, direction);
+    const Pair product = Multiply(normal[axis].High, direction[axis]);
     const Pair sum = lms3dTwoSum(slope, product.High);
     slope = sum.High;
-    error += sum.Low + (product.Low + normal[axis].Low * direction);
+    error += sum.Low + (product.Low + normal[axis].Low * direction[axis]);
   }
   // At grazing incidence the error is not small compared with the slope.
   const Pair whole = lms3dTwoSum(slope, error);
@@ -107,6 +106,14 @@ void MakeDoubleDoublePlanes(const lms3dPacketCorners& corners, int count, const 
   const double remainder =
     ((offset.High - back.High) - back.Low) + (offset.Low - quotient * whole.Low);
   return quotient + remainder / whole.High;
+}
+
+// The same for beam i of some.
+[[gnu::always_inline]] inline double Intersect(
+  const Pair* normal, const Pair& offset, const double (&directions)[3][Size], int i)
+{
+  const double direction[3] = { directions[0][i], directions[1][i], directions[2][i] };
+  return Intersect(normal, offset, direction);
 }
 
 // `ranges` must not overlap the input, so that the compiler can vectorize the loop.
@@ -209,6 +216,14 @@ std::uint32_t StoreRanges(
     packet.Range[i] = ranges[i];
   }
   return bits;
+}
+
+std::uint32_t RefineRanges(const lms3dDoubleDoublePlane& plane, std::int32_t triangle,
+  double maximumRange, lms3dBeamPacket& packet)
+{
+  alignas(64) double ranges[Size];
+  IntersectDoubleDoublePlane(plane, packet, ranges);
+  return StoreRanges(ranges, triangle, maximumRange, packet);
 }
 } // namespace
 

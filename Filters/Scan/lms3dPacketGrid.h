@@ -15,16 +15,6 @@
 #include <cstdint>
 #include <cstring>
 
-/// A hit for each beam of a scan, ordered by turn, then by beam. The arrays belong to the caller.
-struct lms3dBeamHits
-{
-  /// Metres.
-  double* Ranges;
-
-  /// Indices into the caster's mesh, lms3dBeamPacket::NoTriangle if there is no hit.
-  std::int32_t* Triangles;
-};
-
 /// Beam Side * i + j of a packet belongs to its turn i and elevation j. Beyond the end of the grid a
 /// packet repeats the last turn or beam, inactive, so that it stays coherent.
 struct lms3dPacketGrid

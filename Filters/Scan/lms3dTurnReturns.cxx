@@ -25,6 +25,18 @@ void FillEach(T* out, int count, const ValueOf& valueOf)
   }
 }
 
+void Widen(const std::int32_t* triangles, int count, long long* cells)
+{
+  lms3dGetPacketKernels().WidenTriangles(triangles, count, cells);
+}
+
+// For builds of VTK whose vtkIdType is another type.
+template <typename Id>
+void Widen(const std::int32_t* triangles, int count, Id* cells)
+{
+  std::copy_n(triangles, count, cells);
+}
+
 /// Fills the arrays of one scan. In the methods, `beamOf` maps a return of a piece to its beam in the turn.
 class Filler
 {
@@ -36,24 +48,13 @@ public:
   {
   }
 
-  // Each array has a loop of its own: memory is written faster in one long stream than in several at once.
   void FillRuns(const std::vector<Run>& runs) const
   {
-    const auto forEach = [&runs](const auto& fill)
-    {
-      for (const Run& run : runs)
-      {
-        fill(run.Returns, [first = run.FirstBeam](int i) { return first + i; });
-      }
-    };
-    forEach([this](const Piece& piece, const auto& beamOf) { this->FillRange(piece, beamOf); });
-    forEach([this](const Piece& piece, const auto& beamOf) { this->FillCells(piece, beamOf); });
-    forEach([this](const Piece& piece, const auto& beamOf) { this->FillAlpha(piece, beamOf); });
-    forEach([this](const Piece& piece, const auto&) { this->FillBeta(piece); });
-    forEach([this](const Piece& piece, const auto& beamOf) { this->FillBeamId(piece, beamOf); });
-    forEach([this](const Piece& piece, const auto&) { this->FillVertices(piece); });
+    const lms3dPacketKernels& kernels = lms3dGetPacketKernels();
     for (const Run& run : runs)
     {
+      kernels.FillReturnRun(this->GetArrays(run));
+      this->FillCells(run);
       this->Locate(run.Returns, this->GetGeometry().GetAlphaCosines().data() + run.FirstBeam,
         this->GetGeometry().GetAlphaSines().data() + run.FirstBeam);
     }
@@ -89,6 +90,34 @@ public:
   }
 
 private:
+  void FillCells(const Run& run) const
+  {
+    const Piece& piece = run.Returns;
+    if (this->Turns.Mesh && this->Turns.Mesh->Cells.empty())
+    {
+      Widen(this->Turns.Triangles + this->GetFirst(piece) + run.FirstBeam, piece.Count,
+        this->CellIds + piece.Slot);
+    }
+    else
+    {
+      this->FillCells(piece, [first = run.FirstBeam](int i) { return first + i; });
+    }
+  }
+
+  lms3dReturnRunArrays GetArrays(const Run& run) const
+  {
+    const Piece& piece = run.Returns;
+    const std::size_t first = this->GetFirst(piece) + run.FirstBeam;
+    const std::size_t slot = piece.Slot;
+    return { piece.Count, this->Turns.Ranges + first,
+      this->GetGeometry().GetAlphaAngles().data() + run.FirstBeam,
+      static_cast<float>(this->GetGeometry().GetBetaAngles()[piece.Turn]),
+      static_cast<std::int32_t>(first), static_cast<std::int32_t>(slot), this->Returns.Range + slot,
+      this->Returns.Alpha + slot, this->Returns.Beta + slot, this->Returns.BeamId + slot,
+      this->Returns.VertexOffsets->GetPointer(0) + slot,
+      this->Returns.VertexPoints->GetPointer(0) + slot };
+  }
+
   const lms3dScanGeometry& GetGeometry() const { return this->Turns.Geometry; }
 
   // Returns the number of the first beam of the piece's turn.

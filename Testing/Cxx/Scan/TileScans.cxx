@@ -59,6 +59,18 @@ struct Hits
   {
   }
 
+  void RemoveNearer(double minimumRange)
+  {
+    for (std::size_t i = 0; i < this->Ranges.size(); ++i)
+    {
+      if (this->Ranges[i] < minimumRange)
+      {
+        this->Ranges[i] = NAN;
+        this->Triangles[i] = lms3dBeamPacket::NoTriangle;
+      }
+    }
+  }
+
   std::vector<double> Ranges;
   std::vector<std::int32_t> Triangles;
   std::vector<double> NearestRanges;
@@ -102,6 +114,17 @@ struct Situation
                             { hits.Ranges.data(), hits.Triangles.data() },
                             { hits.NearestRanges.data(), hits.NearestTriangles.data() } },
       [](double) { return true; }));
+    return hits;
+  }
+
+  // Without the hits that processes compare, whole tiles need no packets.
+  Hits ScanAlone(double minimumRange) const
+  {
+    Hits hits(this->CountBeams());
+    EXPECT_TRUE(
+      lms3dScan({ this->Caster, this->Geometry, this->Pose, { minimumRange, this->MaximumRange },
+                  { hits.Ranges.data(), hits.Triangles.data() } },
+        [](double) { return true; }));
     return hits;
   }
 
@@ -154,7 +177,7 @@ struct Situation
                  &directions.GetFanAxis(0), this->Geometry.GetBetaStep(),
                  this->Geometry.GetAlphaCosines().data(), this->Geometry.GetAlphaSines().data(),
                  directions.GetUp() })
-             ->GetRows() == lms3dTileSearch::PacketsPerSide;
+             ->GetColumnsAtOnce() == lms3dTileSearch::PacketsPerSide;
   }
 
   void ExpectEqual() const
@@ -165,6 +188,21 @@ struct Situation
     EXPECT_EQ(CountDifferences(tiles.Triangles, packets.Triangles), 0);
     EXPECT_EQ(CountDifferences(tiles.NearestRanges, packets.NearestRanges), 0);
     EXPECT_EQ(CountDifferences(tiles.NearestTriangles, packets.NearestTriangles), 0);
+    this->ExpectEqualAlone(packets);
+  }
+
+  // With two minimum ranges. A beam has the second one exactly.
+  void ExpectEqualAlone(Hits packets) const
+  {
+    double minimumRange = 0.0;
+    for (int i = 0; i < 2; ++i)
+    {
+      const Hits tiles = this->ScanAlone(minimumRange);
+      EXPECT_EQ(CountDifferences(tiles.Ranges, packets.Ranges), 0);
+      EXPECT_EQ(CountDifferences(tiles.Triangles, packets.Triangles), 0);
+      minimumRange = std::max(0.0, packets.Ranges[packets.Ranges.size() / 2]);
+      packets.RemoveNearer(minimumRange);
+    }
   }
 };
 

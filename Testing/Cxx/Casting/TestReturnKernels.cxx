@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The kernels that fill the arrays of returns, with all instruction sets and all lengths up to some
+ * vectors.
+ */
+#include "Kernels/lms3dPacketKernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace
+{
+constexpr int MaximumLength = 70;
+
+// Stands behind each array, and must stay there.
+constexpr int Guard = -77;
+
+/// The arrays of a run.
+struct Arrays
+{
+  explicit Arrays(int count)
+    : Count(count)
+    , Range(static_cast<std::size_t>(count) + 1, Guard)
+    , Alpha(this->Range.begin(), this->Range.end())
+    , Beta(this->Alpha)
+    , BeamId(static_cast<std::size_t>(count) + 1, Guard)
+    , Offset(this->BeamId)
+    , Point(this->BeamId)
+  {
+  }
+
+  void Fill(const lms3dPacketKernels& kernels, const std::vector<double>& ranges,
+    const std::vector<double>& elevations)
+  {
+    kernels.FillReturnRun({ this->Count, ranges.data(), elevations.data(), 0.1f, 100000, 2345,
+      this->Range.data(), this->Alpha.data(), this->Beta.data(), this->BeamId.data(),
+      this->Offset.data(), this->Point.data() });
+  }
+
+  int Count;
+  std::vector<double> Range;
+  std::vector<float> Alpha;
+  std::vector<float> Beta;
+  std::vector<std::int32_t> BeamId;
+  std::vector<std::int32_t> Offset;
+  std::vector<std::int32_t> Point;
+};
+
+void ExpectRun(
+  const Arrays& run, const std::vector<double>& ranges, const std::vector<double>& elevations)
+{
+  for (int i = 0; i < run.Count; ++i)
+  {
+    EXPECT_EQ(run.Range[i], ranges[i]);
+    EXPECT_EQ(run.Alpha[i], static_cast<float>(elevations[i]));
+    EXPECT_EQ(run.Beta[i], 0.1f);
+    EXPECT_EQ(run.BeamId[i], 100000 + i);
+    EXPECT_EQ(run.Offset[i], 2345 + i);
+    EXPECT_EQ(run.Point[i], 2345 + i);
+  }
+  EXPECT_EQ(run.Range.back(), Guard);
+  EXPECT_EQ(run.Alpha.back(), Guard);
+  EXPECT_EQ(run.Beta.back(), Guard);
+  EXPECT_EQ(run.BeamId.back(), Guard);
+  EXPECT_EQ(run.Offset.back(), Guard);
+  EXPECT_EQ(run.Point.back(), Guard);
+}
+} // namespace
+
+TEST(ReturnKernels, FillRunsOfAllLengths)
+{
+  std::vector<double> ranges(MaximumLength);
+  std::vector<double> elevations(MaximumLength);
+  for (int i = 0; i < MaximumLength; ++i)
+  {
+    ranges[i] = 1.0 / (i + 1);
+    elevations[i] = -90.0 + i / 3.0;
+  }
+  for (int k = 0; k < lms3dGetNumberOfPacketKernels(); ++k)
+  {
+    for (int count = 0; count <= MaximumLength; ++count)
+    {
+      SCOPED_TRACE(testing::Message() << lms3dGetPacketKernels(k).Name << ", " << count);
+      Arrays run(count);
+      run.Fill(lms3dGetPacketKernels(k), ranges, elevations);
+      ExpectRun(run, ranges, elevations);
+    }
+  }
+}
+
+TEST(ReturnKernels, WidenTheNumbersOfTriangles)
+{
+  std::vector<std::int32_t> triangles(MaximumLength);
+  for (int i = 0; i < MaximumLength; ++i)
+  {
+    triangles[i] = i % 3 == 0 ? 2147483647 - i : i;
+  }
+  for (int k = 0; k < lms3dGetNumberOfPacketKernels(); ++k)
+  {
+    for (int count = 0; count <= MaximumLength; ++count)
+    {
+      SCOPED_TRACE(testing::Message() << lms3dGetPacketKernels(k).Name << ", " << count);
+      std::vector<long long> cells(static_cast<std::size_t>(count) + 1, Guard);
+      lms3dGetPacketKernels(k).WidenTriangles(triangles.data(), count, cells.data());
+      EXPECT_TRUE(std::equal(triangles.begin(), triangles.begin() + count, cells.begin()));
+      EXPECT_EQ(cells.back(), Guard);
+    }
+  }
+}
