@@ -223,23 +223,34 @@ std::vector<int> lms3dBoundedMesher::CollectFilled() const
 void lms3dBoundedMesher::AddSpeckles(
   const std::vector<lms3dGapBeam>& beams, lms3dBoundedMap& map) const
 {
-  std::vector<std::pair<int, double>> ranges;
+  std::vector<int> columns(this->Grid.GetNumberOfTurns(), 0);
+  for (int column = 0; column < this->Sphere.GetNumberOfColumns(); ++column)
+  {
+    const int turn = this->Sphere.GetTurn(this->Sphere.GetIndex(column, 0));
+    if (turn >= 0)
+    {
+      columns[turn] = column;
+    }
+  }
+  std::vector<int> rows(this->Grid.GetNumberOfBeams(), 0);
+  for (int row = 0; row < this->Sphere.GetNumberOfRows(); ++row)
+  {
+    const int beam = this->Sphere.GetBeam(this->Sphere.GetIndex(0, row));
+    if (beam >= 0)
+    {
+      rows[beam] = row;
+    }
+  }
+  std::vector<std::pair<GridIndex, double>> ranges;
   ranges.reserve(beams.size());
   for (const lms3dGapBeam& beam : beams)
   {
-    ranges.emplace_back(beam.Turn * this->Grid.GetNumberOfBeams() + beam.Beam, beam.Range);
+    ranges.emplace_back(this->Sphere.GetIndex(columns[beam.Turn], rows[beam.Beam]), beam.Range);
   }
   std::sort(ranges.begin(), ranges.end());
-  for (GridIndex index = 0; !ranges.empty() && index < this->Sphere.GetSize(); ++index)
+  for (const auto& [index, range] : ranges)
   {
-    const int turn = this->Sphere.GetTurn(index);
-    const int beam = this->Sphere.GetBeam(index);
-    const std::pair<int, double> place = { turn * this->Grid.GetNumberOfBeams() + beam, 0.0 };
-    const auto found = std::lower_bound(ranges.begin(), ranges.end(), place);
-    if (turn >= 0 && beam >= 0 && found != ranges.end() && found->first == place.first)
-    {
-      map.AddFacetOnBeam(this->Sphere, index, found->second);
-    }
+    map.AddFacetOnBeam(this->Sphere, index, range);
   }
 }
 
