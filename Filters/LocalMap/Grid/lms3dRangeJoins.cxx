@@ -55,8 +55,15 @@ bool IsBesideOddPole(const lms3dRangeGrid& grid, int beam)
 void ClassifyFan(
   const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step, TurnJoins& found)
 {
+  // Most neighbours are near.
+  step.FlagNear(
+    ranges, ranges + 1, grid.GetNumberOfBeams() - 1, lms3dRangeJoins::AlongFan, found.Flags);
   for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
   {
+    if (found.Flags[beam] & lms3dRangeJoins::AlongFan)
+    {
+      continue;
+    }
     const double* const at = ranges + beam;
     lms3dDepthStep::Relation relation = step.Classify(at);
     if (relation == lms3dDepthStep::Separate && at[0] > 0.0 && at[1] > 0.0 &&
@@ -71,9 +78,13 @@ void ClassifyFan(
 void ClassifyTurn(
   const lms3dRangeGrid& grid, const lms3dTurnClassifier& classifier, TurnJoins& found)
 {
+  classifier.FlagNear(grid.GetNumberOfBeams(), lms3dRangeJoins::AlongTurn, found.Flags);
   for (int beam = 0; beam < grid.GetNumberOfBeams(); ++beam)
   {
-    found.Add(beam, lms3dRangeJoins::AlongTurn, classifier.Classify(beam));
+    if (!(found.Flags[beam] & lms3dRangeJoins::AlongTurn))
+    {
+      found.Add(beam, lms3dRangeJoins::AlongTurn, classifier.Classify(beam));
+    }
   }
   // A pole is certainly not joined.
   for (int pole : grid.GetPoles())

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 /**
@@ -79,6 +80,12 @@ public:
     return range > 0.0 && next > 0.0
       ? this->Step.Classify(this->GetSideBefore(beam), this->GetSideBehind(beam))
       : lms3dDepthStep::Separate;
+  }
+
+  /// Sets a flag for each beam that is near the same beam of the next turn (lms3dDepthStep::AreNear). These are Joined.
+  void FlagNear(int beams, std::uint8_t flag, std::uint8_t* flags) const
+  {
+    this->Step.FlagNear(this->Rows[2], this->Rows[3], beams, flag, flags);
   }
 
   ///@{
