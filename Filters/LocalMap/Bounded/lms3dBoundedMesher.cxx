@@ -193,10 +193,11 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
 std::vector<int> lms3dBoundedMesher::RemoveFilled(lms3dPatches& patches)
 {
   const std::vector<int> members = patches.CountMembers(this->Sphere);
+  const std::uint8_t* const filled = this->Sphere.GetFilled();
   for (GridIndex index = 0; this->Sphere.HasFilled() && index < this->Sphere.GetSize(); ++index)
   {
     std::int32_t& label = patches.Labels[index];
-    if (this->Sphere.IsFilled(index) && (label < 0 || members[label] == 0))
+    if (filled[index] != 0 && (label < 0 || members[label] == 0))
     {
       label = lms3dPatches::None;
       this->Sphere.Remove(index);
@@ -207,17 +208,18 @@ std::vector<int> lms3dBoundedMesher::RemoveFilled(lms3dPatches& patches)
 
 std::vector<int> lms3dBoundedMesher::CollectFilled() const
 {
-  std::vector<int> filled;
+  std::vector<int> places;
+  const std::uint8_t* const filled = this->Sphere.GetFilled();
   for (GridIndex index = 0; this->Sphere.HasFilled() && index < this->Sphere.GetSize(); ++index)
   {
-    if (this->Sphere.IsFilled(index))
+    if (filled[index] != 0)
     {
-      filled.push_back(
+      places.push_back(
         this->Sphere.GetTurn(index) * this->Grid.GetNumberOfBeams() + this->Sphere.GetBeam(index));
     }
   }
-  std::sort(filled.begin(), filled.end());
-  return filled;
+  std::sort(places.begin(), places.end());
+  return places;
 }
 
 void lms3dBoundedMesher::AddSpeckles(
