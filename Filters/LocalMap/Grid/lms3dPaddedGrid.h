@@ -45,6 +45,12 @@ public:
   const T* GetRow(int turn) const { return this->Values.data() + this->GetStart(turn); }
   ///@}
 
+  ///@{
+  /// All turns, those of the halo included, are from the first one to before the end.
+  int GetFirstTurn() const { return -HaloTurnsBefore; }
+  int GetEndOfTurns() const { return this->Turns + HaloTurnsAfter; }
+  ///@}
+
   /// Fills the turns of the halo, after all turns of the grid are filled. If the grid is closed, they
   /// repeat the turns at its other end.
   void FillHalo(bool isClosed)

@@ -103,7 +103,7 @@ void lms3dRangeJoins::Find(
   const double noise = GetNoise(grid, interlaced, depthStep);
   const lms3dDepthStep fanStep(depthStep, geometry.GetAlphaStep(), noise);
   const lms3dDepthStep turnStep(depthStep, geometry.GetBetaStep(), noise);
-  const lms3dTiltFinder tilts(geometry, fanStep, areFansSteady);
+  lms3dTiltFinder tilts(geometry, fanStep, areFansSteady);
   const int turns = grid.GetNumberOfTurns();
   this->Flags.SetShape(turns, grid.GetNumberOfBeams());
   this->UncertainJoins.resize(turns);
@@ -119,6 +119,19 @@ void lms3dRangeJoins::Find(
         {
           ClassifyFan(grid, grid.GetRanges(turn), fanStep, found);
         }
+      }
+    });
+  if (areFansSteady)
+  {
+    this->KeepFans(grid, fanStep);
+    tilts.SetFans(this->Fans);
+  }
+  tbb::parallel_for(0, turns,
+    [&](int turn)
+    {
+      TurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn] };
+      if (grid.HasReturns(turn))
+      {
         ClassifyTurn(grid, lms3dTurnClassifier(grid, turn, turnStep, tilts), found);
       }
     });
@@ -136,6 +149,28 @@ void lms3dRangeJoins::Find(
     this->SeparateBeyondAxis(grid, *mapGeometry);
   }
   this->Flags.FillHalo(grid.IsClosed());
+}
+
+// To be called after all fans are joined. The fans of the halo end where those that they repeat go on beyond a pole.
+void lms3dRangeJoins::KeepFans(const lms3dRangeGrid& grid, const lms3dDepthStep& step)
+{
+  const int turns = grid.GetNumberOfTurns();
+  const int beams = grid.GetNumberOfBeams();
+  this->Fans.SetShape(turns, beams);
+  tbb::parallel_for(this->Fans.GetFirstTurn(), this->Fans.GetEndOfTurns(),
+    [&](int turn)
+    {
+      std::uint8_t* const fan = this->Fans.GetRow(turn);
+      if (turn >= 0 && turn < turns)
+      {
+        std::copy_n(this->Flags.GetRow(turn), beams, fan);
+        return;
+      }
+      for (int beam = 0; beam + 1 < beams; ++beam)
+      {
+        fan[beam] = step.IsOneSurface(grid.GetRanges(turn) + beam) ? AlongFan : 0;
+      }
+    });
 }
 
 // To be called after all turns are joined: reads the joins along them.
