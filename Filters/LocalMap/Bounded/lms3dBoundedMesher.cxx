@@ -69,6 +69,22 @@ double LimitToShareOfMeanRange(const lms3dBeamSphere& sphere, double share, doub
   }
   return std::min(length, count > 0 ? share * (sum / static_cast<double>(count)) : 0.0);
 }
+
+// The column of each turn, or the row of each beam. `getNumber` is the turn of a column or the beam of a row; below 0 in
+// the halo.
+template <typename Function>
+std::vector<int> FindPlaces(int numbers, int places, const Function& getNumber)
+{
+  std::vector<int> found(numbers, 0);
+  for (int place = 0; place < places; ++place)
+  {
+    if (getNumber(place) >= 0)
+    {
+      found[getNumber(place)] = place;
+    }
+  }
+  return found;
+}
 } // namespace
 
 lms3dBoundedMesher::lms3dBoundedMesher(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
@@ -225,24 +241,12 @@ std::vector<int> lms3dBoundedMesher::CollectFilled() const
 void lms3dBoundedMesher::AddSpeckles(
   const std::vector<lms3dGapBeam>& beams, lms3dBoundedMap& map) const
 {
-  std::vector<int> columns(this->Grid.GetNumberOfTurns(), 0);
-  for (int column = 0; column < this->Sphere.GetNumberOfColumns(); ++column)
-  {
-    const int turn = this->Sphere.GetTurn(this->Sphere.GetIndex(column, 0));
-    if (turn >= 0)
-    {
-      columns[turn] = column;
-    }
-  }
-  std::vector<int> rows(this->Grid.GetNumberOfBeams(), 0);
-  for (int row = 0; row < this->Sphere.GetNumberOfRows(); ++row)
-  {
-    const int beam = this->Sphere.GetBeam(this->Sphere.GetIndex(0, row));
-    if (beam >= 0)
-    {
-      rows[beam] = row;
-    }
-  }
+  const std::vector<int> columns =
+    FindPlaces(this->Grid.GetNumberOfTurns(), this->Sphere.GetNumberOfColumns(),
+      [this](int column) { return this->Sphere.GetTurn(this->Sphere.GetIndex(column, 0)); });
+  const std::vector<int> rows =
+    FindPlaces(this->Grid.GetNumberOfBeams(), this->Sphere.GetNumberOfRows(),
+      [this](int row) { return this->Sphere.GetBeam(this->Sphere.GetIndex(0, row)); });
   std::vector<std::pair<GridIndex, double>> ranges;
   ranges.reserve(beams.size());
   for (const lms3dGapBeam& beam : beams)

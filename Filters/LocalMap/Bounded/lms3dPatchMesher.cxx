@@ -202,31 +202,13 @@ bool lms3dPatchMesher::TryToCoverBeams(Work& work, int triangle,
   if (deviations.Largest > largest)
   {
     const double ofReturns = this->Sphere.HasFilled()
-      ? this->GetLargestOfReturns(hits.GetPlane(), column, first, last)
+      ? lms3dColumnDeviations::GetLargestOfReturns(
+          this->Sphere, hits.GetPlane(), column, first, last)
       : deviations.Largest;
     largest = std::max(largest, ofReturns);
   }
   work.Covered += this->CoverBeams(this->Sphere.GetIndex(column, first), last - first + 1);
   return true;
-}
-
-// The largest deviation in a column without filled entries, if all are within the bound.
-double lms3dPatchMesher::GetLargestOfReturns(
-  const lms3dColumnPlane& plane, int column, int first, int last) const
-{
-  double largest = 0.0;
-  for (int row = first; row <= last; ++row)
-  {
-    const int start = row;
-    while (row <= last && !this->Sphere.IsFilled(this->Sphere.GetIndex(column, row)))
-    {
-      ++row;
-    }
-    const lms3dColumnDeviations deviations(
-      this->Sphere, plane, column, start, row - 1, this->MaximumError);
-    largest = std::max(largest, deviations.Largest);
-  }
-  return largest;
 }
 
 // Returns how many of consecutive entries were uncovered, without filled ones.

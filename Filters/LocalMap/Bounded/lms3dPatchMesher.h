@@ -73,7 +73,6 @@ private:
     int first, int last);
   bool TryToCoverBeams(Work& work, int triangle, const lms3dTriangleRasterizer::ColumnRanges& hits,
     int column, int first, int last);
-  double GetLargestOfReturns(const lms3dColumnPlane& plane, int column, int first, int last) const;
   int CoverBeams(GridIndex first, int count);
   bool InsertBeams(Work& work);
   lms3dMapVertex MakeVertex(GridIndex beam, double hit) const;

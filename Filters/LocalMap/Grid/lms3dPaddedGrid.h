@@ -46,7 +46,7 @@ public:
   ///@}
 
   ///@{
-  /// All turns, those of the halo included, are from the first one to before the end.
+  /// The first turn of the halo, and the end of its last turns.
   int GetFirstTurn() const { return -HaloTurnsBefore; }
   int GetEndOfTurns() const { return this->Turns + HaloTurnsAfter; }
   ///@}

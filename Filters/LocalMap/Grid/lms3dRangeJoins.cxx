@@ -151,7 +151,7 @@ void lms3dRangeJoins::Find(
   this->Flags.FillHalo(grid.IsClosed());
 }
 
-// To be called after all fans are joined. The fans of the halo end where those that they repeat go on beyond a pole.
+// To be called after all fans are joined. The fans of the halo do not go on beyond a pole.
 void lms3dRangeJoins::KeepFans(const lms3dRangeGrid& grid, const lms3dDepthStep& step)
 {
   const int turns = grid.GetNumberOfTurns();

@@ -28,8 +28,8 @@ public:
   lms3dTiltFinder(
     const lms3dScanGeometry& geometry, const lms3dDepthStep& fanStep, bool areFansSteady);
 
-  /// Takes the neighbours in a fan that lie on one surface from flags, which is faster: not 0 for each beam that lies on
-  /// one surface with the next. Keeps a reference.
+  /// Takes the neighbours in a fan that lie on one surface from flags, which is faster: not 0 for each
+  /// beam that lies on one surface with the next. Keeps a reference.
   void SetFans(const lms3dPaddedGrid<std::uint8_t>& fans) { this->Fans = &fans; }
 
   /// The tilt at a return. `ranges` belong to its turn, with the halo of lms3dRangeGrid. If the return
@@ -90,7 +90,8 @@ public:
       : lms3dDepthStep::Separate;
   }
 
-  /// Sets a flag for each beam that is near the same beam of the next turn (lms3dDepthStep::AreNear). These are Joined.
+  /// Sets a flag for each beam that is near the same beam of the next turn (lms3dDepthStep::AreNear).
+  /// These are Joined.
   void FlagNear(int beams, std::uint8_t flag, std::uint8_t* flags) const
   {
     this->Step.FlagNear(this->Rows[2], this->Rows[3], beams, flag, flags);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks which meshes of patches are kept when other patches are split, and that they are those of a new attempt.
+ * Checks which meshes of patches are kept when other patches are split, and that a new attempt makes the same.
  */
 #include "LocalMap/Bounded/lms3dKeptMeshes.h"
 
