@@ -113,12 +113,9 @@ void lms3dRangeJoins::Find(
       TurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn] };
       std::fill_n(found.Flags, grid.GetNumberOfBeams(), 0);
       found.UncertainJoins.clear();
-      if (grid.HasReturns(turn))
+      if (areFansSteady && grid.HasReturns(turn))
       {
-        if (areFansSteady)
-        {
-          ClassifyFan(grid, grid.GetRanges(turn), fanStep, found);
-        }
+        ClassifyFan(grid, grid.GetRanges(turn), fanStep, found);
       }
     });
   if (areFansSteady)
