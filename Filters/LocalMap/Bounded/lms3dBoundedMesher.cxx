@@ -69,6 +69,22 @@ double LimitToShareOfMeanRange(const lms3dBeamSphere& sphere, double share, doub
   }
   return std::min(length, count > 0 ? share * (sum / static_cast<double>(count)) : 0.0);
 }
+
+// The column of each turn, or the row of each beam. `getNumber` is the turn of a column or the beam of a row; below 0 in
+// the halo.
+template <typename Function>
+std::vector<int> FindPlaces(int numbers, int places, const Function& getNumber)
+{
+  std::vector<int> found(numbers, 0);
+  for (int place = 0; place < places; ++place)
+  {
+    if (getNumber(place) >= 0)
+    {
+      found[getNumber(place)] = place;
+    }
+  }
+  return found;
+}
 } // namespace
 
 lms3dBoundedMesher::lms3dBoundedMesher(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
@@ -193,10 +209,11 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
 std::vector<int> lms3dBoundedMesher::RemoveFilled(lms3dPatches& patches)
 {
   const std::vector<int> members = patches.CountMembers(this->Sphere);
+  const std::uint8_t* const filled = this->Sphere.GetFilled();
   for (GridIndex index = 0; this->Sphere.HasFilled() && index < this->Sphere.GetSize(); ++index)
   {
     std::int32_t& label = patches.Labels[index];
-    if (this->Sphere.IsFilled(index) && (label < 0 || members[label] == 0))
+    if (filled[index] != 0 && (label < 0 || members[label] == 0))
     {
       label = lms3dPatches::None;
       this->Sphere.Remove(index);
@@ -207,39 +224,39 @@ std::vector<int> lms3dBoundedMesher::RemoveFilled(lms3dPatches& patches)
 
 std::vector<int> lms3dBoundedMesher::CollectFilled() const
 {
-  std::vector<int> filled;
+  std::vector<int> places;
+  const std::uint8_t* const filled = this->Sphere.GetFilled();
   for (GridIndex index = 0; this->Sphere.HasFilled() && index < this->Sphere.GetSize(); ++index)
   {
-    if (this->Sphere.IsFilled(index))
+    if (filled[index] != 0)
     {
-      filled.push_back(
+      places.push_back(
         this->Sphere.GetTurn(index) * this->Grid.GetNumberOfBeams() + this->Sphere.GetBeam(index));
     }
   }
-  std::sort(filled.begin(), filled.end());
-  return filled;
+  std::sort(places.begin(), places.end());
+  return places;
 }
 
 void lms3dBoundedMesher::AddSpeckles(
   const std::vector<lms3dGapBeam>& beams, lms3dBoundedMap& map) const
 {
-  std::vector<std::pair<int, double>> ranges;
+  const std::vector<int> columns =
+    FindPlaces(this->Grid.GetNumberOfTurns(), this->Sphere.GetNumberOfColumns(),
+      [this](int column) { return this->Sphere.GetTurn(this->Sphere.GetIndex(column, 0)); });
+  const std::vector<int> rows =
+    FindPlaces(this->Grid.GetNumberOfBeams(), this->Sphere.GetNumberOfRows(),
+      [this](int row) { return this->Sphere.GetBeam(this->Sphere.GetIndex(0, row)); });
+  std::vector<std::pair<GridIndex, double>> ranges;
   ranges.reserve(beams.size());
   for (const lms3dGapBeam& beam : beams)
   {
-    ranges.emplace_back(beam.Turn * this->Grid.GetNumberOfBeams() + beam.Beam, beam.Range);
+    ranges.emplace_back(this->Sphere.GetIndex(columns[beam.Turn], rows[beam.Beam]), beam.Range);
   }
   std::sort(ranges.begin(), ranges.end());
-  for (GridIndex index = 0; !ranges.empty() && index < this->Sphere.GetSize(); ++index)
+  for (const auto& [index, range] : ranges)
   {
-    const int turn = this->Sphere.GetTurn(index);
-    const int beam = this->Sphere.GetBeam(index);
-    const std::pair<int, double> place = { turn * this->Grid.GetNumberOfBeams() + beam, 0.0 };
-    const auto found = std::lower_bound(ranges.begin(), ranges.end(), place);
-    if (turn >= 0 && beam >= 0 && found != ranges.end() && found->first == place.first)
-    {
-      map.AddFacetOnBeam(this->Sphere, index, found->second);
-    }
+    map.AddFacetOnBeam(this->Sphere, index, range);
   }
 }
 

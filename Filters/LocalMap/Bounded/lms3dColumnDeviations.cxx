@@ -47,6 +47,23 @@ lms3dColumnDeviations::lms3dColumnDeviations(const lms3dBeamSphere& sphere,
   }
 }
 
+double lms3dColumnDeviations::GetLargestOfReturns(const lms3dBeamSphere& sphere,
+  const lms3dColumnPlane& plane, int column, int firstRow, int lastRow)
+{
+  double largest = 0.0;
+  for (int row = firstRow; row <= lastRow; ++row)
+  {
+    const lms3dBeamSphere::GridIndex index = sphere.GetIndex(column, row);
+    if (!sphere.IsFilled(index))
+    {
+      const double hit = 1.0 / plane.GetInverseRangeOfRegular(row);
+      largest =
+        std::max(largest, std::abs(sphere.GetRange(index) - hit) + sphere.GetPoleHalfSpread(row));
+    }
+  }
+  return largest;
+}
+
 bool lms3dColumnDeviations::AreWithin(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane,
   int column, int firstRow, int lastRow, double limit)
 {

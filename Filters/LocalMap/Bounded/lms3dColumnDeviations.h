@@ -22,6 +22,10 @@ struct lms3dColumnDeviations
   lms3dColumnDeviations(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane, int column,
     int firstRow, int lastRow, double limit);
 
+  /// The largest deviation without filled entries, metres.
+  static double GetLargestOfReturns(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane,
+    int column, int firstRow, int lastRow);
+
   /// Returns true only if all deviations are within the limit. Takes no division; rounding can make it return false.
   static bool AreWithin(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane, int column,
     int firstRow, int lastRow, double limit);

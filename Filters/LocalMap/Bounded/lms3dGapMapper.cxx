@@ -170,12 +170,17 @@ void lms3dGapMapper::FillOutput(const lms3dBoundedMap& bounded, vtkPolyData* map
 // A beam that lost its patch is open.
 void lms3dGapMapper::FillGaps(const lms3dBoundedMap& bounded, vtkPolyData* map) const
 {
+  std::vector<bool> isFilled(
+    static_cast<std::size_t>(this->Grid.GetNumberOfTurns()) * this->Grid.GetNumberOfBeams(), false);
+  for (int place : bounded.FilledBeams)
+  {
+    isFilled[place] = true;
+  }
   std::vector<lms3dGapBeam> closed;
   double area = 0.0;
   for (const lms3dGapBeam& beam : this->GapBeams)
   {
-    const int place = beam.Turn * this->Grid.GetNumberOfBeams() + beam.Beam;
-    if (std::binary_search(bounded.FilledBeams.begin(), bounded.FilledBeams.end(), place))
+    if (isFilled[static_cast<std::size_t>(beam.Turn) * this->Grid.GetNumberOfBeams() + beam.Beam])
     {
       closed.push_back(beam);
       area += beam.Area;

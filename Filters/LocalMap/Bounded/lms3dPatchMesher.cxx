@@ -147,7 +147,7 @@ bool lms3dPatchMesher::CheckBeams(
     return false;
   }
   const lms3dTriangleRasterizer::ColumnRanges hits(beams, column);
-  if (isRegular && !hasFilled && this->TryToCoverBeams(work, triangle, hits, column, first, last))
+  if (isRegular && this->TryToCoverBeams(work, triangle, hits, column, first, last))
   {
     return true;
   }
@@ -199,16 +199,31 @@ bool lms3dPatchMesher::TryToCoverBeams(Work& work, int triangle,
     return false;
   }
   double& largest = work.Triangles[triangle].Deviation;
-  largest = std::max(largest, deviations.Largest);
+  if (deviations.Largest > largest)
+  {
+    const double ofReturns = this->Sphere.HasFilled()
+      ? lms3dColumnDeviations::GetLargestOfReturns(
+          this->Sphere, hits.GetPlane(), column, first, last)
+      : deviations.Largest;
+    largest = std::max(largest, ofReturns);
+  }
   work.Covered += this->CoverBeams(this->Sphere.GetIndex(column, first), last - first + 1);
   return true;
 }
 
-// Returns how many of consecutive entries were uncovered.
+// Returns how many of consecutive entries were uncovered, without filled ones.
 int lms3dPatchMesher::CoverBeams(GridIndex first, int count)
 {
   State* const states = this->States.data() + first;
   int covered = 0;
+  if (this->Sphere.HasFilled())
+  {
+    const std::uint8_t* const filled = this->Sphere.GetFilled() + first;
+    for (int i = 0; i < count; ++i)
+    {
+      covered -= states[i] == IsUncovered ? filled[i] : 0;
+    }
+  }
   for (int i = 0; i < count; ++i)
   {
     covered += states[i] == IsUncovered ? 1 : 0;

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 
 namespace
 {
@@ -49,6 +51,7 @@ bool lms3dPatchSetMesher::TryToMesh(
   }
   if (std::find(failed.begin(), failed.end(), true) != failed.end())
   {
+    std::vector<std::int32_t> labels = patches.Labels;
     if (releasesFew)
     {
       lms3dDivideFailedPatches(this->Sphere, members, failed, meshes, patches);
@@ -57,6 +60,7 @@ bool lms3dPatchSetMesher::TryToMesh(
     {
       this->Split(patches, members, failed, meshes);
     }
+    this->Kept.Keep(std::move(labels), outlines, std::move(meshes));
     return false;
   }
   this->Append(outlines, meshes, members, map);
@@ -115,17 +119,19 @@ bool lms3dPatchSetMesher::SplitAtFaults(lms3dPatches& patches, const lms3dPatchO
   return splitter.Apply();
 }
 
-lms3dPatchSetMesher::Meshes lms3dPatchSetMesher::MakeMeshes(const lms3dPatches& patches,
-  const lms3dPatchOutlines& outlines, const std::vector<int>& members) const
+lms3dPatchSetMesher::Meshes lms3dPatchSetMesher::MakeMeshes(
+  const lms3dPatches& patches, const lms3dPatchOutlines& outlines, const std::vector<int>& members)
 {
+  this->Kept.FindChanges(patches);
   lms3dPatchMesher mesher(this->Sphere, patches, outlines, this->MaximumError, this->Noise);
   Meshes meshes(members.size());
   tbb::parallel_for(std::size_t(0), members.size(),
     [&](std::size_t i)
     {
-      if (members[i] > 0)
+      const auto patch = static_cast<int>(i);
+      if (members[i] > 0 && !this->Kept.TryToTake(patch, outlines, meshes[i]))
       {
-        meshes[i] = mesher.Mesh(static_cast<int>(i), members[i]);
+        meshes[i] = mesher.Mesh(patch, members[i]);
       }
     });
   return meshes;

@@ -9,6 +9,7 @@
 
 #include "LocalMap/Bounded/lms3dBoundedMap.h"
 #include "LocalMap/Bounded/lms3dDeviationMeter.h"
+#include "LocalMap/Bounded/lms3dKeptMeshes.h"
 #include "LocalMap/Bounded/lms3dPatchMesher.h"
 
 #include <vector>
@@ -55,7 +56,7 @@ private:
   using Meshes = std::vector<lms3dPatchMesh>;
 
   Meshes MakeMeshes(const lms3dPatches& patches, const lms3dPatchOutlines& outlines,
-    const std::vector<int>& members) const;
+    const std::vector<int>& members);
   void Append(const lms3dPatchOutlines& outlines, const Meshes& meshes,
     const std::vector<int>& members, lms3dBoundedMap& map);
   bool SplitAtFaults(lms3dPatches& patches, const lms3dPatchOutlines& outlines,
@@ -68,6 +69,8 @@ private:
   const lms3dBeamSphere& Sphere;
   const double MaximumError;
   const double Noise;
+  /// The meshes of the last attempt. None if beams are not regular.
+  lms3dKeptMeshes Kept;
   /// The patches of the map.
   std::vector<lms3dDeviationMeter::Part> Parts;
 };

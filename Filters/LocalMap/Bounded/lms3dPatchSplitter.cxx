@@ -20,12 +20,40 @@ lms3dPatchSplitter::lms3dPatchSplitter(
   , IsDivided(members.size(), false)
   , IsScattered(members.size(), false)
   , IsDissolved(members.size(), false)
+  , IsAffected(members.size(), 0)
 {
+}
+
+void lms3dPatchSplitter::SetAffected(std::int32_t patch)
+{
+  if (patch >= 0)
+  {
+    this->IsAffected[patch] = 1;
+  }
+}
+
+void lms3dPatchSplitter::Divide(std::int32_t patch)
+{
+  this->IsDivided[patch] = true;
+  this->SetAffected(patch);
+}
+
+void lms3dPatchSplitter::Scatter(std::int32_t patch)
+{
+  this->IsScattered[patch] = true;
+  this->SetAffected(patch);
+}
+
+void lms3dPatchSplitter::Dissolve(std::int32_t patch)
+{
+  this->IsDissolved[patch] = true;
+  this->SetAffected(patch);
 }
 
 void lms3dPatchSplitter::Release(GridIndex index)
 {
   this->IsReleased[this->Sphere.IsPoleCopy(index) ? this->Sphere.GetRow(index) : index] = true;
+  this->SetAffected(this->Patches.Labels[index]);
 }
 
 void lms3dPatchSplitter::ReleaseAround(GridIndex beam, std::int32_t patch)
@@ -71,7 +99,7 @@ bool lms3dPatchSplitter::Apply()
   for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
     const std::int32_t label = this->Patches.Labels[index];
-    if (label >= 0)
+    if (label >= 0 && this->IsAffected[label] != 0)
     {
       // All entries of a pole follow the first.
       this->Patches.Labels[index] = this->Sphere.IsPoleCopy(index)
@@ -92,7 +120,7 @@ void lms3dPatchSplitter::FindExtents()
   for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
   {
     const std::int32_t label = this->Patches.Labels[index];
-    if (label < 0 || this->Sphere.IsPoleCopy(index))
+    if (label < 0 || !this->IsDivided[label] || this->Sphere.IsPoleCopy(index))
     {
       continue;
     }

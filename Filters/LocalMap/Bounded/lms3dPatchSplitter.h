@@ -34,13 +34,13 @@ public:
   void ReleaseAround(GridIndex beam, std::int32_t patch);
 
   /// Divides a patch into up to four parts.
-  void Divide(std::int32_t patch) { this->IsDivided[patch] = true; }
+  void Divide(std::int32_t patch);
 
   /// Gives each return of a patch a patch of its own.
-  void Scatter(std::int32_t patch) { this->IsScattered[patch] = true; }
+  void Scatter(std::int32_t patch);
 
   /// Lets all returns of a patch lose it.
-  void Dissolve(std::int32_t patch) { this->IsDissolved[patch] = true; }
+  void Dissolve(std::int32_t patch);
 
   /// Makes the changes. Returns false if there are none.
   bool Apply();
@@ -56,6 +56,7 @@ private:
     std::array<std::int32_t, 4> Parts;
   };
 
+  void SetAffected(std::int32_t patch);
   bool ReleaseRing(GridIndex beam, std::int32_t patch, int radius);
   void FindExtents();
   std::int32_t GetNewLabel(GridIndex index, std::int32_t label);
@@ -72,6 +73,8 @@ private:
   std::vector<bool> IsDivided;
   std::vector<bool> IsScattered;
   std::vector<bool> IsDissolved;
+  /// Not 0 for patches that Apply() may change.
+  std::vector<std::uint8_t> IsAffected;
   std::vector<Extent> Extents;
   ///@}
 };

@@ -207,6 +207,8 @@ lms3dSurfaceGaps::Filling lms3dSurfaceGaps::FillGroup(const lms3dBeamStates& sta
 {
   const std::optional<lms3dPlane> plane = surroundings.FitPlane(group);
   Filling filling;
+  filling.Ranges.reserve(plane ? group.size() : 0);
+  filling.Areas.reserve(plane ? group.size() : 0);
   for (std::size_t i = 0; plane && i < group.size(); ++i)
   {
     const double range = surroundings.GetRange(group[i], *plane);

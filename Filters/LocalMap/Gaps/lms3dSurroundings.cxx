@@ -11,6 +11,7 @@ namespace
 {
 // The number of returns that determine a plane with some redundancy.
 constexpr std::size_t MinimumReturns = 5;
+constexpr std::size_t MaximumNeighbors = 8;
 // The share of the range that is added to a depth step (lms3dDepthStep), and the share of the depth step that a
 // plane explains: of returns on both sides of a step, some are farther from their plane.
 constexpr double RelativeStep = 0.02;
@@ -34,6 +35,7 @@ bool lms3dSurroundings::Collect(
 {
   returns.clear();
   hidden.clear();
+  returns.reserve(MaximumNeighbors * group.size());
   for (int place : group)
   {
     for (int neighbor : this->States.GetNeighbors(place))

@@ -50,6 +50,18 @@ lms3dDepthStep::lms3dDepthStep(double depthStep, double degrees, double noise)
   this->TwoCosines = 2.0 * cosine;
 }
 
+// Without branches, so that the compiler makes it a loop over vectors.
+void lms3dDepthStep::FlagNear(
+  const double* a, const double* b, int count, std::uint8_t flag, std::uint8_t* flags) const
+{
+  const double largest = this->AreNeighbors ? this->Absolute : -1.0;
+  for (int i = 0; i < count; ++i)
+  {
+    const bool isNear = (a[i] > 0.0) & (b[i] > 0.0) & (std::abs(a[i] - b[i]) <= largest);
+    flags[i] = static_cast<std::uint8_t>(flags[i] | (isNear ? flag : 0));
+  }
+}
+
 void lms3dDepthStep::Plane::Add(const Plane& other, double weight)
 {
   this->Inverse += weight * other.Inverse;

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 /**
  * Ranges are metres; 0 is a beam without a return. Two neighbours lie on one surface if both returned
@@ -98,6 +99,10 @@ public:
   {
     return this->AreReturns(a, b) && std::abs(a - b) <= this->Absolute;
   }
+
+  /// Sets a flag, one or more bits, for each of `count` pairs of neighbours a[i] and b[i] that AreNear().
+  void FlagNear(
+    const double* a, const double* b, int count, std::uint8_t flag, std::uint8_t* flags) const;
 
   /// Whether two neighbours returned at ranges within the depth step and the share of the range.
   bool AreRangesEqual(double a, double b) const

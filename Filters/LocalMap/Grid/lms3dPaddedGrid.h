@@ -45,6 +45,12 @@ public:
   const T* GetRow(int turn) const { return this->Values.data() + this->GetStart(turn); }
   ///@}
 
+  ///@{
+  /// The first turn of the halo, and the end of its last turns.
+  int GetFirstTurn() const { return -HaloTurnsBefore; }
+  int GetEndOfTurns() const { return this->Turns + HaloTurnsAfter; }
+  ///@}
+
   /// Fills the turns of the halo, after all turns of the grid are filled. If the grid is closed, they
   /// repeat the turns at its other end.
   void FillHalo(bool isClosed)

@@ -55,8 +55,15 @@ bool IsBesideOddPole(const lms3dRangeGrid& grid, int beam)
 void ClassifyFan(
   const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step, TurnJoins& found)
 {
+  // Most neighbours are near.
+  step.FlagNear(
+    ranges, ranges + 1, grid.GetNumberOfBeams() - 1, lms3dRangeJoins::AlongFan, found.Flags);
   for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
   {
+    if (found.Flags[beam] & lms3dRangeJoins::AlongFan)
+    {
+      continue;
+    }
     const double* const at = ranges + beam;
     lms3dDepthStep::Relation relation = step.Classify(at);
     if (relation == lms3dDepthStep::Separate && at[0] > 0.0 && at[1] > 0.0 &&
@@ -71,9 +78,13 @@ void ClassifyFan(
 void ClassifyTurn(
   const lms3dRangeGrid& grid, const lms3dTurnClassifier& classifier, TurnJoins& found)
 {
+  classifier.FlagNear(grid.GetNumberOfBeams(), lms3dRangeJoins::AlongTurn, found.Flags);
   for (int beam = 0; beam < grid.GetNumberOfBeams(); ++beam)
   {
-    found.Add(beam, lms3dRangeJoins::AlongTurn, classifier.Classify(beam));
+    if (!(found.Flags[beam] & lms3dRangeJoins::AlongTurn))
+    {
+      found.Add(beam, lms3dRangeJoins::AlongTurn, classifier.Classify(beam));
+    }
   }
   // A pole is certainly not joined.
   for (int pole : grid.GetPoles())
@@ -92,7 +103,7 @@ void lms3dRangeJoins::Find(
   const double noise = GetNoise(grid, interlaced, depthStep);
   const lms3dDepthStep fanStep(depthStep, geometry.GetAlphaStep(), noise);
   const lms3dDepthStep turnStep(depthStep, geometry.GetBetaStep(), noise);
-  const lms3dTiltFinder tilts(geometry, fanStep, areFansSteady);
+  lms3dTiltFinder tilts(geometry, fanStep, areFansSteady);
   const int turns = grid.GetNumberOfTurns();
   this->Flags.SetShape(turns, grid.GetNumberOfBeams());
   this->UncertainJoins.resize(turns);
@@ -102,12 +113,22 @@ void lms3dRangeJoins::Find(
       TurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn] };
       std::fill_n(found.Flags, grid.GetNumberOfBeams(), 0);
       found.UncertainJoins.clear();
+      if (areFansSteady && grid.HasReturns(turn))
+      {
+        ClassifyFan(grid, grid.GetRanges(turn), fanStep, found);
+      }
+    });
+  if (areFansSteady)
+  {
+    this->KeepFans(grid, fanStep);
+    tilts.SetFans(this->Fans);
+  }
+  tbb::parallel_for(0, turns,
+    [&](int turn)
+    {
+      TurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn] };
       if (grid.HasReturns(turn))
       {
-        if (areFansSteady)
-        {
-          ClassifyFan(grid, grid.GetRanges(turn), fanStep, found);
-        }
         ClassifyTurn(grid, lms3dTurnClassifier(grid, turn, turnStep, tilts), found);
       }
     });
@@ -125,6 +146,28 @@ void lms3dRangeJoins::Find(
     this->SeparateBeyondAxis(grid, *mapGeometry);
   }
   this->Flags.FillHalo(grid.IsClosed());
+}
+
+// To be called after all fans are joined. The fans of the halo do not go on beyond a pole.
+void lms3dRangeJoins::KeepFans(const lms3dRangeGrid& grid, const lms3dDepthStep& step)
+{
+  const int turns = grid.GetNumberOfTurns();
+  const int beams = grid.GetNumberOfBeams();
+  this->Fans.SetShape(turns, beams);
+  tbb::parallel_for(this->Fans.GetFirstTurn(), this->Fans.GetEndOfTurns(),
+    [&](int turn)
+    {
+      std::uint8_t* const fan = this->Fans.GetRow(turn);
+      if (turn >= 0 && turn < turns)
+      {
+        std::copy_n(this->Flags.GetRow(turn), beams, fan);
+        return;
+      }
+      for (int beam = 0; beam + 1 < beams; ++beam)
+      {
+        fan[beam] = step.IsOneSurface(grid.GetRanges(turn) + beam) ? AlongFan : 0;
+      }
+    });
 }
 
 // To be called after all turns are joined: reads the joins along them.

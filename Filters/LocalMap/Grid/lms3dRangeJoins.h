@@ -40,6 +40,7 @@ public:
   const std::uint8_t* GetRow(int turn) const { return this->Flags.GetRow(turn); }
 
 private:
+  void KeepFans(const lms3dRangeGrid& grid, const lms3dDepthStep& step);
   void FindAlongSteadyFans(
     const lms3dRangeGrid& grid, const lms3dDepthStep& step, const lms3dMapGeometry& geometry);
   void SeparateBeyondAxis(const lms3dRangeGrid& grid, const lms3dMapGeometry& geometry);
@@ -48,6 +49,8 @@ private:
   void ResolveRest(const lms3dRangeGrid& grid);
 
   lms3dPaddedGrid<std::uint8_t> Flags{ 0 };
+  /// The joins along fans only, while others are found.
+  lms3dPaddedGrid<std::uint8_t> Fans{ 0 };
   /// By turn.
   std::vector<std::vector<lms3dUncertainJoin>> UncertainJoins;
 };

@@ -39,7 +39,14 @@ lms3dTiltFinder::TiltWeights lms3dTiltFinder::GetWeights(
     scale * sine * cosine / sineOfStep };
 }
 
-lms3dDepthStep::Tilt lms3dTiltFinder::Find(const double* ranges, int beam) const
+// Whether a return and the next one in its fan lie on one surface.
+bool lms3dTiltFinder::IsOneSurface(int turn, const double* ranges, int beam) const
+{
+  return this->Fans ? this->Fans->GetRow(turn)[beam] != 0
+                    : this->FanStep.IsOneSurface(ranges + beam);
+}
+
+lms3dDepthStep::Tilt lms3dTiltFinder::Find(int turn, const double* ranges, int beam) const
 {
   const auto& [neighbor, ofRange, ofNeighbor] = this->Weights[beam];
   if (neighbor == NoNeighbor || !(ranges[neighbor] > 0.0) || !(ranges[beam] > 0.0))
@@ -51,7 +58,7 @@ lms3dDepthStep::Tilt lms3dTiltFinder::Find(const double* ranges, int beam) const
   const double tilt = ofRange * inverse + ofNeighbor * inverseOfNeighbor;
   const double variance = ofRange * ofRange * this->FanStep.GetVariance(inverse) +
     ofNeighbor * ofNeighbor * this->FanStep.GetVariance(inverseOfNeighbor);
-  if (this->FanStep.IsOneSurface(ranges + std::min(beam, neighbor)))
+  if (this->IsOneSurface(turn, ranges, std::min(beam, neighbor)))
   {
     return { tilt, variance };
   }

@@ -8,10 +8,12 @@
 #define lms3dTurnClassifier_h
 
 #include "LocalMap/Grid/lms3dDepthStep.h"
+#include "LocalMap/Grid/lms3dPaddedGrid.h"
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 /**
@@ -26,10 +28,14 @@ public:
   lms3dTiltFinder(
     const lms3dScanGeometry& geometry, const lms3dDepthStep& fanStep, bool areFansSteady);
 
+  /// Takes the neighbours in a fan that lie on one surface from flags, which is faster: not 0 for each
+  /// beam that lies on one surface with the next. Keeps a reference.
+  void SetFans(const lms3dPaddedGrid<std::uint8_t>& fans) { this->Fans = &fans; }
+
   /// The tilt at a return. `ranges` belong to its turn, with the halo of lms3dRangeGrid. If the return
   /// beside it is not on its surface, the tilt is anything between 0, as for an upright plane, and that
   /// through both returns. If fans are not steady, it is then 0.
-  lms3dDepthStep::Tilt Find(const double* ranges, int beam) const;
+  lms3dDepthStep::Tilt Find(int turn, const double* ranges, int beam) const;
 
 private:
   static constexpr int NoNeighbor = -1;
@@ -42,10 +48,12 @@ private:
     double OfNeighbor;
   };
 
+  bool IsOneSurface(int turn, const double* ranges, int beam) const;
   static TiltWeights GetWeights(const lms3dScanGeometry& geometry, int beam, double scale);
 
   const lms3dDepthStep& FanStep;
   const bool AreFansSteady;
+  const lms3dPaddedGrid<std::uint8_t>* Fans = nullptr;
   /// By beam.
   std::vector<TiltWeights> Weights;
 };
@@ -57,7 +65,8 @@ public:
   /// Keeps references. Reads the turns `turn` - 2 to `turn` + 3 of the grid.
   lms3dTurnClassifier(
     const lms3dRangeGrid& grid, int turn, const lms3dDepthStep& step, const lms3dTiltFinder& tilts)
-    : Step(step)
+    : Turn(turn)
+    , Step(step)
     , Tilts(tilts)
   {
     for (int i = 0; i < NumberOfRows; ++i)
@@ -81,6 +90,13 @@ public:
       : lms3dDepthStep::Separate;
   }
 
+  /// Sets a flag for each beam that is near the same beam of the next turn (lms3dDepthStep::AreNear).
+  /// These are Joined.
+  void FlagNear(int beams, std::uint8_t flag, std::uint8_t* flags) const
+  {
+    this->Step.FlagNear(this->Rows[2], this->Rows[3], beams, flag, flags);
+  }
+
   ///@{
   /// The sides of a beam and of the same beam of the next turn.
   lms3dDepthStep::Side GetSideBefore(int beam) const { return this->GetSide(beam, 2, -1); }
@@ -96,9 +112,11 @@ private:
     const int before = row + backwards;
     return { { this->Rows[row][beam], this->Rows[before][beam],
                this->Rows[before + backwards][beam] },
-      { this->Tilts.Find(this->Rows[row], beam), this->Tilts.Find(this->Rows[before], beam) } };
+      { this->Tilts.Find(this->Turn - 2 + row, this->Rows[row], beam),
+        this->Tilts.Find(this->Turn - 2 + before, this->Rows[before], beam) } };
   }
 
+  const int Turn;
   const lms3dDepthStep& Step;
   const lms3dTiltFinder& Tilts;
   std::array<const double*, NumberOfRows> Rows;

@@ -127,6 +127,8 @@ public:
   /// and does not count. Remove() takes the range away.
   bool IsFilled(GridIndex index) const { return !this->Filled.empty() && this->Filled[index] != 0; }
   bool HasFilled() const { return !this->Filled.empty(); }
+  /// By grid index, 1 for such an entry and 0 for others. Only if HasFilled().
+  const std::uint8_t* GetFilled() const { return this->Filled.data(); }
   void Remove(GridIndex index);
   ///@}
 

@@ -13,6 +13,17 @@ constexpr int CoarsestStride = 16;
 constexpr int MaximumFloods = 5;
 // A plane has converged if a new fit moves it by less than this share of the tolerance.
 constexpr double ConvergedShare = 0.05;
+
+// Without branches, so that the compiler makes it a loop over vectors.
+bool HasAny(const std::int32_t* labels, int count, std::int32_t value)
+{
+  std::int32_t found = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    found |= labels[i] == value ? 1 : 0;
+  }
+  return found != 0;
+}
 } // namespace
 
 lms3dPatchGrower::lms3dPatchGrower(const lms3dBeamSphere& sphere, double tolerance)
@@ -115,17 +126,18 @@ void lms3dPatchGrower::Release(lms3dPatches::Patch& patch)
 void lms3dPatchGrower::Flood(GridIndex seed, const lms3dPlane& plane, lms3dPatches::Patch& patch)
 {
   const int rows = this->Sphere.GetNumberOfRows();
-  this->Queue.assign(1, seed);
+  this->Queue.assign(1, { seed, seed });
   while (!this->Queue.empty())
   {
-    const GridIndex index = this->Queue.back();
+    const Span run = this->Queue.back();
     this->Queue.pop_back();
-    if (!this->IsFree(index))
+    // A flood that reached one of its returns reached them all.
+    if (!this->IsFree(run.First))
     {
       continue;
     }
-    const int column = this->Sphere.GetColumn(index);
-    const Span span = this->FloodSpan(index, lms3dColumnPlane(plane, this->Sphere, column));
+    const int column = this->Sphere.GetColumn(run.First);
+    const Span span = this->FloodSpan(run, lms3dColumnPlane(plane, this->Sphere, column));
     patch.Spans.push_back(span);
     patch.Fit.Add(this->Sphere, column, span.First - column * rows, span.Last - column * rows);
     this->QueueNeighbors(span, lms3dBeamSphere::Left, plane);
@@ -133,9 +145,9 @@ void lms3dPatchGrower::Flood(GridIndex seed, const lms3dPlane& plane, lms3dPatch
   }
 }
 
-lms3dPatches::Span lms3dPatchGrower::FloodSpan(GridIndex seed, const lms3dColumnPlane& plane)
+lms3dPatches::Span lms3dPatchGrower::FloodSpan(const Span& run, const lms3dColumnPlane& plane)
 {
-  const GridIndex column = seed - this->Sphere.GetRow(seed);
+  const GridIndex column = run.First - this->Sphere.GetRow(run.First);
   const GridIndex end = column + this->Sphere.GetNumberOfRows() - 1;
   const auto fits = [&](GridIndex index)
   {
@@ -144,7 +156,7 @@ lms3dPatches::Span lms3dPatchGrower::FloodSpan(GridIndex seed, const lms3dColumn
       lms3dIsWithinTolerance(
         this->Sphere.GetRange(index), plane.GetInverseRange(row), this->Tolerance);
   };
-  Span span = { seed, seed };
+  Span span = run;
   while (span.First > column && this->Sphere.IsJoined(span.First - 1, lms3dBeamSphere::Up) &&
     fits(span.First - 1))
   {
@@ -161,13 +173,17 @@ lms3dPatches::Span lms3dPatchGrower::FloodSpan(GridIndex seed, const lms3dColumn
   return span;
 }
 
-// Queues one return of each run of fitting returns: the flood of the run finds the others.
+// Queues each run of fitting returns. It may go on beyond the ends of the span.
 void lms3dPatchGrower::QueueNeighbors(const Span& span, int side, const lms3dPlane& plane)
 {
   const GridIndex first = this->Sphere.GetNeighbor(span.First, side);
   const int column = this->Sphere.GetColumn(first);
   const GridIndex offset = first - span.First;
   const GridIndex start = this->Sphere.GetIndex(column, 0);
+  if (!HasAny(this->Result.Labels.data() + first, span.Last - span.First + 1, lms3dPatches::Free))
+  {
+    return;
+  }
   const GridIndex joinOffset = side == lms3dBeamSphere::Left ? offset : 0;
   const lms3dColumnPlane inColumn(plane, this->Sphere, column);
   bool isRun = false;
@@ -178,9 +194,13 @@ void lms3dPatchGrower::QueueNeighbors(const Span& span, int side, const lms3dPla
       this->Sphere.IsJoined(index + joinOffset, lms3dBeamSphere::Right) &&
       lms3dIsWithinTolerance(
         this->Sphere.GetRange(next), inColumn.GetInverseRange(next - start), this->Tolerance);
-    if (isOpen && !(isRun && this->Sphere.IsJoined(next - 1, lms3dBeamSphere::Up)))
+    if (isOpen && isRun && this->Sphere.IsJoined(next - 1, lms3dBeamSphere::Up))
     {
-      this->Queue.push_back(next);
+      this->Queue.back().Last = next;
+    }
+    else if (isOpen)
+    {
+      this->Queue.push_back({ next, next });
     }
     isRun = isOpen;
   }

@@ -35,7 +35,7 @@ private:
   void GrowFromFreeReturns();
   void GrowFrom(GridIndex seed, lms3dPlane plane);
   void Flood(GridIndex seed, const lms3dPlane& plane, lms3dPatches::Patch& patch);
-  Span FloodSpan(GridIndex seed, const lms3dColumnPlane& plane);
+  Span FloodSpan(const Span& run, const lms3dColumnPlane& plane);
   void QueueNeighbors(const Span& span, int side, const lms3dPlane& plane);
   void Release(lms3dPatches::Patch& patch);
   bool HasMoved(const lms3dPatches::Patch& patch, const lms3dPlane& plane) const;
@@ -47,8 +47,8 @@ private:
   const double Tolerance;
   lms3dPatches Result;
   const lms3dSeedPlanes SeedPlanes;
-  /// Entries from which the flood goes on.
-  std::vector<GridIndex> Queue;
+  /// Runs of joined returns on the plane from which the flood goes on.
+  std::vector<Span> Queue;
 };
 
 #endif

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 namespace
@@ -33,9 +34,10 @@ void CountLabels(const lms3dBeamSphere& sphere, const std::vector<std::int32_t>&
     }
     first = next;
   }
+  const std::uint8_t* const filled = sphere.GetFilled();
   for (std::size_t index = part.begin(); sphere.HasFilled() && index < part.end(); ++index)
   {
-    if (labels[index] >= 0 && sphere.IsFilled(static_cast<std::int32_t>(index)))
+    if (filled[index] != 0 && labels[index] >= 0)
     {
       --counts[labels[index]];
     }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -191,4 +192,22 @@ TEST(DepthStep, JoinsNothingAcrossHalfACircle)
   {
     EXPECT_EQ(FindSteps({ 3.0, 3.0 }, step), std::vector<int>({ 0 }));
   }
+}
+
+TEST(DepthStep, FlagsTheNeighborsThatAreNear)
+{
+  const std::vector<double> ranges = { 2.0, 2.05, 0.0, 2.0, 2.2, 2.1, 2.1, 0.0, 0.0, 5.0, 5.1001,
+    5.0002, 4.9003, 4.9003, 4.7, 4.8, 4.9, 0.05, 0.1, 3.0 };
+  const int pairs = static_cast<int>(ranges.size()) - 1;
+  const lms3dDepthStep step(Tolerance, 1.0);
+  std::vector<std::uint8_t> flags(pairs, 2);
+  step.FlagNear(ranges.data(), ranges.data() + 1, pairs, 1, flags.data());
+  for (int i = 0; i < pairs; ++i)
+  {
+    EXPECT_EQ(flags[i], step.AreNear(ranges[i], ranges[i + 1]) ? 3 : 2) << i;
+  }
+  std::vector<std::uint8_t> none(pairs, 0);
+  lms3dDepthStep(Tolerance, 180.0)
+    .FlagNear(ranges.data(), ranges.data() + 1, pairs, 1, none.data());
+  EXPECT_EQ(std::count(none.begin(), none.end(), 0), pairs);
 }
