@@ -4,6 +4,7 @@
 
 #include "Fusion/lms3dRasterRows.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -14,6 +15,8 @@ namespace
 constexpr double Reach = 8.0;
 constexpr double ReachAlong = 8.0;
 constexpr double ReachOfMeeting = 12.0;
+// Cells: how far the border follows a crease at least.
+constexpr double ShortestRun = 48.0;
 // The sine of the smallest angle between lines that meet.
 constexpr double SmallestSine = 0.1;
 
@@ -61,46 +64,84 @@ std::optional<lms3dPoint2> Intersect(const lms3dCreaseLine& a, const lms3dCrease
   return GetPoint(a, (du * b.Direction[1] - dv * b.Direction[0]) / sine);
 }
 
-std::optional<lms3dPoint2> FindPlace(
-  const lms3dPoint2& point, const std::vector<lms3dCreaseLine>& creases)
+/// The creases near a corner: the nearest, and the next one.
+struct NearCreases
 {
-  const lms3dCreaseLine* nearest = nullptr;
-  const lms3dCreaseLine* second = nullptr;
-  Foot foot = {};
-  Foot other = {};
+  const lms3dCreaseLine* First = nullptr;
+  const lms3dCreaseLine* Second = nullptr;
+  Foot FootOfFirst = {};
+  Foot FootOfSecond = {};
+};
+
+NearCreases FindCreases(const lms3dPoint2& point, const std::vector<lms3dCreaseLine>& creases)
+{
+  NearCreases near;
   for (const lms3dCreaseLine& crease : creases)
   {
-    const Foot candidate = GetFoot(point, crease);
-    if (candidate.Distance > Reach || !IsOn(crease.Parts, candidate.Along))
+    const Foot foot = GetFoot(point, crease);
+    if (foot.Distance > Reach || !IsOn(crease.Parts, foot.Along))
     {
       continue;
     }
-    if (!nearest || candidate.Distance < foot.Distance)
+    if (!near.First || foot.Distance < near.FootOfFirst.Distance)
     {
-      second = nearest;
-      other = foot;
-      nearest = &crease;
-      foot = candidate;
+      near.Second = near.First;
+      near.FootOfSecond = near.FootOfFirst;
+      near.First = &crease;
+      near.FootOfFirst = foot;
     }
-    else if (!second || candidate.Distance < other.Distance)
+    else if (!near.Second || foot.Distance < near.FootOfSecond.Distance)
     {
-      second = &crease;
-      other = candidate;
+      near.Second = &crease;
+      near.FootOfSecond = foot;
     }
   }
-  if (!nearest)
+  return near;
+}
+
+bool IsNearMeeting(const lms3dPoint2& point, const std::optional<lms3dPoint2>& meeting)
+{
+  return meeting &&
+    std::hypot((*meeting)[0] - point[0], (*meeting)[1] - point[1]) <= ReachOfMeeting;
+}
+
+// A corner on a side of a tile stays on it, so that both tiles beside it have the same corner.
+std::optional<lms3dPoint2> FindPlaceOnSide(
+  const lms3dPoint2& point, const lms3dCreaseLine& crease, int axis)
+{
+  const lms3dCreaseLine side = { point, { axis == 0 ? 0.0 : 1.0, axis == 0 ? 1.0 : 0.0 }, {} };
+  std::optional<lms3dPoint2> meeting = Intersect(crease, side);
+  if (!IsNearMeeting(point, meeting))
   {
     return {};
   }
-  if (second)
+  (*meeting)[axis] = point[axis];
+  return meeting;
+}
+
+std::optional<lms3dPoint2> FindPlace(
+  const lms3dPoint2& point, const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile)
+{
+  const NearCreases near = FindCreases(point, creases);
+  const bool isOnU = tile.IsOnSide(point, 0);
+  const bool isOnV = tile.IsOnSide(point, 1);
+  if (!near.First || (isOnU && isOnV))
   {
-    const std::optional<lms3dPoint2> meeting = Intersect(*nearest, *second);
-    if (meeting && std::hypot((*meeting)[0] - point[0], (*meeting)[1] - point[1]) <= ReachOfMeeting)
+    return {};
+  }
+  if (isOnU || isOnV)
+  {
+    return FindPlaceOnSide(point, *near.First, isOnU ? 0 : 1);
+  }
+  if (near.Second)
+  {
+    const std::optional<lms3dPoint2> meeting = Intersect(*near.First, *near.Second);
+    if (IsNearMeeting(point, meeting))
     {
       return meeting;
     }
   }
-  return GetPoint(*nearest, foot.Along);
+  return GetPoint(*near.First, near.FootOfFirst.Along);
 }
 
 // Samples the way at half cells.
@@ -124,7 +165,7 @@ bool IsWayFree(const lms3dPoint2& from, const lms3dPoint2& to, const lms3dRaster
 struct Snapped
 {
   lms3dPoint2 Point;
-  bool IsFixed;
+  bool IsMoved;
 };
 
 // Whether a side of an outline moves inwards, or no beam passed where it moves over.
@@ -148,12 +189,12 @@ void MoveBack(const lms3dLoop& loop, const lms3dRaster& region, std::vector<Snap
       const std::size_t next = (i + 1) % count;
       Snapped& a = corners[i];
       Snapped& b = corners[next];
-      if (b.IsFixed && !IsSweepFree({ loop[i], loop[next], b.Point }, region))
+      if (b.IsMoved && !IsSweepFree({ loop[i], loop[next], b.Point }, region))
       {
         b = { loop[next], false };
         isChanged = true;
       }
-      if (a.IsFixed && !IsSweepFree({ loop[i], b.Point, a.Point }, region))
+      if (a.IsMoved && !IsSweepFree({ loop[i], b.Point, a.Point }, region))
       {
         a = { loop[i], false };
         isChanged = true;
@@ -196,11 +237,38 @@ void Clean(std::vector<Snapped>& corners)
     corners = kept;
   }
 }
+
+// A border that touches a crease now and then is free to leave it.
+void FreeShortRuns(std::vector<Snapped>& corners)
+{
+  const std::size_t count = corners.size();
+  std::size_t start = 0;
+  while (start < count && corners[start].IsMoved)
+  {
+    ++start;
+  }
+  for (std::size_t i = start; i < start + count && start < count;)
+  {
+    std::size_t end = i;
+    double length = 0.0;
+    for (; corners[end % count].IsMoved; ++end)
+    {
+      const lms3dPoint2& a = corners[i % count].Point;
+      const lms3dPoint2& b = corners[end % count].Point;
+      length = std::max(length, std::hypot(b[0] - a[0], b[1] - a[1]));
+    }
+    for (; i < end; ++i)
+    {
+      corners[i % count].IsMoved = length >= ShortestRun;
+    }
+    ++i;
+  }
+}
 } // namespace
 
 std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
   const std::vector<lms3dCreaseLine>& creases, const lms3dRaster& region,
-  std::vector<bool>& isFixed)
+  const lms3dFusedTile& tile, std::vector<bool>& isFixed)
 {
   std::vector<lms3dLoop> result;
   isFixed.clear();
@@ -209,12 +277,13 @@ std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
     std::vector<Snapped> corners;
     for (const lms3dPoint2& point : loop)
     {
-      const std::optional<lms3dPoint2> place = FindPlace(point, creases);
-      const bool moves = place && IsWayFree(point, *place, region);
+      const std::optional<lms3dPoint2> place = FindPlace(point, creases, tile);
+      const bool moves = place && tile.Has(*place) && IsWayFree(point, *place, region);
       corners.push_back({ moves ? *place : point, moves });
     }
     MoveBack(loop, region, corners);
     Clean(corners);
+    FreeShortRuns(corners);
     if (corners.size() < 3)
     {
       continue;
@@ -223,7 +292,8 @@ std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
     for (const Snapped& corner : corners)
     {
       moved.push_back(corner.Point);
-      isFixed.push_back(corner.IsFixed);
+      isFixed.push_back(
+        corner.IsMoved || tile.IsOnSide(corner.Point, 0) || tile.IsOnSide(corner.Point, 1));
     }
     result.push_back(moved);
   }

@@ -70,11 +70,17 @@ void lms3dFusedPlanes::AcceptGuesses(int number)
   for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
   {
     lms3dRasterBlock& block = raster.GetBlock(i);
+    std::uint64_t added = 0;
     for (int row = 0; row < lms3dRaster::Size; ++row)
     {
+      added |= block.Guess[row] & ~block.May[row];
       block.May[row] |= block.Guess[row];
     }
     block.Guess = {};
+    if (added != 0)
+    {
+      raster.SetMark(i, lms3dRaster::DIRTY);
+    }
   }
 }
 
@@ -106,11 +112,11 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
   const auto u = static_cast<std::int32_t>(std::floor(place[0]));
   const auto v = static_cast<std::int32_t>(std::floor(place[1]));
-  lms3dRasterBlock& block = plane.Raster.GetBlock(
-    plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v)));
+  const int blockNumber = plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
+  lms3dRasterBlock& block = plane.Raster.GetBlock(blockNumber);
   std::uint64_t& word = block.Must[lms3dRaster::GetPlaceOf(v)];
   const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
-  plane.IsSeen = true;
+  plane.Raster.SetMark(blockNumber, lms3dRaster::SEEN);
   if (plane.IsWeak)
   {
     plane.Returns.push_back(mapped);
@@ -120,9 +126,18 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
       plane.Returns = {};
     }
   }
+  const std::uint64_t shape =
+    block.IsCalm ? block.Shape[lms3dRaster::GetPlaceOf(v)] : std::uint64_t{ 0 };
+  if ((bit & ~word & ~shape) != 0)
+  {
+    plane.Raster.SetMark(blockNumber, lms3dRaster::DIRTY);
+  }
   word |= bit;
   block.Deviation = std::max(block.Deviation, std::abs(plane.Frame.GetHeight(mapped.Point)));
-  plane.IsChanged = plane.IsChanged || !this->IsCovered(plane, block, u, v);
+  if (!this->IsCovered(plane, block, u, v))
+  {
+    plane.Raster.SetMark(blockNumber, lms3dRaster::STALE);
+  }
   const int scan = this->Scan;
   block.Sightings.ScanCount += block.Sightings.LastScan != scan ? 1 : 0;
   block.Sightings.LastScan = scan;

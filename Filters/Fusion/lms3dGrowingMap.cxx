@@ -14,6 +14,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace
@@ -22,8 +23,12 @@ namespace
 constexpr double DissolvedShare = 0.9;
 constexpr double TimeOfCasting = 0.3;
 constexpr double TimeOfMarking = 0.5;
-// How many planes get new triangles between two looks at the progress.
-constexpr std::size_t PlanesOfStep = 32;
+// As a share of the time of making regions anew.
+constexpr double TimeOfShapes = 0.3;
+// How many tiles get new triangles between two looks at the progress.
+constexpr std::size_t TilesOfStep = 64;
+// Cells: if the shape of a tile differs more from that of its mesh, the mesh is made anew.
+constexpr int LargestDifference = 256;
 } // namespace
 
 lms3dGrowingMap::lms3dGrowingMap(const lms3dFusionSettings& settings)
@@ -87,7 +92,7 @@ void lms3dGrowingMap::DissolveWeakPlanes()
   for (std::size_t i = 0; i < end; ++i)
   {
     lms3dFusedPlane& plane = this->Planes[i];
-    if (!plane.IsWeak || (!plane.IsChanged && !plane.IsSeen) || plane.Returns.empty())
+    if (!plane.IsWeak || plane.Raster.GetMarked().empty() || plane.Returns.empty())
     {
       continue;
     }
@@ -100,11 +105,7 @@ void lms3dGrowingMap::DissolveWeakPlanes()
     }
     std::vector<lms3dMappedReturn> returns;
     returns.swap(plane.Returns);
-    plane.Raster = {};
-    plane.Verbatim.clear();
-    plane.OldBlocks = 0;
-    plane.IsWeak = false;
-    plane.IsChanged = true;
+    plane.Clear();
     for (const lms3dMappedReturn& mapped : returns)
     {
       if (!this->Planes.AddToPlanes(others, mapped))
@@ -115,7 +116,7 @@ void lms3dGrowingMap::DissolveWeakPlanes()
   }
 }
 
-// The threads divide the planes. A plane depends on the frames of other planes alone.
+// The threads divide planes, then tiles. A tile depends on its plane and on the frames of other planes alone.
 bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
 {
   std::vector<int> changed;
@@ -123,44 +124,114 @@ bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
   {
     lms3dFusedPlane& plane = this->Planes[i];
     plane.OldBlocks = plane.Raster.GetNumberOfBlocks();
-    if (plane.IsChanged || plane.IsSeen)
+    if (plane.HasNewCreases || !plane.Raster.GetMarked().empty())
     {
+      this->AddTiles(plane);
       changed.push_back(static_cast<int>(i));
     }
   }
-  // The threads share the work best if large planes come first.
-  std::stable_sort(changed.begin(), changed.end(),
-    [&](int a, int b)
-    {
-      return this->Planes[a].Raster.GetNumberOfBlocks() >
-        this->Planes[b].Raster.GetNumberOfBlocks();
-    });
-  const std::size_t count = changed.size();
-  for (std::size_t first = 0; first < count; first += PlanesOfStep)
+  tbb::parallel_for(
+    std::size_t{ 0 }, changed.size(), [&](std::size_t i) { this->RenewShape(changed[i]); });
+  if (!progress(TimeOfShapes))
   {
-    const std::size_t end = std::min(first + PlanesOfStep, count);
+    return false;
+  }
+  const std::vector<TileToRenew> tiles = this->FindTiles(changed);
+  const lms3dProgress rest = lms3dGetStepProgress(progress, TimeOfShapes, 1.0);
+  for (std::size_t first = 0; first < tiles.size(); first += TilesOfStep)
+  {
+    const std::size_t end = std::min(first + TilesOfStep, tiles.size());
     tbb::parallel_for(
-      first, end, [&](std::size_t i) { this->RenewPlane(changed[i]); }, tbb::simple_partitioner());
-    if (!progress(static_cast<double>(end) / static_cast<double>(count)))
+      first, end, [&](std::size_t i) { this->RenewTile(tiles[i]); }, tbb::simple_partitioner());
+    if (!rest(static_cast<double>(end) / static_cast<double>(tiles.size())))
     {
       return false;
     }
   }
-  return true;
+  return progress(1.0);
 }
 
-void lms3dGrowingMap::RenewPlane(int number)
+// Gives new blocks to tiles, which become regions.
+void lms3dGrowingMap::AddTiles(lms3dFusedPlane& plane)
+{
+  lms3dRaster& raster = plane.Raster;
+  for (; plane.TiledBlocks < raster.GetNumberOfBlocks(); ++plane.TiledBlocks)
+  {
+    lms3dRasterBlock& block = raster.GetBlock(plane.TiledBlocks);
+    const bool isWhole = !plane.Verbatim.empty();
+    const std::int32_t u = isWhole ? 0 : lms3dFusedTile::GetTileOf(block.U);
+    const std::int32_t v = isWhole ? 0 : lms3dFusedTile::GetTileOf(block.V);
+    block.Tile = plane.TileNumbers.Find(u, v);
+    if (block.Tile < 0)
+    {
+      block.Tile = static_cast<int>(plane.Tiles.size());
+      plane.TileNumbers.Add(u, v, block.Tile);
+      plane.Tiles.push_back(isWhole ? lms3dFusedTile() : lms3dFusedTile(u, v));
+      this->Regions.push_back(&plane.Tiles.back());
+    }
+    plane.Tiles[block.Tile].Blocks.push_back(plane.TiledBlocks);
+  }
+}
+
+void lms3dGrowingMap::RenewShape(int number)
 {
   lms3dFusedPlane& plane = this->Planes[number];
-  if (plane.IsChanged)
+  std::vector<lms3dCreaseLine> creases;
+  if (plane.HasNewCreases || plane.OldBlocks > plane.ShapedBlocks)
   {
-    lms3dMakeRegionMesh(
-      plane, lms3dGetCreaseLines(this->Planes, number), this->Settings.MaximumError);
-    plane.Revision = this->GetNumberOfScans();
+    creases = lms3dGetCreaseLines(this->Planes, number);
   }
-  lms3dSetSightings(plane);
-  plane.IsChanged = false;
-  plane.IsSeen = false;
+  const std::vector<int> changed = plane.Shape.Update(creases, plane.Raster);
+  for (const int block : changed)
+  {
+    lms3dFusedTile& tile = plane.Tiles[plane.Raster.GetBlock(block).Tile];
+    tile.Difference = std::accumulate(tile.Blocks.begin(), tile.Blocks.end(), 0,
+      [&](int sum, int i) { return sum + plane.Raster.GetBlock(i).Difference; });
+  }
+  plane.ShapedBlocks = plane.OldBlocks;
+  plane.HasNewCreases = false;
+}
+
+std::vector<lms3dGrowingMap::TileToRenew> lms3dGrowingMap::FindTiles(const std::vector<int>& planes)
+{
+  std::vector<TileToRenew> tiles;
+  for (const int number : planes)
+  {
+    lms3dFusedPlane& plane = this->Planes[number];
+    for (const int block : plane.Raster.GetMarked())
+    {
+      const unsigned marks = plane.Raster.GetBlock(block).Marks;
+      lms3dFusedTile& tile = plane.Tiles[plane.Raster.GetBlock(block).Tile];
+      tile.IsStale = tile.IsStale || (marks & lms3dRaster::STALE) != 0;
+      tile.IsSeen = tile.IsSeen || (marks & lms3dRaster::SEEN) != 0;
+    }
+    plane.Raster.ClearMarks();
+    for (lms3dFusedTile& tile : plane.Tiles)
+    {
+      tile.IsStale = tile.IsStale || tile.Difference > LargestDifference;
+      if (tile.IsStale || tile.IsSeen)
+      {
+        tiles.push_back({ number, &tile });
+      }
+    }
+  }
+  return tiles;
+}
+
+void lms3dGrowingMap::RenewTile(const TileToRenew& place)
+{
+  lms3dFusedPlane& plane = this->Planes[place.Plane];
+  lms3dFusedTile& tile = *place.Tile;
+  if (tile.IsStale)
+  {
+    lms3dMakeTileMesh(
+      plane, tile, lms3dGetCreaseLines(this->Planes, place.Plane), this->Settings.MaximumError);
+    tile.Revision = this->GetNumberOfScans();
+    tile.Difference = 0;
+  }
+  lms3dSetSightings(plane, tile);
+  tile.IsStale = false;
+  tile.IsSeen = false;
 }
 
 void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly)

@@ -123,11 +123,19 @@ void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int firstBlock, int beam
   const int v = lms3dRaster::GetPlaceOf(row);
   std::uint64_t& word = cells.Passed[v];
   const std::uint64_t bit = std::uint64_t{ 1 } << u;
-  plane.IsChanged = plane.IsChanged || (~word & cells.Touched[v] & bit) != 0;
+  if ((~word & bit) != 0)
+  {
+    plane.Raster.SetMark(block, lms3dRaster::DIRTY);
+  }
+  if ((~word & cells.Touched[v] & bit) != 0)
+  {
+    plane.Raster.SetMark(block, lms3dRaster::STALE);
+  }
   word |= bit;
   if (this->Forgets)
   {
     cells.Must[v] &= ~bit;
+    plane.Raster.SetMark(block, lms3dRaster::DIRTY);
   }
   this->MarkAround(plane, beamId, passage.Place);
 }
@@ -136,17 +144,14 @@ void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int firstBlock, int beam
 template <typename Points>
 void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
 {
-  const auto set = [&](lms3dRaster::BitsOf bits, bool value)
-  {
-    return [&plane, bits, value](const lms3dCellStrip& strip)
-    {
-      plane.Raster.Set(bits, strip, value);
-      return true;
-    };
-  };
   if (this->Forgets)
   {
-    lms3dForTouchedStrips(points, set(&lms3dRasterBlock::Must, false));
+    lms3dForTouchedStrips(points,
+      [&](const lms3dCellStrip& strip)
+      {
+        plane.Raster.SetAndMark(&lms3dRasterBlock::Must, strip, false);
+        return true;
+      });
   }
   const bool isFree = !plane.Raster.HasAny(&lms3dRasterBlock::Must, lms3dGetTouchedBox(points)) ||
     lms3dForTouchedStrips(points,
@@ -154,7 +159,12 @@ void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
       { return !plane.Raster.HasAny(&lms3dRasterBlock::Must, strip); });
   if (isFree)
   {
-    lms3dForTouchedStrips(points, set(&lms3dRasterBlock::Open, true));
+    lms3dForTouchedStrips(points,
+      [&](const lms3dCellStrip& strip)
+      {
+        plane.Raster.SetAndMark(&lms3dRasterBlock::Open, strip, true);
+        return true;
+      });
   }
 }
 

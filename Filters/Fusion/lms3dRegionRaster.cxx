@@ -27,12 +27,7 @@ class PassedAround
 public:
   explicit PassedAround(const lms3dRaster& raster)
     : Raster(raster)
-    , HasPassed(static_cast<std::size_t>(raster.GetNumberOfBlocks()))
   {
-    for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
-    {
-      this->HasPassed[i] = !IsEmpty(raster.GetBlock(i).Passed);
-    }
   }
 
   /// Returns whether there is a passed cell.
@@ -44,7 +39,7 @@ public:
       for (int u = 0; u < 3; ++u)
       {
         const int number = this->Raster.Find(block.U + u - 1, block.V + v - 1);
-        const bool isPassed = number >= 0 && this->HasPassed[number];
+        const bool isPassed = number >= 0 && !IsEmpty(this->Raster.GetBlock(number).Passed);
         this->Bits[v][u] = isPassed ? &this->Raster.GetBlock(number).Passed : &this->None;
         hasAny = hasAny || isPassed;
       }
@@ -63,7 +58,6 @@ public:
 
 private:
   const lms3dRaster& Raster;
-  std::vector<bool> HasPassed;
   const lms3dBits None = {};
   std::array<std::array<const lms3dBits*, 3>, 3> Bits = {};
 };
@@ -121,12 +115,12 @@ void ForBall(const lms3dRaster& raster, lms3dRaster::BitsOf other, std::int32_t 
   }
 }
 
-/// Calls `visit` with the cells that have both bits.
+/// Calls `visit` with the cells of blocks that have both bits.
 template <typename Visitor>
-void ForCells(const lms3dRaster& raster, lms3dRaster::BitsOf first, lms3dRaster::BitsOf second,
-  const Visitor& visit)
+void ForCells(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster::BitsOf first,
+  lms3dRaster::BitsOf second, const Visitor& visit)
 {
-  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
+  for (const int i : blocks)
   {
     const lms3dRasterBlock& block = raster.GetBlock(i);
     for (int row = 0; row <= Last; ++row)
@@ -144,62 +138,102 @@ void ForCells(const lms3dRaster& raster, lms3dRaster::BitsOf first, lms3dRaster:
 }
 
 /// Gives the cells back that are nearer to a return than to any beam that passed.
-void GiveBack(const lms3dRaster& raster, lms3dRaster& region)
+void GiveBack(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster& region)
 {
   const auto giveRow = [&](std::int32_t row, std::int32_t first, std::int32_t last)
   { region.SetRow(&lms3dRasterBlock::Open, row, first, last, true, false, [](int) {}); };
-  ForCells(raster, &lms3dRasterBlock::Must, &lms3dRasterBlock::Open,
+  ForCells(raster, blocks, &lms3dRasterBlock::Must, &lms3dRasterBlock::Open,
     [&](std::int32_t u, std::int32_t v)
     { ForBall(raster, &lms3dRasterBlock::Passed, u, v, giveRow); });
-  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
+  for (int i = 0; i < region.GetNumberOfBlocks(); ++i)
   {
     lms3dRasterBlock& cells = region.GetBlock(i);
+    const lms3dBits& may = raster.GetBlock(raster.Find(cells.U, cells.V)).May;
     for (int row = 0; row <= Last; ++row)
     {
-      cells.May[row] |= cells.Open[row] & raster.GetBlock(i).May[row];
+      cells.May[row] |= cells.Open[row] & may[row];
     }
   }
 }
 
 /// Takes the cells out that are nearer to a beam that passed than to any return.
-void TakeOut(const lms3dRaster& raster, lms3dRaster& region)
+void TakeOut(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster& region)
 {
   const auto takeRow = [&](std::int32_t row, std::int32_t first, std::int32_t last)
   { region.SetRow(&lms3dRasterBlock::May, row, first, last, false, false, [](int) {}); };
-  ForCells(raster, &lms3dRasterBlock::Passed, &lms3dRasterBlock::May,
+  ForCells(raster, blocks, &lms3dRasterBlock::Passed, &lms3dRasterBlock::May,
     [&](std::int32_t u, std::int32_t v)
     { ForBall(raster, &lms3dRasterBlock::Must, u, v, takeRow); });
 }
+
+void CopySure(const lms3dRasterBlock& block, const PassedAround& passed, bool hasPassed,
+  lms3dRasterBlock& cells)
+{
+  if (!hasPassed)
+  {
+    cells.Must = block.Must;
+    return;
+  }
+  cells.Passed = block.Passed;
+  for (int row = 0; row <= Last; ++row)
+  {
+    const std::uint64_t disputed =
+      passed.GetWideWord(row - 1) | passed.GetWideWord(row) | passed.GetWideWord(row + 1);
+    cells.Must[row] = block.Must[row] & ~disputed;
+  }
+}
 } // namespace
 
-lms3dRaster lms3dMakeRegion(const lms3dRaster& raster)
+std::vector<int> lms3dFindBlocksAround(const lms3dRaster& raster, const std::vector<int>& blocks)
+{
+  std::vector<int> around;
+  around.reserve(9 * blocks.size());
+  for (const int number : blocks)
+  {
+    const lms3dRasterBlock& block = raster.GetBlock(number);
+    for (std::int32_t v = block.V - 1; v <= block.V + 1; ++v)
+    {
+      for (std::int32_t u = block.U - 1; u <= block.U + 1; ++u)
+      {
+        around.push_back(raster.Find(u, v));
+      }
+    }
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  around.erase(around.begin(), std::lower_bound(around.begin(), around.end(), 0));
+  return around;
+}
+
+lms3dRaster lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<int>& blocks)
 {
   lms3dRaster region;
-  region.MakeBlocksOf(raster);
   PassedAround passed(raster);
-  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
+  for (const int number : blocks)
   {
-    const lms3dRasterBlock& block = raster.GetBlock(i);
-    lms3dRasterBlock& cells = region.GetBlock(i);
-    if (!passed.MoveTo(block))
-    {
-      cells.Must = block.Must;
-      for (int row = 0; row <= Last; ++row)
-      {
-        cells.May[row] = (block.May[row] & ~block.Open[row]) | block.Must[row];
-      }
-      continue;
-    }
-    cells.Passed = block.Passed;
+    const lms3dRasterBlock& block = raster.GetBlock(number);
+    lms3dRasterBlock& cells = region.GetBlock(region.Make(block.U, block.V));
+    const bool isPassed = passed.MoveTo(block);
+    cells.IsCalm = !isPassed && IsEmpty(block.Open);
+    CopySure(block, passed, isPassed, cells);
+  }
+  return region;
+}
+
+lms3dRaster lms3dMakeRegion(const lms3dRaster& raster, const std::vector<int>& blocks)
+{
+  lms3dRaster region = lms3dCopySureReturns(raster, blocks);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    const lms3dRasterBlock& block = raster.GetBlock(blocks[i]);
+    lms3dRasterBlock& cells = region.GetBlock(static_cast<int>(i));
     for (int row = 0; row <= Last; ++row)
     {
-      const std::uint64_t disputed =
-        passed.GetWideWord(row - 1) | passed.GetWideWord(row) | passed.GetWideWord(row + 1);
-      cells.Must[row] = block.Must[row] & ~disputed;
       cells.May[row] = (block.May[row] & ~block.Open[row] & ~block.Passed[row]) | cells.Must[row];
     }
   }
-  GiveBack(raster, region);
-  TakeOut(raster, region);
+  const std::vector<int> around = lms3dFindBlocksAround(raster, blocks);
+  GiveBack(raster, around, region);
+  TakeOut(raster, around, region);
   return region;
 }
