@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionRaster.h"
 
+#include "Fusion/lms3dBalls.h"
+
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace
@@ -62,89 +64,53 @@ private:
   std::array<std::array<const lms3dBits*, 3>, 3> Bits = {};
 };
 
-// Cells: how far around a beam that passed the region is taken out at most.
-constexpr int LargestBall = 16;
-
-/// The cells of a row from 31 before a cell to 31 behind it. Bit 31 is the cell itself.
-std::uint64_t GetWindow(
-  const lms3dRaster& raster, lms3dRaster::BitsOf bits, std::int32_t u, std::int32_t row)
-{
-  const std::int32_t first = u - 31;
-  const int shift = lms3dRaster::GetPlaceOf(first);
-  const std::int32_t block = lms3dRaster::GetBlockOf(first);
-  const int left = raster.Find(block, lms3dRaster::GetBlockOf(row));
-  const int right = shift < 2 ? -1 : raster.Find(block + 1, lms3dRaster::GetBlockOf(row));
-  const int place = lms3dRaster::GetPlaceOf(row);
-  const std::uint64_t low = left < 0 ? 0 : (raster.GetBlock(left).*bits)[place] >> shift;
-  const std::uint64_t high =
-    right < 0 ? 0 : (raster.GetBlock(right).*bits)[place] << (lms3dRaster::Size - shift);
-  return (low | high) & (~std::uint64_t{ 0 } >> 1);
-}
-
-/// The distance along the longer axis of the nearest cell with a bit, cells, at most twice LargestBall.
-int GetDistance(const lms3dRaster& raster, lms3dRaster::BitsOf bits, std::int32_t u, std::int32_t v)
-{
-  int nearest = 2 * LargestBall;
-  for (int row = 0; row < nearest; ++row)
-  {
-    const std::uint64_t window =
-      GetWindow(raster, bits, u, v + row) | GetWindow(raster, bits, u, v - row);
-    for (int width = 0; width < nearest && width <= 31 && window != 0; ++width)
-    {
-      if (((window >> (31 + width) | window >> (31 - width)) & 1U) != 0)
-      {
-        nearest = std::max(row, width);
-      }
-    }
-  }
-  return nearest;
-}
-
-/// Calls `visit` with a row, its first and its last cell, for the cells that are nearer to a cell than to any cell
-/// with a bit.
+/// Calls `visit` with a number of a block of the region, a row and bits, for the balls around the cells of blocks that
+/// have two bits. The balls keep away from the cells with the bit `others`.
 template <typename Visitor>
-void ForBall(const lms3dRaster& raster, lms3dRaster::BitsOf other, std::int32_t u, std::int32_t v,
-  const Visitor& visit)
-{
-  const int radius = (GetDistance(raster, other, u, v) - 1) / 2;
-  for (int row = -radius; row <= radius; ++row)
-  {
-    const auto width =
-      static_cast<int>(std::sqrt(static_cast<double>(radius * radius - row * row)));
-    visit(v + row, u - width, u + width);
-  }
-}
-
-/// Calls `visit` with the cells of blocks that have both bits.
-template <typename Visitor>
-void ForCells(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster::BitsOf first,
-  lms3dRaster::BitsOf second, const Visitor& visit)
+void ForBalls(const lms3dRaster& raster, const std::vector<int>& blocks,
+  const std::array<lms3dRaster::BitsOf, 2>& both, lms3dRaster::BitsOf others,
+  const lms3dRaster& region, const Visitor& visit)
 {
   for (const int i : blocks)
   {
     const lms3dRasterBlock& block = raster.GetBlock(i);
+    lms3dBits centres;
     for (int row = 0; row <= Last; ++row)
     {
-      const std::uint64_t cells = (block.*first)[row] & (block.*second)[row];
-      for (int place = 0; place <= Last && cells >> place != 0; ++place)
-      {
-        if ((cells >> place & 1U) != 0)
-        {
-          visit(block.U * lms3dRaster::Size + place, block.V * lms3dRaster::Size + row);
-        }
-      }
+      centres[row] = (block.*both[0])[row] & (block.*both[1])[row];
     }
+    if (IsEmpty(centres))
+    {
+      continue;
+    }
+    std::array<int, 9> numbers = {};
+    for (int place = 0; place < 9; ++place)
+    {
+      numbers[place] = region.Find(block.U + place % 3 - 1, block.V + place / 3 - 1);
+    }
+    const lms3dBalls balls(centres, lms3dBlockWindow(raster, block, others));
+    balls.ForRows(
+      [&](int row, const std::array<std::uint64_t, 3>& words)
+      {
+        const int first = row < 0 ? 0 : (row > Last ? 6 : 3);
+        for (int u = 0; u < 3; ++u)
+        {
+          if (numbers[first + u] >= 0 && words[u] != 0)
+          {
+            visit(numbers[first + u], row & Last, words[u]);
+          }
+        }
+      });
   }
 }
 
 /// Gives the cells back that are nearer to a return than to any beam that passed.
 void GiveBack(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster& region)
 {
-  const auto giveRow = [&](std::int32_t row, std::int32_t first, std::int32_t last)
-  { region.SetRow(&lms3dRasterBlock::Open, row, first, last, true, false, [](int) {}); };
-  ForCells(raster, blocks, &lms3dRasterBlock::Must, &lms3dRasterBlock::Open,
-    [&](std::int32_t u, std::int32_t v)
-    { ForBall(raster, &lms3dRasterBlock::Passed, u, v, giveRow); });
+  ForBalls(raster, blocks, { &lms3dRasterBlock::Must, &lms3dRasterBlock::Open },
+    &lms3dRasterBlock::Passed, region,
+    [&](int number, int row, std::uint64_t bits)
+    { region.GetBlock(number).Open[row] |= bits; });
   for (int i = 0; i < region.GetNumberOfBlocks(); ++i)
   {
     lms3dRasterBlock& cells = region.GetBlock(i);
@@ -159,11 +125,10 @@ void GiveBack(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRa
 /// Takes the cells out that are nearer to a beam that passed than to any return.
 void TakeOut(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster& region)
 {
-  const auto takeRow = [&](std::int32_t row, std::int32_t first, std::int32_t last)
-  { region.SetRow(&lms3dRasterBlock::May, row, first, last, false, false, [](int) {}); };
-  ForCells(raster, blocks, &lms3dRasterBlock::Passed, &lms3dRasterBlock::May,
-    [&](std::int32_t u, std::int32_t v)
-    { ForBall(raster, &lms3dRasterBlock::Must, u, v, takeRow); });
+  ForBalls(raster, blocks, { &lms3dRasterBlock::Passed, &lms3dRasterBlock::May },
+    &lms3dRasterBlock::Must, region,
+    [&](int number, int row, std::uint64_t bits)
+    { region.GetBlock(number).May[row] &= ~bits; });
 }
 
 void CopySure(const lms3dRasterBlock& block, const PassedAround& passed, bool hasPassed,
