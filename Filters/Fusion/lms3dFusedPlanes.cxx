@@ -215,15 +215,20 @@ std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   return planes;
 }
 
-double lms3dFusedPlanes::CountShown(
-  const std::vector<int>& planes, const std::vector<lms3dMappedReturn>& returns) const
+bool lms3dFusedPlanes::ShowShare(double share, const std::vector<int>& planes,
+  const std::vector<lms3dMappedReturn>& returns) const
 {
-  return static_cast<double>(std::count_if(returns.begin(), returns.end(),
+  const auto count = static_cast<double>(returns.size());
+  const double allowed = count - share * count;
+  double hidden = 0.0;
+  return std::all_of(returns.begin(), returns.end(),
     [&](const lms3dMappedReturn& mapped)
     {
-      return std::any_of(planes.begin(), planes.end(),
+      const bool isShown = std::any_of(planes.begin(), planes.end(),
         [&](int plane) { return this->Shows(this->Planes[plane], mapped); });
-    }));
+      hidden += isShown ? 0.0 : 1.0;
+      return hidden <= allowed;
+    });
 }
 
 bool lms3dFusedPlanes::AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped)

@@ -98,8 +98,7 @@ void lms3dGrowingMap::DissolveWeakPlanes()
     }
     std::vector<int> others = this->Planes.FindPlanesNear(plane.Returns, end);
     others.erase(std::remove(others.begin(), others.end(), static_cast<int>(i)), others.end());
-    if (this->Planes.CountShown(others, plane.Returns) <
-      DissolvedShare * static_cast<double>(plane.Returns.size()))
+    if (!this->Planes.ShowShare(DissolvedShare, others, plane.Returns))
     {
       continue;
     }

@@ -132,6 +132,7 @@ void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int firstBlock, int beam
     plane.Raster.SetMark(block, lms3dRaster::STALE);
   }
   word |= bit;
+  cells.HasPassed = true;
   if (this->Forgets)
   {
     cells.Must[v] &= ~bit;

@@ -53,6 +53,8 @@ struct lms3dRasterBlock
   int Tile = -1;
   /// How many cells differ between Shape and Meshed.
   int Difference = 0;
+  /// Whether a bit of Passed is set.
+  bool HasPassed = false;
   /// Whether more returns in cells of the shape change no shape.
   bool IsCalm = false;
   /// Bits of lms3dRaster::Mark.

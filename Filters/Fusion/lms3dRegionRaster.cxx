@@ -41,7 +41,7 @@ public:
       for (int u = 0; u < 3; ++u)
       {
         const int number = this->Raster.Find(block.U + u - 1, block.V + v - 1);
-        const bool isPassed = number >= 0 && !IsEmpty(this->Raster.GetBlock(number).Passed);
+        const bool isPassed = number >= 0 && this->Raster.GetBlock(number).HasPassed;
         this->Bits[v][u] = isPassed ? &this->Raster.GetBlock(number).Passed : &this->None;
         hasAny = hasAny || isPassed;
       }

@@ -160,8 +160,8 @@ int lms3dScanJoin::FindPlane(const std::vector<int>& returns, const lms3dFittedP
 bool lms3dScanJoin::IsMostlyExplained(
   const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
 {
-  return this->Planes.CountShown(this->Planes.FindPlanesNear(returns, end), returns) >=
-    ExplainedShare * static_cast<double>(returns.size());
+  return this->Planes.ShowShare(
+    ExplainedShare, this->Planes.FindPlanesNear(returns, end), returns);
 }
 
 // Adds each return to the plane that is nearest to it.
