@@ -58,8 +58,7 @@ void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int t
   lms3dForTouchedStrips(cells,
     [&](const lms3dCellStrip& strip)
     {
-      plane.Raster.MakeBlocks(strip);
-      plane.Raster.Set(&lms3dRasterBlock::Guess, strip, true);
+      plane.Raster.SetGuess(strip);
       return true;
     });
 }
@@ -67,8 +66,13 @@ void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int t
 void lms3dFusedPlanes::AcceptGuesses(int number)
 {
   lms3dRaster& raster = this->Planes[number].Raster;
-  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
+  const std::vector<int>& marked = raster.GetMarked();
+  for (const int i : marked)
   {
+    if (!raster.HasMark(i, lms3dRaster::GUESSED))
+    {
+      continue;
+    }
     lms3dRasterBlock& block = raster.GetBlock(i);
     std::uint64_t added = 0;
     for (int row = 0; row < lms3dRaster::Size; ++row)

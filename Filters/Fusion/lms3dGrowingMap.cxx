@@ -199,10 +199,9 @@ std::vector<lms3dGrowingMap::TileToRenew> lms3dGrowingMap::FindTiles(const std::
     lms3dFusedPlane& plane = this->Planes[number];
     for (const int block : plane.Raster.GetMarked())
     {
-      const unsigned marks = plane.Raster.GetBlock(block).Marks;
       lms3dFusedTile& tile = plane.Tiles[plane.Raster.GetBlock(block).Tile];
-      tile.IsStale = tile.IsStale || (marks & lms3dRaster::STALE) != 0;
-      tile.IsSeen = tile.IsSeen || (marks & lms3dRaster::SEEN) != 0;
+      tile.IsStale = tile.IsStale || plane.Raster.HasMark(block, lms3dRaster::STALE);
+      tile.IsSeen = tile.IsSeen || plane.Raster.HasMark(block, lms3dRaster::SEEN);
     }
     plane.Raster.ClearMarks();
     for (lms3dFusedTile& tile : plane.Tiles)

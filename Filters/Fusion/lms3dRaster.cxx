@@ -158,12 +158,13 @@ void lms3dRaster::SetAndMark(BitsOf bits, const lms3dCellStrip& strip, bool valu
       continue;
     }
     std::uint64_t* words = &(this->Blocks[number].*bits)[GetPlaceOf(strip.Row)];
+    const std::uint64_t* shape = &this->Blocks[number].Shape[GetPlaceOf(strip.Row)];
     std::uint64_t changed = 0;
     for (int row = 0; row < strip.Count; ++row)
     {
       const std::uint64_t mask = strip.GetBits(row, u * Size);
       const std::uint64_t set = value ? words[row] | mask : words[row] & ~mask;
-      changed |= set ^ words[row];
+      changed |= (set ^ words[row]) & shape[row];
       words[row] = set;
     }
     if (changed != 0)
@@ -193,4 +194,20 @@ void lms3dRaster::MakeBlocks(const lms3dCellStrip& strip)
     left = first;
     right = last;
   }
+}
+
+void lms3dRaster::SetGuess(const lms3dCellStrip& strip)
+{
+  this->MakeBlocks(strip);
+  const std::int32_t v = GetBlockOf(strip.Row);
+  for (std::int32_t u = GetBlockOf(strip.Left); !strip.IsEmpty() && u <= GetBlockOf(strip.Right);
+       ++u)
+  {
+    const int number = this->Find(u, v);
+    if (number >= 0)
+    {
+      this->SetMark(number, GUESSED);
+    }
+  }
+  this->Set(&lms3dRasterBlock::Guess, strip, true);
 }

@@ -76,7 +76,11 @@ public:
     /// A return lies here.
     SEEN = 2,
     /// The mesh does not explain what scans saw.
-    STALE = 4
+    STALE = 4,
+    /// The local map that joins has surface here.
+    GUESSED = 8,
+    /// The shape of the neighbours may change, too.
+    DIRTY_AROUND = 16
   };
 
   int GetNumberOfBlocks() const { return static_cast<int>(this->Blocks.size()); }
@@ -111,8 +115,11 @@ public:
   /// Sets or clears a bit of the cells of a strip that lie in blocks.
   void Set(BitsOf bits, const lms3dCellStrip& strip, bool value);
 
-  /// The same, but marks the blocks that change as dirty.
+  /// The same, but marks the blocks in which a cell of the shape changes as dirty.
   void SetAndMark(BitsOf bits, const lms3dCellStrip& strip, bool value);
+
+  /// Sets Guess of the cells of a strip. Makes the blocks that do not exist, and marks them as guessed.
+  void SetGuess(const lms3dCellStrip& strip);
 
   /// Adds a mark to a block.
   void SetMark(int number, Mark mark)
@@ -127,6 +134,7 @@ public:
 
   /// The blocks with marks.
   const std::vector<int>& GetMarked() const { return this->Marked; }
+  bool HasMark(int number, Mark mark) const { return (this->Blocks[number].Marks & mark) != 0; }
   void ClearMarks();
 
   /// Makes the blocks of a strip that do not exist, row by row.

@@ -179,7 +179,6 @@ lms3dRaster lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<in
     const lms3dRasterBlock& block = raster.GetBlock(number);
     lms3dRasterBlock& cells = region.GetBlock(region.Make(block.U, block.V));
     const bool isPassed = passed.MoveTo(block);
-    cells.IsCalm = !isPassed && IsEmpty(block.Open);
     CopySure(block, passed, isPassed, cells);
   }
   return region;

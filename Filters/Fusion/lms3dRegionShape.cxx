@@ -123,15 +123,24 @@ void lms3dRegionShape::Draw(
 
 std::vector<int> lms3dRegionShape::FindBlocks(const lms3dRaster& raster) const
 {
+  std::vector<int> widelyDirty;
   std::vector<int> dirty;
   for (const int number : raster.GetMarked())
   {
-    if ((raster.GetBlock(number).Marks & lms3dRaster::DIRTY) != 0)
+    if (raster.HasMark(number, lms3dRaster::DIRTY_AROUND))
+    {
+      widelyDirty.push_back(number);
+    }
+    if (raster.HasMark(number, lms3dRaster::DIRTY))
     {
       dirty.push_back(number);
     }
   }
-  return lms3dFindBlocksAround(raster, dirty);
+  std::vector<int> blocks = lms3dFindBlocksAround(raster, widelyDirty);
+  blocks.insert(blocks.end(), dirty.begin(), dirty.end());
+  std::sort(blocks.begin(), blocks.end());
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  return blocks;
 }
 
 lms3dBits lms3dRegionShape::GetFree(int number, const lms3dRasterBlock& cells) const
@@ -276,7 +285,7 @@ void lms3dRegionShape::MakeShapes(const std::vector<int>& blocks, const lms3dRas
     const lms3dRasterBlock& cells = region.GetBlock(static_cast<int>(i));
     lms3dRasterBlock& block = raster.GetBlock(blocks[i]);
     const std::vector<Part>& parts = this->Blocks[blocks[i]].Parts;
-    block.IsCalm = cells.IsCalm &&
+    block.IsCalm =
       std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.HasReturn; });
     const lms3dBits shape = this->GetShape(blocks[i], cells);
     if (shape != block.Shape)
