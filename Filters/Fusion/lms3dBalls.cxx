@@ -64,9 +64,8 @@ std::uint64_t lms3dBlockWindow::GetWord(int u, int row) const
   const int start = lms3dRaster::Size + u - (Margin - 1);
   const int word = start / lms3dRaster::Size;
   const int shift = start % lms3dRaster::Size;
-  return shift == 0
-    ? words[word]
-    : words[word] >> shift | words[word + 1] << (lms3dRaster::Size - shift);
+  return shift == 0 ? words[word]
+                    : words[word] >> shift | words[word + 1] << (lms3dRaster::Size - shift);
 }
 
 int lms3dBlockWindow::GetDistance(int u, int v) const
@@ -75,7 +74,9 @@ int lms3dBlockWindow::GetDistance(int u, int v) const
   int nearest = Margin;
   for (int row = 0; row < nearest && !this->HasNone; ++row)
   {
-    const std::uint64_t word = this->GetWord(u, v + row) | this->GetWord(u, v - row);
+    // The cells that are nearer than the nearest so far.
+    const std::uint64_t word = (this->GetWord(u, v + row) | this->GetWord(u, v - row)) &
+      (~std::uint64_t{ 0 } >> (Last - 2 * (nearest - 1))) << (Margin - nearest);
     for (int width = 0; word != 0 && width < nearest; ++width)
     {
       if (((word >> (Centre + width) | word >> (Centre - width)) & 1U) != 0)

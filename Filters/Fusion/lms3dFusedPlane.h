@@ -13,6 +13,7 @@
 #include "Fusion/lms3dPlaneFrame.h"
 #include "Fusion/lms3dRaster.h"
 #include "Fusion/lms3dRegionShape.h"
+#include "Fusion/lms3dWorldBox.h"
 
 #include <array>
 #include <deque>
@@ -56,6 +57,22 @@ struct lms3dFusedPlane
     }
   }
 
+  /// The box of the blocks from one on.
+  lms3dWorldBox GetBoxOfBlocks(int first) const
+  {
+    lms3dWorldBox box;
+    for (int number = first; number < this->Raster.GetNumberOfBlocks(); ++number)
+    {
+      const lms3dRasterBlock& block = this->Raster.GetBlock(number);
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        box.Add(this->Frame.ToWorld({ (block.U + corner % 2) * 1.0 * lms3dRaster::Size,
+          (block.V + corner / 2) * 1.0 * lms3dRaster::Size }));
+      }
+    }
+    return box;
+  }
+
   lms3dPlaneFrame Frame;
   lms3dRaster Raster;
   /// Whether the surface is curved.
@@ -67,9 +84,8 @@ struct lms3dFusedPlane
   std::map<int, lms3dCreaseParts> Creases;
   /// The triangle of a local map, if the region is nothing else. It need not lie exactly in the plane.
   std::vector<std::array<lms3dVector, 3>> Verbatim;
-  /// World coordinates.
-  lms3dVector Low = { 1e300, 1e300, 1e300 };
-  lms3dVector High = { -1e300, -1e300, -1e300 };
+  /// The box of the triangles of local maps that joined.
+  lms3dWorldBox Box;
 
   lms3dRegionShape Shape;
   /// A tile keeps its place. A plane that is a triangle of a local map has one.

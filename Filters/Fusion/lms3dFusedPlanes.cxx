@@ -49,11 +49,7 @@ void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int t
   {
     const lms3dVector point = local.GetCorner(triangle, corner);
     cells[corner] = plane.Frame.ToCells(point);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      plane.Low[axis] = std::min(plane.Low[axis], point[axis]);
-      plane.High[axis] = std::max(plane.High[axis], point[axis]);
-    }
+    plane.Box.Add(point);
   }
   lms3dForTouchedStrips(cells,
     [&](const lms3dCellStrip& strip)
@@ -190,28 +186,15 @@ bool lms3dFusedPlanes::Shows(const lms3dFusedPlane& plane, const lms3dMappedRetu
 std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
 {
-  lms3dVector low = { 1e300, 1e300, 1e300 };
-  lms3dVector high = { -1e300, -1e300, -1e300 };
+  lms3dWorldBox box;
   for (const lms3dMappedReturn& mapped : returns)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      low[axis] = std::min(low[axis], mapped.Point[axis]);
-      high[axis] = std::max(high[axis], mapped.Point[axis]);
-    }
+    box.Add(mapped.Point);
   }
   std::vector<int> planes;
-  const double bound = this->MaximumError;
   for (std::size_t i = 0; i < end; ++i)
   {
-    const lms3dFusedPlane& plane = this->Planes[i];
-    bool isNear = true;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      isNear =
-        isNear && high[axis] >= plane.Low[axis] - bound && low[axis] <= plane.High[axis] + bound;
-    }
-    if (isNear)
+    if (box.IsNear(this->Planes[i].Box, this->MaximumError))
     {
       planes.push_back(static_cast<int>(i));
     }
@@ -219,8 +202,8 @@ std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   return planes;
 }
 
-bool lms3dFusedPlanes::ShowShare(double share, const std::vector<int>& planes,
-  const std::vector<lms3dMappedReturn>& returns) const
+bool lms3dFusedPlanes::ShowShare(
+  double share, const std::vector<int>& planes, const std::vector<lms3dMappedReturn>& returns) const
 {
   const auto count = static_cast<double>(returns.size());
   const double allowed = count - share * count;

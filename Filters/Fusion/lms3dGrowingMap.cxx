@@ -14,7 +14,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <numeric>
+#include <set>
 #include <utility>
 
 namespace
@@ -64,15 +64,12 @@ bool lms3dGrowingMap::Add(
   }
   if (this->Settings.ForgetSeenThrough)
   {
-    this->MarkPassed(*ranges, true, false);
+    this->MarkPassed(*ranges, true);
   }
   this->Planes.SetScan(this->GetNumberOfScans() - 1);
   lms3dScanJoin(local, *ranges, this->Planes).Join();
-  this->MarkPassed(*ranges, false, false);
-  for (const std::unique_ptr<lms3dSeenRanges>& earlier : this->Seen)
-  {
-    this->MarkPassed(*earlier, false, true);
-  }
+  this->MarkPassed(*ranges, false);
+  this->MarkPassedEarlier();
   if (this->Settings.KeepReturns)
   {
     this->Seen.push_back(std::move(ranges));
@@ -172,20 +169,28 @@ void lms3dGrowingMap::AddTiles(lms3dFusedPlane& plane)
   }
 }
 
-void lms3dGrowingMap::RenewShape(int number)
+void lms3dGrowingMap::RenewShape(int planeNumber)
 {
-  lms3dFusedPlane& plane = this->Planes[number];
+  lms3dFusedPlane& plane = this->Planes[planeNumber];
   std::vector<lms3dCreaseLine> creases;
   if (plane.HasNewCreases || plane.OldBlocks > plane.ShapedBlocks)
   {
-    creases = lms3dGetCreaseLines(this->Planes, number);
+    creases = lms3dGetCreaseLines(this->Planes, planeNumber);
   }
-  const std::vector<int> changed = plane.Shape.Update(creases, plane.Raster);
-  for (const int block : changed)
+  std::set<int> tiles;
+  for (const int block : plane.Shape.Update(creases, plane.Raster))
   {
-    lms3dFusedTile& tile = plane.Tiles[plane.Raster.GetBlock(block).Tile];
-    tile.Difference = std::accumulate(tile.Blocks.begin(), tile.Blocks.end(), 0,
-      [&](int sum, int i) { return sum + plane.Raster.GetBlock(i).Difference; });
+    tiles.insert(plane.Raster.GetBlock(block).Tile);
+  }
+  for (const int tileNumber : tiles)
+  {
+    lms3dFusedTile& tile = plane.Tiles[tileNumber];
+    tile.Difference = 0;
+    for (const int i : tile.Blocks)
+    {
+      const lms3dRasterBlock& block = plane.Raster.GetBlock(i);
+      tile.Difference += block.Difference + block.NewCreaseCells;
+    }
   }
   plane.ShapedBlocks = plane.OldBlocks;
   plane.HasNewCreases = false;
@@ -232,16 +237,43 @@ void lms3dGrowingMap::RenewTile(const TileToRenew& place)
   tile.IsSeen = false;
 }
 
-void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly)
+void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets)
 {
   tbb::parallel_for(std::size_t{ 0 }, this->Planes.GetSize(),
     [&](std::size_t i)
     {
       lms3dFusedPlane& plane = this->Planes[i];
-      const int first = newBlocksOnly ? plane.OldBlocks : 0;
-      if (first < plane.Raster.GetNumberOfBlocks())
+      if (plane.Raster.GetNumberOfBlocks() > 0)
       {
-        lms3dPassedBeams(ranges, this->Settings.MaximumError, forgets).Mark(plane, first);
+        lms3dPassedBeams(ranges, this->Settings.MaximumError, forgets).Mark(plane, 0);
+      }
+    });
+}
+
+// Marks where beams of earlier scans passed through new blocks.
+void lms3dGrowingMap::MarkPassedEarlier()
+{
+  std::vector<lms3dFusedPlane*> growing;
+  for (std::size_t i = 0; i < this->Planes.GetSize(); ++i)
+  {
+    lms3dFusedPlane& plane = this->Planes[i];
+    if (plane.OldBlocks < plane.Raster.GetNumberOfBlocks())
+    {
+      growing.push_back(&plane);
+    }
+  }
+  const double bound = this->Settings.MaximumError;
+  tbb::parallel_for(std::size_t{ 0 }, growing.size(),
+    [&](std::size_t i)
+    {
+      lms3dFusedPlane& plane = *growing[i];
+      const lms3dWorldBox box = plane.GetBoxOfBlocks(plane.OldBlocks);
+      for (const std::unique_ptr<lms3dSeenRanges>& earlier : this->Seen)
+      {
+        if (box.IsNear(earlier->GetBox(), bound))
+        {
+          lms3dPassedBeams(*earlier, bound, false).Mark(plane, plane.OldBlocks);
+        }
       }
     });
 }

@@ -39,7 +39,8 @@ private:
   };
 
   void AddTable(const lms3dScanInput& scan);
-  void MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly);
+  void MarkPassed(const lms3dSeenRanges& ranges, bool forgets);
+  void MarkPassedEarlier();
   void DissolveWeakPlanes();
   bool Renew(const lms3dProgress& progress);
   void AddTiles(lms3dFusedPlane& plane);

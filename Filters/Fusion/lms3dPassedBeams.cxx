@@ -32,8 +32,8 @@ bool HasShapeNear(const lms3dRasterBlock& cells, int u, int v)
 {
   const int from = std::max(u - ShapeReach, 0);
   const int to = std::min(u + ShapeReach, lms3dRaster::Size - 1);
-  const std::uint64_t mask = (~std::uint64_t{ 0 } << from) &
-    (~std::uint64_t{ 0 } >> (lms3dRaster::Size - 1 - to));
+  const std::uint64_t mask =
+    (~std::uint64_t{ 0 } << from) & (~std::uint64_t{ 0 } >> (lms3dRaster::Size - 1 - to));
   std::uint64_t found = 0;
   const int end = std::min(v + ShapeReach, lms3dRaster::Size - 1);
   for (int row = std::max(v - ShapeReach, 0); row <= end; ++row)

@@ -53,6 +53,8 @@ struct lms3dRasterBlock
   int Tile = -1;
   /// How many cells differ between Shape and Meshed.
   int Difference = 0;
+  /// How many cells of creases are new since the mesh was made.
+  int NewCreaseCells = 0;
   /// Whether a bit of Passed is set.
   bool HasPassed = false;
   /// Whether more returns in cells of the shape change no shape.

@@ -109,8 +109,7 @@ void GiveBack(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRa
 {
   ForBalls(raster, blocks, { &lms3dRasterBlock::Must, &lms3dRasterBlock::Open },
     &lms3dRasterBlock::Passed, region,
-    [&](int number, int row, std::uint64_t bits)
-    { region.GetBlock(number).Open[row] |= bits; });
+    [&](int number, int row, std::uint64_t bits) { region.GetBlock(number).Open[row] |= bits; });
   for (int i = 0; i < region.GetNumberOfBlocks(); ++i)
   {
     lms3dRasterBlock& cells = region.GetBlock(i);
@@ -127,8 +126,7 @@ void TakeOut(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRas
 {
   ForBalls(raster, blocks, { &lms3dRasterBlock::Passed, &lms3dRasterBlock::May },
     &lms3dRasterBlock::Must, region,
-    [&](int number, int row, std::uint64_t bits)
-    { region.GetBlock(number).May[row] &= ~bits; });
+    [&](int number, int row, std::uint64_t bits) { region.GetBlock(number).May[row] &= ~bits; });
 }
 
 void CopySure(const lms3dRasterBlock& block, const PassedAround& passed, bool hasPassed,

@@ -28,12 +28,17 @@ int FindFirst(std::vector<int>& links, int part)
   return part;
 }
 
+int Count(std::uint64_t bits)
+{
+  return static_cast<int>(std::bitset<lms3dRaster::Size>(bits).count());
+}
+
 int CountDifferences(const lms3dBits& a, const lms3dBits& b)
 {
   int count = 0;
   for (int row = 0; row <= Last; ++row)
   {
-    count += static_cast<int>(std::bitset<lms3dRaster::Size>(a[row] ^ b[row]).count());
+    count += Count(a[row] ^ b[row]);
   }
   return count;
 }
@@ -103,18 +108,18 @@ void lms3dRegionShape::Draw(
         {
           cells = std::make_unique<CreaseCells>();
         }
-        std::uint64_t changed = 0;
+        int changed = 0;
         for (int row = 0; row < strip.Count; ++row)
         {
           std::uint64_t& word = ((*cells).*bits)[place + row];
           const std::uint64_t mask = strip.GetBits(row, u * lms3dRaster::Size);
-          changed |= mask & ~word;
+          changed += Count(mask & ~word);
           word |= mask;
         }
-        if (changed != 0)
+        if (changed > 0)
         {
           raster.SetMark(number, lms3dRaster::DIRTY);
-          raster.SetMark(number, lms3dRaster::STALE);
+          raster.GetBlock(number).NewCreaseCells += changed;
         }
       }
       return true;
@@ -288,7 +293,7 @@ void lms3dRegionShape::MakeShapes(const std::vector<int>& blocks, const lms3dRas
     block.IsCalm =
       std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.HasReturn; });
     const lms3dBits shape = this->GetShape(blocks[i], cells);
-    if (shape != block.Shape)
+    if (shape != block.Shape || block.NewCreaseCells > 0)
     {
       block.Shape = shape;
       block.Difference = CountDifferences(shape, block.Meshed);

@@ -27,7 +27,7 @@ class lms3dRegionShape
 {
 public:
   /// Makes the Shape of the blocks that are marked as dirty, and of those that depend on them. Returns the
-  /// blocks whose Shape changed, in order. Blocks near creases that are longer than before are marked as stale.
+  /// blocks whose Shape changed, or at which creases are longer than before, in order.
   std::vector<int> Update(const std::vector<lms3dCreaseLine>& creases, lms3dRaster& raster);
 
 private:
