@@ -8,6 +8,7 @@
 #include "Fusion/lms3dRegionMesher.h"
 #include "Fusion/lms3dRegionSightings.h"
 #include "Fusion/lms3dScanJoin.h"
+#include "Fusion/lms3dWeakPlanes.h"
 
 #include <vtkPolyData.h>
 
@@ -19,8 +20,6 @@
 
 namespace
 {
-// The share of a weak plane's returns that other planes must explain to take its place.
-constexpr double DissolvedShare = 0.9;
 constexpr double TimeOfCasting = 0.3;
 constexpr double TimeOfMarking = 0.5;
 // As a share of the time of making regions anew.
@@ -74,42 +73,12 @@ bool lms3dGrowingMap::Add(
   {
     this->Seen.push_back(std::move(ranges));
   }
-  this->DissolveWeakPlanes();
+  lms3dDissolveWeakPlanes(this->Planes);
   if (!progress(TimeOfMarking))
   {
     return false;
   }
   return this->Renew(lms3dGetStepProgress(progress, TimeOfMarking, 1.0));
-}
-
-// A weak plane goes if other planes explain nearly all of its returns. The rest of them get facets.
-void lms3dGrowingMap::DissolveWeakPlanes()
-{
-  const std::size_t end = this->Planes.GetSize();
-  for (std::size_t i = 0; i < end; ++i)
-  {
-    lms3dFusedPlane& plane = this->Planes[i];
-    if (!plane.IsWeak || plane.Raster.GetMarked().empty() || plane.Returns.empty())
-    {
-      continue;
-    }
-    std::vector<int> others = this->Planes.FindPlanesNear(plane.Returns, end);
-    others.erase(std::remove(others.begin(), others.end(), static_cast<int>(i)), others.end());
-    if (!this->Planes.ShowShare(DissolvedShare, others, plane.Returns))
-    {
-      continue;
-    }
-    std::vector<lms3dMappedReturn> returns;
-    returns.swap(plane.Returns);
-    plane.Clear();
-    for (const lms3dMappedReturn& mapped : returns)
-    {
-      if (!this->Planes.AddToPlanes(others, mapped))
-      {
-        this->Planes.AddFacet(mapped);
-      }
-    }
-  }
 }
 
 // The threads divide planes, then tiles. A tile depends on its plane and on the frames of other planes alone.

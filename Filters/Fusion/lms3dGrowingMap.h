@@ -41,7 +41,6 @@ private:
   void AddTable(const lms3dScanInput& scan);
   void MarkPassed(const lms3dSeenRanges& ranges, bool forgets);
   void MarkPassedEarlier();
-  void DissolveWeakPlanes();
   bool Renew(const lms3dProgress& progress);
   void AddTiles(lms3dFusedPlane& plane);
   void RenewShape(int number);

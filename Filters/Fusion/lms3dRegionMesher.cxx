@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionMesher.h"
 
-#include "Fusion/lms3dCreaseSnapping.h"
-#include "Fusion/lms3dOutlineSimplifier.h"
-#include "Fusion/lms3dOutlineTriangles.h"
 #include "Fusion/lms3dRasterRows.h"
 #include "Fusion/lms3dRegionCover.h"
 #include "Fusion/lms3dRegionRaster.h"
+#include "Fusion/lms3dRegionTriangles.h"
 #include "Fusion/lms3dTileSides.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 namespace
 {
@@ -58,7 +55,8 @@ public:
     }
     else
     {
-      const std::vector<Corners2> triangles = this->FindTriangles();
+      const std::vector<Corners2> triangles = lms3dTriangulateRegion(this->Region, this->Creases,
+        this->Tile, BorderShare * this->MaximumError / this->Plane.Frame.GetCell());
       lms3dCoverRegion(triangles, this->Region);
       for (const Corners2& triangle : triangles)
       {
@@ -130,31 +128,6 @@ private:
       this->Touch(cells);
       this->Tile.Mesh.Triangles.push_back({ first, first + 1, first + 2 });
     }
-  }
-
-  /// Straightens the borders as far as triangles can be made of them.
-  std::vector<Corners2> FindTriangles()
-  {
-    const std::vector<lms3dLoop> outlines = lms3dTraceOutlines(this->Region);
-    const double tolerance = BorderShare * this->MaximumError / this->Plane.Frame.GetCell();
-    std::vector<bool> isFixed;
-    const std::vector<lms3dLoop> snapped =
-      lms3dSnapToCreases(outlines, this->Creases, this->Region, this->Tile, isFixed);
-    lms3dOutlineSimplifier simplifier(this->Region, snapped, isFixed, tolerance);
-    std::optional<std::vector<Corners2>> triangles =
-      lms3dTriangulateOutlines(simplifier.Simplify());
-    if (!triangles)
-    {
-      // Without creases, the corners on the sides of the tile alone are fixed.
-      lms3dSnapToCreases(outlines, {}, this->Region, this->Tile, isFixed);
-      lms3dOutlineSimplifier plain(this->Region, outlines, isFixed, tolerance);
-      triangles = lms3dTriangulateOutlines(plain.Simplify());
-    }
-    if (!triangles)
-    {
-      triangles = lms3dTriangulateOutlines(outlines);
-    }
-    return triangles ? *triangles : std::vector<Corners2>();
   }
 
   void Touch(const Corners2& triangle)

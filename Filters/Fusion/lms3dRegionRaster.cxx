@@ -168,6 +168,28 @@ std::vector<int> lms3dFindBlocksAround(const lms3dRaster& raster, const std::vec
   return around;
 }
 
+std::vector<int> lms3dFindDirtyBlocks(const lms3dRaster& raster)
+{
+  std::vector<int> widelyDirty;
+  std::vector<int> dirty;
+  for (const int number : raster.GetMarked())
+  {
+    if (raster.HasMark(number, lms3dRaster::DIRTY_AROUND))
+    {
+      widelyDirty.push_back(number);
+    }
+    if (raster.HasMark(number, lms3dRaster::DIRTY))
+    {
+      dirty.push_back(number);
+    }
+  }
+  std::vector<int> blocks = lms3dFindBlocksAround(raster, widelyDirty);
+  blocks.insert(blocks.end(), dirty.begin(), dirty.end());
+  std::sort(blocks.begin(), blocks.end());
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  return blocks;
+}
+
 lms3dRaster lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<int>& blocks)
 {
   lms3dRaster region;

@@ -3,7 +3,6 @@
 #include "Fusion/lms3dRegionShape.h"
 
 #include "Fusion/lms3dBlockParts.h"
-#include "Fusion/lms3dRasterRows.h"
 #include "Fusion/lms3dRegionRaster.h"
 
 #include <algorithm>
@@ -13,10 +12,6 @@
 namespace
 {
 constexpr int Last = lms3dRaster::Size - 1;
-// Cells: how far a crease reaches beyond its parts.
-constexpr double ReachAlong = 12.0;
-// Cells: returns nearer to a crease may be of the other plane.
-constexpr double ReachAcross = 8.0;
 
 int FindFirst(std::vector<int>& links, int part)
 {
@@ -67,95 +62,14 @@ void lms3dRegionShape::AddBlocks(const lms3dRaster& raster)
   }
 }
 
-void lms3dRegionShape::Draw(const lms3dCreaseLine& crease, lms3dRaster& raster)
-{
-  for (const auto& [first, last] : crease.Parts)
-  {
-    for (const double width : { 0.0, ReachAcross })
-    {
-      std::array<lms3dPoint2, 4> corners = {};
-      for (int i = 0; i < 4; ++i)
-      {
-        const double along = i == 0 || i == 3 ? first - ReachAlong : last + ReachAlong;
-        const double across = i < 2 ? -width : width;
-        corners[i] = { crease.Point[0] + along * crease.Direction[0] - across * crease.Direction[1],
-          crease.Point[1] + along * crease.Direction[1] + across * crease.Direction[0] };
-      }
-      this->Draw(width > 0.0 ? &CreaseCells::Near : &CreaseCells::Line, corners, raster);
-    }
-  }
-}
-
-template <typename Points>
-void lms3dRegionShape::Draw(
-  lms3dBits CreaseCells::*bits, const Points& corners, lms3dRaster& raster)
-{
-  lms3dForTouchedStrips(corners,
-    [&](const lms3dCellStrip& strip)
-    {
-      const std::int32_t v = lms3dRaster::GetBlockOf(strip.Row);
-      const int place = lms3dRaster::GetPlaceOf(strip.Row);
-      for (std::int32_t u = lms3dRaster::GetBlockOf(strip.Left);
-           !strip.IsEmpty() && u <= lms3dRaster::GetBlockOf(strip.Right); ++u)
-      {
-        const int number = raster.Find(u, v);
-        if (number < 0)
-        {
-          continue;
-        }
-        std::unique_ptr<CreaseCells>& cells = this->Blocks[number].Crease;
-        if (!cells)
-        {
-          cells = std::make_unique<CreaseCells>();
-        }
-        int changed = 0;
-        for (int row = 0; row < strip.Count; ++row)
-        {
-          std::uint64_t& word = ((*cells).*bits)[place + row];
-          const std::uint64_t mask = strip.GetBits(row, u * lms3dRaster::Size);
-          changed += Count(mask & ~word);
-          word |= mask;
-        }
-        if (changed > 0)
-        {
-          raster.SetMark(number, lms3dRaster::DIRTY);
-          raster.GetBlock(number).NewCreaseCells += changed;
-        }
-      }
-      return true;
-    });
-}
-
-std::vector<int> lms3dRegionShape::FindBlocks(const lms3dRaster& raster) const
-{
-  std::vector<int> widelyDirty;
-  std::vector<int> dirty;
-  for (const int number : raster.GetMarked())
-  {
-    if (raster.HasMark(number, lms3dRaster::DIRTY_AROUND))
-    {
-      widelyDirty.push_back(number);
-    }
-    if (raster.HasMark(number, lms3dRaster::DIRTY))
-    {
-      dirty.push_back(number);
-    }
-  }
-  std::vector<int> blocks = lms3dFindBlocksAround(raster, widelyDirty);
-  blocks.insert(blocks.end(), dirty.begin(), dirty.end());
-  std::sort(blocks.begin(), blocks.end());
-  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-  return blocks;
-}
-
 lms3dBits lms3dRegionShape::GetFree(int number, const lms3dRasterBlock& cells) const
 {
   lms3dBits free = cells.May;
-  if (this->Blocks[number].Crease)
+  if (const lms3dCreaseMask::Cells* crease = this->Creases.Get(number))
   {
     for (int row = 0; row <= Last; ++row)
     {
-      free[row] &= ~this->Blocks[number].Crease->Line[row];
+      free[row] &= ~crease->Line[row];
     }
   }
   return free;
@@ -168,6 +82,7 @@ void lms3dRegionShape::FindParts(
   {
     const lms3dRasterBlock& cells = region.GetBlock(static_cast<int>(i));
     BlockState& state = this->Blocks[blocks[i]];
+    const lms3dCreaseMask::Cells* const crease = this->Creases.Get(blocks[i]);
     const lms3dBits& must = raster.GetBlock(blocks[i]).Must;
     const lms3dBlockParts parts(this->GetFree(blocks[i], cells));
     state.Parts.assign(static_cast<std::size_t>(parts.GetCount()), { {}, false, false });
@@ -175,7 +90,7 @@ void lms3dRegionShape::FindParts(
       [&](int number, int row, std::uint64_t bits)
       {
         Part& part = state.Parts[number];
-        const std::uint64_t near = state.Crease ? state.Crease->Near[row] : 0;
+        const std::uint64_t near = crease ? crease->Near[row] : 0;
         part.HasReturn = part.HasReturn || (bits & must[row] & ~near) != 0;
         part.Cells[0] |= (bits & 1U) << row;
         part.Cells[1] |= (bits >> Last) << row;
@@ -263,7 +178,8 @@ lms3dBits lms3dRegionShape::GetShape(int number, const lms3dRasterBlock& cells) 
   const lms3dBlockParts parts(this->GetFree(number, cells));
   parts.ForRuns([&](int part, int row, std::uint64_t bits)
     { shape[row] |= state.Parts[part].IsReached ? bits : 0; });
-  if (!state.Crease)
+  const lms3dCreaseMask::Cells* const crease = this->Creases.Get(number);
+  if (!crease)
   {
     return shape;
   }
@@ -271,7 +187,7 @@ lms3dBits lms3dRegionShape::GetShape(int number, const lms3dRasterBlock& cells) 
   lms3dBits near;
   for (int row = 0; row <= Last; ++row)
   {
-    near[row] = cells.May[row] & state.Crease->Near[row];
+    near[row] = cells.May[row] & crease->Near[row];
   }
   const lms3dBlockParts nearParts(near);
   std::vector<bool> stays(static_cast<std::size_t>(nearParts.GetCount()));
@@ -308,9 +224,9 @@ std::vector<int> lms3dRegionShape::Update(
   this->AddBlocks(raster);
   for (const lms3dCreaseLine& crease : creases)
   {
-    this->Draw(crease, raster);
+    this->Creases.Draw(crease, raster);
   }
-  const std::vector<int> blocks = this->FindBlocks(raster);
+  const std::vector<int> blocks = lms3dFindDirtyBlocks(raster);
   if (blocks.empty())
   {
     return {};

@@ -8,11 +8,11 @@
 #define lms3dRegionShape_h
 
 #include "Fusion/lms3dCreaseLine.h"
+#include "Fusion/lms3dCreaseMask.h"
 #include "Fusion/lms3dRaster.h"
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 /**
@@ -41,28 +41,16 @@ private:
     bool IsReached;
   };
 
-  /// The cells of the lines of creases, and the cells near them.
-  struct CreaseCells
-  {
-    lms3dBits Line = {};
-    lms3dBits Near = {};
-  };
-
   struct BlockState
   {
     int Right = -1;
     int Above = -1;
     /// The number of the first part when all parts are numbered.
     int FirstPart = 0;
-    std::unique_ptr<CreaseCells> Crease;
     std::vector<Part> Parts;
   };
 
   void AddBlocks(const lms3dRaster& raster);
-  void Draw(const lms3dCreaseLine& crease, lms3dRaster& raster);
-  template <typename Points>
-  void Draw(lms3dBits CreaseCells::*bits, const Points& corners, lms3dRaster& raster);
-  std::vector<int> FindBlocks(const lms3dRaster& raster) const;
   void FindParts(
     const std::vector<int>& blocks, const lms3dRaster& region, const lms3dRaster& raster);
   std::vector<int> FindReached();
@@ -72,6 +60,7 @@ private:
   lms3dBits GetShape(int number, const lms3dRasterBlock& cells) const;
   lms3dBits GetFree(int number, const lms3dRasterBlock& cells) const;
 
+  lms3dCreaseMask Creases;
   std::vector<BlockState> Blocks;
 };
 
