@@ -22,6 +22,8 @@ public:
   const lms3dScanGeometry& GetGeometry() const { return this->Geometry; }
   /// The number of beams.
   int GetSize() const { return this->Size; }
+  /// The number of beams of a fan.
+  int GetBeamsOfFan() const { return this->Beams; }
   const lms3dVector& GetDirection(int beamId) const { return this->Directions[beamId]; }
 
   /// Metres. Zeros if all beams start at the sensor's position.

@@ -2,106 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dCreaseSnapping.h"
 
+#include "Fusion/lms3dCreasePlaces.h"
 #include "Fusion/lms3dRasterRows.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
 namespace
 {
-// Cells: how far a corner may be from a crease, from the end of its part, and from a meeting point of creases.
-constexpr double Reach = 8.0;
-constexpr double ReachAlong = 8.0;
-constexpr double ReachOfMeeting = 12.0;
-// The sine of the smallest angle between lines that meet.
-constexpr double SmallestSine = 0.1;
-
-struct Foot
-{
-  double Distance;
-  double Along;
-};
-
-Foot GetFoot(const lms3dPoint2& point, const lms3dCreaseLine& crease)
-{
-  const double du = point[0] - crease.Point[0];
-  const double dv = point[1] - crease.Point[1];
-  return { std::abs(crease.Direction[0] * dv - crease.Direction[1] * du),
-    crease.Direction[0] * du + crease.Direction[1] * dv };
-}
-
-bool IsOn(const lms3dCreaseParts& parts, double along)
-{
-  for (const auto& [first, last] : parts)
-  {
-    if (along >= first - ReachAlong && along <= last + ReachAlong)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-lms3dPoint2 GetPoint(const lms3dCreaseLine& crease, double along)
-{
-  return { crease.Point[0] + along * crease.Direction[0],
-    crease.Point[1] + along * crease.Direction[1] };
-}
-
-std::optional<lms3dPoint2> Intersect(const lms3dCreaseLine& a, const lms3dCreaseLine& b)
-{
-  const double sine = a.Direction[0] * b.Direction[1] - a.Direction[1] * b.Direction[0];
-  if (std::abs(sine) < SmallestSine)
-  {
-    return {};
-  }
-  const double du = b.Point[0] - a.Point[0];
-  const double dv = b.Point[1] - a.Point[1];
-  return GetPoint(a, (du * b.Direction[1] - dv * b.Direction[0]) / sine);
-}
-
-std::optional<lms3dPoint2> FindPlace(
-  const lms3dPoint2& point, const std::vector<lms3dCreaseLine>& creases)
-{
-  const lms3dCreaseLine* nearest = nullptr;
-  const lms3dCreaseLine* second = nullptr;
-  Foot foot = {};
-  Foot other = {};
-  for (const lms3dCreaseLine& crease : creases)
-  {
-    const Foot candidate = GetFoot(point, crease);
-    if (candidate.Distance > Reach || !IsOn(crease.Parts, candidate.Along))
-    {
-      continue;
-    }
-    if (!nearest || candidate.Distance < foot.Distance)
-    {
-      second = nearest;
-      other = foot;
-      nearest = &crease;
-      foot = candidate;
-    }
-    else if (!second || candidate.Distance < other.Distance)
-    {
-      second = &crease;
-      other = candidate;
-    }
-  }
-  if (!nearest)
-  {
-    return {};
-  }
-  if (second)
-  {
-    const std::optional<lms3dPoint2> meeting = Intersect(*nearest, *second);
-    if (meeting && std::hypot((*meeting)[0] - point[0], (*meeting)[1] - point[1]) <= ReachOfMeeting)
-    {
-      return meeting;
-    }
-  }
-  return GetPoint(*nearest, foot.Along);
-}
+// Cells: how far the border follows a crease at least.
+constexpr double ShortestRun = 48.0;
 
 // Samples the way at half cells.
 bool IsWayFree(const lms3dPoint2& from, const lms3dPoint2& to, const lms3dRaster& region)
@@ -124,7 +36,7 @@ bool IsWayFree(const lms3dPoint2& from, const lms3dPoint2& to, const lms3dRaster
 struct Snapped
 {
   lms3dPoint2 Point;
-  bool IsFixed;
+  bool IsMoved;
 };
 
 // Whether a side of an outline moves inwards, or no beam passed where it moves over.
@@ -148,12 +60,12 @@ void MoveBack(const lms3dLoop& loop, const lms3dRaster& region, std::vector<Snap
       const std::size_t next = (i + 1) % count;
       Snapped& a = corners[i];
       Snapped& b = corners[next];
-      if (b.IsFixed && !IsSweepFree({ loop[i], loop[next], b.Point }, region))
+      if (b.IsMoved && !IsSweepFree({ loop[i], loop[next], b.Point }, region))
       {
         b = { loop[next], false };
         isChanged = true;
       }
-      if (a.IsFixed && !IsSweepFree({ loop[i], b.Point, a.Point }, region))
+      if (a.IsMoved && !IsSweepFree({ loop[i], b.Point, a.Point }, region))
       {
         a = { loop[i], false };
         isChanged = true;
@@ -196,11 +108,38 @@ void Clean(std::vector<Snapped>& corners)
     corners = kept;
   }
 }
+
+// A border that touches a crease now and then is free to leave it.
+void FreeShortRuns(std::vector<Snapped>& corners)
+{
+  const std::size_t count = corners.size();
+  std::size_t start = 0;
+  while (start < count && corners[start].IsMoved)
+  {
+    ++start;
+  }
+  for (std::size_t i = start; i < start + count && start < count;)
+  {
+    std::size_t end = i;
+    double length = 0.0;
+    for (; corners[end % count].IsMoved; ++end)
+    {
+      const lms3dPoint2& a = corners[i % count].Point;
+      const lms3dPoint2& b = corners[end % count].Point;
+      length = std::max(length, std::hypot(b[0] - a[0], b[1] - a[1]));
+    }
+    for (; i < end; ++i)
+    {
+      corners[i % count].IsMoved = length >= ShortestRun;
+    }
+    ++i;
+  }
+}
 } // namespace
 
 std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
   const std::vector<lms3dCreaseLine>& creases, const lms3dRaster& region,
-  std::vector<bool>& isFixed)
+  const lms3dFusedTile& tile, std::vector<bool>& isFixed)
 {
   std::vector<lms3dLoop> result;
   isFixed.clear();
@@ -209,12 +148,13 @@ std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
     std::vector<Snapped> corners;
     for (const lms3dPoint2& point : loop)
     {
-      const std::optional<lms3dPoint2> place = FindPlace(point, creases);
-      const bool moves = place && IsWayFree(point, *place, region);
+      const std::optional<lms3dPoint2> place = lms3dFindPlaceOnCrease(point, creases, tile);
+      const bool moves = place && tile.Has(*place) && IsWayFree(point, *place, region);
       corners.push_back({ moves ? *place : point, moves });
     }
     MoveBack(loop, region, corners);
     Clean(corners);
+    FreeShortRuns(corners);
     if (corners.size() < 3)
     {
       continue;
@@ -223,7 +163,8 @@ std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
     for (const Snapped& corner : corners)
     {
       moved.push_back(corner.Point);
-      isFixed.push_back(corner.IsFixed);
+      isFixed.push_back(
+        corner.IsMoved || tile.IsOnSide(corner.Point, 0) || tile.IsOnSide(corner.Point, 1));
     }
     result.push_back(moved);
   }

@@ -7,16 +7,18 @@
 #ifndef lms3dCreaseSnapping_h
 #define lms3dCreaseSnapping_h
 
+#include "Fusion/lms3dCreaseLine.h"
+#include "Fusion/lms3dFusedTile.h"
 #include "Fusion/lms3dRasterOutline.h"
-#include "Fusion/lms3dRegionMesher.h"
 
 #include <vector>
 
 /// Moves corners near a crease to its line, and corners near two to the point in which their lines meet. A corner
 /// stays if a beam passed between its old and its new place. Removes corners that coincide with the one before, and
-/// spikes. `isFixed` receives which corners lie on creases.
+/// spikes. Corners on a side of the tile stay on it. `isFixed` receives which corners lie on
+/// creases or on sides of the tile.
 std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
   const std::vector<lms3dCreaseLine>& creases, const lms3dRaster& region,
-  std::vector<bool>& isFixed);
+  const lms3dFusedTile& tile, std::vector<bool>& isFixed);
 
 #endif

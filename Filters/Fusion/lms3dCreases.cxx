@@ -94,8 +94,8 @@ void AddEdge(
   const auto [from, to] = std::minmax(along[0], along[1]);
   const bool isLonger = Merge(parts, from, to, CreaseGrowth * planes.GetCell());
   planes[second].Creases[first] = parts;
-  planes[first].IsChanged = planes[first].IsChanged || isLonger;
-  planes[second].IsChanged = planes[second].IsChanged || isLonger;
+  planes[first].HasNewCreases = planes[first].HasNewCreases || isLonger;
+  planes[second].HasNewCreases = planes[second].HasNewCreases || isLonger;
 }
 } // namespace
 

@@ -7,8 +7,8 @@
 #ifndef lms3dCreases_h
 #define lms3dCreases_h
 
+#include "Fusion/lms3dCreaseLine.h"
 #include "Fusion/lms3dFusedPlanes.h"
-#include "Fusion/lms3dRegionMesher.h"
 
 #include <vector>
 

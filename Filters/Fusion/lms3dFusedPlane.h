@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief A region of a fused map: a plane, what scans know about it, and its triangles.
+ * @brief A plane of a fused map, what scans know about it, and its triangles.
  */
 #ifndef lms3dFusedPlane_h
 #define lms3dFusedPlane_h
 
-#include "Fusion/lms3dFusedMesh.h"
+#include "Fusion/lms3dCreaseLine.h"
+#include "Fusion/lms3dFusedTile.h"
 #include "Fusion/lms3dLocalMap.h"
 #include "Fusion/lms3dPlaneFrame.h"
 #include "Fusion/lms3dRaster.h"
+#include "Fusion/lms3dRegionShape.h"
+#include "Fusion/lms3dWorldBox.h"
 
 #include <array>
+#include <deque>
 #include <map>
-#include <utility>
 #include <vector>
-
-/// A part of the line in which two planes meet, from `first` to `second`, metres along the line's direction.
-using lms3dCreaseParts = std::vector<std::pair<double, double>>;
 
 struct lms3dFusedPlane
 {
@@ -36,6 +36,43 @@ struct lms3dFusedPlane
     return height >= 0.0 ? height <= bound : -height <= bound * cosine;
   }
 
+  /// Takes out all that scans saw. The tiles stay, without blocks and triangles.
+  void Clear()
+  {
+    this->Raster = {};
+    this->Shape = {};
+    this->Returns.clear();
+    this->Verbatim.clear();
+    this->IsWeak = false;
+    this->TileNumbers = {};
+    this->TiledBlocks = 0;
+    this->ShapedBlocks = 0;
+    this->OldBlocks = 0;
+    this->HasNewCreases = true;
+    for (lms3dFusedTile& tile : this->Tiles)
+    {
+      tile.Blocks.clear();
+      tile.Difference = 0;
+      tile.IsStale = true;
+    }
+  }
+
+  /// The box of the blocks from one on.
+  lms3dWorldBox GetBoxOfBlocks(int first) const
+  {
+    lms3dWorldBox box;
+    for (int number = first; number < this->Raster.GetNumberOfBlocks(); ++number)
+    {
+      const lms3dRasterBlock& block = this->Raster.GetBlock(number);
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        box.Add(this->Frame.ToWorld({ (block.U + corner % 2) * 1.0 * lms3dRaster::Size,
+          (block.V + corner / 2) * 1.0 * lms3dRaster::Size }));
+      }
+    }
+    return box;
+  }
+
   lms3dPlaneFrame Frame;
   lms3dRaster Raster;
   /// Whether the surface is curved.
@@ -43,22 +80,26 @@ struct lms3dFusedPlane
   /// Whether few returns support the plane, so that a better view may take its place. Its returns are then kept.
   bool IsWeak = false;
   std::vector<lms3dMappedReturn> Returns;
-  /// The creases with other planes, by their numbers.
+  /// The creases with other planes, by their numbers, metres.
   std::map<int, lms3dCreaseParts> Creases;
   /// The triangle of a local map, if the region is nothing else. It need not lie exactly in the plane.
   std::vector<std::array<lms3dVector, 3>> Verbatim;
-  /// World coordinates.
-  lms3dVector Low = { 1e300, 1e300, 1e300 };
-  lms3dVector High = { -1e300, -1e300, -1e300 };
+  /// The box of the triangles of local maps that joined.
+  lms3dWorldBox Box;
 
-  /// Whether the mesh does not explain what scans saw.
-  bool IsChanged = true;
-  /// Whether the last scan has returns here.
-  bool IsSeen = true;
-  int Revision = 0;
+  lms3dRegionShape Shape;
+  /// A tile keeps its place. A plane that is a triangle of a local map has one.
+  std::deque<lms3dFusedTile> Tiles;
+  /// Blocks before this one have tiles.
+  int TiledBlocks = 0;
+  /// Creases are drawn on blocks before this one.
+  int ShapedBlocks = 0;
+  lms3dBlockIndex TileNumbers;
+
+  /// Whether creases are longer than in Shape.
+  bool HasNewCreases = false;
   /// Blocks before this one are not new.
   int OldBlocks = 0;
-  lms3dFusedMesh Mesh;
 };
 
 #endif

@@ -49,17 +49,12 @@ void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int t
   {
     const lms3dVector point = local.GetCorner(triangle, corner);
     cells[corner] = plane.Frame.ToCells(point);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      plane.Low[axis] = std::min(plane.Low[axis], point[axis]);
-      plane.High[axis] = std::max(plane.High[axis], point[axis]);
-    }
+    plane.Box.Add(point);
   }
   lms3dForTouchedStrips(cells,
     [&](const lms3dCellStrip& strip)
     {
-      plane.Raster.MakeBlocks(strip);
-      plane.Raster.Set(&lms3dRasterBlock::Guess, strip, true);
+      plane.Raster.SetGuess(strip);
       return true;
     });
 }
@@ -67,14 +62,25 @@ void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int t
 void lms3dFusedPlanes::AcceptGuesses(int number)
 {
   lms3dRaster& raster = this->Planes[number].Raster;
-  for (int i = 0; i < raster.GetNumberOfBlocks(); ++i)
+  const std::vector<int>& marked = raster.GetMarked();
+  for (const int i : marked)
   {
+    if (!raster.HasMark(i, lms3dRaster::GUESSED))
+    {
+      continue;
+    }
     lms3dRasterBlock& block = raster.GetBlock(i);
+    std::uint64_t added = 0;
     for (int row = 0; row < lms3dRaster::Size; ++row)
     {
+      added |= block.Guess[row] & ~block.May[row];
       block.May[row] |= block.Guess[row];
     }
     block.Guess = {};
+    if (added != 0)
+    {
+      raster.SetMark(i, lms3dRaster::DIRTY);
+    }
   }
 }
 
@@ -106,11 +112,11 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
   const auto u = static_cast<std::int32_t>(std::floor(place[0]));
   const auto v = static_cast<std::int32_t>(std::floor(place[1]));
-  lms3dRasterBlock& block = plane.Raster.GetBlock(
-    plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v)));
+  const int blockNumber = plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
+  lms3dRasterBlock& block = plane.Raster.GetBlock(blockNumber);
   std::uint64_t& word = block.Must[lms3dRaster::GetPlaceOf(v)];
   const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
-  plane.IsSeen = true;
+  plane.Raster.SetMark(blockNumber, lms3dRaster::SEEN);
   if (plane.IsWeak)
   {
     plane.Returns.push_back(mapped);
@@ -120,9 +126,18 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
       plane.Returns = {};
     }
   }
+  const std::uint64_t shape =
+    block.IsCalm ? block.Shape[lms3dRaster::GetPlaceOf(v)] : std::uint64_t{ 0 };
+  if ((bit & ~word & ~shape) != 0)
+  {
+    plane.Raster.SetMark(blockNumber, lms3dRaster::DIRTY);
+  }
   word |= bit;
   block.Deviation = std::max(block.Deviation, std::abs(plane.Frame.GetHeight(mapped.Point)));
-  plane.IsChanged = plane.IsChanged || !this->IsCovered(plane, block, u, v);
+  if (!this->IsCovered(plane, block, u, v))
+  {
+    plane.Raster.SetMark(blockNumber, lms3dRaster::STALE);
+  }
   const int scan = this->Scan;
   block.Sightings.ScanCount += block.Sightings.LastScan != scan ? 1 : 0;
   block.Sightings.LastScan = scan;
@@ -171,28 +186,15 @@ bool lms3dFusedPlanes::Shows(const lms3dFusedPlane& plane, const lms3dMappedRetu
 std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
 {
-  lms3dVector low = { 1e300, 1e300, 1e300 };
-  lms3dVector high = { -1e300, -1e300, -1e300 };
+  lms3dWorldBox box;
   for (const lms3dMappedReturn& mapped : returns)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      low[axis] = std::min(low[axis], mapped.Point[axis]);
-      high[axis] = std::max(high[axis], mapped.Point[axis]);
-    }
+    box.Add(mapped.Point);
   }
   std::vector<int> planes;
-  const double bound = this->MaximumError;
   for (std::size_t i = 0; i < end; ++i)
   {
-    const lms3dFusedPlane& plane = this->Planes[i];
-    bool isNear = true;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      isNear =
-        isNear && high[axis] >= plane.Low[axis] - bound && low[axis] <= plane.High[axis] + bound;
-    }
-    if (isNear)
+    if (box.IsNear(this->Planes[i].Box, this->MaximumError))
     {
       planes.push_back(static_cast<int>(i));
     }
@@ -200,15 +202,20 @@ std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   return planes;
 }
 
-double lms3dFusedPlanes::CountShown(
-  const std::vector<int>& planes, const std::vector<lms3dMappedReturn>& returns) const
+bool lms3dFusedPlanes::ShowShare(
+  double share, const std::vector<int>& planes, const std::vector<lms3dMappedReturn>& returns) const
 {
-  return static_cast<double>(std::count_if(returns.begin(), returns.end(),
+  const auto count = static_cast<double>(returns.size());
+  const double allowed = count - share * count;
+  double hidden = 0.0;
+  return std::all_of(returns.begin(), returns.end(),
     [&](const lms3dMappedReturn& mapped)
     {
-      return std::any_of(planes.begin(), planes.end(),
+      const bool isShown = std::any_of(planes.begin(), planes.end(),
         [&](int plane) { return this->Shows(this->Planes[plane], mapped); });
-    }));
+      hidden += isShown ? 0.0 : 1.0;
+      return hidden <= allowed;
+    });
 }
 
 bool lms3dFusedPlanes::AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped)

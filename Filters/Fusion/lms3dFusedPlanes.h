@@ -57,9 +57,9 @@ public:
   std::vector<int> FindPlanesNear(
     const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
 
-  /// The number of returns that some of the planes show.
-  double CountShown(
-    const std::vector<int>& planes, const std::vector<lms3dMappedReturn>& returns) const;
+  /// Whether the planes show at least a share of the returns.
+  bool ShowShare(double share, const std::vector<int>& planes,
+    const std::vector<lms3dMappedReturn>& returns) const;
 
 private:
   bool IsCovered(const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u,

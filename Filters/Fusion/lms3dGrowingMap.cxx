@@ -8,22 +8,26 @@
 #include "Fusion/lms3dRegionMesher.h"
 #include "Fusion/lms3dRegionSightings.h"
 #include "Fusion/lms3dScanJoin.h"
+#include "Fusion/lms3dWeakPlanes.h"
 
 #include <vtkPolyData.h>
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace
 {
-// The share of a weak plane's returns that other planes must explain to take its place.
-constexpr double DissolvedShare = 0.9;
 constexpr double TimeOfCasting = 0.3;
 constexpr double TimeOfMarking = 0.5;
-// How many planes get new triangles between two looks at the progress.
-constexpr std::size_t PlanesOfStep = 32;
+// As a share of the time of making regions anew.
+constexpr double TimeOfShapes = 0.3;
+// How many tiles get new triangles between two looks at the progress.
+constexpr std::size_t TilesOfStep = 64;
+// Cells: if the shape of a tile differs more from that of its mesh, the mesh is made anew.
+constexpr int LargestDifference = 256;
 } // namespace
 
 lms3dGrowingMap::lms3dGrowingMap(const lms3dFusionSettings& settings)
@@ -59,20 +63,17 @@ bool lms3dGrowingMap::Add(
   }
   if (this->Settings.ForgetSeenThrough)
   {
-    this->MarkPassed(*ranges, true, false);
+    this->MarkPassed(*ranges, true);
   }
   this->Planes.SetScan(this->GetNumberOfScans() - 1);
   lms3dScanJoin(local, *ranges, this->Planes).Join();
-  this->MarkPassed(*ranges, false, false);
-  for (const std::unique_ptr<lms3dSeenRanges>& earlier : this->Seen)
-  {
-    this->MarkPassed(*earlier, false, true);
-  }
+  this->MarkPassed(*ranges, false);
+  this->MarkPassedEarlier();
   if (this->Settings.KeepReturns)
   {
     this->Seen.push_back(std::move(ranges));
   }
-  this->DissolveWeakPlanes();
+  lms3dDissolveWeakPlanes(this->Planes);
   if (!progress(TimeOfMarking))
   {
     return false;
@@ -80,42 +81,7 @@ bool lms3dGrowingMap::Add(
   return this->Renew(lms3dGetStepProgress(progress, TimeOfMarking, 1.0));
 }
 
-// A weak plane goes if other planes explain nearly all of its returns. The rest of them get facets.
-void lms3dGrowingMap::DissolveWeakPlanes()
-{
-  const std::size_t end = this->Planes.GetSize();
-  for (std::size_t i = 0; i < end; ++i)
-  {
-    lms3dFusedPlane& plane = this->Planes[i];
-    if (!plane.IsWeak || (!plane.IsChanged && !plane.IsSeen) || plane.Returns.empty())
-    {
-      continue;
-    }
-    std::vector<int> others = this->Planes.FindPlanesNear(plane.Returns, end);
-    others.erase(std::remove(others.begin(), others.end(), static_cast<int>(i)), others.end());
-    if (this->Planes.CountShown(others, plane.Returns) <
-      DissolvedShare * static_cast<double>(plane.Returns.size()))
-    {
-      continue;
-    }
-    std::vector<lms3dMappedReturn> returns;
-    returns.swap(plane.Returns);
-    plane.Raster = {};
-    plane.Verbatim.clear();
-    plane.OldBlocks = 0;
-    plane.IsWeak = false;
-    plane.IsChanged = true;
-    for (const lms3dMappedReturn& mapped : returns)
-    {
-      if (!this->Planes.AddToPlanes(others, mapped))
-      {
-        this->Planes.AddFacet(mapped);
-      }
-    }
-  }
-}
-
-// The threads divide the planes. A plane depends on the frames of other planes alone.
+// The threads divide planes, then tiles. A tile depends on its plane and on the frames of other planes alone.
 bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
 {
   std::vector<int> changed;
@@ -123,56 +89,160 @@ bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
   {
     lms3dFusedPlane& plane = this->Planes[i];
     plane.OldBlocks = plane.Raster.GetNumberOfBlocks();
-    if (plane.IsChanged || plane.IsSeen)
+    if (plane.HasNewCreases || !plane.Raster.GetMarked().empty())
     {
+      this->AddTiles(plane);
       changed.push_back(static_cast<int>(i));
     }
   }
-  // The threads share the work best if large planes come first.
-  std::stable_sort(changed.begin(), changed.end(),
-    [&](int a, int b)
-    {
-      return this->Planes[a].Raster.GetNumberOfBlocks() >
-        this->Planes[b].Raster.GetNumberOfBlocks();
-    });
-  const std::size_t count = changed.size();
-  for (std::size_t first = 0; first < count; first += PlanesOfStep)
+  tbb::parallel_for(
+    std::size_t{ 0 }, changed.size(), [&](std::size_t i) { this->RenewShape(changed[i]); });
+  if (!progress(TimeOfShapes))
   {
-    const std::size_t end = std::min(first + PlanesOfStep, count);
+    return false;
+  }
+  const std::vector<TileToRenew> tiles = this->FindTiles(changed);
+  const lms3dProgress rest = lms3dGetStepProgress(progress, TimeOfShapes, 1.0);
+  for (std::size_t first = 0; first < tiles.size(); first += TilesOfStep)
+  {
+    const std::size_t end = std::min(first + TilesOfStep, tiles.size());
     tbb::parallel_for(
-      first, end, [&](std::size_t i) { this->RenewPlane(changed[i]); }, tbb::simple_partitioner());
-    if (!progress(static_cast<double>(end) / static_cast<double>(count)))
+      first, end, [&](std::size_t i) { this->RenewTile(tiles[i]); }, tbb::simple_partitioner());
+    if (!rest(static_cast<double>(end) / static_cast<double>(tiles.size())))
     {
       return false;
     }
   }
-  return true;
+  return progress(1.0);
 }
 
-void lms3dGrowingMap::RenewPlane(int number)
+// Gives new blocks to tiles, which become regions.
+void lms3dGrowingMap::AddTiles(lms3dFusedPlane& plane)
 {
-  lms3dFusedPlane& plane = this->Planes[number];
-  if (plane.IsChanged)
+  lms3dRaster& raster = plane.Raster;
+  for (; plane.TiledBlocks < raster.GetNumberOfBlocks(); ++plane.TiledBlocks)
   {
-    lms3dMakeRegionMesh(
-      plane, lms3dGetCreaseLines(this->Planes, number), this->Settings.MaximumError);
-    plane.Revision = this->GetNumberOfScans();
+    lms3dRasterBlock& block = raster.GetBlock(plane.TiledBlocks);
+    const bool isWhole = !plane.Verbatim.empty();
+    const std::int32_t u = isWhole ? 0 : lms3dFusedTile::GetTileOf(block.U);
+    const std::int32_t v = isWhole ? 0 : lms3dFusedTile::GetTileOf(block.V);
+    block.Tile = plane.TileNumbers.Find(u, v);
+    if (block.Tile < 0)
+    {
+      block.Tile = static_cast<int>(plane.Tiles.size());
+      plane.TileNumbers.Add(u, v, block.Tile);
+      plane.Tiles.push_back(isWhole ? lms3dFusedTile() : lms3dFusedTile(u, v));
+      this->Regions.push_back(&plane.Tiles.back());
+    }
+    plane.Tiles[block.Tile].Blocks.push_back(plane.TiledBlocks);
   }
-  lms3dSetSightings(plane);
-  plane.IsChanged = false;
-  plane.IsSeen = false;
 }
 
-void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly)
+void lms3dGrowingMap::RenewShape(int planeNumber)
+{
+  lms3dFusedPlane& plane = this->Planes[planeNumber];
+  std::vector<lms3dCreaseLine> creases;
+  if (plane.HasNewCreases || plane.OldBlocks > plane.ShapedBlocks)
+  {
+    creases = lms3dGetCreaseLines(this->Planes, planeNumber);
+  }
+  std::set<int> tiles;
+  for (const int block : plane.Shape.Update(creases, plane.Raster))
+  {
+    tiles.insert(plane.Raster.GetBlock(block).Tile);
+  }
+  for (const int tileNumber : tiles)
+  {
+    lms3dFusedTile& tile = plane.Tiles[tileNumber];
+    tile.Difference = 0;
+    for (const int i : tile.Blocks)
+    {
+      const lms3dRasterBlock& block = plane.Raster.GetBlock(i);
+      tile.Difference += block.Difference + block.NewCreaseCells;
+    }
+  }
+  plane.ShapedBlocks = plane.OldBlocks;
+  plane.HasNewCreases = false;
+}
+
+std::vector<lms3dGrowingMap::TileToRenew> lms3dGrowingMap::FindTiles(const std::vector<int>& planes)
+{
+  std::vector<TileToRenew> tiles;
+  for (const int number : planes)
+  {
+    lms3dFusedPlane& plane = this->Planes[number];
+    for (const int block : plane.Raster.GetMarked())
+    {
+      lms3dFusedTile& tile = plane.Tiles[plane.Raster.GetBlock(block).Tile];
+      tile.IsStale = tile.IsStale || plane.Raster.HasMark(block, lms3dRaster::STALE);
+      tile.IsSeen = tile.IsSeen || plane.Raster.HasMark(block, lms3dRaster::SEEN);
+    }
+    plane.Raster.ClearMarks();
+    for (lms3dFusedTile& tile : plane.Tiles)
+    {
+      tile.IsStale = tile.IsStale || tile.Difference > LargestDifference;
+      if (tile.IsStale || tile.IsSeen)
+      {
+        tiles.push_back({ number, &tile });
+      }
+    }
+  }
+  return tiles;
+}
+
+void lms3dGrowingMap::RenewTile(const TileToRenew& place)
+{
+  lms3dFusedPlane& plane = this->Planes[place.Plane];
+  lms3dFusedTile& tile = *place.Tile;
+  if (tile.IsStale)
+  {
+    lms3dMakeTileMesh(
+      plane, tile, lms3dGetCreaseLines(this->Planes, place.Plane), this->Settings.MaximumError);
+    tile.Revision = this->GetNumberOfScans();
+    tile.Difference = 0;
+  }
+  lms3dSetSightings(plane, tile);
+  tile.IsStale = false;
+  tile.IsSeen = false;
+}
+
+void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets)
 {
   tbb::parallel_for(std::size_t{ 0 }, this->Planes.GetSize(),
     [&](std::size_t i)
     {
       lms3dFusedPlane& plane = this->Planes[i];
-      const int first = newBlocksOnly ? plane.OldBlocks : 0;
-      if (first < plane.Raster.GetNumberOfBlocks())
+      if (plane.Raster.GetNumberOfBlocks() > 0)
       {
-        lms3dPassedBeams(ranges, this->Settings.MaximumError, forgets).Mark(plane, first);
+        lms3dPassedBeams(ranges, this->Settings.MaximumError, forgets).Mark(plane, 0);
+      }
+    });
+}
+
+// Marks where beams of earlier scans passed through new blocks.
+void lms3dGrowingMap::MarkPassedEarlier()
+{
+  std::vector<lms3dFusedPlane*> growing;
+  for (std::size_t i = 0; i < this->Planes.GetSize(); ++i)
+  {
+    lms3dFusedPlane& plane = this->Planes[i];
+    if (plane.OldBlocks < plane.Raster.GetNumberOfBlocks())
+    {
+      growing.push_back(&plane);
+    }
+  }
+  const double bound = this->Settings.MaximumError;
+  tbb::parallel_for(std::size_t{ 0 }, growing.size(),
+    [&](std::size_t i)
+    {
+      lms3dFusedPlane& plane = *growing[i];
+      const lms3dWorldBox box = plane.GetBoxOfBlocks(plane.OldBlocks);
+      for (const std::unique_ptr<lms3dSeenRanges>& earlier : this->Seen)
+      {
+        if (box.IsNear(earlier->GetBox(), bound))
+        {
+          lms3dPassedBeams(*earlier, bound, false).Mark(plane, plane.OldBlocks);
+        }
       }
     });
 }

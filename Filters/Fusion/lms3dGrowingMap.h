@@ -13,7 +13,6 @@
 #include "Fusion/lms3dSeenRanges.h"
 #include "Pipeline/lms3dProgress.h"
 
-#include <deque>
 #include <memory>
 #include <vector>
 
@@ -29,20 +28,31 @@ public:
 
   int GetNumberOfScans() const { return static_cast<int>(this->Positions.size()); }
   const std::vector<lms3dVector>& GetPositions() const { return this->Positions; }
-  const std::deque<lms3dFusedPlane>& GetPlanes() const { return this->Planes.GetAll(); }
+  /// A region keeps its number.
+  const std::vector<const lms3dFusedTile*>& GetRegions() const { return this->Regions; }
 
 private:
+  struct TileToRenew
+  {
+    int Plane;
+    lms3dFusedTile* Tile;
+  };
+
   void AddTable(const lms3dScanInput& scan);
-  void MarkPassed(const lms3dSeenRanges& ranges, bool forgets, bool newBlocksOnly);
-  void DissolveWeakPlanes();
+  void MarkPassed(const lms3dSeenRanges& ranges, bool forgets);
+  void MarkPassedEarlier();
   bool Renew(const lms3dProgress& progress);
-  void RenewPlane(int number);
+  void AddTiles(lms3dFusedPlane& plane);
+  void RenewShape(int number);
+  std::vector<TileToRenew> FindTiles(const std::vector<int>& planes);
+  void RenewTile(const TileToRenew& place);
 
   const lms3dFusionSettings Settings;
   std::shared_ptr<const lms3dBeamTable> Table;
   std::vector<lms3dVector> Positions;
   std::vector<std::unique_ptr<lms3dSeenRanges>> Seen;
   lms3dFusedPlanes Planes;
+  std::vector<const lms3dFusedTile*> Regions;
 };
 
 #endif

@@ -76,43 +76,48 @@ public:
 
   void TakeOut()
   {
-    for (int id = 0; id < this->Ranges.GetTable().GetSize(); ++id)
+    const lms3dBeamTable& table = this->Ranges.GetTable();
+    const int beams = table.GetBeamsOfFan();
+    for (int first = 0; first < table.GetSize(); first += beams)
     {
-      Around around = {};
-      if (this->FindAround(id, around) && this->HasTwoPlanes(around))
+      std::array<int, 4> turns = { first, table.GetNextTurn(first), -1, -1 };
+      for (std::size_t i = 2; i < turns.size(); ++i)
       {
-        this->TakeOutBetween(around);
+        turns[i] = turns[i - 1] < 0 ? -1 : table.GetNextTurn(turns[i - 1]);
+      }
+      for (int beam = 0; turns[3] >= 0 && beam + 3 < beams; ++beam)
+      {
+        if (this->HasTwoPlanes(turns, beam))
+        {
+          this->TakeOutBetween(GetAround(turns, beam));
+        }
       }
     }
   }
 
 private:
-  /// Returns false if the scan ends before.
-  bool FindAround(int first, Around& around) const
+  static Around GetAround(const std::array<int, 4>& turns, int beam)
   {
-    const lms3dBeamTable& table = this->Ranges.GetTable();
-    for (int turn = 0; turn < 4; ++turn)
+    Around around = {};
+    for (int i = 0; i < static_cast<int>(around.size()); ++i)
     {
-      int id = first;
-      for (int beam = 0; beam < 4; ++beam)
-      {
-        if (id < 0)
-        {
-          return false;
-        }
-        around[4 * turn + beam] = id;
-        id = table.GetNextInFan(id);
-      }
-      first = table.GetNextTurn(first);
+      around[i] = turns[i / 4] + beam + i % 4;
     }
-    return true;
+    return around;
   }
 
-  bool HasTwoPlanes(const Around& around) const
+  bool HasTwoPlanes(const std::array<int, 4>& turns, int beam) const
   {
-    const int first = this->PlaneOfBeam[around.front()];
-    return std::any_of(
-      around.begin(), around.end(), [&](int id) { return this->PlaneOfBeam[id] != first; });
+    const int first = this->PlaneOfBeam[turns[0] + beam];
+    int differences = 0;
+    for (const int turn : turns)
+    {
+      for (int i = 0; i < 4; ++i)
+      {
+        differences |= this->PlaneOfBeam[turn + beam + i] ^ first;
+      }
+    }
+    return differences != 0;
   }
 
   void TakeOutBetween(const Around& around)

@@ -11,18 +11,19 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace
 {
-// The packets of a task.
-constexpr std::size_t GrainSize = 64;
+constexpr std::size_t BeamsOfTask = 4096;
+// Smaller components of directions are 0 in single precision.
+constexpr double SmallestComponent = 1e-15;
 
 lms3dTriangleMesh ReadMesh(vtkPolyData* map)
 {
@@ -44,29 +45,75 @@ lms3dTriangleMesh ReadMesh(vtkPolyData* map)
   return mesh;
 }
 
-/// Casts the beams of the returns from `first` on, at most 16.
-void CastPacket(const lms3dRayCaster& caster, lms3dMappedReturn* returns, std::size_t count,
-  const lms3dSeenRanges& ranges, double maximumError)
+/// Fills a packet with the directions of returns, at most 16.
+void Fill(const lms3dMappedReturn* returns, std::size_t count, lms3dBeamPacket& packet)
 {
-  lms3dFreePacket packet;
   packet.Active = 0;
   for (int i = 0; i < lms3dBeamPacket::Size; ++i)
   {
     const lms3dMappedReturn& mapped = returns[std::min<std::size_t>(i, count - 1)];
-    const lms3dVector start = ranges.GetStart(mapped.BeamId);
     for (int axis = 0; axis < 3; ++axis)
     {
-      packet.Origin[axis][i] = start[axis];
-      packet.Direction[axis][i] = mapped.Direction[axis];
+      const double component = mapped.Direction[axis];
+      packet.Direction[axis][i] = component;
+      packet.NarrowDirection[axis][i] =
+        std::abs(component) < SmallestComponent ? 0.0F : static_cast<float>(component);
     }
     packet.Active |= static_cast<std::size_t>(i) < count ? 1U << i : 0U;
   }
-  caster.CastFree(std::numeric_limits<double>::infinity(), &packet, 1);
+}
+
+void SetTriangles(
+  const lms3dBeamPacket& packet, std::size_t count, double maximumError, lms3dMappedReturn* returns)
+{
   for (std::size_t i = 0; i < count; ++i)
   {
     const bool isHit = packet.Triangle[i] != lms3dBeamPacket::NoTriangle &&
       std::abs(packet.Range[i] - returns[i].Range) <= maximumError;
     returns[i].Triangle = isHit ? packet.Triangle[i] : -1;
+  }
+}
+
+/// Casts beams that start at points of their own.
+void CastFree(const lms3dRayCaster& caster, const lms3dSeenRanges& ranges, double maximumError,
+  lms3dMappedReturn* returns, std::size_t count)
+{
+  constexpr std::size_t Size = lms3dBeamPacket::Size;
+  for (std::size_t first = 0; first < count; first += Size)
+  {
+    const std::size_t end = std::min(first + Size, count);
+    lms3dFreePacket packet;
+    Fill(returns + first, end - first, packet);
+    for (std::size_t i = 0; i < Size; ++i)
+    {
+      const lms3dVector start = ranges.GetStart(returns[std::min(first + i, end - 1)].BeamId);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        packet.Origin[axis][i] = start[axis];
+      }
+    }
+    caster.CastFree(std::numeric_limits<double>::infinity(), &packet, 1);
+    SetTriangles(packet, end - first, maximumError, returns + first);
+  }
+}
+
+/// Casts beams that start at the sensor's position.
+void Cast(const lms3dRayCaster& caster, const lms3dSeenRanges& ranges, double maximumError,
+  lms3dMappedReturn* returns, std::size_t count)
+{
+  constexpr std::size_t Size = lms3dBeamPacket::Size;
+  std::vector<lms3dBeamPacket> packets((count + Size - 1) / Size);
+  for (std::size_t i = 0; i < packets.size(); ++i)
+  {
+    Fill(returns + i * Size, std::min(Size, count - i * Size), packets[i]);
+  }
+  const lms3dVector& position = ranges.GetPosition();
+  caster.Cast(
+    { { position[0], position[1], position[2] }, std::numeric_limits<double>::infinity() },
+    packets.data(), static_cast<int>(packets.size()));
+  for (std::size_t i = 0; i < packets.size(); ++i)
+  {
+    SetTriangles(packets[i], std::min(Size, count - i * Size), maximumError, returns + i * Size);
   }
 }
 } // namespace
@@ -85,24 +132,21 @@ lms3dLocalMap::lms3dLocalMap(
   this->Returns.resize(count);
   const std::unique_ptr<lms3dRayCaster> caster =
     lms3dRayCaster::New(lms3dRayCaster::EXACT, this->Mesh);
-  constexpr std::size_t Size = lms3dBeamPacket::Size;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (count + Size - 1) / Size, GrainSize),
-    [&](const tbb::blocked_range<std::size_t>& packets)
+  const bool isFree = ranges.GetTable().HasStarts();
+  tbb::parallel_for(std::size_t{ 0 }, (count + BeamsOfTask - 1) / BeamsOfTask,
+    [&](std::size_t task)
     {
-      for (std::size_t packet = packets.begin(); packet != packets.end(); ++packet)
+      const std::size_t first = task * BeamsOfTask;
+      const std::size_t end = std::min(first + BeamsOfTask, count);
+      for (std::size_t i = first; i < end; ++i)
       {
-        const std::size_t first = packet * Size;
-        const std::size_t end = std::min(first + Size, count);
-        for (std::size_t i = first; i < end; ++i)
-        {
-          const int id = scan.GetBeamIds()[i];
-          const double range = scan.GetRanges()[i];
-          const lms3dVector direction = ranges.GetDirection(id);
-          this->Returns[i] = { lms3dAdd(ranges.GetStart(id), lms3dScale(direction, range)),
-            direction, range, id, -1 };
-        }
-        CastPacket(*caster, &this->Returns[first], end - first, ranges, maximumError);
+        const int id = scan.GetBeamIds()[i];
+        const double range = scan.GetRanges()[i];
+        const lms3dVector direction = ranges.GetDirection(id);
+        this->Returns[i] = { lms3dAdd(ranges.GetStart(id), lms3dScale(direction, range)), direction,
+          range, id, -1 };
       }
+      (isFree ? CastFree : Cast)(*caster, ranges, maximumError, &this->Returns[first], end - first);
     });
   this->Returns.erase(std::remove_if(this->Returns.begin(), this->Returns.end(),
                         [](const lms3dMappedReturn& mapped) { return mapped.Triangle < 0; }),

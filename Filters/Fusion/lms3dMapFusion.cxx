@@ -46,7 +46,7 @@ int lms3dMapFusion::GetRevision() const
 
 int lms3dMapFusion::GetEndOfRegions() const
 {
-  return this->Internal->FirstRegion + static_cast<int>(this->Internal->Map.GetPlanes().size());
+  return this->Internal->FirstRegion + static_cast<int>(this->Internal->Map.GetRegions().size());
 }
 
 const lms3dFusionSettings& lms3dMapFusion::GetSettings() const
@@ -58,12 +58,12 @@ void lms3dMapFusion::Fill(int sinceRevision, vtkPolyData* output) const
 {
   std::vector<lms3dNumberedMesh> regions;
   int region = this->Internal->FirstRegion;
-  for (const lms3dFusedPlane& plane : this->Internal->Map.GetPlanes())
+  for (const lms3dFusedTile* tile : this->Internal->Map.GetRegions())
   {
-    const int revision = this->Internal->FirstRevision + plane.Revision;
+    const int revision = this->Internal->FirstRevision + tile->Revision;
     if (revision > sinceRevision)
     {
-      regions.push_back({ &plane.Mesh, region, revision });
+      regions.push_back({ &tile->Mesh, region, revision });
     }
     ++region;
   }
@@ -77,9 +77,9 @@ std::vector<int> lms3dMapFusion::GetChangedRegions(int sinceRevision) const
 {
   std::vector<int> changed;
   int region = this->Internal->FirstRegion;
-  for (const lms3dFusedPlane& plane : this->Internal->Map.GetPlanes())
+  for (const lms3dFusedTile* tile : this->Internal->Map.GetRegions())
   {
-    if (this->Internal->FirstRevision + plane.Revision > sinceRevision)
+    if (this->Internal->FirstRevision + tile->Revision > sinceRevision)
     {
       changed.push_back(region);
     }

@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dOutlineTriangles.h"
 
-#include "Fusion/lms3dRasterRows.h"
 #include "Triangulation/lms3dTriangulation.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
-#include <numeric>
-#include <utility>
 
 std::optional<std::vector<lms3dTriangle2>> lms3dTriangulateOutlines(
   const std::vector<lms3dLoop>& loops)
@@ -55,49 +51,4 @@ std::optional<std::vector<lms3dTriangle2>> lms3dTriangulateOutlines(
     }
   }
   return triangles;
-}
-
-std::vector<lms3dTriangle2> lms3dDropIslands(
-  const std::vector<lms3dTriangle2>& triangles, const lms3dRaster& raster)
-{
-  std::vector<std::size_t> group(triangles.size());
-  std::iota(group.begin(), group.end(), std::size_t{ 0 });
-  const auto find = [&group](std::size_t i)
-  {
-    while (group[i] != i)
-    {
-      group[i] = group[group[i]];
-      i = group[i];
-    }
-    return i;
-  };
-  std::map<std::pair<lms3dPoint2, lms3dPoint2>, std::size_t> edges;
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const auto [place, isNew] =
-        edges.try_emplace(std::minmax(triangles[i][corner], triangles[i][(corner + 1) % 3]), i);
-      group[find(i)] = find(place->second);
-    }
-  }
-  std::vector<bool> hasReturn(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    if (!hasReturn[find(i)])
-    {
-      hasReturn[find(i)] = !lms3dForCentreRows(triangles[i],
-        [&](std::int32_t row, std::int32_t first, std::int32_t last)
-        { return !raster.HasAny(&lms3dRasterBlock::Must, row, first, last); });
-    }
-  }
-  std::vector<lms3dTriangle2> kept;
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    if (hasReturn[find(i)])
-    {
-      kept.push_back(triangles[i]);
-    }
-  }
-  return kept;
 }

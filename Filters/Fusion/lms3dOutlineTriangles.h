@@ -7,7 +7,6 @@
 #ifndef lms3dOutlineTriangles_h
 #define lms3dOutlineTriangles_h
 
-#include "Fusion/lms3dRaster.h"
 #include "Fusion/lms3dRasterOutline.h"
 
 #include <array>
@@ -19,9 +18,5 @@ using lms3dTriangle2 = std::array<lms3dPoint2, 3>;
 /// Returns none if outlines cross.
 std::optional<std::vector<lms3dTriangle2>> lms3dTriangulateOutlines(
   const std::vector<lms3dLoop>& loops);
-
-/// Returns the triangles without those that are connected to no triangle with a return.
-std::vector<lms3dTriangle2> lms3dDropIslands(
-  const std::vector<lms3dTriangle2>& triangles, const lms3dRaster& raster);
 
 #endif

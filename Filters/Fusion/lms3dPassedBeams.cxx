@@ -4,6 +4,7 @@
 
 #include "Fusion/lms3dRasterRows.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -23,6 +24,24 @@ constexpr double LargestCell = 2e9;
 // cosines the rounding may be larger.
 constexpr double QuickShare = 1e-6;
 constexpr double QuickCosine = 1e-5;
+// Cells: how far around a beam the shape may change.
+constexpr int ShapeReach = 15;
+
+// Whether the shape has a cell of the block near a cell.
+bool HasShapeNear(const lms3dRasterBlock& cells, int u, int v)
+{
+  const int from = std::max(u - ShapeReach, 0);
+  const int to = std::min(u + ShapeReach, lms3dRaster::Size - 1);
+  const std::uint64_t mask =
+    (~std::uint64_t{ 0 } << from) & (~std::uint64_t{ 0 } >> (lms3dRaster::Size - 1 - to));
+  std::uint64_t found = 0;
+  const int end = std::min(v + ShapeReach, lms3dRaster::Size - 1);
+  for (int row = std::max(v - ShapeReach, 0); row <= end; ++row)
+  {
+    found |= cells.Shape[row];
+  }
+  return (found & mask) != 0;
+}
 } // namespace
 
 // A quick look, in the sensor frame. Returns false if in doubt.
@@ -123,11 +142,21 @@ void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int firstBlock, int beam
   const int v = lms3dRaster::GetPlaceOf(row);
   std::uint64_t& word = cells.Passed[v];
   const std::uint64_t bit = std::uint64_t{ 1 } << u;
-  plane.IsChanged = plane.IsChanged || (~word & cells.Touched[v] & bit) != 0;
+  if ((~word & bit) != 0 && HasShapeNear(cells, u, v))
+  {
+    plane.Raster.SetMark(block, lms3dRaster::DIRTY);
+    plane.Raster.SetMark(block, lms3dRaster::DIRTY_AROUND);
+  }
+  if ((~word & cells.Touched[v] & bit) != 0)
+  {
+    plane.Raster.SetMark(block, lms3dRaster::STALE);
+  }
   word |= bit;
+  cells.HasPassed = true;
   if (this->Forgets)
   {
     cells.Must[v] &= ~bit;
+    plane.Raster.SetMark(block, lms3dRaster::DIRTY);
   }
   this->MarkAround(plane, beamId, passage.Place);
 }
@@ -136,17 +165,14 @@ void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int firstBlock, int beam
 template <typename Points>
 void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
 {
-  const auto set = [&](lms3dRaster::BitsOf bits, bool value)
-  {
-    return [&plane, bits, value](const lms3dCellStrip& strip)
-    {
-      plane.Raster.Set(bits, strip, value);
-      return true;
-    };
-  };
   if (this->Forgets)
   {
-    lms3dForTouchedStrips(points, set(&lms3dRasterBlock::Must, false));
+    lms3dForTouchedStrips(points,
+      [&](const lms3dCellStrip& strip)
+      {
+        plane.Raster.SetAndMark(&lms3dRasterBlock::Must, strip, false);
+        return true;
+      });
   }
   const bool isFree = !plane.Raster.HasAny(&lms3dRasterBlock::Must, lms3dGetTouchedBox(points)) ||
     lms3dForTouchedStrips(points,
@@ -154,7 +180,12 @@ void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
       { return !plane.Raster.HasAny(&lms3dRasterBlock::Must, strip); });
   if (isFree)
   {
-    lms3dForTouchedStrips(points, set(&lms3dRasterBlock::Open, true));
+    lms3dForTouchedStrips(points,
+      [&](const lms3dCellStrip& strip)
+      {
+        plane.Raster.SetAndMark(&lms3dRasterBlock::Open, strip, true);
+        return true;
+      });
   }
 }
 

@@ -17,16 +17,13 @@ int lms3dRaster::Make(std::int32_t u, std::int32_t v)
   return made;
 }
 
-void lms3dRaster::MakeBlocksOf(const lms3dRaster& other)
+void lms3dRaster::ClearMarks()
 {
-  this->Numbers = other.Numbers;
-  this->Blocks.clear();
-  this->Blocks.resize(other.Blocks.size());
-  for (std::size_t i = 0; i < other.Blocks.size(); ++i)
+  for (const int number : this->Marked)
   {
-    this->Blocks[i].U = other.Blocks[i].U;
-    this->Blocks[i].V = other.Blocks[i].V;
+    this->Blocks[number].Marks = 0;
   }
+  this->Marked.clear();
 }
 
 bool lms3dRaster::Has(BitsOf bits, std::int32_t u, std::int32_t v) const
@@ -149,6 +146,34 @@ void lms3dRaster::Set(BitsOf bits, const lms3dCellStrip& strip, bool value)
   }
 }
 
+void lms3dRaster::SetAndMark(BitsOf bits, const lms3dCellStrip& strip, bool value)
+{
+  const std::int32_t v = GetBlockOf(strip.Row);
+  for (std::int32_t u = GetBlockOf(strip.Left); !strip.IsEmpty() && u <= GetBlockOf(strip.Right);
+       ++u)
+  {
+    const int number = this->Find(u, v);
+    if (number < 0)
+    {
+      continue;
+    }
+    std::uint64_t* words = &(this->Blocks[number].*bits)[GetPlaceOf(strip.Row)];
+    const std::uint64_t* shape = &this->Blocks[number].Shape[GetPlaceOf(strip.Row)];
+    std::uint64_t changed = 0;
+    for (int row = 0; row < strip.Count; ++row)
+    {
+      const std::uint64_t mask = strip.GetBits(row, u * Size);
+      const std::uint64_t set = value ? words[row] | mask : words[row] & ~mask;
+      changed |= (set ^ words[row]) & shape[row];
+      words[row] = set;
+    }
+    if (changed != 0)
+    {
+      this->SetMark(number, DIRTY);
+    }
+  }
+}
+
 void lms3dRaster::MakeBlocks(const lms3dCellStrip& strip)
 {
   const std::int32_t v = GetBlockOf(strip.Row);
@@ -169,4 +194,20 @@ void lms3dRaster::MakeBlocks(const lms3dCellStrip& strip)
     left = first;
     right = last;
   }
+}
+
+void lms3dRaster::SetGuess(const lms3dCellStrip& strip)
+{
+  this->MakeBlocks(strip);
+  const std::int32_t v = GetBlockOf(strip.Row);
+  for (std::int32_t u = GetBlockOf(strip.Left); !strip.IsEmpty() && u <= GetBlockOf(strip.Right);
+       ++u)
+  {
+    const int number = this->Find(u, v);
+    if (number >= 0)
+    {
+      this->SetMark(number, GUESSED);
+    }
+  }
+  this->Set(&lms3dRasterBlock::Guess, strip, true);
 }

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <vector>
 
 /// The bits of 64 x 64 cells, one word for each row.
 using lms3dBits = std::array<std::uint64_t, 64>;
@@ -38,12 +39,28 @@ struct lms3dRasterBlock
   lms3dBits Covered = {};
   /// A triangle of the mesh touches the cell.
   lms3dBits Touched = {};
+  /// The region covers the cell, before its borders are straightened: now, and when the mesh was made.
+  lms3dBits Shape = {};
+  lms3dBits Meshed = {};
 
   /// The largest distance of a return from the plane, metres.
   double Deviation = 0.0;
   lms3dSightings Sightings;
   /// How well BestScan saw the block: larger is better.
   double Quality = 0.0;
+
+  /// The tile of the plane, -1 for a new block.
+  int Tile = -1;
+  /// How many cells differ between Shape and Meshed.
+  int Difference = 0;
+  /// How many cells of creases are new since the mesh was made.
+  int NewCreaseCells = 0;
+  /// Whether a bit of Passed is set.
+  bool HasPassed = false;
+  /// Whether more returns in cells of the shape change no shape.
+  bool IsCalm = false;
+  /// Bits of lms3dRaster::Mark.
+  unsigned Marks = 0;
 };
 
 /// Coordinates are cells.
@@ -52,6 +69,21 @@ class lms3dRaster
 public:
   static constexpr int Size = 64;
   using BitsOf = lms3dBits lms3dRasterBlock::*;
+
+  /// What happened to a block since the region was made.
+  enum Mark : unsigned
+  {
+    /// The shape of the region may change.
+    DIRTY = 1,
+    /// A return lies here.
+    SEEN = 2,
+    /// The mesh does not explain what scans saw.
+    STALE = 4,
+    /// The local map that joins has surface here.
+    GUESSED = 8,
+    /// The shape of the neighbours may change, too.
+    DIRTY_AROUND = 16
+  };
 
   int GetNumberOfBlocks() const { return static_cast<int>(this->Blocks.size()); }
   lms3dRasterBlock& GetBlock(int number) { return this->Blocks[number]; }
@@ -85,11 +117,30 @@ public:
   /// Sets or clears a bit of the cells of a strip that lie in blocks.
   void Set(BitsOf bits, const lms3dCellStrip& strip, bool value);
 
+  /// The same, but marks the blocks in which a cell of the shape changes as dirty.
+  void SetAndMark(BitsOf bits, const lms3dCellStrip& strip, bool value);
+
+  /// Sets Guess of the cells of a strip. Makes the blocks that do not exist, and marks them as guessed.
+  void SetGuess(const lms3dCellStrip& strip);
+
+  /// Adds a mark to a block.
+  void SetMark(int number, Mark mark)
+  {
+    unsigned& marks = this->Blocks[number].Marks;
+    if (marks == 0)
+    {
+      this->Marked.push_back(number);
+    }
+    marks |= mark;
+  }
+
+  /// The blocks with marks.
+  const std::vector<int>& GetMarked() const { return this->Marked; }
+  bool HasMark(int number, Mark mark) const { return (this->Blocks[number].Marks & mark) != 0; }
+  void ClearMarks();
+
   /// Makes the blocks of a strip that do not exist, row by row.
   void MakeBlocks(const lms3dCellStrip& strip);
-
-  /// Makes the blocks of another raster, without bits.
-  void MakeBlocksOf(const lms3dRaster& other);
 
   /// Sets or clears a bit of cells of a row. Blocks are made if `makesBlocks`; other cells without a block stay.
   /// Calls `touch` with the number of each block in which a bit changed.
@@ -128,6 +179,7 @@ private:
   /// Blocks stay where they are in memory when others are made.
   std::deque<lms3dRasterBlock> Blocks;
   lms3dBlockIndex Numbers;
+  std::vector<int> Marked;
 };
 
 #endif

@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionMesher.h"
 
-#include "Fusion/lms3dCreaseCut.h"
-#include "Fusion/lms3dCreaseSnapping.h"
-#include "Fusion/lms3dOutlineSimplifier.h"
-#include "Fusion/lms3dOutlineTriangles.h"
 #include "Fusion/lms3dRasterRows.h"
 #include "Fusion/lms3dRegionCover.h"
 #include "Fusion/lms3dRegionRaster.h"
+#include "Fusion/lms3dRegionTriangles.h"
+#include "Fusion/lms3dTileSides.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 namespace
 {
@@ -26,52 +23,88 @@ constexpr double FacetRadius = 0.25;
 
 using Corners2 = lms3dTriangle2;
 
-/// Makes the mesh of one plane.
+/// Makes the mesh of one tile.
 class Mesher
 {
 public:
-  Mesher(lms3dFusedPlane& plane, const std::vector<lms3dCreaseLine>& creases, double maximumError)
+  Mesher(lms3dFusedPlane& plane, lms3dFusedTile& tile, const std::vector<lms3dCreaseLine>& creases,
+    double maximumError)
     : Plane(plane)
+    , Tile(tile)
     , Creases(creases)
     , MaximumError(maximumError)
-    , Region(lms3dMakeRegion(plane.Raster))
+    , Region(lms3dCopySureReturns(plane.Raster, tile.Blocks))
   {
-    lms3dCutAtCreases(creases, this->Region);
+    for (std::size_t i = 0; i < tile.Blocks.size(); ++i)
+    {
+      this->Region.GetBlock(static_cast<int>(i)).May = plane.Raster.GetBlock(tile.Blocks[i]).Shape;
+    }
+    if (plane.Verbatim.empty())
+    {
+      lms3dCloseGapsAlongSides(tile, this->Region);
+    }
+    this->AddBlocksAround();
   }
 
   void Make()
   {
-    this->Plane.Mesh.Clear();
-    for (int i = 0; i < this->Plane.Raster.GetNumberOfBlocks(); ++i)
-    {
-      this->Plane.Raster.GetBlock(i).Covered = {};
-      this->Plane.Raster.GetBlock(i).Touched = {};
-    }
+    this->Tile.Mesh.Clear();
     if (!this->Plane.Verbatim.empty() && this->IsWhole())
     {
       this->AddVerbatim();
-      return;
     }
-    const std::vector<Corners2> triangles = this->FindTriangles();
-    lms3dCoverRegion(triangles, this->Plane.Raster);
-    for (const Corners2& triangle : triangles)
+    else
     {
-      this->Add(triangle);
+      const std::vector<Corners2> triangles = lms3dTriangulateRegion(this->Region, this->Creases,
+        this->Tile, BorderShare * this->MaximumError / this->Plane.Frame.GetCell());
+      lms3dCoverRegion(triangles, this->Region);
+      for (const Corners2& triangle : triangles)
+      {
+        this->Add(triangle);
+      }
+      this->AddFacets();
     }
-    this->AddFacets();
+    for (std::size_t i = 0; i < this->Tile.Blocks.size(); ++i)
+    {
+      const lms3dRasterBlock& cells = this->Region.GetBlock(static_cast<int>(i));
+      lms3dRasterBlock& block = this->Plane.Raster.GetBlock(this->Tile.Blocks[i]);
+      block.Covered = cells.Covered;
+      block.Touched = cells.Touched;
+      block.Meshed = block.Shape;
+      block.Difference = 0;
+      block.NewCreaseCells = 0;
+    }
   }
 
 private:
+  /// Triangles may touch the sides of the tile.
+  void AddBlocksAround()
+  {
+    for (std::size_t i = 0; i < this->Tile.Blocks.size(); ++i)
+    {
+      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(this->Tile.Blocks[i]);
+      for (std::int32_t v = block.V - 1; v <= block.V + 1; ++v)
+      {
+        for (std::int32_t u = block.U - 1; u <= block.U + 1; ++u)
+        {
+          if (!this->Tile.HasBlock(u, v))
+          {
+            this->Region.Make(u, v);
+          }
+        }
+      }
+    }
+  }
+
   /// Whether no beam passed through the triangle of a local map.
   bool IsWhole() const
   {
-    for (int i = 0; i < this->Region.GetNumberOfBlocks(); ++i)
+    for (const int number : this->Tile.Blocks)
     {
-      const lms3dBits& may = this->Plane.Raster.GetBlock(i).May;
-      const lms3dBits& region = this->Region.GetBlock(i).May;
+      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(number);
       for (int row = 0; row < lms3dRaster::Size; ++row)
       {
-        if ((may[row] & ~region[row]) != 0)
+        if ((block.May[row] & ~block.Shape[row]) != 0)
         {
           return false;
         }
@@ -84,46 +117,17 @@ private:
   {
     for (const std::array<lms3dVector, 3>& corners : this->Plane.Verbatim)
     {
-      const auto first = static_cast<std::int32_t>(this->Plane.Mesh.Points.size());
+      const auto first = static_cast<std::int32_t>(this->Tile.Mesh.Points.size());
       Corners2 cells;
       for (int i = 0; i < 3; ++i)
       {
-        this->Plane.Mesh.Points.push_back(corners[i]);
+        this->Tile.Mesh.Points.push_back(corners[i]);
         cells[i] = this->Plane.Frame.ToCells(corners[i]);
       }
       this->Cover(cells);
       this->Touch(cells);
-      this->Plane.Mesh.Triangles.push_back({ first, first + 1, first + 2 });
+      this->Tile.Mesh.Triangles.push_back({ first, first + 1, first + 2 });
     }
-  }
-
-  /// Straightens the borders as far as triangles can be made of them.
-  std::vector<Corners2> FindTriangles()
-  {
-    const std::vector<lms3dLoop> outlines = lms3dTraceOutlines(this->Region);
-    const double tolerance = BorderShare * this->MaximumError / this->Plane.Frame.GetCell();
-    std::vector<bool> isFixed;
-    const std::vector<lms3dLoop> snapped =
-      lms3dSnapToCreases(outlines, this->Creases, this->Region, isFixed);
-    lms3dOutlineSimplifier simplifier(this->Region, snapped, isFixed, tolerance);
-    std::optional<std::vector<Corners2>> triangles =
-      lms3dTriangulateOutlines(simplifier.Simplify());
-    if (!triangles)
-    {
-      std::size_t corners = 0;
-      for (const lms3dLoop& loop : outlines)
-      {
-        corners += loop.size();
-      }
-      isFixed.assign(corners, false);
-      lms3dOutlineSimplifier plain(this->Region, outlines, isFixed, tolerance);
-      triangles = lms3dTriangulateOutlines(plain.Simplify());
-    }
-    if (!triangles)
-    {
-      triangles = lms3dTriangulateOutlines(outlines);
-    }
-    return triangles ? lms3dDropIslands(*triangles, this->Plane.Raster) : std::vector<Corners2>();
   }
 
   void Touch(const Corners2& triangle)
@@ -131,7 +135,7 @@ private:
     lms3dForTouchedStrips(triangle,
       [&](const lms3dCellStrip& strip)
       {
-        this->Plane.Raster.Set(&lms3dRasterBlock::Touched, strip, true);
+        this->Region.Set(&lms3dRasterBlock::Touched, strip, true);
         return true;
       });
   }
@@ -141,7 +145,7 @@ private:
     lms3dForCentreStrips(triangle,
       [&](const lms3dCellStrip& strip)
       {
-        this->Plane.Raster.Set(&lms3dRasterBlock::Covered, strip, true);
+        this->Region.Set(&lms3dRasterBlock::Covered, strip, true);
         return true;
       });
   }
@@ -152,21 +156,21 @@ private:
     for (int i = 0; i < 3; ++i)
     {
       const auto [place, isNew] = this->Numbers.try_emplace(
-        triangle[i], static_cast<std::int32_t>(this->Plane.Mesh.Points.size()));
+        triangle[i], static_cast<std::int32_t>(this->Tile.Mesh.Points.size()));
       if (isNew)
       {
-        this->Plane.Mesh.Points.push_back(this->Plane.Frame.ToWorld(triangle[i]));
+        this->Tile.Mesh.Points.push_back(this->Plane.Frame.ToWorld(triangle[i]));
       }
       corners[i] = place->second;
     }
-    this->Plane.Mesh.Triangles.push_back(corners);
+    this->Tile.Mesh.Triangles.push_back(corners);
   }
 
   bool IsCovered(std::int32_t u, std::int32_t v, int reach) const
   {
     for (std::int32_t row = v - reach; row <= v + reach; ++row)
     {
-      if (this->Plane.Raster.HasAny(&lms3dRasterBlock::Covered, row, u - reach, u + reach))
+      if (this->Region.HasAny(&lms3dRasterBlock::Covered, row, u - reach, u + reach))
       {
         return true;
       }
@@ -177,14 +181,15 @@ private:
   /// Adds facets at returns that the triangles do not explain.
   void AddFacets()
   {
-    for (int i = 0; i < this->Region.GetNumberOfBlocks(); ++i)
+    for (std::size_t i = 0; i < this->Tile.Blocks.size(); ++i)
     {
-      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(i);
+      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(this->Tile.Blocks[i]);
+      const lms3dBits& covered = this->Region.GetBlock(static_cast<int>(i)).Covered;
       const int reach =
         lms3dGetCoveredReach(block.Deviation, this->Plane.Frame.GetCell(), this->MaximumError);
       for (int row = 0; row < lms3dRaster::Size; ++row)
       {
-        const std::uint64_t open = block.Must[row] & ~block.Covered[row];
+        const std::uint64_t open = block.Must[row] & ~covered[row];
         for (int place = 0; place < lms3dRaster::Size && open >> place != 0; ++place)
         {
           const std::int32_t u = block.U * lms3dRaster::Size + place;
@@ -210,8 +215,10 @@ private:
   }
 
   lms3dFusedPlane& Plane;
+  lms3dFusedTile& Tile;
   const std::vector<lms3dCreaseLine>& Creases;
   const double MaximumError;
+  /// The blocks of the tile first, in its order.
   lms3dRaster Region;
   std::map<lms3dPoint2, std::int32_t> Numbers;
 };
@@ -222,8 +229,8 @@ int lms3dGetCoveredReach(double deviation, double cell, double maximumError)
   return std::hypot(deviation, NeighbourDistance * cell) <= maximumError ? 1 : 0;
 }
 
-void lms3dMakeRegionMesh(
-  lms3dFusedPlane& plane, const std::vector<lms3dCreaseLine>& creases, double maximumError)
+void lms3dMakeTileMesh(lms3dFusedPlane& plane, lms3dFusedTile& tile,
+  const std::vector<lms3dCreaseLine>& creases, double maximumError)
 {
-  Mesher(plane, creases, maximumError).Make();
+  Mesher(plane, tile, creases, maximumError).Make();
 }

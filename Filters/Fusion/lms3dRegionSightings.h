@@ -9,7 +9,7 @@
 
 #include "Fusion/lms3dFusedPlane.h"
 
-/// Sets which scans saw the triangles of a plane.
-void lms3dSetSightings(lms3dFusedPlane& plane);
+/// Sets which scans saw the triangles of a tile of a plane.
+void lms3dSetSightings(const lms3dFusedPlane& plane, lms3dFusedTile& tile);
 
 #endif

@@ -160,8 +160,7 @@ int lms3dScanJoin::FindPlane(const std::vector<int>& returns, const lms3dFittedP
 bool lms3dScanJoin::IsMostlyExplained(
   const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
 {
-  return this->Planes.CountShown(this->Planes.FindPlanesNear(returns, end), returns) >=
-    ExplainedShare * static_cast<double>(returns.size());
+  return this->Planes.ShowShare(ExplainedShare, this->Planes.FindPlanesNear(returns, end), returns);
 }
 
 // Adds each return to the plane that is nearest to it.
@@ -193,18 +192,16 @@ int lms3dScanJoin::FindPlaneBeside(const std::vector<int>& returns,
   const std::array<lms3dVector, 3>& corners, const lms3dVector& normal) const
 {
   const double bound = JoinShare * this->Planes.GetMaximumError();
+  lms3dWorldBox box;
+  for (const lms3dVector& corner : corners)
+  {
+    box.Add(corner);
+  }
   for (std::size_t i = 0; i < this->Planes.GetSize(); ++i)
   {
     const lms3dFusedPlane& plane = this->Planes[i];
-    bool isNear =
-      plane.Verbatim.empty() && lms3dDot(plane.Frame.GetNormal(), normal) >= SmallestCosine;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const auto [low, high] =
-        std::minmax({ corners[0][axis], corners[1][axis], corners[2][axis] });
-      isNear = isNear && high >= plane.Low[axis] - bound && low <= plane.High[axis] + bound;
-    }
-    if (isNear &&
+    if (plane.Verbatim.empty() && lms3dDot(plane.Frame.GetNormal(), normal) >= SmallestCosine &&
+      box.IsNear(plane.Box, bound) &&
       std::all_of(returns.begin(), returns.end(),
         [&](int number)
         {

@@ -25,6 +25,13 @@ lms3dSeenRanges::lms3dSeenRanges(
     }
     this->Largest = std::max<double>(this->Largest, largest);
   }
+  for (vtkIdType i = 0; i < scan.GetNumberOfReturns(); ++i)
+  {
+    const int id = scan.GetBeamIds()[i];
+    const lms3dVector start = this->GetStart(id);
+    this->Box.Add(start);
+    this->Box.Add(lms3dAdd(start, lms3dScale(this->GetDirection(id), scan.GetRanges()[i])));
+  }
 }
 
 void lms3dSeenRanges::FindBins(

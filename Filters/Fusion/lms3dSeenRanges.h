@@ -9,6 +9,7 @@
 
 #include "Device/lms3dScanInput.h"
 #include "Fusion/lms3dBeamTable.h"
+#include "Fusion/lms3dWorldBox.h"
 #include "Geometry/lms3dVector.h"
 
 #include <memory>
@@ -22,6 +23,8 @@ public:
 
   const lms3dBeamTable& GetTable() const { return *this->Table; }
   const lms3dVector& GetPosition() const { return this->Pose.Position; }
+  /// The box of all beams with returns, from their starts to their returns.
+  const lms3dWorldBox& GetBox() const { return this->Box; }
 
   /// Metres, 0 for a beam without a return, within the rounding of single precision.
   double GetRange(int beamId) const { return this->Ranges[beamId]; }
@@ -60,6 +63,7 @@ private:
   std::vector<float> Ranges;
   std::vector<float> LargestInBin;
   double Largest = 0.0;
+  lms3dWorldBox Box;
 };
 
 #endif

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dCreasePlaces.h"
+
+#include <cmath>
+
+namespace
+{
+// Cells: how far a corner may be from a crease, from the end of its part, and from a meeting point of creases.
+constexpr double Reach = 8.0;
+constexpr double ReachAlong = 8.0;
+constexpr double ReachOfMeeting = 12.0;
+// The sine of the smallest angle between lines that meet.
+constexpr double SmallestSine = 0.1;
+
+struct Foot
+{
+  double Distance;
+  double Along;
+};
+
+Foot GetFoot(const lms3dPoint2& point, const lms3dCreaseLine& crease)
+{
+  const double du = point[0] - crease.Point[0];
+  const double dv = point[1] - crease.Point[1];
+  return { std::abs(crease.Direction[0] * dv - crease.Direction[1] * du),
+    crease.Direction[0] * du + crease.Direction[1] * dv };
+}
+
+bool IsOn(const lms3dCreaseParts& parts, double along)
+{
+  for (const auto& [first, last] : parts)
+  {
+    if (along >= first - ReachAlong && along <= last + ReachAlong)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+lms3dPoint2 GetPoint(const lms3dCreaseLine& crease, double along)
+{
+  return { crease.Point[0] + along * crease.Direction[0],
+    crease.Point[1] + along * crease.Direction[1] };
+}
+
+std::optional<lms3dPoint2> Intersect(const lms3dCreaseLine& a, const lms3dCreaseLine& b)
+{
+  const double sine = a.Direction[0] * b.Direction[1] - a.Direction[1] * b.Direction[0];
+  if (std::abs(sine) < SmallestSine)
+  {
+    return {};
+  }
+  const double du = b.Point[0] - a.Point[0];
+  const double dv = b.Point[1] - a.Point[1];
+  return GetPoint(a, (du * b.Direction[1] - dv * b.Direction[0]) / sine);
+}
+
+/// The creases near a corner: the nearest, and the next one.
+struct NearCreases
+{
+  const lms3dCreaseLine* First = nullptr;
+  const lms3dCreaseLine* Second = nullptr;
+  Foot FootOfFirst = {};
+  Foot FootOfSecond = {};
+};
+
+NearCreases FindCreases(const lms3dPoint2& point, const std::vector<lms3dCreaseLine>& creases)
+{
+  NearCreases near;
+  for (const lms3dCreaseLine& crease : creases)
+  {
+    const Foot foot = GetFoot(point, crease);
+    if (foot.Distance > Reach || !IsOn(crease.Parts, foot.Along))
+    {
+      continue;
+    }
+    if (!near.First || foot.Distance < near.FootOfFirst.Distance)
+    {
+      near.Second = near.First;
+      near.FootOfSecond = near.FootOfFirst;
+      near.First = &crease;
+      near.FootOfFirst = foot;
+    }
+    else if (!near.Second || foot.Distance < near.FootOfSecond.Distance)
+    {
+      near.Second = &crease;
+      near.FootOfSecond = foot;
+    }
+  }
+  return near;
+}
+
+bool IsNearMeeting(const lms3dPoint2& point, const std::optional<lms3dPoint2>& meeting)
+{
+  return meeting &&
+    std::hypot((*meeting)[0] - point[0], (*meeting)[1] - point[1]) <= ReachOfMeeting;
+}
+
+// A corner on a side of a tile stays on it, so that both tiles beside it have the same corner.
+std::optional<lms3dPoint2> FindPlaceOnSide(
+  const lms3dPoint2& point, const lms3dCreaseLine& crease, int axis)
+{
+  const lms3dCreaseLine side = { point, { axis == 0 ? 0.0 : 1.0, axis == 0 ? 1.0 : 0.0 }, {} };
+  std::optional<lms3dPoint2> meeting = Intersect(crease, side);
+  if (!IsNearMeeting(point, meeting))
+  {
+    return {};
+  }
+  (*meeting)[axis] = point[axis];
+  return meeting;
+}
+} // namespace
+
+std::optional<lms3dPoint2> lms3dFindPlaceOnCrease(
+  const lms3dPoint2& point, const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile)
+{
+  const NearCreases near = FindCreases(point, creases);
+  const bool isOnU = tile.IsOnSide(point, 0);
+  const bool isOnV = tile.IsOnSide(point, 1);
+  if (!near.First || (isOnU && isOnV))
+  {
+    return {};
+  }
+  if (isOnU || isOnV)
+  {
+    return FindPlaceOnSide(point, *near.First, isOnU ? 0 : 1);
+  }
+  if (near.Second)
+  {
+    const std::optional<lms3dPoint2> meeting = Intersect(*near.First, *near.Second);
+    if (IsNearMeeting(point, meeting))
+    {
+      return meeting;
+    }
+  }
+  return GetPoint(*near.First, near.FootOfFirst.Along);
+}

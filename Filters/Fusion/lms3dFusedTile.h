@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief A square part of a plane of a fused map: the region whose triangles change at once.
+ */
+#ifndef lms3dFusedTile_h
+#define lms3dFusedTile_h
+
+#include "Fusion/lms3dFusedMesh.h"
+#include "Fusion/lms3dRaster.h"
+#include "Triangulation/lms3dOrientation.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+struct lms3dFusedTile
+{
+  /// The blocks along a side. So a tile is 341 times as wide as the error bound.
+  static constexpr int Size = 16;
+
+  /// The number of the tile along an axis with a block. Tiles are shifted by half of their size, since many planes end
+  /// at the axes of the world.
+  static std::int32_t GetTileOf(std::int32_t block) { return (block + Size / 2) >> 4; }
+
+  /// The tile with all cells of its plane.
+  lms3dFusedTile() = default;
+
+  lms3dFusedTile(std::int32_t u, std::int32_t v)
+    : Left((u * Size - Size / 2) * lms3dRaster::Size)
+    , Bottom((v * Size - Size / 2) * lms3dRaster::Size)
+    , Right(this->Left + Size * lms3dRaster::Size)
+    , Top(this->Bottom + Size * lms3dRaster::Size)
+  {
+  }
+
+  bool IsOnSide(const lms3dPoint2& point, int axis) const
+  {
+    return point[axis] == (axis == 0 ? this->Left : this->Bottom) ||
+      point[axis] == (axis == 0 ? this->Right : this->Top);
+  }
+
+  bool Has(const lms3dPoint2& point) const
+  {
+    return point[0] >= this->Left && point[0] <= this->Right && point[1] >= this->Bottom &&
+      point[1] <= this->Top;
+  }
+
+  bool HasBlock(std::int32_t u, std::int32_t v) const
+  {
+    return this->Has({ (u + 0.5) * lms3dRaster::Size, (v + 0.5) * lms3dRaster::Size });
+  }
+
+  /// Cells: the sides.
+  std::int32_t Left = std::numeric_limits<std::int32_t>::min();
+  std::int32_t Bottom = std::numeric_limits<std::int32_t>::min();
+  std::int32_t Right = std::numeric_limits<std::int32_t>::max();
+  std::int32_t Top = std::numeric_limits<std::int32_t>::max();
+
+  std::vector<int> Blocks;
+  lms3dFusedMesh Mesh;
+  int Revision = 0;
+  /// How many cells of its blocks differ between Shape and Meshed.
+  int Difference = 0;
+  /// Whether the mesh does not explain what scans saw.
+  bool IsStale = true;
+  /// Whether the last scan has returns here.
+  bool IsSeen = true;
+};
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Straightens the borders of a region, and divides it into triangles.
+ */
+#ifndef lms3dRegionTriangles_h
+#define lms3dRegionTriangles_h
+
+#include "Fusion/lms3dCreaseLine.h"
+#include "Fusion/lms3dFusedTile.h"
+#include "Fusion/lms3dOutlineTriangles.h"
+#include "Fusion/lms3dRaster.h"
+
+#include <vector>
+
+/// Borders move to creases, and are straightened within a tolerance, cells, as far as triangles can be made of them.
+/// `region` has the bits of lms3dMakeRegion().
+std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRaster& region,
+  const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance);
+
+#endif

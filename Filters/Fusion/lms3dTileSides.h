@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Closes small gaps of a region along the sides of a tile.
+ */
+#ifndef lms3dTileSides_h
+#define lms3dTileSides_h
+
+#include "Fusion/lms3dFusedTile.h"
+#include "Fusion/lms3dRaster.h"
+
+/// A ragged border near a side would leave many islands beyond the side, which no straight border could join. Therefore
+/// gaps in the cells along a side get May, if they are small and no beam passed there. `region` has all blocks of the
+/// tile.
+void lms3dCloseGapsAlongSides(const lms3dFusedTile& tile, lms3dRaster& region);
+
+#endif

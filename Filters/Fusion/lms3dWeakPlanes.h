@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Replaces planes of few returns by better ones.
+ */
+#ifndef lms3dWeakPlanes_h
+#define lms3dWeakPlanes_h
+
+#include "Fusion/lms3dFusedPlanes.h"
+
+/// A weak plane that the last scan changed goes if other planes explain nearly all of its returns. The rest of them get
+/// facets.
+void lms3dDissolveWeakPlanes(lms3dFusedPlanes& planes);
+
+#endif
