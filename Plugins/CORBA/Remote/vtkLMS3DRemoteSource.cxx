@@ -33,7 +33,7 @@ bool IsFirstPiece(vtkInformation* output)
 }
 
 // The first of all problems.
-std::string GetProblem(const lms3dRemoteNews& news)
+std::string GetFirstProblem(const lms3dRemoteNews& news)
 {
   for (const std::string* problem : { &news.Problem, &news.Refusal, &news.FusedMapProblem })
   {
@@ -94,7 +94,7 @@ struct vtkLMS3DRemoteSource::Internals
   /// Warns once of each problem.
   void Warn(vtkLMS3DRemoteSource* source, const lms3dRemoteNews& news)
   {
-    std::string problem = GetProblem(news);
+    std::string problem = GetFirstProblem(news);
     if (problem.empty() && !news.Scan)
     {
       problem = "no scan arrived within the Timeout";
@@ -183,7 +183,7 @@ std::string vtkLMS3DRemoteSource::GetProblem() const
     return "";
   }
   const lms3dRemoteNews news = this->Internal->Watch->GetNews();
-  return ::GetProblem(news);
+  return GetFirstProblem(news);
 }
 
 int vtkLMS3DRemoteSource::RequestData(
