@@ -23,6 +23,13 @@ STOPS, STOPS_WHEN_QUICK = (1, 5, 10, 20), (1, 3)
 THREADS = (1, 2)
 SAMPLES = 50000
 BYTES = 12  # of a point, a triangle or a region
+# From a comparison: the value, its factor and its digits.
+ERRORS = {
+    "to scene mean mm": (lambda errors: errors.map_to_scene.mean, 1000, 2),
+    "to scene 95% mm": (lambda errors: errors.map_to_scene.percentile_95, 1000, 1),
+    "complete %": (lambda errors: errors.completeness, 100, 2),
+    "free space m2": (lambda errors: errors.area_in_free_space, 1, 3),
+}
 
 
 def measure(quick, csv_file):
@@ -119,19 +126,22 @@ def _fuse_with_peer(name, python, places, stops, threads, folder):
 
 def _make_row(name, threads, stop, seconds, fused, places, items):
     """Return the cells of a map. "seconds" are those of adding a pose, and of making the map."""
-    surface, scans = places
-    # What the first and the last pose see.
-    errors = [compare(fused, surface, scans[pose].poly, BOUND, SAMPLES)
-              for pose in sorted({0, stop - 1})]
-    mean = lambda get: sum(map(get, errors)) / len(errors)  # noqa: E731
     return {
         "map": name, "threads": threads, "poses": stop,
         "pose ms": f"{1000 * seconds[0]:.1f}", "mesh ms": f"{1000 * seconds[1]:.1f}",
         "triangles": fused.GetNumberOfCells(),
-        "to scene mean mm": f"{1000 * mean(lambda e: e.map_to_scene.mean):.2f}",
-        "to scene 95% mm": f"{1000 * mean(lambda e: e.map_to_scene.percentile_95):.1f}",
-        "complete %": f"{100 * mean(lambda e: e.completeness):.2f}",
-        "free space m2": f"{mean(lambda e: e.area_in_free_space):.3f}",
+        **_measure_errors(fused, places, stop),
         "kB a pose": f"{BYTES * items / 1000:.1f}",
     }
+
+
+def _measure_errors(fused, places, stop):
+    """Return the means over what the first and the last pose see; "-" for a map without triangles."""
+    if fused.GetNumberOfCells() == 0:
+        return dict.fromkeys(ERRORS, "-")
+    surface, scans = places
+    errors = [compare(fused, surface, scans[pose].poly, BOUND, SAMPLES)
+              for pose in sorted({0, stop - 1})]
+    return {name: f"{factor * sum(map(get, errors)) / len(errors):.{digits}f}"
+            for name, (get, factor, digits) in ERRORS.items()}
 

@@ -18,7 +18,9 @@ from peers_mappers import NEIGHBOURS, TRIMMED_SHARE
 # nearly as many as those of a scan (361 x 360).
 PIXELS = 147
 DEPTH_LIMIT = 80.0  # metres, as of the scan
-TRUNCATION = 4  # voxels; Open3D's examples have this or less
+TRUNCATION = 4.0  # voxels
+BLOCK = 16  # voxels along an edge, as in ScalableTSDFVolume
+INITIAL_BLOCKS = 10000  # more are made as needed
 # The columns are the camera's axes right, down and forward in the world.
 FACES = tuple(numpy.array(face, dtype=float).T for face in (
     ((0, -1, 0), (0, 0, -1), (1, 0, 0)), ((0, 1, 0), (0, 0, -1), (-1, 0, 0)),
@@ -35,8 +37,8 @@ class Pictures:
         self._caster.add_triangles(scans["corners"].astype(numpy.float32),
                                    scans["triangles"].astype(numpy.uint32))
         half = PIXELS / 2
-        self.camera = open3d.camera.PinholeCameraIntrinsic(PIXELS, PIXELS, half, half, half - 0.5,
-                                                           half - 0.5)
+        self.camera = open3d.core.Tensor(numpy.array(
+            ((half, 0, half - 0.5), (0, half, half - 0.5), (0, 0, 1))))
         columns, rows = numpy.meshgrid(numpy.arange(PIXELS), numpy.arange(PIXELS))
         # The depth along the camera's axis is the length along such a ray.
         self._rays = numpy.stack([(columns - half + 0.5) / half, (rows - half + 0.5) / half,
@@ -44,37 +46,75 @@ class Pictures:
 
     def take(self, sensor):
         """Return pairs of a picture and the world in the camera's frame."""
+        tensor = self._open3d.core.Tensor
         for axes in FACES:
             rays = numpy.concatenate([numpy.broadcast_to(sensor, self._rays.shape),
                                       self._rays @ axes.T], axis=-1).astype(numpy.float32)
-            depth = self._caster.cast_rays(self._open3d.core.Tensor(rays))["t_hit"].numpy()
+            depth = self._caster.cast_rays(tensor(rays))["t_hit"].numpy()
             depth = numpy.where(numpy.isfinite(depth), depth, 0).astype(numpy.float32)
-            image = self._open3d.geometry.RGBDImage()
-            image.color = self._open3d.geometry.Image(numpy.zeros_like(depth))
-            image.depth = self._open3d.geometry.Image(depth)
             frame = numpy.eye(4)
             frame[:3, :3] = axes.T
             frame[:3, 3] = -axes.T @ sensor
-            yield image, frame
+            yield self._open3d.t.geometry.Image(tensor(depth)), tensor(frame)
 
 
 class Volume:
-    """Open3D's ScalableTSDFVolume with voxels of an edge length, metres."""
+    """Open3D's VoxelBlockGrid with voxels of an edge length, metres."""
 
     def __init__(self, open3d, scans, length):
         self._scans = scans
         self._pictures = Pictures(open3d, scans)
-        self._volume = open3d.pipelines.integration.ScalableTSDFVolume(
-            voxel_length=length, sdf_trunc=TRUNCATION * length,
-            color_type=open3d.pipelines.integration.TSDFVolumeColorType.NoColor)
+        core = open3d.core
+        self._grid = open3d.t.geometry.VoxelBlockGrid(
+            ("tsdf", "weight"), (core.float32, core.float32), ((1,), (1,)), voxel_size=length,
+            block_resolution=BLOCK, block_count=INITIAL_BLOCKS, device=core.Device("CPU:0"))
 
     def add(self, pose):
         """Integrate what is seen from a pose; return the seconds without those of the pictures."""
         pictures = list(self._pictures.take(self._scans["sensors"][pose]))
+        camera = self._pictures.camera
+        start = time.perf_counter()
+        for depth, frame in pictures:
+            blocks = self._grid.compute_unique_block_coordinates(
+                depth, camera, frame, depth_scale=1.0, depth_max=DEPTH_LIMIT,
+                trunc_voxel_multiplier=TRUNCATION)
+            self._grid.integrate(blocks, depth, camera, frame, depth_scale=1.0,
+                                 depth_max=DEPTH_LIMIT, trunc_voxel_multiplier=TRUNCATION)
+        return time.perf_counter() - start
+
+    def make(self):
+        """Return the map, of all voxels that were seen."""
+        return self._grid.extract_triangle_mesh(weight_threshold=0.0).to_legacy()
+
+
+class ScalableVolume:
+    """Open3D's ScalableTSDFVolume with voxels of an edge length, metres."""
+
+    def __init__(self, open3d, scans, length):
+        self._open3d, self._scans = open3d, scans
+        self._pictures = Pictures(open3d, scans)
+        kinds = open3d.pipelines.integration
+        self._volume = kinds.ScalableTSDFVolume(
+            voxel_length=length, sdf_trunc=TRUNCATION * length, depth_sampling_stride=1,
+            color_type=kinds.TSDFVolumeColorType.NoColor)
+
+    def add(self, pose):
+        """Integrate what is seen from a pose; return the seconds without those of the pictures."""
+        focus, middle = PIXELS / 2, (PIXELS - 1) / 2
+        camera = self._open3d.camera.PinholeCameraIntrinsic(
+            PIXELS, PIXELS, focus, focus, middle, middle)
+        pictures = [(self._make_image(depth), frame.numpy())
+                    for depth, frame in self._pictures.take(self._scans["sensors"][pose])]
         start = time.perf_counter()
         for image, frame in pictures:
-            self._volume.integrate(image, self._pictures.camera, frame)
+            self._volume.integrate(image, camera, frame)
         return time.perf_counter() - start
+
+    def _make_image(self, depth):
+        image = self._open3d.geometry.RGBDImage()
+        image.depth = depth.to_legacy()
+        image.color = image.depth
+        return image
 
     def make(self):
         """Return the map."""
@@ -110,7 +150,9 @@ class Poisson:
 
 # By their names in the table.
 FUSERS = {
-    **{f"Open3D TSDF {1000 * length:g} mm": (Volume, length) for length in (0.04, 0.02, 0.01)},
+    "Open3D ScalableTSDFVolume 20 mm": (ScalableVolume, 0.02),
+    **{f"Open3D VoxelBlockGrid {1000 * length:g} mm": (Volume, length)
+       for length in (0.04, 0.02, 0.01)},
     **{f"Open3D Poisson depth {depth}": (Poisson, depth) for depth in (9, 10)}}
 
 
