@@ -37,8 +37,9 @@ class Pictures:
         self._caster.add_triangles(scans["corners"].astype(numpy.float32),
                                    scans["triangles"].astype(numpy.uint32))
         half = PIXELS / 2
-        self.camera = open3d.core.Tensor(numpy.array(
-            ((half, 0, half - 0.5), (0, half, half - 0.5), (0, 0, 1))))
+        # Open3D rounds the place of a voxel in a picture down to a pixel, so a pixel's ray has to be in
+        # the middle of the pixel's square.
+        self.camera = open3d.core.Tensor(numpy.array(((half, 0, half), (0, half, half), (0, 0, 1))))
         columns, rows = numpy.meshgrid(numpy.arange(PIXELS), numpy.arange(PIXELS))
         # The depth along the camera's axis is the length along such a ray.
         self._rays = numpy.stack([(columns - half + 0.5) / half, (rows - half + 0.5) / half,
