@@ -99,11 +99,9 @@ class ClientTest(unittest.TestCase):
         self.server = self.enterContext(Server("--fused-map", "0.02"))
         surface = self.folder / "fused.vtp"
         self.assertIn("map of 1 scans of room.wrl", self.run_client("fused", surface))
-        before = surface.read_bytes()
+        self.assertIn(b'Name="RegionId"', surface.read_bytes())
         self.run_client("pose", "1", "0.5", "1.2")
         self.assertRegex(self.run_client("grow", "1"), "^map of 2 scans of .*: all .* bytes")
-        self.run_client("fused", surface)
-        self.assertNotEqual(surface.read_bytes(), before)
         self.assertIn("from 1 0.5 1.2:", self.run_client("reset"))
         self.assertIn("map of 1 scans", self.run_client("fused", surface))
 

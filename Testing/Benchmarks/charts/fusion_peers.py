@@ -76,11 +76,12 @@ def _fuse(surface, scans, stops, threads):
     fused = lms3d.FusedMap(maximum_error=BOUND, threads=threads)
     rows, done = [], 0
     for stop in stops:
-        start = time.perf_counter()
-        for scan in scans[done:stop]:
-            revision = fused.revision
-            fused.add(scan)
-        seconds = (time.perf_counter() - start) / (stop - done)
+        with peers.real_time():
+            start = time.perf_counter()
+            for scan in scans[done:stop]:
+                revision = fused.revision
+                fused.add(scan)
+            seconds = (time.perf_counter() - start) / (stop - done)
         changes = fused.changes(revision)
         regions = changes.GetFieldData().GetArray("ChangedRegions").GetNumberOfTuples()
         rows.append(_make_row(OURS, threads, stop, (seconds, 0.0), fused.poly, (surface, scans),
@@ -125,7 +126,7 @@ def _fuse_with_peer(name, python, places, stops, threads, folder):
 
 
 def _make_row(name, threads, stop, seconds, fused, places, items):
-    """Return the cells of a map. "seconds" are those of adding a pose, and of making the map."""
+    """Return the cells of a map. "seconds" are for adding a pose, and for making the map."""
     return {
         "map": name, "threads": threads, "poses": stop,
         "pose ms": f"{1000 * seconds[0]:.1f}", "mesh ms": f"{1000 * seconds[1]:.1f}",

@@ -15,7 +15,7 @@ from peers_casters import import_open3d
 from peers_mappers import NEIGHBOURS, TRIMMED_SHARE
 
 # Six square pictures of a pinhole camera see as much as a scan. 147 x 147 pixels are 129,654 beams,
-# nearly as many as those of a scan (361 x 360).
+# nearly as many as a scan has (361 x 360).
 PIXELS = 147
 DEPTH_LIMIT = 80.0  # metres, as of the scan
 TRUNCATION = 4.0  # voxels
@@ -71,7 +71,7 @@ class Volume:
             block_resolution=BLOCK, block_count=INITIAL_BLOCKS, device=core.Device("CPU:0"))
 
     def add(self, pose):
-        """Integrate what is seen from a pose; return the seconds without those of the pictures."""
+        """Integrate what is seen from a pose; return the seconds, which exclude the pictures."""
         pictures = list(self._pictures.take(self._scans["sensors"][pose]))
         camera = self._pictures.camera
         start = time.perf_counter()
@@ -100,7 +100,7 @@ class ScalableVolume:
             color_type=kinds.TSDFVolumeColorType.NoColor)
 
     def add(self, pose):
-        """Integrate what is seen from a pose; return the seconds without those of the pictures."""
+        """Integrate what is seen from a pose; return the seconds, which exclude the pictures."""
         focus, middle = PIXELS / 2, (PIXELS - 1) / 2
         camera = self._open3d.camera.PinholeCameraIntrinsic(
             PIXELS, PIXELS, focus, focus, middle, middle)
@@ -158,7 +158,7 @@ FUSERS = {
 
 
 def main(name, scans_file, stops, map_file):
-    """Make the maps; save them, the mean seconds of adding a pose, and those of making each map."""
+    """Make the maps; save them, the mean seconds for adding a pose, and the seconds for each map."""
     scans = dict(numpy.load(scans_file))
     open3d = import_open3d()
     kind, parameter = FUSERS[name]

@@ -162,10 +162,7 @@ def watch(scanner, options):
 
 
 def take_changes(scanner, since):
-    """Return what changed in the map of all poses since a state: header, regions, points, triangles.
-
-    The server drops old states, so a slow client may have to try again.
-    """
+    """Return what changed in the map of all poses since a state: header, regions, points, triangles."""
     for attempt in range(1, MAXIMUM_TRIES + 1):
         header = scanner.getFusedMapHeader(since)
 
@@ -201,8 +198,8 @@ def grow(scanner, options):
         wait_for_scan(scanner, generation=move(scanner, options.positions[start:start + 3]))
         header = follow_map(scanner, regions, since)
         since = header.number
-        print(f"{header.scans} scans, {header.allTriangles} triangles, "
-              f"{12 * (header.regions + header.points + header.triangles)} bytes", flush=True)
+        size = 12 * (header.regions + header.points + header.triangles)
+        print(f"{header.scans} scans, {header.allTriangles} triangles, {size} bytes", flush=True)
     origin = header.origin.x, header.origin.y, header.origin.z
     coordinates, numbers = [], []
     for _, (points, triangles) in sorted(regions.items()):

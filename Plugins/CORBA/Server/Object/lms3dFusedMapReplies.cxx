@@ -10,7 +10,7 @@
 
 namespace
 {
-// Of a point, and of a triangle.
+// Elements of a point, and of a triangle.
 constexpr std::size_t Width = 3;
 
 static_assert(sizeof(LMS3D::FusedRegion) == 3 * sizeof(CORBA::ULong), "regions have no gaps");

@@ -57,7 +57,7 @@ private:
   std::string FindProblem(const lms3dScanSettings& settings, bool hasMap) const;
   /// Returns the problem. Empty if the scan was added.
   std::string Fuse(vtkPolyData* map, vtkPolyData* scan);
-  /// Publishes the next state, with the regions that differ from those of the newest one.
+  /// Publishes the next state, with the regions that differ from the newest one.
   void Publish(const lms3dFusedRegions& changes);
   void SetProblem(const std::string& problem);
 

@@ -95,7 +95,7 @@ void lms3dReplaceFusedRegions(
 {
   lms3dFusedRegions merged;
   merged.reserve(regions.size() + changes.size());
-  // Of two regions with the same id, the first one remains.
+  // If two regions have the same id, the first one remains.
   const auto isBefore = [](const auto& a, const auto& b) { return a->Id < b->Id; };
   std::set_union(changes.begin(), changes.end(), regions.begin(), regions.end(),
     std::back_inserter(merged), isBefore);

@@ -25,7 +25,7 @@ struct lms3dScanSettings
   lms3dServedScenePointer Scene;
   /// Counts the changes of settings, from 1.
   std::uint64_t Generation = 1;
-  /// Counts the changes that begin a new fused map, from 1: all but those of the pose.
+  /// Counts the changes that begin a new fused map, from 1: all except a new pose.
   std::uint64_t FusedMap = 1;
 };
 
