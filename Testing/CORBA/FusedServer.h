@@ -47,5 +47,9 @@ private:
   {
     std::vector<std::string> arguments = { "--fused-map", "0.02", "--map-error", "0.02",
       "--position", "0.3", "-0.2", "1" };
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+};
 
 #endif

@@ -29,21 +29,34 @@ TEST(ServerFusedMapLimits, SaysWhyScansAreNotAdded)
   EXPECT_STREQ(map->header.problem, "");
 }
 
+// The scan has 0.5 MB of ranges, and the cells of the room's walls have some megabytes.
 TEST(ServerFusedMapLimits, KeepsItsMemoryLimit)
 {
-  const std::vector<LMS3D::Pose> poses = GetFusedPoses();
-  const FusedServer server({ "--fused-memory", "1" });
+  const FusedServer server({ "--fused-memory", "10" });
   const LMS3D::LaserScanner_var scanner = server.Connect();
-  for (const LMS3D::Pose& pose : poses)
+  LMS3D::FusedMapHeader_var header = scanner->getFusedMapHeader(0);
+  EXPECT_STREQ(header->problem, "");
+  for (const LMS3D::Pose& pose : GetFusedPoses())
   {
     MoveTo(scanner, pose);
   }
-  LMS3D::FusedMapHeader_var header = scanner->getFusedMapHeader(0);
+  header = scanner->getFusedMapHeader(0);
   EXPECT_EQ(header->scans, 1U);
+  EXPECT_GT(header->triangles, 0U);
   EXPECT_NE(std::string(header->problem).find("--fused-memory"), std::string::npos);
   WaitFor(scanner, scanner->resetFusedMap());
   header = scanner->getFusedMapHeader(0);
+  EXPECT_EQ(header->scans, 1U);
   EXPECT_STREQ(header->problem, "");
+}
+
+TEST(ServerFusedMapLimits, AMapThatIsTooLargeStaysEmpty)
+{
+  const FusedServer server({ "--fused-memory", "1" });
+  const LMS3D::LaserScanner_var scanner = server.Connect();
+  const LMS3D::FusedMapHeader_var header = scanner->getFusedMapHeader(0);
+  EXPECT_EQ(header->scans, 0U);
+  EXPECT_NE(std::string(header->problem).find("--fused-memory"), std::string::npos);
 }
 
 TEST(ServerFusedMapLimits, WithoutTheOptionThereIsNone)

@@ -78,10 +78,9 @@ lms3dPermissions GetPermissions(const lms3dServerOptions& options)
 
 lms3dFusedMapOptions GetFusedMapOptions(const lms3dServerOptions& options)
 {
-  constexpr std::int64_t BytesPerBeam = 4;
-  constexpr std::int64_t Megabyte = 1'000'000;
+  constexpr double Megabyte = 1e6;
   return { options.FusedMapError, options.Threads,
-    static_cast<std::uint64_t>(options.FusedMemory * Megabyte / BytesPerBeam) };
+    Megabyte * static_cast<double>(options.FusedMemory) };
 }
 
 bool UsesTLS(const std::string& address)

@@ -72,7 +72,7 @@ const lms3dOption Options[] = {
     "it needs --map-error up to this (default: no such map)",
     [](lms3dServerOptions& o, const Words& w)
     { o.FusedMapError = lms3dReadOption(w[0], 1e-4, 1e6); } },
-  { "--fused-memory", 1, "MB", "memory for the ranges of its scans (default 1000)",
+  { "--fused-memory", 1, "MB", "memory for this map, its ranges and its surface (default 1000)",
     [](lms3dServerOptions& o, const Words& w)
     { o.FusedMemory = lms3dReadOption<std::int64_t>(w[0], 1, 1'000'000); } },
   { "--threads", 1, "N", "threads of the filters (default 0: all cores)",

@@ -17,6 +17,11 @@
 
 namespace
 {
+constexpr double BytesPerBeam = 4.0;
+
+// Measured on a level ground: a block of 64 x 64 cells has 3 kB, and the blocks at borders are not full.
+constexpr double BytesPerCell = 1.7;
+
 std::uint64_t CountBeams(const LMS3D::Configuration& configuration)
 {
   return std::uint64_t(configuration.alpha.count) * configuration.beta.count;
@@ -53,7 +58,7 @@ void lms3dFusedMapMaker::Add(
   }
   const int revision = this->Fusion->GetRevision();
   const auto start = std::chrono::steady_clock::now();
-  std::string problem = this->FindProblem(settings, map != nullptr);
+  std::string problem = this->FindProblem(settings, map);
   if (problem.empty())
   {
     problem = this->Fuse(map, scan);
@@ -97,21 +102,33 @@ void lms3dFusedMapMaker::BeginMap(const lms3dScanSettings& settings)
   header.origin = settings.Pose.position;
 }
 
-std::string lms3dFusedMapMaker::FindProblem(const lms3dScanSettings& settings, bool hasMap) const
+std::string lms3dFusedMapMaker::FindProblem(
+  const lms3dScanSettings& settings, vtkPolyData* map) const
 {
   const LMS3D::Configuration& configuration = settings.Configuration;
-  if (!hasMap || !(configuration.mapError > 0.0) ||
+  if (!map || !(configuration.mapError > 0.0) ||
     configuration.mapError > this->Options.MaximumError)
   {
     return "the configuration needs makeMap, and a mapError above 0 and up to " +
       std::to_string(this->Options.MaximumError) + " m";
   }
-  if (this->Beams + CountBeams(configuration) > this->Options.MaximumBeams)
+  if (this->EstimateBytes(settings, map) > this->Options.MaximumBytes)
   {
-    return "the ranges of " + std::to_string(this->State.Header.scans) +
-      " scans fill --fused-memory; resetFusedMap() begins a new map";
+    return "another scan would exceed --fused-memory; resetFusedMap() begins a new map";
   }
   return "";
+}
+
+double lms3dFusedMapMaker::EstimateBytes(const lms3dScanSettings& settings, vtkPolyData* map) const
+{
+  double area = lms3dGetArea(map);
+  for (const auto& region : this->State.Regions)
+  {
+    area += region->Area;
+  }
+  const double cell = this->Options.MaximumError / 3.0;
+  return BytesPerBeam * static_cast<double>(this->Beams + CountBeams(settings.Configuration)) +
+    BytesPerCell * area / (cell * cell);
 }
 
 std::string lms3dFusedMapMaker::Fuse(vtkPolyData* map, vtkPolyData* scan)

@@ -24,8 +24,8 @@ struct lms3dFusedMapOptions
   double MaximumError = 0.01;
   /// As NumberOfThreads of the filters: 0 for all cores.
   int Threads = 0;
-  /// The most beams of all scans of a map together. The ranges of each scan are kept.
-  std::uint64_t MaximumBeams = 250'000'000;
+  /// The memory of a map, bytes: the ranges of its scans, and the cells of its surface.
+  double MaximumBytes = 1e9;
 };
 
 /// Add() is for one thread.
@@ -54,7 +54,9 @@ public:
 private:
   void BeginMap(const lms3dScanSettings& settings);
   /// Why the scan cannot be added. Empty if it can.
-  std::string FindProblem(const lms3dScanSettings& settings, bool hasMap) const;
+  std::string FindProblem(const lms3dScanSettings& settings, vtkPolyData* map) const;
+  /// An estimate of the memory, if all that a local map shows is new.
+  double EstimateBytes(const lms3dScanSettings& settings, vtkPolyData* map) const;
   /// Returns the problem. Empty if the scan was added.
   std::string Fuse(vtkPolyData* map, vtkPolyData* scan);
   /// Publishes the next state, with the regions that differ from the newest one.

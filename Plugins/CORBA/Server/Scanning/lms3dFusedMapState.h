@@ -22,6 +22,8 @@ struct lms3dFusedRegion
   std::vector<float> Points;
   /// Three indices of the region's points for each triangle. Empty if the region is removed.
   std::vector<std::uint32_t> Triangles;
+  /// Square metres.
+  double Area = 0.0;
   /// The state that brought the region as it is.
   std::uint64_t Changed = 0;
 

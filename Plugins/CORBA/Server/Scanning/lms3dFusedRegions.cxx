@@ -11,6 +11,7 @@
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkTriangle.h>
 
 #include <algorithm>
 #include <array>
@@ -42,6 +43,16 @@ TrianglesOfRegions SortTriangles(vtkPolyData* delta)
   return sorted;
 }
 
+double GetArea(const Triangle& triangle, vtkPolyData* map)
+{
+  std::array<std::array<double, 3>, 3> corners{};
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    map->GetPoint(triangle[i], corners[i].data());
+  }
+  return vtkTriangle::TriangleArea(corners[0].data(), corners[1].data(), corners[2].data());
+}
+
 // The points of a region lie together in the output.
 void TakeMesh(const std::vector<Triangle>& triangles, vtkPolyData* delta,
   const LMS3D::Vector3& origin, lms3dFusedRegion& region)
@@ -58,6 +69,7 @@ void TakeMesh(const std::vector<Triangle>& triangles, vtkPolyData* delta,
   {
     std::transform(triangle.begin(), triangle.end(), std::back_inserter(region.Triangles),
       [first](vtkIdType corner) { return static_cast<std::uint32_t>(corner - first); });
+    region.Area += GetArea(triangle, delta);
   }
   for (vtkIdType i = first; i <= last; ++i)
   {
@@ -69,6 +81,18 @@ void TakeMesh(const std::vector<Triangle>& triangles, vtkPolyData* delta,
   }
 }
 } // namespace
+
+double lms3dGetArea(vtkPolyData* map)
+{
+  double area = 0.0;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < map->GetNumberOfPolys(); ++i)
+  {
+    map->GetPolys()->GetCellAtId(i, corners);
+    area += GetArea({ corners->GetId(0), corners->GetId(1), corners->GetId(2) }, map);
+  }
+  return area;
+}
 
 lms3dFusedRegions lms3dTakeFusedChanges(
   vtkLMS3DMapFusion* fusion, int sinceRevision, const LMS3D::Vector3& origin, std::uint64_t number)
