@@ -78,6 +78,14 @@ TEST(FusedMapStates, NewRegionsReplaceOldOnes)
   EXPECT_EQ(regions[2]->Changed, 2U);
 }
 
+TEST(FusedMapStates, ARegionWithTheSameTrianglesIsNoChange)
+{
+  lms3dFusedRegions regions = { MakeRegion(1, 1), MakeRegion(3, 1) };
+  lms3dReplaceFusedRegions({ MakeRegion(1, 2), MakeRegion(3, 2, true) }, 2, regions);
+  EXPECT_EQ(regions[0]->Changed, 1U);
+  EXPECT_EQ(regions[1]->Changed, 2U);
+}
+
 TEST(FusedMapStates, RemovedRegionsAreForgotten)
 {
   lms3dFusedRegions regions = { MakeRegion(1, 1), MakeRegion(2, 3, true) };

@@ -80,6 +80,10 @@ void TakeMesh(const std::vector<Triangle>& triangles, vtkPolyData* delta,
     region.Points.push_back(static_cast<float>(point[2] - origin.z));
   }
 }
+bool HaveSameMesh(const lms3dFusedRegion& a, const lms3dFusedRegion& b)
+{
+  return a.Id == b.Id && a.Points == b.Points && a.Triangles == b.Triangles;
+}
 } // namespace
 
 double lms3dGetArea(vtkPolyData* map)
@@ -119,9 +123,16 @@ void lms3dReplaceFusedRegions(
 {
   lms3dFusedRegions merged;
   merged.reserve(regions.size() + changes.size());
-  // If two regions have the same id, the first one remains.
   const auto isBefore = [](const auto& a, const auto& b) { return a->Id < b->Id; };
-  std::set_union(changes.begin(), changes.end(), regions.begin(), regions.end(),
+  lms3dFusedRegions different;
+  std::copy_if(changes.begin(), changes.end(), std::back_inserter(different),
+    [&](const auto& region)
+    {
+      const auto before = std::lower_bound(regions.begin(), regions.end(), region, isBefore);
+      return before == regions.end() || !HaveSameMesh(**before, *region);
+    });
+  // If two regions have the same id, the first one remains.
+  std::set_union(different.begin(), different.end(), regions.begin(), regions.end(),
     std::back_inserter(merged), isBefore);
   const auto isForgotten = [number](const auto& region)
   { return region->IsRemoved() && number - region->Changed > lms3dFusedMapState::Memory; };

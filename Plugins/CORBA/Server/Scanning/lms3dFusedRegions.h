@@ -20,7 +20,7 @@ lms3dFusedRegions lms3dTakeFusedChanges(
 /// The area of all triangles, square metres.
 double lms3dGetArea(vtkPolyData* map);
 
-/// Puts `changes` in the place of the regions with the same ids. Forgets the regions that were removed more
+/// Puts `changes` in the place of the regions with the same ids, unless these have the same triangles. Forgets the regions that were removed more
 /// than lms3dFusedMapState::Memory states before the state `number`.
 void lms3dReplaceFusedRegions(
   const lms3dFusedRegions& changes, std::uint64_t number, lms3dFusedRegions& regions);
