@@ -89,6 +89,14 @@ public:
   void AddScanData(vtkDataObject* scan) { this->AddInputDataObject(1, scan); }
   ///@}
 
+  ///@{
+  /**
+   * Remove all connections of an input.
+   */
+  void RemoveAllMaps() { this->RemoveAllInputConnections(0); }
+  void RemoveAllScans() { this->RemoveAllInputConnections(1); }
+  ///@}
+
   /**
    * Adds the scan of one pose and its local map. Returns false, with an error, if they are invalid or if the filter
    * has connections; the map is then as before. The data may be changed or deleted afterwards. The next

@@ -24,9 +24,10 @@ constexpr double Bound = 0.01; // metres
 constexpr int Samples = 20000;
 /// One pose of this number is a view by which completeness is measured.
 constexpr int PosesPerView = 25;
+// As getFusedMap() of LMS3DScanner.idl sends them.
 constexpr double BytesPerPoint = 12.0;
 constexpr double BytesPerTriangle = 12.0;
-constexpr double BytesPerRegion = 4.0;
+constexpr double BytesPerRegion = 12.0;
 
 double GetBytes(vtkPolyData* map)
 {

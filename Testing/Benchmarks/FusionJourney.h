@@ -34,8 +34,8 @@ struct FusionSizes
   /// The share of what some of the poses see that is within 1 cm of the map.
   double Completeness;
   double CompletenessOfAllMaps;
-  /// What a client needs that has the map before the last pose, and what a new client needs: 12 bytes
-  /// for each point and each triangle, and 4 for each region.
+  /// What the CORBA server sends to a client that has the map before the last pose, and to a new client: 12
+  /// bytes for each point and each triangle, and for each region that changed.
   double ChangedBytes;
   double Bytes;
 };

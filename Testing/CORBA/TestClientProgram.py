@@ -94,6 +94,17 @@ class ClientTest(unittest.TestCase):
         self.assertIn(b'NumberOfPolys="1176"', surface.read_bytes())
         self.assertEqual(sorted(self.folder.iterdir()), [surface, scan])
 
+    def test_fused_map(self):
+        """The map of many scans is saved, watched and begun anew."""
+        self.server = self.enterContext(Server("--fused-map", "0.02"))
+        surface = self.folder / "fused.vtp"
+        self.assertIn("map of 1 scans of room.wrl", self.run_client("fused", surface))
+        self.assertIn(b'Name="RegionId"', surface.read_bytes())
+        self.run_client("pose", "1", "0.5", "1.2")
+        self.assertRegex(self.run_client("grow", "1"), "^map of 2 scans of .*: all .* bytes")
+        self.assertIn("from 1 0.5 1.2:", self.run_client("reset"))
+        self.assertIn("map of 1 scans", self.run_client("fused", surface))
+
     def test_what_cannot_be_saved(self):
         """No temporary file is left, and an existing file stays unchanged."""
         scan = self.folder / "scan.vtp"
@@ -163,6 +174,9 @@ class ClientTest(unittest.TestCase):
                 ((self.server.corbaloc, "pose", "0", "a", "0"), 2, 'Y: "a" is not a number'),
                 ((self.server.corbaloc, "pose", *"00000", "1e999"), 2, 'RZ: "1e999" is not'),
                 ((self.server.corbaloc, "device", "sick"), 1, "NoSuchPreset"),
+                ((self.server.corbaloc, "reset"), 1, "NoFusedMap: the server was started without"),
+                ((self.server.corbaloc, "grow", "1"), 1, "NoFusedMap"),
+                ((unused, "fused", "map.stl"), 1, "its name must end in .vtp"),
                 ((self.server.corbaloc, "set", "rangeNoise", "-1"), 1, "rangeNoise is -1"),
                 ((unused, "set", "range", "1"), 2, '"range" is no property'),
                 ((unused, "set", "rangeNoise", "x"), 2, 'rangeNoise: "x" is not a number'),

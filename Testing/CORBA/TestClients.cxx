@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The example clients in other languages, run as programs.
+#include "Client/lms3dRemoteFusedMap.h"
 #include "ClientORB.h"
 #include "ClientProgram.h"
 #include "DirectPipeline.h"
@@ -18,6 +19,9 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
 
 namespace
 {
@@ -205,6 +209,32 @@ TEST(OmniORBpyClient, SavesTheDirectPipelinesMap)
   const Map map = ReadMap(file.Path);
   EXPECT_EQ(map.Points, direct.MapPoints);
   EXPECT_EQ(map.Triangles, direct.MapTriangles);
+}
+
+TEST(OmniORBpyClient, SavesTheMapOfAllPosesFromItsChanges)
+{
+  const TemporaryFile file("lms3d-map");
+  const ServerProcess server({ "--fused-map", "0.01" });
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  WaitFor(scanner);
+  const Outcome outcome = RunClient(GetOmniORBpyClient({ "grow" }), server.GetCorbaloc(),
+    { file.Path.string(), "1", "0.5", "1.2", "-1", "-0.2", "1" });
+  ASSERT_EQ(outcome.Code, 0) << outcome.Text;
+  EXPECT_NE(outcome.Text.find("3 scans, "), std::string::npos) << outcome.Text;
+  lms3dRemoteFusedMap fused;
+  fused.Update(scanner);
+  vtkNew<vtkPolyData> expected;
+  fused.Fill(expected);
+  const Map map = ReadMap(file.Path);
+  ASSERT_EQ(map.Triangles.size(), 3U * expected->GetNumberOfCells());
+  ASSERT_EQ(map.Points.size(), 3U * expected->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < expected->GetNumberOfPoints(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(map.Points[static_cast<std::size_t>(3 * i + axis)], expected->GetPoint(i)[axis]);
+    }
+  }
 }
 
 TEST(OmniORBpyClient, LeavesNoHalfOfAMap)

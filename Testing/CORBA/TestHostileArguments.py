@@ -15,7 +15,7 @@ class ArgumentTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.server = cls.enterClassContext(Server())
+        cls.server = cls.enterClassContext(Server("--fused-map", "0.02"))
 
     def fail_with(self, exception, name, operation, arguments):
         """The call fails as expected, and the next one works."""
@@ -81,6 +81,25 @@ class ArgumentTest(unittest.TestCase):
                        lambda e: e.string(b"../ideal"))
         self.fail_with(giop.SystemException, "MARSHAL|BAD_PARAM", "getPreset",
                        lambda e: e.string(b"x" * 65))
+
+    def test_fused_maps(self):
+        """States that are none, parts beyond the end, a missing end."""
+
+        def write(encoder, number, since, first, count):
+            for code, value in (("Q", number), ("Q", since), ("I", first), ("I", count)):
+                encoder.number(code, value)
+
+        for operation in ("getFusedRegions", "getFusedPoints", "getFusedTriangles"):
+            for number in (0, 1, 2 ** 64 - 1):
+                self.fail_with(giop.UserException, "FusedMapGone", operation,
+                               lambda e, number=number: write(e, number, 0, 0, 1))
+            self.fail_with(giop.SystemException, "MARSHAL", operation, lambda e: e.number("Q", 1))
+        self.fail_with(giop.SystemException, "MARSHAL", "getFusedMap", lambda e: e.number("I", 1))
+        with self.server.connect() as client:
+            newest = client.call("getFusedMapHeader", lambda e: e.number("Q", 0)).numbers("Q", 1)[0]
+        for since in (0, newest, 2 ** 64 - 1):
+            self.fail_with(giop.UserException, "InvalidArgument", "getFusedPoints",
+                           lambda e, since=since: write(e, newest, since, 2 ** 32 - 1, 2 ** 32 - 1))
 
 
 if __name__ == "__main__":

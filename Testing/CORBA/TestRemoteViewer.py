@@ -108,6 +108,31 @@ class TestWindow(unittest.TestCase):
             first = scanner.number
             self.assert_soon(viewer, lambda: scanner.number > first + 2)
 
+    def test_k_keeps_what_was_seen(self):
+        with Server(*self.arguments, "--fused-map", "0.02"):
+            scanner, viewer = self.open()
+            local = scanner.source.GetLocalMap().GetNumberOfCells()
+            self.assertEqual(scanner.fused_triangles, 0)
+            self.press(viewer, "k")
+            self.assert_soon(viewer, lambda: scanner.fused_scans == 1)
+            self.assertIn("kept: 1 scan, ", viewer.text)
+            self.press(viewer, "Right")
+            self.assert_soon(viewer, lambda: scanner.fused_scans == 2)
+            self.assertIn(f"kept: 2 scans, {scanner.fused_triangles:,} triangles", viewer.text)
+            self.assertNotEqual(scanner.fused_triangles, local)
+            self.press(viewer, "k")
+            self.assertNotIn("kept", viewer.text)
+            self.assertEqual(scanner.fused_triangles, 0)
+
+    def test_k_says_that_the_server_has_no_map(self):
+        with Server(*self.arguments):
+            scanner, viewer = self.open()
+            self.press(viewer, "k")
+            self.assert_soon(viewer, lambda: "started without --fused-map" in viewer.text)
+            self.press(viewer, "k")
+            self.assert_soon(viewer, lambda: not scanner.problem)
+            self.assertNotIn("fused", viewer.text)
+
     def test_keys_move_the_servers_sensor(self):
         with Server(*self.arguments, "--orientation", "10", "20", "30"):
             scanner, viewer = self.open()

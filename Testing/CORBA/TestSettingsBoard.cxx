@@ -116,10 +116,11 @@ TEST(ScannerServant, BeforeTheFirstScan)
   const lms3dSceneCatalogue catalogue(LMS3D_DATA_DIR);
   lms3dSettingsBoard board(GetSettings());
   lms3dSnapshotStore store(4);
+  const lms3dFusedMapStore fusedMap(4);
   const lms3dScanLoop loop(board, store, 10.0, 1);
   lms3dListeners listeners(store);
   const PortableServer::Servant_var<lms3dScannerServant> servant =
-    new lms3dScannerServant({}, catalogue, board, store, loop, listeners);
+    new lms3dScannerServant({}, catalogue, board, store, fusedMap, loop, listeners);
 
   EXPECT_THROW(servant->getHeader(), LMS3D::NoScanYet);
   EXPECT_THROW(servant->getScan(), LMS3D::NoScanYet);

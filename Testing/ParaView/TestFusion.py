@@ -82,6 +82,18 @@ class TestFusion(unittest.TestCase):
         self.fusion.MaximumError = 2 * BOUND
         self.assertEqual(self.scans(5), 1)
 
+    def test_maps_of_several_sensors_become_one(self):
+        """In the order of the connections; a connection that is taken out leaves the map."""
+        scans = [LMS3DScan(Input=self.scan.Input, Position=(x, -0.2, 1.0), AlphaResolution=91,
+                           BetaResolution=90) for x in (-1.0, 0.0, 1.0)]
+        maps = [LMS3DSurfaceReconstruction(Input=scan, MaximumError=BOUND) for scan in scans]
+        self.fusion.Map, self.fusion.Scan = maps, scans
+        self.assertEqual(self.scans(None), 3)
+        places = self.output().GetFieldData().GetArray("SensorPositions")
+        self.assertEqual([places.GetTuple3(i)[0] for i in range(3)], [-1.0, 0.0, 1.0])
+        self.fusion.Map, self.fusion.Scan = maps[:2], scans[:2]
+        self.assertEqual(self.scans(None), 2)
+
     def test_arrays_to_colour_by(self):
         view = simple.GetActiveViewOrCreate("RenderView")
         self.addCleanup(simple.Delete, view)

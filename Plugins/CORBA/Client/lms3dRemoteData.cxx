@@ -2,22 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Client/lms3dRemoteData.h"
 
+#include "Client/lms3dRemoteFields.h"
 #include "Common/lms3dGridGeometry.h"
 #include "Device/lms3dBeams.h"
 #include "Device/lms3dReturns.h"
 #include "Pipeline/lms3dArray.h"
 
-#include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
 #include <vtkTypeInt32Array.h>
-#include <vtkTypeUInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -27,42 +23,14 @@
 
 namespace
 {
-// Cells of `size` points each.
-vtkNew<vtkCellArray> MakeCells(vtkTypeInt32Array* points, int size)
-{
-  const std::size_t count = points->GetNumberOfValues() / size;
-  const auto offsets = lms3dMakeArray<vtkTypeInt32Array>("Offsets", count + 1);
-  lms3dFillOffsets(offsets->GetPointer(0), count, size);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, points);
-  return cells;
-}
-
-void SetPoints(vtkDoubleArray* coordinates, vtkPolyData* data)
-{
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
-  data->SetPoints(points);
-}
-
-void AddNumber(const char* name, CORBA::ULongLong number, vtkFieldData* fieldData)
-{
-  const auto array = lms3dMakeArray<vtkTypeUInt64Array>(name, 1);
-  array->SetValue(0, number);
-  lms3dAddHiddenArray(array, fieldData);
-}
-
 void AddHeader(const LMS3D::ScanHeader& header, vtkFieldData* fieldData)
 {
-  AddNumber("ScanNumber", header.number, fieldData);
-  AddNumber("Incarnation", header.incarnation, fieldData);
-  AddNumber("Generation", header.generation, fieldData);
-  AddNumber("StartTime", header.startTime, fieldData);
-  AddNumber("EndTime", header.endTime, fieldData);
-  vtkNew<vtkStringArray> scene;
-  scene->SetName("Scene");
-  scene->InsertNextValue(header.scene.in());
-  lms3dAddHiddenArray(scene, fieldData);
+  lms3dAddField("ScanNumber", header.number, fieldData);
+  lms3dAddField("Incarnation", header.incarnation, fieldData);
+  lms3dAddField("Generation", header.generation, fieldData);
+  lms3dAddField("StartTime", header.startTime, fieldData);
+  lms3dAddField("EndTime", header.endTime, fieldData);
+  lms3dAddField("Scene", header.scene.in(), fieldData);
 }
 
 // Raw pointers, because calls of ParaView's VTK for each value are slow.
@@ -138,11 +106,10 @@ void lms3dFillMap(const lms3dRemoteScan& remote, vtkPolyData* map)
 {
   const auto points = lms3dMakeArray<vtkDoubleArray>("Points", remote.Header.mapPoints, 3);
   std::copy(remote.MapPoints.begin(), remote.MapPoints.end(), points->GetPointer(0));
-  SetPoints(points, map);
   const auto corners = lms3dMakeArray<vtkTypeInt32Array>(
     "Connectivity", static_cast<vtkIdType>(remote.MapTriangles.size()));
   std::copy(remote.MapTriangles.begin(), remote.MapTriangles.end(), corners->GetPointer(0));
-  map->SetPolys(MakeCells(corners, 3));
+  lms3dSetTriangles(points, corners, map);
   map->GetPointData()->SetScalars(MakeRanges(remote.MapPoints, remote.Header.sensorPose.position));
   AddHeader(remote.Header, map->GetFieldData());
 }

@@ -2,55 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Client/lms3dRemoteScan.h"
 
+#include "Client/lms3dFetchParts.h"
 #include "Client/lms3dRemoteCheck.h"
-#include "Common/lms3dMessageLimit.h"
 
-#include <algorithm>
-#include <stdexcept>
-#include <string>
 #include <thread>
 
 namespace
 {
-void RequireLength(CORBA::ULong length, CORBA::ULong expected)
-{
-  if (length != expected)
-  {
-    throw std::runtime_error("the server sends " + std::to_string(length) + " numbers instead of " +
-      std::to_string(expected));
-  }
-}
-
-// `fetch(first, count)` returns the items of one message, each of `width` elements. If the server's
-// limit is lower than the client's, its exception contains the limit.
-template <typename Sequence, typename Element, typename Fetch>
-void FetchAll(CORBA::ULong total, CORBA::ULong width, const std::function<void()>& beforePart,
-  const Fetch& fetch, std::vector<Element>& elements)
-{
-  CORBA::ULongLong maximum = lms3dGetMaximumElements(width * sizeof(Element));
-  for (CORBA::ULong first = 0; first < total;)
-  {
-    const auto count =
-      static_cast<CORBA::ULong>(std::min<CORBA::ULongLong>(maximum, total - first));
-    beforePart();
-    try
-    {
-      const typename Sequence::_var_type part = fetch(first, count);
-      RequireLength(part->length(), count * width);
-      elements.insert(elements.end(), part->get_buffer(), part->get_buffer() + part->length());
-      first += count;
-    }
-    catch (const LMS3D::LimitExceeded& limit)
-    {
-      if (limit.limit == 0 || limit.limit >= count)
-      {
-        throw;
-      }
-      maximum = limit.limit;
-    }
-  }
-}
-
 // Older servers have an ideal device, and no such operation.
 LMS3D::Device FetchDevice(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong number)
 {
@@ -76,22 +34,22 @@ lms3dRemoteScan lms3dFetchScan(LMS3D::LaserScanner_ptr scanner, const LMS3D::Sca
   beforePart();
   scan.Device = FetchDevice(scanner, number);
   lms3dCheckDevice(scan);
-  FetchAll<LMS3D::Ranges>(
+  lms3dFetchParts<LMS3D::Ranges>(
     header.beams, 1, beforePart,
     [&](CORBA::ULong first, CORBA::ULong count)
     { return scanner->getRanges(number, first, count); },
     scan.Ranges);
-  FetchAll<LMS3D::BeamStatuses>(
+  lms3dFetchParts<LMS3D::BeamStatuses>(
     scan.Device.computeStatus ? header.beams : 0, 1, beforePart,
     [&](CORBA::ULong first, CORBA::ULong count)
     { return scanner->getBeamStatuses(number, first, count); },
     scan.Statuses);
-  FetchAll<LMS3D::Coordinates>(
+  lms3dFetchParts<LMS3D::Coordinates>(
     header.mapPoints, 3, beforePart,
     [&](CORBA::ULong first, CORBA::ULong count)
     { return scanner->getMapPoints(number, first, count); },
     scan.MapPoints);
-  FetchAll<LMS3D::Indices>(
+  lms3dFetchParts<LMS3D::Indices>(
     header.mapTriangles, 3, beforePart,
     [&](CORBA::ULong first, CORBA::ULong count)
     { return scanner->getMapTriangles(number, first, count); },

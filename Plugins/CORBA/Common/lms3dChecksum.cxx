@@ -11,21 +11,28 @@
 namespace
 {
 template <typename Number>
-uLong Continue(uLong checksum, const std::vector<Number>& numbers)
+std::uint32_t Continue(std::uint32_t checksum, const std::vector<Number>& numbers)
 {
-  return crc32_z(
-    checksum, reinterpret_cast<const Bytef*>(numbers.data()), numbers.size() * sizeof(Number));
+  return lms3dContinueChecksum(checksum, numbers.data(), numbers.size() * sizeof(Number));
 }
 } // namespace
 
 std::uint32_t lms3dGetRangesChecksum(const std::vector<float>& ranges)
 {
-  return static_cast<std::uint32_t>(Continue(crc32_z(0, nullptr, 0), ranges));
+  return Continue(0, ranges);
 }
 
 std::uint32_t lms3dGetMapChecksum(
   const std::vector<double>& points, const std::vector<std::uint32_t>& triangles)
 {
-  const uLong start = Continue(crc32_z(0, nullptr, 0), points);
-  return static_cast<std::uint32_t>(Continue(start, triangles));
+  return Continue(Continue(0, points), triangles);
+}
+
+std::uint32_t lms3dContinueChecksum(
+  std::uint32_t checksum, const void* data, std::size_t numberOfBytes)
+{
+  // zlib takes a null pointer, which an empty vector has, for a new checksum.
+  return numberOfBytes == 0
+    ? checksum
+    : static_cast<std::uint32_t>(crc32_z(checksum, static_cast<const Bytef*>(data), numberOfBytes));
 }

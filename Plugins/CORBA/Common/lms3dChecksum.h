@@ -7,6 +7,7 @@
 #ifndef lms3dChecksum_h
 #define lms3dChecksum_h
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,5 +18,9 @@ std::uint32_t lms3dGetRangesChecksum(const std::vector<float>& ranges);
 std::uint32_t lms3dGetMapChecksum(
   const std::vector<double>& points, const std::vector<std::uint32_t>& triangles);
 ///@}
+
+/// Continues such a checksum, at first 0, with little-endian bytes.
+std::uint32_t lms3dContinueChecksum(
+  std::uint32_t checksum, const void* data, std::size_t numberOfBytes);
 
 #endif

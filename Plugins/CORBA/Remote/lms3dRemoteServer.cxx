@@ -109,6 +109,55 @@ lms3dRemoteScanPointer lms3dRemoteServer::WaitForScan(std::uint32_t milliseconds
 
 lms3dRemoteScanPointer lms3dRemoteServer::Fetch(const LMS3D::ScanHeader& header) const
 {
+  lms3dRemoteScanPointer scan;
+  try
+  {
+    this->FetchInTime(
+      [&](const std::function<void()>& beforePart)
+      {
+        scan = std::make_shared<const lms3dRemoteScan>(
+          lms3dFetchScan(this->Scanner, header, beforePart));
+      },
+      "a scan cannot be fetched within the Timeout; set a longer one");
+  }
+  catch (const LMS3D::ScanGone&)
+  {
+    this->LimitCalls(this->Timeout);
+  }
+  return scan;
+}
+
+lms3dRemoteFusedMapPointer lms3dRemoteServer::FetchFusedMap()
+{
+  return this->Invoke<lms3dRemoteFusedMapPointer>(
+    [this]() -> lms3dRemoteFusedMapPointer
+    {
+      bool isNew = false;
+      try
+      {
+        this->FetchInTime([&](const std::function<void()>& beforePart)
+          { isNew = this->FusedMap.Update(this->Scanner, beforePart); },
+          "the fused map cannot be fetched within the Timeout; set a longer one");
+      }
+      catch (const LMS3D::FusedMapGone&)
+      {
+        this->LimitCalls(this->Timeout);
+      }
+      catch (const LMS3D::NoFusedMap& refusal)
+      {
+        throw lms3dRemoteRefusal("no fused map: " + std::string(refusal.reason));
+      }
+      catch (const CORBA::BAD_OPERATION&)
+      {
+        throw lms3dRemoteRefusal("no fused map: the server is older than this");
+      }
+      return isNew ? std::make_shared<const lms3dRemoteFusedMap>(this->FusedMap) : nullptr;
+    });
+}
+
+void lms3dRemoteServer::FetchInTime(
+  const std::function<void(const std::function<void()>&)>& fetch, const char* problem) const
+{
   const Clock::time_point end = Clock::now() + this->Timeout;
   const auto beforePart = [this, end]
   {
@@ -119,22 +168,15 @@ lms3dRemoteScanPointer lms3dRemoteServer::Fetch(const LMS3D::ScanHeader& header)
     }
     this->LimitCalls(left);
   };
-  lms3dRemoteScanPointer scan;
   try
   {
-    scan =
-      std::make_shared<const lms3dRemoteScan>(lms3dFetchScan(this->Scanner, header, beforePart));
-  }
-  catch (const LMS3D::ScanGone&)
-  {
-    scan = nullptr;
+    fetch(beforePart);
   }
   catch (const CORBA::TIMEOUT&)
   {
-    throw std::runtime_error("a scan cannot be fetched within the Timeout; set a longer one");
+    throw std::runtime_error(problem);
   }
   this->LimitCalls(this->Timeout);
-  return scan;
 }
 
 void lms3dRemoteServer::LimitCalls(std::chrono::milliseconds timeout) const

@@ -7,6 +7,7 @@
 #ifndef lms3dRemoteServer_h
 #define lms3dRemoteServer_h
 
+#include "Client/lms3dRemoteFusedMap.h"
 #include "Client/lms3dRemoteScan.h"
 
 #include <chrono>
@@ -17,6 +18,7 @@
 #include <string>
 
 using lms3dRemoteScanPointer = std::shared_ptr<const lms3dRemoteScan>;
+using lms3dRemoteFusedMapPointer = std::shared_ptr<const lms3dRemoteFusedMap>;
 
 /// The server is there, but refuses the request.
 class lms3dRemoteRefusal : public std::runtime_error
@@ -42,6 +44,14 @@ public:
   /// fetched.
   lms3dRemoteScanPointer WaitForScan(std::uint32_t milliseconds);
 
+  /// Fetches what has changed in the map of many scans. Returns the map, or null if it is as before, or
+  /// if the server dropped a state before all parts were fetched. Throws lms3dRemoteRefusal if the server has
+  /// no such map.
+  lms3dRemoteFusedMapPointer FetchFusedMap();
+
+  /// Why the newest scans are not in the map of the last FetchFusedMap(). Empty if they are.
+  std::string GetFusedMapProblem() const { return this->FusedMap.GetHeader().problem.in(); }
+
   /// The server's reason for having no scans. Empty if it has scans.
   std::string GetProblem();
 
@@ -53,6 +63,10 @@ private:
   Result Invoke(const Call& call) const;
   LMS3D::ScanHeader_var WaitForHeader(std::uint32_t milliseconds);
   lms3dRemoteScanPointer Fetch(const LMS3D::ScanHeader& header) const;
+  /// Calls `fetch` with a function for it to call before each message, which throws CORBA::TIMEOUT after
+  /// the timeout and if the object is stopped. Throws std::runtime_error with `problem` then.
+  void FetchInTime(
+    const std::function<void(const std::function<void()>&)>& fetch, const char* problem) const;
   void LimitCalls(std::chrono::milliseconds timeout) const;
   void CheckRun(std::uint64_t incarnation);
 
@@ -64,6 +78,7 @@ private:
   /// The number of the last scan.
   std::uint64_t LastNumber = 0;
   int DroppedInARow = 0;
+  lms3dRemoteFusedMap FusedMap;
 };
 
 #endif

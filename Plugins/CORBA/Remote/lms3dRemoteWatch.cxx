@@ -56,13 +56,34 @@ void lms3dRemoteWatch::Follow()
     this->SendPendingPose(server);
     if (lms3dRemoteScanPointer scan = server.WaitForScan(MaximumWait))
     {
-      this->Publish(std::move(scan));
+      const FusedMapNews fusedMap = this->FetchFusedMap(server);
+      this->Publish(std::move(scan), fusedMap);
     }
     else
     {
       this->ReportProblem(server.GetProblem());
     }
   }
+}
+
+lms3dRemoteWatch::FusedMapNews lms3dRemoteWatch::FetchFusedMap(lms3dRemoteServer& server) const
+{
+  FusedMapNews news;
+  news.IsWanted = this->FusedMapWanted;
+  if (!news.IsWanted)
+  {
+    return news;
+  }
+  try
+  {
+    news.Map = server.FetchFusedMap();
+    news.Problem = server.GetFusedMapProblem();
+  }
+  catch (const lms3dRemoteRefusal& refusal)
+  {
+    news.Problem = refusal.what();
+  }
+  return news;
 }
 
 void lms3dRemoteWatch::SendPendingPose(lms3dRemoteServer& server)
@@ -104,11 +125,12 @@ void lms3dRemoteWatch::TakeRefusal(std::uint64_t number, const std::string& refu
   this->Changed.notify_all();
 }
 
-void lms3dRemoteWatch::Publish(lms3dRemoteScanPointer scan)
+void lms3dRemoteWatch::Publish(lms3dRemoteScanPointer scan, const FusedMapNews& fusedMap)
 {
   this->ReportProblem("");
   // Freed after unlocking.
   lms3dRemoteScanPointer displaced;
+  lms3dRemoteFusedMapPointer displacedMap;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     // After reconnecting, the newest scan may be the same as before.
@@ -120,6 +142,11 @@ void lms3dRemoteWatch::Publish(lms3dRemoteScanPointer scan)
       this->AnsweredPose == this->PoseNumber && scan->Header.generation >= this->PoseGeneration;
     this->News.IsPosePending = this->News.IsPosePending && !isFromPose;
     displaced = std::exchange(this->News.Scan, std::move(scan));
+    if (fusedMap.Map || !fusedMap.IsWanted)
+    {
+      displacedMap = std::exchange(this->News.FusedMap, fusedMap.Map);
+    }
+    this->News.FusedMapProblem = fusedMap.Problem;
     ++this->News.Scans;
     ++this->News.Count;
   }

@@ -9,6 +9,7 @@
 
 #include "Remote/lms3dRemoteServer.h"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -24,6 +25,10 @@ struct lms3dRemoteNews
   lms3dRemoteScanPointer Scan;
   /// The number of scans so far, the newest one included.
   std::uint64_t Scans = 0;
+  /// The map of many scans. Null if it is not wanted, or the server has none.
+  lms3dRemoteFusedMapPointer FusedMap;
+  /// Why the map of many scans is missing or does not grow. Empty if it is not wanted.
+  std::string FusedMapProblem;
   /// Why no newer scans come. Empty while they come.
   std::string Problem;
   /// Why the server refused the last pose. Empty if it accepted the pose or has not answered yet.
@@ -60,16 +65,28 @@ public:
   /// false if that time passed.
   bool WaitForScan(std::uint64_t scans) const;
 
+  /// From the next scan on, news have the server's map of many scans, or no longer have it.
+  void WantFusedMap(bool isWanted) { this->FusedMapWanted = isWanted; }
+
   /// Sends the newest pose soon. If the server ends before a scan from there arrives, sends it
   /// again after the restart.
   void SendPose(const LMS3D::Pose& pose);
 
 private:
+  struct FusedMapNews
+  {
+    bool IsWanted = false;
+    /// Null if it is as before.
+    lms3dRemoteFusedMapPointer Map;
+    std::string Problem;
+  };
+
   bool IsStopped() const;
   void Follow();
   void SendPendingPose(lms3dRemoteServer& server);
   void TakeRefusal(std::uint64_t number, const std::string& refusal);
-  void Publish(lms3dRemoteScanPointer scan);
+  void Publish(lms3dRemoteScanPointer scan, const FusedMapNews& fusedMap);
+  FusedMapNews FetchFusedMap(lms3dRemoteServer& server) const;
   void ReportProblem(const std::string& problem);
   void Pause() const;
 
@@ -79,6 +96,7 @@ private:
   mutable std::mutex Mutex;
   mutable std::condition_variable Changed;
   bool Stopped = false;
+  std::atomic<bool> FusedMapWanted{ false };
   lms3dRemoteNews News;
   LMS3D::Pose Pose{};
   /// Number of the newest pose, from 1.

@@ -32,6 +32,19 @@ bool IsFirstPiece(vtkInformation* output)
   return !output->Has(piece) || output->Get(piece) <= 0;
 }
 
+// The first of all problems.
+std::string GetFirstProblem(const lms3dRemoteNews& news)
+{
+  for (const std::string* problem : { &news.Problem, &news.Refusal, &news.FusedMapProblem })
+  {
+    if (!problem->empty())
+    {
+      return *problem;
+    }
+  }
+  return "";
+}
+
 LMS3D::Vector3 MakeVector(const double values[3])
 {
   return { values[0], values[1], values[2] };
@@ -81,7 +94,7 @@ struct vtkLMS3DRemoteSource::Internals
   /// Warns once of each problem.
   void Warn(vtkLMS3DRemoteSource* source, const lms3dRemoteNews& news)
   {
-    std::string problem = news.Problem.empty() ? news.Refusal : news.Problem;
+    std::string problem = GetFirstProblem(news);
     if (problem.empty() && !news.Scan)
     {
       problem = "no scan arrived within the Timeout";
@@ -113,7 +126,7 @@ vtkLMS3DRemoteSource::vtkLMS3DRemoteSource()
   : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(0);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 vtkLMS3DRemoteSource::~vtkLMS3DRemoteSource() = default;
@@ -121,6 +134,11 @@ vtkLMS3DRemoteSource::~vtkLMS3DRemoteSource() = default;
 vtkPolyData* vtkLMS3DRemoteSource::GetLocalMap()
 {
   return this->GetOutput(1);
+}
+
+vtkPolyData* vtkLMS3DRemoteSource::GetFusedMap()
+{
+  return this->GetOutput(2);
 }
 
 void vtkLMS3DRemoteSource::SendPose()
@@ -165,7 +183,7 @@ std::string vtkLMS3DRemoteSource::GetProblem() const
     return "";
   }
   const lms3dRemoteNews news = this->Internal->Watch->GetNews();
-  return news.Problem.empty() ? news.Refusal : news.Problem;
+  return GetFirstProblem(news);
 }
 
 int vtkLMS3DRemoteSource::RequestData(
@@ -183,7 +201,9 @@ int vtkLMS3DRemoteSource::RequestData(
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;
   }
-  const lms3dRemoteNews news = this->Internal->GetWatch(this->URL, this->Timeout).WaitForNews();
+  lms3dRemoteWatch& watch = this->Internal->GetWatch(this->URL, this->Timeout);
+  watch.WantFusedMap(this->FetchFusedMap);
+  const lms3dRemoteNews news = watch.WaitForNews();
   this->Internal->Shown = news.Count;
   this->Internal->ShownScans = news.Scans;
   this->Internal->IsPosePending = news.IsPosePending;
@@ -193,6 +213,10 @@ int vtkLMS3DRemoteSource::RequestData(
     lms3dFillScan(*news.Scan, vtkPolyData::GetData(outputVector, 0));
     lms3dFillMap(*news.Scan, vtkPolyData::GetData(outputVector, 1));
   }
+  if (news.FusedMap && this->FetchFusedMap)
+  {
+    news.FusedMap->Fill(vtkPolyData::GetData(outputVector, 2));
+  }
   return 1;
 }
 
@@ -201,6 +225,7 @@ void vtkLMS3DRemoteSource::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "URL: " << this->URL << '\n';
   os << indent << "Timeout: " << this->Timeout << '\n';
+  os << indent << "FetchFusedMap: " << this->FetchFusedMap << '\n';
   os << indent << "Position: " << this->Position[0] << ' ' << this->Position[1] << ' '
      << this->Position[2] << '\n';
   os << indent << "Orientation: " << this->Orientation[0] << ' ' << this->Orientation[1] << ' '

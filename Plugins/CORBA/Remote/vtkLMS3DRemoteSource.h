@@ -28,7 +28,12 @@
  * Output 1, the local map, is a vtkPolyData of triangles in world coordinates, counter-clockwise
  * seen from the sensor. It is empty if the server makes no maps.
  *
- * The field data of both outputs have (one uint64 each) `ScanNumber`, `Incarnation` (of the
+ * Output 2, the fused map, is the server's map of many scans: triangles with the cell array `RegionId` (int32) and the
+ * field data `NumberOfScans` (int32) and `State` (uint64), the number of its state. It is empty unless
+ * FetchFusedMap is on and the server has the option --fused-map. Points have single precision, relative to the
+ * map's first pose. Only what changes is fetched.
+ *
+ * The field data of outputs 0 and 1 have (one uint64 each) `ScanNumber`, `Incarnation` (of the
  * server's start), `Generation` (of the settings), `StartTime` and `EndTime` (nanoseconds since
  * 1970, the server's clock), and the name of the `Scene`.
  *
@@ -139,10 +144,25 @@ public:
    */
   std::string GetProblem() const;
 
+  ///@{
+  /**
+   * Whether the third output is made. Off by default. A change has effect from the next scan on. If the server has
+   * no such map, updates warn once.
+   */
+  vtkSetMacro(FetchFusedMap, bool);
+  vtkGetMacro(FetchFusedMap, bool);
+  vtkBooleanMacro(FetchFusedMap, bool);
+  ///@}
+
   /**
    * The second output.
    */
   vtkPolyData* GetLocalMap();
+
+  /**
+   * The third output.
+   */
+  vtkPolyData* GetFusedMap();
 
 protected:
   vtkLMS3DRemoteSource();
@@ -157,6 +177,7 @@ private:
 
   std::string URL;
   double Timeout = 2.0;
+  bool FetchFusedMap = false;
   double Position[3] = { 0.0, 0.0, 0.0 };
   double Orientation[3] = { 0.0, 0.0, 0.0 };
 

@@ -9,6 +9,7 @@
 #include "Object/lms3dSettingsCheck.h"
 #include "Options/lms3dOptionsCheck.h"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
@@ -69,9 +70,17 @@ lms3dPermissions GetPermissions(const lms3dServerOptions& options)
   lms3dPermissions permissions;
   permissions.ReadOnly = options.ReadOnly;
   permissions.Callbacks = options.Callbacks;
+  permissions.FusedMap = options.FusedMapError > 0.0;
   permissions.Rate = options.Rate;
   permissions.Reading = GetReading(options);
   return permissions;
+}
+
+lms3dFusedMapOptions GetFusedMapOptions(const lms3dServerOptions& options)
+{
+  constexpr double Megabyte = 1e6;
+  return { options.FusedMapError, options.Threads,
+    Megabyte * static_cast<double>(options.FusedMemory) };
 }
 
 bool UsesTLS(const std::string& address)
@@ -99,9 +108,14 @@ lms3dServer::lms3dServer(const lms3dServerOptions& options, const lms3dStopTest&
   , Catalogue(options.Scenes)
   , Board(MakeFirstSettings(options, this->Catalogue, isStopped))
   , Store(static_cast<std::size_t>(options.Keep))
+  , FusedMap(std::max(lms3dFusedMapStore::MinimumKeep, static_cast<std::size_t>(options.Keep)))
   , Loop(this->Board, this->Store, options.Rate, options.Threads)
   , Listeners(this->Store)
 {
+  if (options.FusedMapError > 0.0)
+  {
+    this->Loop.MakeFusedMap(GetFusedMapOptions(options), this->FusedMap);
+  }
 }
 
 lms3dServer::~lms3dServer()
@@ -121,7 +135,7 @@ void lms3dServer::Start(CORBA::ORB_ptr orb)
   const PortableServer::POA_var adapter = PortableServer::POA::_narrow(object);
   const PortableServer::Servant_var<lms3dScannerServant> servant =
     new lms3dScannerServant(GetPermissions(this->Options), this->Catalogue, this->Board,
-      this->Store, this->Loop, this->Listeners);
+      this->Store, this->FusedMap, this->Loop, this->Listeners);
   const PortableServer::ObjectId_var key = PortableServer::string_to_ObjectId(ObjectKey);
   adapter->activate_object_with_id(key, servant);
   const LMS3D::LaserScanner_var scanner = servant->_this();

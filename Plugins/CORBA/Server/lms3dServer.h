@@ -12,6 +12,7 @@
 #include "Connections/lms3dListeners.h"
 #include "Object/lms3dScannerServant.h"
 #include "Options/lms3dServerOptions.h"
+#include "Scanning/lms3dFusedMapStore.h"
 #include "Scanning/lms3dScanLoop.h"
 #include "Scanning/lms3dSceneCatalogue.h"
 #include "Scanning/lms3dSettingsBoard.h"
@@ -46,6 +47,7 @@ private:
   const lms3dSceneCatalogue Catalogue;
   lms3dSettingsBoard Board;
   lms3dSnapshotStore Store;
+  lms3dFusedMapStore FusedMap;
   lms3dScanLoop Loop;
   lms3dListeners Listeners;
   std::unique_ptr<lms3dReferenceFile> ReferenceFile;

@@ -37,6 +37,9 @@ class KeptMap:
         if self._problem:
             return self._problem
         self._fusion.Update()
-        triangles = self._fusion.GetOutput().GetNumberOfCells()
-        scans = self._fusion.GetNumberOfScans()
-        return f"kept: {scans:,} scan{'s' * (scans != 1)}, {triangles:,} triangles"
+        return describe_kept(self._fusion.GetNumberOfScans(), self._fusion.GetOutput().GetNumberOfCells())
+
+
+def describe_kept(scans, triangles):
+    """What a window says of a map of many scans."""
+    return f"kept: {scans:,} scan{'s' * (scans != 1)}, {triangles:,} triangles"

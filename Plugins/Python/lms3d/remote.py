@@ -69,6 +69,21 @@ class RemoteScanner:
         """The number of the scan since the server started."""
         return self.scan.GetFieldData().GetArray("ScanNumber").GetValue(0)
 
+    def fetch_fused_map(self, is_wanted):
+        """Begin or end to fetch the server's map of all poses, the third output of the source."""
+        self.source.SetFetchFusedMap(is_wanted)
+
+    @property
+    def fused_scans(self):
+        """The number of scans in the server's map of all poses; 0 without this map."""
+        scans = self.source.GetFusedMap().GetFieldData().GetArray("NumberOfScans")
+        return scans.GetValue(0) if scans else 0
+
+    @property
+    def fused_triangles(self):
+        """The number of triangles of this map."""
+        return self.source.GetFusedMap().GetNumberOfCells()
+
     def pose(self):
         """The sensor's position (metres) and orientation (degrees, as in vtkProp3D)."""
         transform = vtkTransform()

@@ -5,8 +5,9 @@
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from .figure import Figure
+from .kept_map import describe_kept
 from .pose import TURN_STEP, describe
-from .viewer import Window
+from .viewer import HELP_WITH_KEEPING, Window
 
 _POLL_INTERVAL = 50  # milliseconds between two checks for a new scan
 _HUES = (0.0, 0.667)  # from red, near, to blue, far
@@ -44,9 +45,12 @@ class RemoteFigure(Figure):
 class RemoteViewer(Window):
     """A window that shows a RemoteScanner and redraws with each scan."""
 
+    _help = HELP_WITH_KEEPING
+
     def __init__(self, scanner, size, title, step=None, edges=False, turn_step=TURN_STEP):
         self._scanner = scanner
         self._sent = scanner.pose()
+        self._keeps = False
         super().__init__(RemoteFigure(scanner, size, off_screen=False, edges=edges), title, step,
                          scanner.scan.GetLength(), turn_step)
         self.interactor.AddObserver("TimerEvent", self._poll)
@@ -68,10 +72,19 @@ class RemoteViewer(Window):
         self._scanner.send_pose(position, orientation)
         self.refresh()
 
+    def _toggle_keeping(self):
+        """Show the server's map of all poses, or the local map alone again."""
+        self._keeps = not self._keeps
+        self._scanner.fetch_fused_map(self._keeps)
+        self._figure.show_map(self._scanner.source.GetOutputPort(2) if self._keeps else None)
+        self.refresh()
+
     def _describe_state(self):
         words = [f"scan {self._scanner.number:,}"]
         if self._scanner.is_pose_pending:
             words.append(f"on the way to {describe(self._sent)}")
+        if self._keeps:
+            words.append(describe_kept(self._scanner.fused_scans, self._scanner.fused_triangles))
         if self._scanner.problem:
             words.append(self._scanner.problem)
         return words

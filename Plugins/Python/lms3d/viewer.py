@@ -16,7 +16,7 @@ from .pose import TURN_STEP, describe, turn
 
 _HELP = ("arrows: move as seen", "page up/down: height", "x y z: turn about red, green, blue axis",
          "with shift: turn back", "mouse: camera", "r: reset", "q: quit")
-_KEEP_HELP = "k: keep what was seen"
+HELP_WITH_KEEPING = (*_HELP[:-2], "k: keep what was seen", *_HELP[-2:])
 
 _INTERRUPTION_INTERVAL = 200  # milliseconds
 
@@ -158,7 +158,7 @@ class Window:
 class Viewer(Window):
     """A window that shows a simulation. It can join the local maps of all poses to one map."""
 
-    _help = (*_HELP[:-2], _KEEP_HELP, *_HELP[-2:])
+    _help = HELP_WITH_KEEPING
 
     def __init__(self, simulation, size, step=None, edges=False, turn_step=TURN_STEP):
         self._simulation = simulation

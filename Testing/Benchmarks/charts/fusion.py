@@ -5,6 +5,8 @@
 import subprocess
 
 import drawing
+import fusion_peers
+import fusion_tables
 import tables
 from matplotlib import pyplot
 from places import BENCHMARK
@@ -22,9 +24,10 @@ ONE_MAP, ALL_MAPS = "one map", "all local maps"
 
 
 def measure(quick, csv_file):
-    """Run the benchmark."""
+    """Run the benchmark, and give Open3D the first poses."""
     command = [BENCHMARK, "fusion", "--csv", csv_file] + ["--quick"] * quick
     subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
+    fusion_peers.measure(quick, csv_file.with_name(fusion_tables.FILE))
 
 
 def draw(table, machine):

@@ -58,7 +58,7 @@ def find_version(versions, name):
 
 
 @contextlib.contextmanager
-def _real_time():
+def real_time():
     """Give this process and its children the priority of lms3dBenchmark, if the system permits."""
     policy, parameters = os.sched_getscheduler(0), os.sched_getparam(0)
     with contextlib.suppress(PermissionError):
@@ -70,13 +70,17 @@ def _real_time():
         os.sched_setscheduler(0, policy, parameters)
 
 
-def run(python, program, *arguments, result_file):
-    """Run a program of this folder; return the arrays that it saves."""
+def run(python, program, *arguments, result_file, environment=None):
+    """Run a program of this folder; return the arrays that it saves.
+
+    `environment` has further variables of the system's environment.
+    """
     result_file.unlink(missing_ok=True)
     command = [python, HERE / program, *map(str, arguments), result_file]
     try:
-        with _real_time():
+        with real_time():
             process = subprocess.run(command, timeout=TIME_LIMIT, check=False, text=True,
+                                     env={**os.environ, **(environment or {})},
                                      stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     except subprocess.TimeoutExpired as problem:
         raise PeerProblem(f"over {TIME_LIMIT} s") from problem

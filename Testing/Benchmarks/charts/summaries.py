@@ -6,6 +6,7 @@ Everything here depends on the CSV files alone, so that the same files give the 
 """
 
 import damage_tables
+import fusion_tables
 import speed_tables
 from places import HERE
 from tables import (BEAMS, find, name_scene, read, select, to_error, to_markdown, to_number,
@@ -218,6 +219,8 @@ def _make_sections(folder, name):
     sections = [*PAGES[name][1](read(folder / f"{name}.csv"))]
     if name == damage_tables.NAME:
         sections += damage_tables.make_sections(folder)
+    if name == fusion_tables.NAME:
+        sections += fusion_tables.make_sections(folder)
     return sections
 
 

@@ -74,6 +74,12 @@ void lms3dRequireOutput()
   }
 }
 
+CORBA::ULongLong lms3dWaitForNextScan(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong after)
+{
+  const LMS3D::ScanHeader_var header = WaitForScan(scanner, after, 0);
+  return header->number;
+}
+
 void lms3dPrintHeader(const LMS3D::ScanHeader& header)
 {
   const LMS3D::Vector3& position = header.sensorPose.position;

@@ -19,6 +19,9 @@
 /// Throws std::runtime_error if the standard output cannot be written, e.g. because the disk is full.
 void lms3dRequireOutput();
 
+/// Waits for a scan whose number is above `after`, and returns its number.
+CORBA::ULongLong lms3dWaitForNextScan(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong after);
+
 /// Prints a line about a scan.
 void lms3dPrintHeader(const LMS3D::ScanHeader& header);
 

@@ -5,6 +5,7 @@
 #include "lms3dClientActions.h"
 #include "lms3dClientDevice.h"
 #include "lms3dClientFiles.h"
+#include "lms3dClientFusedMap.h"
 #include "lms3dClientListener.h"
 #include "lms3dClientNumbers.h"
 
@@ -37,6 +38,19 @@ lms3dClientCommand ReadSave(const Words& files)
   lms3dCheckFiles(files);
   return [files](CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
   { lms3dSaveScan(scanner, files); };
+}
+
+lms3dClientCommand ReadFused(const Words& files)
+{
+  lms3dCheckFiles(files);
+  return [file = files[0]](CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
+  { lms3dSaveFusedMap(scanner, file); };
+}
+
+lms3dClientCommand ReadGrow(const Words& words)
+{
+  return [count = GetCount(words)](CORBA::ORB_ptr, LMS3D::LaserScanner_ptr scanner)
+  { lms3dWatchFusedMap(scanner, count); };
 }
 
 lms3dClientCommand ReadWatch(const Words& words)
@@ -122,6 +136,12 @@ const std::vector<Command>& GetCommands()
       ReadNothing<lms3dPrintBeams> },
     { "save", "SCAN.vtp [MAP.vtp]", "save the newest scan and its local map as VTK files", { 1, 2 },
       ReadSave },
+    { "fused", "MAP.vtp", "save the map of many scans; the server needs --fused-map", { 1 },
+      ReadFused },
+    { "grow", "[COUNT]", "print a line whenever that map changes, and fetch what changed", { 0, 1 },
+      ReadGrow },
+    { "reset", "", "begin that map anew, and wait for its first scan", { 0 },
+      ReadNothing<lms3dResetFusedMap> },
     { "watch", "[COUNT]", "print a line for each scan; waits for the next one (long poll)",
       { 0, 1 }, ReadWatch },
     { "listen", "[COUNT]", "the same as a listener; the server needs --callbacks", { 0, 1 },

@@ -48,5 +48,9 @@ std::string lms3dDescribe(const CORBA::Exception& problem)
   {
     text.append(": ").append(limit->reason);
   }
+  else if (const auto* map = LMS3D::NoFusedMap::_downcast(&problem))
+  {
+    text.append(": ").append(map->reason);
+  }
   return text;
 }

@@ -161,12 +161,60 @@ def watch(scanner, options):
         last = header.number
 
 
+def take_changes(scanner, since):
+    """Return what changed in the map of all poses since a state: header, regions, points, triangles."""
+    for attempt in range(1, MAXIMUM_TRIES + 1):
+        header = scanner.getFusedMapHeader(since)
+
+        def get(operation, count, number=header.number):
+            return get_parts(lambda *part: operation(number, since, *part[1:]), number, count)
+
+        try:
+            return (header, get(scanner.getFusedRegions, header.regions),
+                    get(scanner.getFusedPoints, header.points),
+                    get(scanner.getFusedTriangles, header.triangles))
+        except LMS3D.FusedMapGone:
+            if attempt == MAXIMUM_TRIES:
+                raise
+
+
+def follow_map(scanner, regions, since):
+    """Bring the regions of a map up to date, and return the header: id -> points, triangles."""
+    header, changed, points, triangles = take_changes(scanner, since)
+    if header.isWhole:
+        regions.clear()
+    for region in changed:
+        regions[region.id] = points[:3 * region.points], triangles[:3 * region.triangles]
+        del points[:3 * region.points], triangles[:3 * region.triangles]
+        if not region.triangles:
+            del regions[region.id]
+    return header
+
+
+def grow(scanner, options):
+    """Move to one position after the other, and save the map of all poses. Only changes are fetched."""
+    regions, since = {}, 0
+    for start in range(0, len(options.positions), 3):
+        wait_for_scan(scanner, generation=move(scanner, options.positions[start:start + 3]))
+        header = follow_map(scanner, regions, since)
+        since = header.number
+        size = 12 * (header.regions + header.points + header.triangles)
+        print(f"{header.scans} scans, {header.allTriangles} triangles, {size} bytes", flush=True)
+    origin = header.origin.x, header.origin.y, header.origin.z
+    coordinates, numbers = [], []
+    for _, (points, triangles) in sorted(regions.items()):
+        first = len(coordinates) // 3
+        coordinates += [origin[i % 3] + offset for i, offset in enumerate(points)]
+        numbers += [first + number for number in triangles]
+    write_map(options.map.resolve(), coordinates, numbers)
+
+
 def parse_arguments():
     """Parse the scanner, the command and its options."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("scanner", help="an IOR or a corbaloc")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    for command in (fetch, scan, watch):
+    for command in (fetch, scan, watch, grow):
         words = commands.add_parser(command.__name__, help=command.__doc__)
         words.set_defaults(run=command)
         if command is scan:
@@ -175,6 +223,10 @@ def parse_arguments():
             words.add_argument("--device", metavar="NAME",
                                help="select a preset first, such as lms200-mm or ideal")
             words.add_argument("--map", type=pathlib.Path, metavar="FILE.obj")
+        if command is grow:
+            words.add_argument("map", type=pathlib.Path, metavar="FILE.obj")
+            words.add_argument("positions", type=float, nargs="+", metavar="X Y Z",
+                               help="where the sensor goes, metres")
         if command is watch:
             words.add_argument("count", type=int)
     return parser.parse_args()
@@ -185,8 +237,8 @@ def main():
     options = parse_arguments()
     try:
         options.run(connect(options.scanner), options)
-    except LMS3D.InvalidArgument as problem:
-        sys.exit(f"InvalidArgument: {problem.reason}")
+    except (LMS3D.InvalidArgument, LMS3D.NoFusedMap) as problem:
+        sys.exit(f"{type(problem).__name__}: {problem.reason}")
     except ValueError as problem:
         sys.exit(str(problem))
     except (CORBA.Exception, OSError) as problem:

@@ -67,6 +67,21 @@ LMS3D::PresetNames* lms3dMakePresetNames()
   return MakeNames<LMS3D::PresetNames>(lms3dGetPresetNames());
 }
 
+void lms3dCheckPart(std::size_t items, std::size_t bytes, CORBA::ULong first, CORBA::ULong count)
+{
+  if (CORBA::ULongLong(first) + count > items)
+  {
+    throw LMS3D::InvalidArgument(lms3dMakeText("there are " + std::to_string(items) +
+      " items, but first + count is " + std::to_string(CORBA::ULongLong(first) + count)));
+  }
+  const CORBA::ULongLong maximum = lms3dGetMaximumElements(bytes);
+  if (count > maximum)
+  {
+    throw LMS3D::LimitExceeded(
+      lms3dMakeText(std::to_string(count) + " do not fit into a message; fetch parts"), maximum);
+  }
+}
+
 LMS3D::LocalMap* lms3dMakeLocalMap(const lms3dSnapshot& snapshot)
 {
   const CORBA::ULongLong bytes = snapshot.MapPoints.size() * sizeof(CORBA::Double) +

@@ -31,6 +31,10 @@ LMS3D::PresetNames* lms3dMakePresetNames();
 /// fit into a message.
 LMS3D::LocalMap* lms3dMakeLocalMap(const lms3dSnapshot& snapshot);
 
+/// Throws LMS3D::InvalidArgument if there are fewer than `first` + `count` items, LMS3D::LimitExceeded if
+/// `count` items of `bytes` bytes do not fit into a message.
+void lms3dCheckPart(std::size_t items, std::size_t bytes, CORBA::ULong first, CORBA::ULong count);
+
 /**
  * A sequence of `count` items from item `first` on, each of `width` elements of `all`. The caller
  * owns the result. Throws LMS3D::InvalidArgument if `all` has fewer items, LMS3D::LimitExceeded if
@@ -40,18 +44,7 @@ template <typename Sequence, typename Element>
 Sequence* lms3dMakePart(
   const std::vector<Element>& all, CORBA::ULong width, CORBA::ULong first, CORBA::ULong count)
 {
-  const CORBA::ULongLong items = all.size() / width;
-  if (CORBA::ULongLong(first) + count > items)
-  {
-    throw LMS3D::InvalidArgument(lms3dMakeText("there are " + std::to_string(items) +
-      " items, but first + count is " + std::to_string(CORBA::ULongLong(first) + count)));
-  }
-  const CORBA::ULongLong maximum = lms3dGetMaximumElements(width * sizeof(Element));
-  if (count > maximum)
-  {
-    throw LMS3D::LimitExceeded(
-      lms3dMakeText(std::to_string(count) + " do not fit into a message; fetch parts"), maximum);
-  }
+  lms3dCheckPart(all.size() / width, width * sizeof(Element), first, count);
   // Filling a sequence element by element takes several times as long.
   const CORBA::ULong length = width * count;
   Element* buffer = Sequence::allocbuf(length);

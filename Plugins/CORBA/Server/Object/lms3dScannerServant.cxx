@@ -20,11 +20,12 @@ constexpr CORBA::ULong MaximumWait = 10000;
 
 lms3dScannerServant::lms3dScannerServant(const lms3dPermissions& permissions,
   const lms3dSceneCatalogue& catalogue, lms3dSettingsBoard& board, const lms3dSnapshotStore& store,
-  const lms3dScanLoop& loop, lms3dListeners& listeners)
+  const lms3dFusedMapStore& fusedMap, const lms3dScanLoop& loop, lms3dListeners& listeners)
   : Permissions(permissions)
   , Catalogue(catalogue)
   , Board(board)
   , Store(store)
+  , FusedMap(fusedMap)
   , Loop(loop)
   , Listeners(listeners)
   , Waiting(store)

@@ -11,6 +11,7 @@
 #include "Connections/lms3dWaitingRoom.h"
 #include "LMS3DScanner.hh"
 #include "Object/lms3dPolarData.h"
+#include "Scanning/lms3dFusedMapStore.h"
 #include "Scanning/lms3dScanLoop.h"
 #include "Scanning/lms3dSceneCatalogue.h"
 #include "Scanning/lms3dSettingsBoard.h"
@@ -24,6 +25,8 @@ struct lms3dPermissions
 {
   bool ReadOnly = false;
   bool Callbacks = false;
+  /// Whether the server keeps a map of many scans.
+  bool FusedMap = false;
   /// Scans per second, for the status.
   double Rate = 0.0;
   lms3dSceneReading Reading;
@@ -48,8 +51,8 @@ public:
 
   /// All objects that are given by reference must outlive the servant.
   lms3dScannerServant(const lms3dPermissions& permissions, const lms3dSceneCatalogue& catalogue,
-    lms3dSettingsBoard& board, const lms3dSnapshotStore& store, const lms3dScanLoop& loop,
-    lms3dListeners& listeners);
+    lms3dSettingsBoard& board, const lms3dSnapshotStore& store, const lms3dFusedMapStore& fusedMap,
+    const lms3dScanLoop& loop, lms3dListeners& listeners);
 
   /// The paper's operation: the newest scan. Waits for the first scan, and throws CORBA::TRANSIENT
   /// if it does not come in time, CORBA::IMP_LIMIT if the scan does not fit into a message.
@@ -140,6 +143,27 @@ public:
   LMS3D::BeamStatuses* getBeamStatuses(
     CORBA::ULongLong number, CORBA::ULong first, CORBA::ULong count) override;
 
+  ///@{
+  /// The changes of the map of many scans since a state. Throw LMS3D::NoFusedMap before the first state and
+  /// without such a map. getFusedMap() throws LMS3D::LimitExceeded if they do not fit into a message.
+  LMS3D::FusedMapHeader* getFusedMapHeader(CORBA::ULongLong since) override;
+  LMS3D::FusedMap* getFusedMap(CORBA::ULongLong since) override;
+  ///@}
+
+  ///@{
+  /// Copies of parts of these changes. Throw LMS3D::FusedMapGone if the store does not have the state
+  /// `number`, and otherwise what getRanges() throws.
+  LMS3D::FusedRegions* getFusedRegions(CORBA::ULongLong number, CORBA::ULongLong since,
+    CORBA::ULong first, CORBA::ULong count) override;
+  LMS3D::Offsets* getFusedPoints(CORBA::ULongLong number, CORBA::ULongLong since,
+    CORBA::ULong first, CORBA::ULong count) override;
+  LMS3D::Indices* getFusedTriangles(CORBA::ULongLong number, CORBA::ULongLong since,
+    CORBA::ULong first, CORBA::ULong count) override;
+  ///@}
+
+  /// Begins a new map of many scans with the next scan.
+  CORBA::ULongLong resetFusedMap() override;
+
 private:
   /// Throws LMS3D::NotPermitted if the server is read-only.
   void RequireWritable() const;
@@ -147,11 +171,19 @@ private:
   lms3dSnapshotPointer GetNewest() const;
   /// Never null. Throws LMS3D::ScanGone.
   lms3dSnapshotPointer Find(CORBA::ULongLong number) const;
+  /// Throws LMS3D::NoFusedMap without a map of many scans.
+  void RequireFusedMap() const;
+  ///@{
+  /// Never null. Throw LMS3D::NoFusedMap and LMS3D::FusedMapGone.
+  lms3dFusedMapPointer GetNewestFusedMap() const;
+  lms3dFusedMapPointer FindFusedMap(CORBA::ULongLong number) const;
+  ///@}
 
   const lms3dPermissions Permissions;
   const lms3dSceneCatalogue& Catalogue;
   lms3dSettingsBoard& Board;
   const lms3dSnapshotStore& Store;
+  const lms3dFusedMapStore& FusedMap;
   const lms3dScanLoop& Loop;
   lms3dListeners& Listeners;
   /// Locked while the configuration or the device is checked and set, because their limits depend on both.

@@ -67,6 +67,14 @@ const lms3dOption Options[] = {
     [](lms3dServerOptions& o, const Words& w) { o.MapError = lms3dReadOption(w[0], 0.0, 1e6); } },
   { "--no-map", 0, "", "make no local maps until a client switches them on",
     [](lms3dServerOptions& o, const Words&) { o.MakeMap = false; } },
+  { "--fused-map", 1, "M",
+    "keep one map of all poses with this error bound, metres, 1e-4 to 1e6;\n"
+    "it needs --map-error up to this (default: no such map)",
+    [](lms3dServerOptions& o, const Words& w)
+    { o.FusedMapError = lms3dReadOption(w[0], 1e-4, 1e6); } },
+  { "--fused-memory", 1, "MB", "memory for this map, its ranges and its surface (default 1000)",
+    [](lms3dServerOptions& o, const Words& w)
+    { o.FusedMemory = lms3dReadOption<std::int64_t>(w[0], 1, 1'000'000); } },
   { "--threads", 1, "N", "threads of the filters (default 0: all cores)",
     [](lms3dServerOptions& o, const Words& w) { o.Threads = lms3dReadOption(w[0], 0, 1024); } },
   { "--keep", 1, "N", "scans to keep (default 4, within 1 GiB); more for slow networks",

@@ -39,6 +39,12 @@ void lms3dCheckServerOptions(const lms3dServerOptions& options)
       "\" and move the sensor. To permit that, add --allow-remote");
   }
   CheckTLS(options);
+  if (options.FusedMapError > 0.0 && options.MapError > options.FusedMapError)
+  {
+    throw std::invalid_argument(
+      "--fused-map: its error bound is below that of the local maps; add --map-error " +
+      std::to_string(options.FusedMapError));
+  }
 }
 
 bool lms3dIsLocalEndpoint(const std::string& endpoint)

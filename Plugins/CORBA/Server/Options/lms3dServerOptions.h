@@ -32,6 +32,10 @@ struct lms3dServerOptions
   double Rate = 10.0;
   /// Metres.
   double MapError = 0.01;
+  /// The error bound of the map of many scans, metres. 0: no such map.
+  double FusedMapError = 0.0;
+  /// The memory of this map, megabytes.
+  std::int64_t FusedMemory = 1000;
   /// 0: all cores.
   int Threads = 0;
   int Keep = 4;

@@ -51,6 +51,11 @@ lms3dScanLoop::~lms3dScanLoop()
   this->Stop();
 }
 
+void lms3dScanLoop::MakeFusedMap(const lms3dFusedMapOptions& options, lms3dFusedMapStore& store)
+{
+  this->FusedMap = std::make_unique<lms3dFusedMapMaker>(options, this->Incarnation, store);
+}
+
 void lms3dScanLoop::Start()
 {
   this->Thread = std::thread([this] { this->Run(); });
@@ -63,6 +68,10 @@ void lms3dScanLoop::Stop()
     this->Stopped = true;
   }
   this->Pipeline.Stop();
+  if (this->FusedMap)
+  {
+    this->FusedMap->Stop();
+  }
   this->Board.Stop();
   if (this->Thread.joinable())
   {
@@ -111,6 +120,10 @@ bool lms3dScanLoop::MakeScan()
   }
   this->AbortedInARow = 0;
   ++this->Number;
+  if (this->FusedMap)
+  {
+    this->Pipeline.AddTo(*this->FusedMap, settings, this->Number);
+  }
   snapshot->Header.incarnation = this->Incarnation;
   snapshot->Header.startTime = start;
   snapshot->Header.endTime = NanosecondsSince1970();

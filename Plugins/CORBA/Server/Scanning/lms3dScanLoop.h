@@ -7,6 +7,7 @@
 #ifndef lms3dScanLoop_h
 #define lms3dScanLoop_h
 
+#include "Scanning/lms3dFusedMapMaker.h"
 #include "Scanning/lms3dScanPipeline.h"
 #include "Scanning/lms3dSettingsBoard.h"
 #include "Scanning/lms3dSnapshotStore.h"
@@ -14,6 +15,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -29,6 +31,10 @@ public:
   /// `rate` in scans per second; 0: without pauses. `threads` as NumberOfThreads of the filters.
   /// Board and store must outlive the loop.
   lms3dScanLoop(lms3dSettingsBoard& board, lms3dSnapshotStore& store, double rate, int threads);
+
+  /// Adds each scan to a map of many scans before it is published. Call before Start(). The store must
+  /// outlive the loop.
+  void MakeFusedMap(const lms3dFusedMapOptions& options, lms3dFusedMapStore& store);
   ~lms3dScanLoop();
   lms3dScanLoop(const lms3dScanLoop&) = delete;
   void operator=(const lms3dScanLoop&) = delete;
@@ -63,6 +69,8 @@ private:
   const Clock::duration Period;
   const std::uint64_t Incarnation;
   lms3dScanPipeline Pipeline;
+  /// Null without such a map.
+  std::unique_ptr<lms3dFusedMapMaker> FusedMap;
   std::uint64_t Number = 0;
   /// The generation of the last scan, also if it was aborted. 0 before the first.
   std::uint64_t Generation = 0;

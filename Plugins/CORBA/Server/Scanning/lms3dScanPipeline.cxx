@@ -3,6 +3,7 @@
 #include "Scanning/lms3dScanPipeline.h"
 
 #include "Scanning/lms3dFilterOutputs.h"
+#include "Scanning/lms3dFusedMapMaker.h"
 #include "vtkLMS3DRangeErrorFilter.h"
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
@@ -56,6 +57,13 @@ std::shared_ptr<lms3dSnapshot> lms3dScanPipeline::Run(
   const bool isWhole =
     this->Scan(*snapshot) && (!settings.Configuration.makeMap || this->MakeMap(*snapshot));
   return isWhole ? snapshot : nullptr;
+}
+
+void lms3dScanPipeline::AddTo(
+  lms3dFusedMapMaker& fusedMap, const lms3dScanSettings& settings, std::uint64_t number)
+{
+  fusedMap.Add(settings, number, this->Mapper ? this->Mapper->GetOutput() : nullptr,
+    this->Errors ? this->Errors->GetOutput() : this->Scanner->GetOutput());
 }
 
 bool lms3dScanPipeline::ShouldAbort()

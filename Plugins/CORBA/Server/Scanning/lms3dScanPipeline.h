@@ -17,6 +17,7 @@
 #include <atomic>
 #include <memory>
 
+class lms3dFusedMapMaker;
 class vtkAlgorithm;
 class vtkLMS3DRangeErrorFilter;
 class vtkLMS3DScanFilter;
@@ -41,6 +42,9 @@ public:
   /// or Stop() was called, before the scan was complete. Throws std::runtime_error if a filter fails.
   std::shared_ptr<lms3dSnapshot> Run(
     const lms3dScanSettings& settings, std::uint64_t number, const lms3dStopTest& isOutdated);
+
+  /// Adds the last scan of Run() to a map of many scans.
+  void AddTo(lms3dFusedMapMaker& fusedMap, const lms3dScanSettings& settings, std::uint64_t number);
 
   /// Aborts the current scan and all later ones. Any thread.
   void Stop() { this->Stopped = true; }

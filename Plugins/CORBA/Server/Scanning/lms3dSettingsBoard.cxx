@@ -46,7 +46,7 @@ std::uint64_t lms3dSettingsBoard::SetConfiguration(const LMS3D::Configuration& c
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Settings.Configuration = configuration;
-  return this->Advance();
+  return this->AdvanceFusedMap();
 }
 
 std::uint64_t lms3dSettingsBoard::SetDevice(
@@ -55,7 +55,7 @@ std::uint64_t lms3dSettingsBoard::SetDevice(
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Settings.Device = device;
   this->Settings.Configuration = configuration;
-  return this->Advance();
+  return this->AdvanceFusedMap();
 }
 
 std::uint64_t lms3dSettingsBoard::SetScene(lms3dServedScenePointer scene)
@@ -63,10 +63,21 @@ std::uint64_t lms3dSettingsBoard::SetScene(lms3dServedScenePointer scene)
   // Swapped, so that the previous scene is freed after unlocking.
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Settings.Scene.swap(scene);
+  return this->AdvanceFusedMap();
+}
+
+std::uint64_t lms3dSettingsBoard::BeginFusedMap()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->AdvanceFusedMap();
+}
+
+std::uint64_t lms3dSettingsBoard::AdvanceFusedMap()
+{
+  ++this->Settings.FusedMap;
   return this->Advance();
 }
 
-// The caller has locked the mutex.
 std::uint64_t lms3dSettingsBoard::Advance()
 {
   this->Changed.notify_all();

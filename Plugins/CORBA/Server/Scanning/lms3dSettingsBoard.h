@@ -25,6 +25,8 @@ struct lms3dScanSettings
   lms3dServedScenePointer Scene;
   /// Counts the changes of settings, from 1.
   std::uint64_t Generation = 1;
+  /// Counts the changes that begin a new fused map, from 1: all except a new pose.
+  std::uint64_t FusedMap = 1;
 };
 
 /// Clients write the settings, and the scanner reads them before each scan. Each change makes a new
@@ -54,8 +56,15 @@ public:
   std::uint64_t SetScene(lms3dServedScenePointer scene);
   ///@}
 
+  /// Begins a new fused map with the next scan, and returns the new generation.
+  std::uint64_t BeginFusedMap();
+
 private:
+  ///@{
+  /// The caller has locked the mutex.
   std::uint64_t Advance();
+  std::uint64_t AdvanceFusedMap();
+  ///@}
 
   mutable std::mutex Mutex;
   mutable std::condition_variable Changed;

@@ -22,7 +22,7 @@ than the screen.
   page up, page down  move the sensor along z
   x, y, z             turn the sensor about its red, green and blue axis; with shift, turn it back
   k                   keeps what was seen: the map grows with each pose; again: the local map alone
-                      (not with --server)
+                      (with --server: the server's map, if it has the option --fused-map)
   r                   resets sensor and camera
   q                   quits
 """

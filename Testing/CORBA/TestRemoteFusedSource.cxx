@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The third output of vtkLMS3DRemoteSource: the server's map of many scans.
+#include "ClientORB.h"
+#include "ServerProcess.h"
+#include "WatchingSource.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPolyData.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+TEST(RemoteFusedSource, FollowsTheFusedMap)
+{
+  ServerProcess server({ "--fused-map", "0.02" });
+  WatchingSource source(server.GetCorbaloc());
+  source->Update();
+  EXPECT_EQ(source->GetFusedMap()->GetNumberOfCells(), 0);
+  source->FetchFusedMapOn();
+  const auto countScans = [&source]
+  {
+    vtkDataArray* const scans = source->GetFusedMap()->GetFieldData()->GetArray("NumberOfScans");
+    return scans ? scans->GetTuple1(0) : 0.0;
+  };
+  EXPECT_TRUE(source.UpdateUntil([&] { return countScans() == 1.0; }));
+  const vtkIdType triangles = source->GetFusedMap()->GetNumberOfCells();
+  source->SetPosition(1.25, 0.5, 1.5);
+  source->SendPose();
+  EXPECT_TRUE(source.UpdateUntil([&] { return countScans() == 2.0; }));
+  EXPECT_NE(source->GetFusedMap()->GetNumberOfCells(), triangles);
+  const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
+  const LMS3D::FusedMapHeader_var header = scanner->getFusedMapHeader(0);
+  EXPECT_EQ(source->GetFusedMap()->GetNumberOfCells(), header->triangles);
+  EXPECT_EQ(source->GetProblem(), "");
+  source->FetchFusedMapOff();
+  source->Update();
+  EXPECT_EQ(source->GetFusedMap()->GetNumberOfCells(), 0);
+}
+
+TEST(RemoteFusedSource, WarnsIfThereIsNoFusedMap)
+{
+  ServerProcess server;
+  WatchingSource source(server.GetCorbaloc());
+  source->FetchFusedMapOn();
+  source->Update();
+  EXPECT_TRUE(source.UpdateUntil([&] { return !source->GetProblem().empty(); }));
+  EXPECT_NE(source->GetProblem().find("--fused-map"), std::string::npos) << source->GetProblem();
+  EXPECT_EQ(source.GetScan()->GetNumberOfPoints(), 129960);
+  EXPECT_EQ(source->GetFusedMap()->GetNumberOfCells(), 0);
+}
