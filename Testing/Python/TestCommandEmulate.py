@@ -75,27 +75,8 @@ class TestLifeOfTheCommand(CommandLineTest):
         self.assertEqual(process.wait(30), 0)
         self.assertFalse(os.path.lexists(link))
 
-    def test_a_link_of_an_earlier_run_is_replaced(self):
-        link = self.folder / "lms200"
-        link.symlink_to("/dev/pts/nowhere")
-        with EmulatorProcess(ROOM, *POSE, "--link", link) as first:
-            with EmulatorProcess(ROOM, *POSE, "--link", link) as second:
-                self.assertEqual(os.readlink(link), second.port)
-                first.process.terminate()
-                first.finish()
-                self.assertEqual(os.readlink(link), second.port)
-        self.assertFalse(os.path.lexists(link))
-
     def test_problems(self):
-        taken = self.folder / "taken"
-        taken.touch()
-        other = self.folder / "other"
-        other.symlink_to(self.folder)
-        for code, words in ((1, (ROOM, *POSE, "--link", taken)), (1, (ROOM, *POSE, "--link", "")),
-                            (1, (ROOM, *POSE, "--link", other)),
-                            (1, (ROOM, *POSE, "--link", self.folder / "no" / "link")),
-                            (1, (ROOM, *POSE, "--angles", self.folder / "no" / "file")),
-                            (2, (ROOM,)), (2, POSE), (2, (ROOM, *POSE, "--scan", "a.vtp")),
+        for code, words in ((2, (ROOM,)), (2, POSE), (2, (ROOM, *POSE, "--scan", "a.vtp")),
                             (2, ("--scan", "a.vtp", *POSE)), (1, ("--scan", "a.vtp")),
                             (2, (ROOM, *POSE, "--turn", "fast")),
                             (2, (ROOM, *POSE, "--turn", "inf")),
@@ -103,6 +84,24 @@ class TestLifeOfTheCommand(CommandLineTest):
                             (2, (ROOM, *POSE, "--device", "x"))):
             with self.subTest(words):
                 self.refused(code, "emulate", *words)
+
+    def test_options_that_a_stored_scan_has_decided(self):
+        for option, words in (("--beta-range", (0, 90)), ("--beta-resolution", (4,)),
+                              ("--orientation", (0, 0, 90)), ("--minimum-range", (1,)),
+                              ("--maximum-range", (7,)), ("--up-axis", ("y",))):
+            with self.subTest(option):
+                problem = self.refused(2, "emulate", "--scan", "a.vtp", option, *words)
+                self.assertIn(f"--scan: a stored scan has its own {option}", problem)
+
+    def test_one(self):
+        """Numbers of one have no plural."""
+        scene = self.folder / "one.obj"
+        scene.write_text("v 1 -9 -9\nv 1 9 -9\nv 1 0 9\nf 1 2 3\n")
+        with EmulatorProcess(scene, "--position", 0, 0, 0) as emulator:
+            receive(emulator.port, 1)
+            emulator.process.terminate()
+            self.assertEqual(emulator.finish(), (0, "ended    after 1 fan\n"))
+            self.assertIn("scene    one.obj: 1 triangle, axes", emulator.lines[0])
 
 
 class TestFans(CommandLineTest):
@@ -174,39 +173,6 @@ class TestFans(CommandLineTest):
             expected = self.scan("turned", *POSE, *FAR, "--beta-range", angle, angle,
                                  "--beta-resolution", 1)[0]
             np.testing.assert_allclose(fan[::2], expected[::2], atol=0.5001e-3)
-
-
-class TestAngles(CommandLineTest):
-    def test_lines(self):
-        """They pair with telegrams by both indices; the command's lines go to the errors."""
-        with EmulatorProcess(ROOM, *POSE, *TURNS, "--angles", "-",
-                             stderr=subprocess.PIPE) as emulator:
-            port = next(line.split()[1].rstrip(",") for line in emulator.process.stderr
-                        if line.startswith("port"))
-            before = time.time()
-            with PortHost(port) as host:
-                host.ask(0x20, 0x00, *b"SICK_LMS")
-                host.ask(0x77, 0, 0, 0x70, 0, 2, 0, 1)
-                indices = [tuple(host.ask(0x30, 1)[-2:]) for _ in range(5)]
-            emulator.process.terminate()
-            lines, _ = emulator.process.communicate(timeout=30)
-        header, *rows = lines.splitlines()
-        self.assertEqual(header, "turn,telegram,time,angle")
-        rows = [row.split(",") for row in rows]
-        self.assertEqual([(int(turn), int(telegram)) for turn, telegram, _, _ in rows], indices)
-        self.assertEqual([row[3] for row in rows], ["0.0", "90.0", "180.0", "270.0", "0.0"])
-        for row in rows:
-            self.assertTrue(before - 1 < float(row[2]) < time.time())
-
-    def test_a_reader_that_has_gone(self):
-        reader, writer = os.pipe()
-        os.close(reader)
-        done = subprocess.run([sys.executable, "-m", "lms3d", "emulate", str(ROOM), *map(str, POSE),
-                               "--angles", "-"], stdout=writer, stderr=subprocess.PIPE, text=True,
-                              timeout=60, check=False)
-        os.close(writer)
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("cannot write the angles to the standard output: Broken pipe", done.stderr)
 
 
 if __name__ == "__main__":

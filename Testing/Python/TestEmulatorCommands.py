@@ -6,7 +6,6 @@
 import unittest
 
 from lms200 import PASSWORD, Host, make_device, split
-from lms3d.emulation.measured_values import CENTIMETRES
 from lms3d.emulation.telegrams import frame
 
 NOT_POSSIBLE = b"\x92"
@@ -58,7 +57,7 @@ class TestCommands(unittest.TestCase):
         self.assertEqual(self.host.ask(0x7B), b"\xfb" + bytes(range(84)))
 
     def test_the_password(self):
-        """20h 00h and 20h 30h"""
+        """20h 00h and 20h 30h: TL, table 6-4"""
         for password in (b"", b"SICK", b"sick_lms", PASSWORD + b"S"):
             self.assertEqual(self.host.ask(0x20, 0x00, *password), b"\xa0\x01")
             self.assertEqual(self.host.ask(0x20, 0x30, *password), b"\xa0\x01")
@@ -68,7 +67,7 @@ class TestCommands(unittest.TestCase):
         self.assertEqual(self.host.ask(0x31)[8], 0x00)
 
     def test_modes(self):
-        """The status names the mode."""
+        """TL 41; all modes can follow one another (TL 122), and the status names the mode."""
         for command in ((0x10,), (0x24,), (0x25,), (0x26, 2), (0x27, 1, 0, 9, 0),
                         (0x28, 2, 1, 0, 9, 0), (0x2A,)):
             for host in self.both_modes():
@@ -77,29 +76,17 @@ class TestCommands(unittest.TestCase):
                 self.assertEqual(host.device.state.mode, command[0])
 
     def test_type(self):
-        """21 characters; drivers search them for the type"""
+        """3Ah, in both modes (TL 122): 21 characters; drivers search them for the type"""
         for host in self.both_modes():
             self.assertEqual(host.ask(0x3A), b"\xbaLMS200;301063;V02.30 ")
         old = Host(make_device(firmware="2.10"))
         self.assertEqual(old.ask(0x3A), b"\xbaLMS200;301063;V02.10 ")
 
     def test_errors(self):
-        """32h: none; 35h: two words"""
+        """32h and 35h, in both modes (TL 122): no error; two words"""
         for host in self.both_modes():
             self.assertEqual(host.ask(0x32), b"\xb2")
             self.assertEqual(host.ask(0x35), b"\xb5" + bytes(4))
-
-    def test_status(self):
-        """152 bytes; indices are counted from the code"""
-        for host in self.both_modes():
-            host.ask(0x3B, 100, 0, 25, 0)
-            status = host.ask(0x31)
-            self.assertEqual(len(status), 153)
-            self.assertEqual(status[1:8], b"V02.30 ")
-            self.assertEqual(status[107:111], bytes((100, 0, 25, 0)))
-            self.assertEqual(status[116:118], b"\x67\x80")
-            self.assertEqual((status[102], status[120], status[122]), (0, 0, 1))
-        self.assertEqual(Host(make_device(CENTIMETRES)).ask(0x31)[122], 0)
 
     def test_variants(self):
         """TL 47, 66: 180 degrees by 0.25 are refused; the answer has what holds"""
@@ -115,50 +102,6 @@ class TestCommands(unittest.TestCase):
         self.host.exchange(frame(b"\x20\x24"))
         self.host.ask(0x3B, 180, 0, 100, 0)
         self.assertEqual(self.host.run(5.0), [])
-
-
-class TestConfiguration(unittest.TestCase):
-    """TL 25, 31, 96"""
-
-    def setUp(self):
-        self.host = Host()
-
-    def test_lengths(self):
-        self.assertEqual(len(self.host.ask(0x74)), 35)
-        self.assertEqual(len(Host(make_device(firmware="2.10")).ask(0x74)), 33)
-
-    def test_missing_bytes_keep_their_values(self):
-        self.host.install()
-        before = self.host.ask(0x74)[1:]
-        for size in (7, 32, 33, 34):
-            new = bytes((1, 0, 0x60, 1, 2, 5, 0, *range(50, 77)))[:size]
-            answer = self.host.ask(0x77, *new)
-            self.assertEqual(answer, b"\xf7\x01" + new + before[size:])
-            before = answer[2:]
-
-    def test_bytes_beyond_it_are_ignored(self):
-        host = Host(make_device(firmware="2.10"))
-        host.install()
-        self.assertEqual(len(host.ask(0x77, *bytes(34))), 34)
-        self.host.install()
-        self.assertEqual(self.host.ask(0x77, *bytes(40)), b"\xf7\x01" + bytes(34))
-
-    def test_invalid_ones_are_refused(self):
-        self.host.install()
-        before = self.host.ask(0x74)[1:]
-        for new in (bytes(6), bytes((0, 0, 0, 0, 0, 7, 0)), bytes((0, 0, 0, 0, 0, 0, 3))):
-            self.assertEqual(self.host.ask(0x77, *new), b"\xf7\x00" + before)
-
-    def test_the_answer_takes_time(self):
-        self.host.install()
-        self.host.write(frame(b"\x77" + bytes(34)))
-        times = [time - self.host.now for time, _ in self.host.run(1.0)]
-        self.assertAlmostEqual(times[1] - times[0], 0.396, 6)
-
-    def test_it_stays_after_a_reset(self):
-        self.host.configure(mode=5, unit=0)
-        self.host.exchange(frame(b"\x10"), 3.0)
-        self.assertEqual(self.host.ask(0x74)[6:8], b"\x05\x00")
 
 
 class TestRates(unittest.TestCase):
@@ -207,14 +150,46 @@ class TestRates(unittest.TestCase):
 
 
 class TestNewCommands(unittest.TestCase):
+    """TL 24: a command breaks off what the device is sending, or is about to send."""
+
+    def setUp(self):
+        self.host = Host()
+
+    def send_both(self, first, second, delay, seconds=0.5):
+        """What follows the second command, which comes before the answer to the first one."""
+        self.host.write(frame(first))
+        self.assertLessEqual(len(self.host.run(delay)), 1)  # ACK at most
+        self.host.write(frame(second))
+        return self.host.run(seconds)
+
     def test_a_new_command_cancels_answers(self):
-        """TL 24"""
-        host = Host()
-        host.write(frame(b"\x3a"))
-        host.now += 0.002
-        found = split(host.exchange(frame(b"\x31")))
+        found = split(b"".join(data for _, data in self.send_both(b"\x3a", b"\x31", 0.002)))
         self.assertEqual([6, 0xB1], [found[0], found[1][0]])
         self.assertEqual(len(found), 2)
+
+    def test_a_change_of_rate_whose_answer_is_cancelled(self):
+        """TL 87; some drivers ask again after 6 ms."""
+        for delay in (0.001, 0.006):
+            self.host = Host()
+            sent = self.send_both(b"\x20\x40", b"\x31", delay)
+            found = split(b"".join(data for _, data in sent))
+            self.assertEqual([6, 0xB1], [found[0], found[1][0]])
+            self.assertEqual(len(found), 2)
+            self.assertEqual(found[1][116:118], b"\x19\x80")
+            self.assertEqual(self.host.device.rate, 38400)
+
+    def test_a_reset_whose_answer_is_cancelled(self):
+        """TL 38: 90h with the type when the device is ready, at the rate of power-on"""
+        for delay in (0.001, 0.006):
+            self.host = Host()
+            self.host.ask(0x20, 0x40)
+            self.host.exchange(frame(b"\x20\x24"), 2.0)
+            start = self.host.now + delay
+            sent = self.send_both(b"\x10", b"\x31", delay, 5.0)
+            self.assertEqual([(round(time - start, 6), split(data)) for time, data in sent],
+                             [(2.0, [b"\x90LMS200;301063;V02.30 \x10"])])
+            self.assertEqual(self.host.device.rate, 9600)
+            self.assertEqual(self.host.ask(0x31)[8], 0x25)
 
 
 if __name__ == "__main__":

@@ -18,6 +18,11 @@ from lms3d.emulation.variants import VARIANTS, Variant
 
 TURNS = 70
 
+# The elevation of the first beam, and the number of beams, by angle and step (TL 47). The last beam is
+# opposite: 100 degrees go from 40 to 140 degrees of 180 (TL 48).
+BEAMS = {(180, 100): (-90, 181), (180, 50): (-90, 361),
+         (100, 100): (-50, 101), (100, 50): (-50, 201), (100, 25): (-50, 401)}
+
 
 class Failed(Exception):
     """VTK has reported an error."""
@@ -50,10 +55,9 @@ class TestLiveFans(unittest.TestCase):
         return LiveFans(sensor, no_check, errors)
 
     def scan(self, variant, device, seed=0):
-        low = variant.first_alpha
-        scan = lms3d.scan(self.scene, POSITION, alpha_range=(low, -low),
-                          alpha_resolution=variant.count, beta_resolution=TURNS, seed=seed,
-                          device=device, status=True)
+        low, count = BEAMS[variant.angle, variant.step]
+        scan = lms3d.scan(self.scene, POSITION, alpha_range=(low, -low), alpha_resolution=count,
+                          beta_resolution=TURNS, seed=seed, device=device, status=True)
         reasons = {lms3d.vtkLMS3DScanFilter.BEYOND_RANGE: np.inf,
                    lms3d.vtkLMS3DScanFilter.TOO_WEAK: -np.inf}
         for status, mark in reasons.items():
@@ -61,12 +65,18 @@ class TestLiveFans(unittest.TestCase):
         return scan.ranges
 
     def test_turns_are_those_of_a_scan(self):
+        self.assertEqual({(variant.angle, variant.step) for variant in VARIANTS}, set(BEAMS))
         for device in DEVICES:
             fans = self.fans(device, 7)
             for variant in VARIANTS:
                 with self.subTest(device=device, variant=variant):
                     found = [fans.cast_turn(variant, 0, turn, 1) for turn in range(TURNS)]
                     np.testing.assert_array_equal(found, self.scan(variant, device, 7))
+
+    def test_elevations(self):
+        """TL 47, 48; of the same variants, whose fans tell nothing of beams without a return"""
+        for (angle, step), (low, count) in BEAMS.items():
+            np.testing.assert_allclose(Variant(angle, step).alphas, np.linspace(low, -low, count))
 
     def test_no_pipeline(self):
         """An update of the pipeline would take most of a fan's time."""

@@ -35,6 +35,9 @@ DEVICE = {
 }
 PLAIN = Output(0xB0)
 
+# Bits of the distance by the measuring mode, from table 7-28 of TL.
+BITS = {0x00: 13, 0x01: 13, 0x02: 13, 0x03: 14, 0x04: 14, 0x05: 15, 0x06: 15, 0x0F: 16, 0x3F: 16}
+
 
 def read_all(data, now=0.0):
     return TelegramReader().read(data, now)
@@ -141,8 +144,9 @@ class TestReader(unittest.TestCase):
 
 class TestValues(unittest.TestCase):
     def test_codes(self):
-        """Codes are at the upper end of the distance's bits."""
-        for mode, bits in DISTANCE_BITS.items():
+        """Codes are at the upper end of the distance's bits (table 7-28 of TL)."""
+        self.assertEqual(DISTANCE_BITS, BITS)
+        for mode, bits in BITS.items():
             top = 2**bits - 1
             for unit, scale in ((MILLIMETRES, 1000), (CENTIMETRES, 100), (DECIMETRES, 10)):
                 with self.subTest(mode=mode, unit=unit):

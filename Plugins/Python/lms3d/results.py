@@ -63,18 +63,19 @@ def check_targets(targets, scene=None, **inputs):
                 check_new(result, path)
             check_writable(result, path)
             _check_format(result, path)
-        _claim(taken, result, path)
+        other = taken.setdefault(Path(path).resolve(), result)
+        if other != result:
+            raise UsageProblem(f"'{path}' is both {other} and {result}: choose two names")
 
 
 def check_apart(result, path, **inputs):
-    """Raise UsageProblem if a result would replace a file that is read; some inputs may be None."""
-    _claim({Path(each).resolve(): name for name, each in inputs.items() if each}, result, path)
+    """Raise UsageProblem if a result that is written in place is a file that is read, by any name.
 
-
-def _claim(taken, result, path):
-    other = taken.setdefault(Path(path).resolve(), result)
-    if other != result:
-        raise UsageProblem(f"'{path}' is both {other} and {result}: choose two names")
+    Some inputs may be None; the others exist.
+    """
+    for name, each in inputs.items():
+        if each and os.path.exists(path) and os.path.samefile(path, each):
+            raise UsageProblem(f"'{path}' is both {name} and {result}: choose two names")
 
 
 def _check_stream(result):

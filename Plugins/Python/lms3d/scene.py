@@ -100,7 +100,9 @@ class Scene:
             say(f"{len(self.messages) - _MESSAGES_SHOWN} more messages; 'lms3d info' shows all")
 
     def __str__(self):
-        return f"{self.path.name}: {self.triangles:,} triangles, {UP_AXES[self.up_axis]}"
+        count = self.triangles
+        return (f"{self.path.name}: {count:,} triangle{'s' * (count != 1)}, "
+                f"{UP_AXES[self.up_axis]}")
 
 
 def check_readable(path, what="scene", endings=tuple(READERS)):

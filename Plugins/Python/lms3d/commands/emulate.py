@@ -186,7 +186,7 @@ def _serve(options):
         if lines:
             lines.finish()
     with closed_terminal():
-        print(f"ended    after {emulator.fans:,} fans", flush=True)
+        print(f"ended    after {emulator.fans:,} fan{'s' * (emulator.fans != 1)}", flush=True)
 
 
 def _live_fans(options, stack):

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Streams of the emulated LMS 200: their telegrams and times. TL: pages of SICK's telegram listing."""
+
+import unittest
+
+import numpy as np
+
+from lms200 import Host, make_device, split
+from lms3d.emulation.telegrams import frame
+
+TURN = 1 / 75
+
+
+class TestStreams(unittest.TestCase):
+    """The sub-commands 24h to 2Ah of 20h (TL 19, 127)."""
+
+    def stream(self, rate, variant, command, seconds=4.0, **options):
+        host = Host(make_device(**options))
+        host.ask(0x20, {9600: 0x42, 19200: 0x41, 38400: 0x40, 500000: 0x48}[rate])
+        host.ask(0x3B, variant[0], 0, variant[1], 0)
+        host.write(frame(bytes(command)))
+        sent = host.run(seconds)
+        self.answer_time = sent[1][0]
+        return [time for time, _ in sent[2:]], [split(data)[0] for _, data in sent[2:]]
+
+    def streaming_host(self):
+        """A host that receives a stream at 9600 Bd."""
+        host = Host()
+        host.write(frame(b"\x20\x24"))
+        host.run(3.0)
+        return host
+
+    def test_intervals(self):
+        for rate, variant, hertz in ((9600, (180, 50), 75 / 58), (19200, (180, 50), 2.5),
+                                     (38400, (180, 50), 4.6875), (500000, (180, 50), 37.5),
+                                     (500000, (180, 100), 75), (38400, (100, 25), 4.6875)):
+            with self.subTest(rate=rate, variant=variant):
+                times, _ = self.stream(rate, variant, (0x20, 0x24))
+                np.testing.assert_allclose(np.diff(times), 1 / hertz, atol=1e-9)
+
+    def test_wake_ups(self):
+        """A fan is cast when its last mirror turn begins; at 75 a second this is one time for both."""
+        for step, wake_ups in ((100, 1), (50, 2)):
+            with self.subTest(step=step):
+                host = Host()
+                host.ask(0x20, 0x48)
+                host.ask(0x3B, 180, 0, step, 0)
+                host.write(frame(b"\x20\x24"))
+                host.run(0.1)
+                sent = 0
+                for _ in range(50 * wake_ups):
+                    host.now = host.device.next_time() + 1e-5
+                    while host.device.take(host.now):
+                        sent += 1
+                self.assertEqual(sent, 50)
+
+    def test_the_pace_of_the_mirror(self):
+        times, _ = self.stream(38400, (180, 50), (0x20, 0x24), is_paced_by_line=False)
+        np.testing.assert_allclose(np.diff(times), 2 * TURN, atol=1e-9)
+
+    def test_the_first_scan_begins_after_the_answer(self):
+        for variant, turns in (((180, 100), 1), ((180, 50), 2), ((100, 25), 4)):
+            times, _ = self.stream(500000, variant, (0x20, 0x24))
+            self.assertGreaterEqual(times[0] - self.answer_time, turns * TURN - 1e-9)
+
+    def test_codes_of_streams(self):
+        for command, head in (((0x20, 0x26, 2), b"\xb6\x02\x69\x41"),
+                              ((0x20, 0x27, 2, 0, 3, 0), b"\xb7\x02\x00\x03\x00\x02\x40"),
+                              ((0x20, 0x28, 9, 2, 0, 2, 0), b"\xbf\x09\x02\x00\x02\x00\x01\x40")):
+            _, payloads = self.stream(38400, (180, 50), command)
+            self.assertGreater(len(payloads), 3)
+            for payload in payloads:
+                self.assertTrue(payload.startswith(head))
+
+    def test_all_parts_come_round(self):
+        for rate in (9600, 38400, 500000):
+            for step, parts in ((50, (0, 2)), (25, (0, 1, 2, 3))):
+                _, payloads = self.stream(rate, (100, step), (0x20, 0x2A), 6.0)
+                found = [payload[2] >> 3 & 3 for payload in payloads]
+                self.assertEqual(set(found[:len(parts)]), set(parts))
+
+    def test_an_answer_comes_between_scans(self):
+        host = self.streaming_host()
+        found = split(host.exchange(frame(b"\x31"), 2.0))
+        self.assertEqual((found[0], found[1][0], found[2][0]), (6, 0xB1, 0xB0))
+
+    def test_sleep_loses_scans(self):
+        """After the computer has slept, no scans come in a heap."""
+        host = self.streaming_host()
+        host.now += 100.0
+        self.assertLessEqual(len(host.run(0.7)), 2)
+
+    def test_it_goes_on_after_a_refused_telegram(self):
+        """TL 23: NAK answers a bad check sum; the mode stays."""
+        host = self.streaming_host()
+        found = split(host.exchange(frame(b"\x31")[:-1] + b"\x00", 4.0))
+        self.assertEqual(found[0], 0x15)
+        self.assertGreater(len(found), 4)
+        self.assertEqual({payload[0] for payload in found[1:]}, {0xB0})
+
+    def test_commands_do_not_make_the_line_faster(self):
+        """After a command a stream begins anew, but not before the line has carried the last scan:
+        732 bytes at 9600 Bd take 57.2 turns of the mirror (TL 19, 127; table 10-17)."""
+        for pause in (0.08, 0.1, 0.5):
+            with self.subTest(pause):
+                host = self.streaming_host()
+                start = host.now
+                times = []
+                while host.now < start + 40.0:
+                    host.write(frame(b"\x3a"))
+                    times += [time for time, data in host.run(pause) if len(data) == 732]
+                self.assertGreater(len(times), 4)
+                self.assertLessEqual(len(times) / 40.0, 1.293)
+                self.assertGreaterEqual(min(np.diff(times)), 732 * 10 / 9600)
+
+
+if __name__ == "__main__":
+    unittest.main()
