@@ -57,7 +57,7 @@ class TestLink(CommandLineTest):
         self.refuse("")
 
     def test_a_folder_that_is_not_writable(self):
-        """Root may write to every folder but those of the kernel, where making the link fails."""
+        """Root may write to every folder; but in a folder of the kernel, making the link fails."""
         folder = self.folder / "closed"
         folder.mkdir(mode=0o555)
         if os.access(folder, os.W_OK):
@@ -101,7 +101,7 @@ class TestAngles(CommandLineTest):
 
 class TestFilesOfAngles(CommandLineTest):
     def test_a_file_that_is_read(self):
-        """It is not overwritten, by whatever name."""
+        """It is not overwritten, by any of its names."""
         scan, scene = self.folder / "scan.vtp", self.folder / "scene.wrl"
         self.done("scan", ROOM, *POSE, *TURNS, "-o", scan)
         shutil.copy(ROOM, scene)
@@ -145,7 +145,7 @@ class TestFilesOfAngles(CommandLineTest):
             angles = [line.split(",")[3] for line in text.decode().splitlines()]
             self.assertEqual(angles, ["angle", "0.0", "90.0", "180.0", "270.0", "0.0", "90.0"])
 
-    def test_lines_that_nobody_reads(self):
+    def test_lines_that_are_not_read(self):
         emulator, reader = self.start_with_pipe()
         with emulator:
             receive(emulator.port, 200)

@@ -74,7 +74,7 @@ class TestPlatform(unittest.TestCase):
 
     def test_the_bits_of_the_part(self):
         """TL 46: bits 11 and 12 are 0 for x.00 degrees, 1 for x.25, 2 for x.50 and 3 for x.75; bit 13
-        says that the scan is partial. At each angle of the platform, they are those of the values."""
+        says that the scan is partial. At each angle of the platform, the values are of the same part."""
         for step, bits in ((50, (0, 2)), (25, (0, 1, 2, 3))):
             host = make_host(step)
             for turn in range(len(Source.angles)):

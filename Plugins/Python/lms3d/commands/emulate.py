@@ -44,8 +44,9 @@ The device starts at 9600 Bd, in a variant of 180 degrees by 0.5, and sends noth
 requested. Value i of a telegram is beam i of the fan: alpha is -90 degrees + i/2. The measuring mode
 limits the ranges, so --device does not change --maximum-range here.
 
-The command runs until Ctrl-C, SIGTERM, or the end of its terminal; that is a success. Hosts may
-come and go. Documentation/drivers.md explains how to start the drivers of robots' software.
+Once the port is printed, the command runs until Ctrl-C, SIGTERM, or the end of its terminal; that is
+a success. Hosts may come and go. If the reader of --angles goes away, the command ends with an error.
+Documentation/drivers.md explains how to start the drivers of robots' software.
 """
 EPILOG = """\
 examples:

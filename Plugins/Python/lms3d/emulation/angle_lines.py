@@ -39,7 +39,7 @@ class AngleLines:
         self.flush()
 
     def finish(self):
-        """Write the rest at the end; says how many lines nobody has read."""
+        """Write the rest at the end; says how many lines are lost because they were not read."""
         with suppress(Problem):  # the reader may have ended with the command
             self.flush()
         if self._lines:
