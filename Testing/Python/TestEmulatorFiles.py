@@ -118,6 +118,11 @@ class TestFilesOfAngles(CommandLineTest):
                     self.assertIn(f"is both {name} and angles", problem)
                     self.assertEqual(source.read_bytes(), before)
 
+    def test_the_name_of_the_link(self):
+        path = self.folder / "both"
+        self.assertIn("is both angles and link", self.refused(
+            2, "emulate", ROOM, *POSE, "--link", path, "--angles", path))
+
     def test_no_folder(self):
         self.assertIn("there is no folder", self.refused(
             1, "emulate", ROOM, *POSE, "--angles", self.folder / "no" / "file"))

@@ -4,6 +4,7 @@
 
 import argparse
 import gc
+import os
 import time
 from contextlib import ExitStack
 from pathlib import Path
@@ -164,6 +165,8 @@ def _check(options):
                     trajectory=options.trajectory)
     if options.link is not None:
         check_link(options.link)
+        if options.angles and os.path.abspath(options.angles) == os.path.abspath(options.link):
+            raise UsageProblem(f"'{options.link}' is both angles and link: choose two names")
 
 
 def _serve(options):

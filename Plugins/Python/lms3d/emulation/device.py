@@ -59,7 +59,7 @@ class Device:
             return
         for payload in self._reader.read(data, now):
             self._break_off(now)
-            if now < self._ready_time:
+            if now < self._ready_time:  # what was broken off is a reset, which has begun
                 return
             if payload is None:
                 self._plan_bytes(now + ACKNOWLEDGE_DELAY, REFUSE)

@@ -33,6 +33,7 @@ class Stepped:
 
     def confirm(self, record):
         """The host has received a telegram, with the FanRecord."""
+        # The turn is modulo 256, which all numbers of parts divide.
         self._received.add(record.turn % self._parts)
         if len(self._received) < self._parts:
             return
