@@ -153,12 +153,12 @@ class TestFilesOfAngles(CommandLineTest):
     def test_lines_that_are_not_read(self):
         emulator, reader = self.start_with_pipe()
         with emulator:
-            receive(emulator.port, 200)
+            receive(emulator.port, 50)
             emulator.process.terminate()
             code, text = emulator.finish()
         self.assertEqual(code, 0)
         lines = read_now(reader).count(b"\n")
-        self.assertIn(f"was not read; the last {201 - lines} lines of angles are lost", text)
+        self.assertIn(f"was not read; the last {51 - lines} lines of angles are lost", text)
 
 
 def read_now(reader):
