@@ -15,7 +15,6 @@ from command_line import POSITION, room
 from lms3d import DEVICES, set_device
 from lms3d.emulation.fans import LiveFans
 from lms3d.emulation.variants import VARIANTS, Variant
-from lms3d.motion import to_trajectory
 
 TURNS = 70
 
@@ -112,22 +111,6 @@ class TestLiveFans(unittest.TestCase):
             for part in range(variant.parts):
                 found = fans.cast_part(variant, part, fans.angles[7], 1.0, 1)
                 np.testing.assert_allclose(found, whole[part::variant.parts], rtol=1e-12)
-
-    def test_a_trajectory_is_not_interpolated(self):
-        """A part has the last pose whose time has come; the first has the time of the start."""
-        positions = (POSITION, POSITION + (0.2, 0.1, 0.3))
-        expected = []
-        for position in positions:
-            fans = self.fans("ideal")
-            self.sensor.SetPosition(position)
-            expected.append(fans.cast_part(Variant(), 1, 30.0, 0.0, 1))
-        self.assertGreater(np.nanmax(np.abs(expected[1] - expected[0])), 0.1)
-        self.fans("ideal")
-        self.sensor.SetTrajectoryData(to_trajectory((np.array((2.0, 3.0)), np.array(positions))))
-        fans = LiveFans(self.sensor, no_check, None, (2.0, 3.0))
-        for time, pose in ((0.0, 0), (0.5, 0), (0.999, 0), (1.001, 1), (9.0, 1)):
-            np.testing.assert_array_equal(fans.cast_part(Variant(), 1, 30.0, time, 1),
-                                          expected[pose])
 
     def test_noise_of_means(self):
         """The mean of n scans has the noise of one, divided by the square root of n."""

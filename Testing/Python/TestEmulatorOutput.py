@@ -128,6 +128,8 @@ class TestRandomHosts(unittest.TestCase):
     def check_values(self, payload, variant):
         """All values: beam i has 1 m and i mm."""
         has_means, has_borders = self.HEADS[payload[0]]
+        if has_means:
+            self.assertIn(payload[1], range(2, 251))
         data = payload[1 + has_means:]
         first, last, step = 1, variant.angle * 100 // variant.step + 1, 1
         if has_borders:

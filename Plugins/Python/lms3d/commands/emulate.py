@@ -18,6 +18,7 @@ from ..emulation.fans import LiveFans, StoredFans
 from ..emulation.link import check_link, linked
 from ..emulation.measured_values import CENTIMETRES, MILLIMETRES
 from ..emulation.platform import Stepped, Turning
+from ..emulation.poses import interpolate_poses
 from ..emulation.state import FIRMWARES, make_state
 from ..emulation.terminal import Terminal
 from ..execution import update
@@ -202,7 +203,11 @@ def _live_fans(options, stack):
     simulation.sensor.SetNumberOfThreads(options.threads)
     times = ()
     if options.trajectory:
-        times = TrajectoryScan(simulation, read_data(options.trajectory, "trajectory")).times
+        trajectory = read_data(options.trajectory, "trajectory")
+        times = TrajectoryScan(simulation, trajectory).times
+        if options.turn is not None:
+            simulation.sensor.SetTrajectoryData(
+                interpolate_poses(trajectory, simulation.sensor.GetOrientation(), times))
     device_options.apply_device(simulation.sensor, options)
     errors, has_errors = device_options.make_errors(options)
     messages = stack.enter_context(VTKMessages())

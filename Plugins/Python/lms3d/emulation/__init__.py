@@ -7,7 +7,7 @@ The parts:
 - device, with state, commands, configuration and status, is the LMS 200 without a terminal. Its
   methods take the time as an argument;
 - terminal, rates and link are the pseudo-terminal, and have no part of the protocol;
-- fans and platform measure the ranges that the device reports;
+- fans, platform and poses measure the ranges that the device reports;
 - emulator joins them.
 
 Page numbers in comments and tests are the page numbers of SICK's telegram listing (TL) 8007954,
