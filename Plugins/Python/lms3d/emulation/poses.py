@@ -37,7 +37,7 @@ def interpolate_poses(trajectory, orientation, times):
 
 
 def _measure(trajectory, orientation, time, count):
-    """The poses as matrices: those of a scan, with a fan of one beam for each mirror turn."""
+    """The poses as matrices. A scan measures them: its fan has one beam, and takes one mirror turn."""
     plane = vtkPlaneSource()  # a scan needs a scene
     scan = vtkLMS3DScanFilter()
     scan.SetInputConnection(plane.GetOutputPort())
