@@ -84,8 +84,6 @@ struct lms3dFusedPlane
   std::map<int, lms3dCreaseParts> Creases;
   /// The triangle of a local map, if the region is nothing else. It need not lie exactly in the plane.
   std::vector<std::array<lms3dVector, 3>> Verbatim;
-  /// The box of the triangles of local maps that joined.
-  lms3dWorldBox Box;
 
   lms3dRegionShape Shape;
   /// A tile keeps its place. A plane that is a triangle of a local map has one.

@@ -14,6 +14,8 @@ namespace
 {
 // Cells for each bound.
 constexpr double CellsPerBound = 3.0;
+// Bounds: the size of the cubes in which planes are looked for.
+constexpr double CubeShare = 50.0;
 // Cells: the circumradius of a facet.
 constexpr double FacetRadius = 0.25;
 // A weak plane with more returns is not weak any more.
@@ -32,12 +34,14 @@ bool IsAtVerbatim(const lms3dFusedPlane& plane, const lms3dVector& point, double
 lms3dFusedPlanes::lms3dFusedPlanes(double maximumError)
   : MaximumError(maximumError)
   , Cell(maximumError / CellsPerBound)
+  , Boxes(CubeShare * maximumError)
 {
 }
 
 int lms3dFusedPlanes::MakePlane(const lms3dVector& point, const lms3dVector& normal)
 {
   this->Planes.emplace_back(lms3dPlaneFrame(point, normal, this->Cell));
+  this->Boxes.AddPlane();
   return static_cast<int>(this->Planes.size()) - 1;
 }
 
@@ -49,7 +53,7 @@ void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int t
   {
     const lms3dVector point = local.GetCorner(triangle, corner);
     cells[corner] = plane.Frame.ToCells(point);
-    plane.Box.Add(point);
+    this->Boxes.Grow(static_cast<std::size_t>(number), point);
   }
   lms3dForTouchedStrips(cells,
     [&](const lms3dCellStrip& strip)
@@ -191,15 +195,7 @@ std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   {
     box.Add(mapped.Point);
   }
-  std::vector<int> planes;
-  for (std::size_t i = 0; i < end; ++i)
-  {
-    if (box.IsNear(this->Planes[i].Box, this->MaximumError))
-    {
-      planes.push_back(static_cast<int>(i));
-    }
-  }
-  return planes;
+  return this->Boxes.Find(box, this->MaximumError, end);
 }
 
 bool lms3dFusedPlanes::ShowShare(

@@ -9,6 +9,7 @@
 
 #include "Fusion/lms3dFusedPlane.h"
 #include "Fusion/lms3dLocalMap.h"
+#include "Fusion/lms3dPlaneBoxes.h"
 
 #include <cstdint>
 #include <deque>
@@ -57,6 +58,12 @@ public:
   std::vector<int> FindPlanesNear(
     const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
 
+  /// The planes whose boxes are nearer to a box than a distance along each axis.
+  std::vector<int> FindPlanesNear(const lms3dWorldBox& box, double distance) const
+  {
+    return this->Boxes.Find(box, distance, this->Planes.size());
+  }
+
   /// Whether the planes show at least a share of the returns.
   bool ShowShare(double share, const std::vector<int>& planes,
     const std::vector<lms3dMappedReturn>& returns) const;
@@ -69,6 +76,8 @@ private:
   const double Cell;
   int Scan = 0;
   std::deque<lms3dFusedPlane> Planes;
+  /// The boxes of the triangles of local maps that joined.
+  lms3dPlaneBoxes Boxes;
 };
 
 #endif

@@ -197,11 +197,10 @@ int lms3dScanJoin::FindPlaneBeside(const std::vector<int>& returns,
   {
     box.Add(corner);
   }
-  for (std::size_t i = 0; i < this->Planes.GetSize(); ++i)
+  for (const int i : this->Planes.FindPlanesNear(box, bound))
   {
     const lms3dFusedPlane& plane = this->Planes[i];
     if (plane.Verbatim.empty() && lms3dDot(plane.Frame.GetNormal(), normal) >= SmallestCosine &&
-      box.IsNear(plane.Box, bound) &&
       std::all_of(returns.begin(), returns.end(),
         [&](int number)
         {
@@ -209,7 +208,7 @@ int lms3dScanJoin::FindPlaneBeside(const std::vector<int>& returns,
           return plane.Explains(mapped.Point, mapped.Direction, bound);
         }))
     {
-      return static_cast<int>(i);
+      return i;
     }
   }
   return -1;
