@@ -18,6 +18,8 @@ class lms3dBlockWindow
 public:
   /// The cells beyond the block on each side.
   static constexpr int Margin = 32;
+  /// Cells: the largest radius of a ball.
+  static constexpr int LargestRadius = (Margin - 1) / 2;
 
   /// The blocks that a raster does not have are empty.
   lms3dBlockWindow(
@@ -28,6 +30,9 @@ public:
   /// The distance along the longer axis of the cell nearest to a cell of the block, at most Margin. The distance to the
   /// cell itself is 0.
   int GetDistance(int u, int v) const;
+
+  /// The cells of the block that have a cell of the window at most LargestRadius away along both axes.
+  lms3dBits GetCellsNear() const;
 
 private:
   /// The cells of a row from 31 before a cell to 32 behind it. Bit 31 is the cell itself.
@@ -61,8 +66,7 @@ public:
   }
 
 private:
-  /// Cells: the largest radius.
-  static constexpr int Largest = (lms3dBlockWindow::Margin - 1) / 2;
+  static constexpr int Largest = lms3dBlockWindow::LargestRadius;
 
   void Add(int u, int v, int radius);
 

@@ -64,21 +64,27 @@ private:
   std::array<std::array<const lms3dBits*, 3>, 3> Bits = {};
 };
 
-/// Calls `visit` with a number of a block of the region, a row and bits, for the balls around the cells of blocks that
-/// have two bits. The balls keep away from the cells with the bit `others`.
-template <typename Visitor>
-void ForBalls(const lms3dRaster& raster, const std::vector<int>& blocks,
-  const std::array<lms3dRaster::BitsOf, 2>& both, lms3dRaster::BitsOf others,
-  const lms3dRaster& region, const Visitor& visit)
+/// The cells of a block that have two bits.
+lms3dBits GetBoth(const lms3dRasterBlock& block, lms3dRaster::BitsOf a, lms3dRaster::BitsOf b)
+{
+  lms3dBits both;
+  for (int row = 0; row <= Last; ++row)
+  {
+    both[row] = (block.*a)[row] & (block.*b)[row];
+  }
+  return both;
+}
+
+/// Calls `visit` with a number of a block of the region, a row and bits, for the balls around the cells that `getCentres`
+/// returns for a block. The balls keep away from the cells with the bit `others`.
+template <typename Getter, typename Visitor>
+void ForBalls(const lms3dRaster& raster, const std::vector<int>& blocks, const Getter& getCentres,
+  lms3dRaster::BitsOf others, const lms3dRaster& region, const Visitor& visit)
 {
   for (const int i : blocks)
   {
     const lms3dRasterBlock& block = raster.GetBlock(i);
-    lms3dBits centres;
-    for (int row = 0; row <= Last; ++row)
-    {
-      centres[row] = (block.*both[0])[row] & (block.*both[1])[row];
-    }
+    const lms3dBits centres = getCentres(block);
     if (IsEmpty(centres))
     {
       continue;
@@ -107,7 +113,10 @@ void ForBalls(const lms3dRaster& raster, const std::vector<int>& blocks,
 /// Gives the cells back that are nearer to a return than to any beam that passed.
 void GiveBack(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster& region)
 {
-  ForBalls(raster, blocks, { &lms3dRasterBlock::Must, &lms3dRasterBlock::Open },
+  ForBalls(
+    raster, blocks,
+    [](const lms3dRasterBlock& block)
+    { return GetBoth(block, &lms3dRasterBlock::Must, &lms3dRasterBlock::Open); },
     &lms3dRasterBlock::Passed, region,
     [&](int number, int row, std::uint64_t bits) { region.GetBlock(number).Open[row] |= bits; });
   for (int i = 0; i < region.GetNumberOfBlocks(); ++i)
@@ -124,8 +133,21 @@ void GiveBack(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRa
 /// Takes the cells out that are nearer to a beam that passed than to any return.
 void TakeOut(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster& region)
 {
-  ForBalls(raster, blocks, { &lms3dRasterBlock::Passed, &lms3dRasterBlock::May },
-    &lms3dRasterBlock::Must, region,
+  // Balls that are too far from the region take nothing out.
+  const auto getCentres = [&](const lms3dRasterBlock& block)
+  {
+    lms3dBits centres = GetBoth(block, &lms3dRasterBlock::Passed, &lms3dRasterBlock::May);
+    if (!IsEmpty(centres))
+    {
+      const lms3dBits near = lms3dBlockWindow(region, block, &lms3dRasterBlock::May).GetCellsNear();
+      for (int row = 0; row <= Last; ++row)
+      {
+        centres[row] &= near[row];
+      }
+    }
+    return centres;
+  };
+  ForBalls(raster, blocks, getCentres, &lms3dRasterBlock::Must, region,
     [&](int number, int row, std::uint64_t bits) { region.GetBlock(number).May[row] &= ~bits; });
 }
 
