@@ -48,6 +48,8 @@ struct lms3dFusedPlane
     this->TiledBlocks = 0;
     this->ShapedBlocks = 0;
     this->OldBlocks = 0;
+    this->BoxOfBlocks = {};
+    this->BoxedBlocks = 0;
     this->HasNewCreases = true;
     for (lms3dFusedTile& tile : this->Tiles)
     {
@@ -71,6 +73,15 @@ struct lms3dFusedPlane
       }
     }
     return box;
+  }
+
+  /// The box of all blocks.
+  const lms3dWorldBox& GetBoxOfBlocks()
+  {
+    const lms3dWorldBox added = this->GetBoxOfBlocks(this->BoxedBlocks);
+    this->BoxedBlocks = this->Raster.GetNumberOfBlocks();
+    this->BoxOfBlocks.Add(added);
+    return this->BoxOfBlocks;
   }
 
   lms3dPlaneFrame Frame;
@@ -98,6 +109,11 @@ struct lms3dFusedPlane
   bool HasNewCreases = false;
   /// Blocks before this one are not new.
   int OldBlocks = 0;
+
+private:
+  lms3dWorldBox BoxOfBlocks;
+  /// The blocks before this one are in the box.
+  int BoxedBlocks = 0;
 };
 
 #endif

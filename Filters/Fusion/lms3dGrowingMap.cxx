@@ -12,6 +12,7 @@
 
 #include <vtkPolyData.h>
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -208,13 +209,15 @@ void lms3dGrowingMap::RenewTile(const TileToRenew& place)
 
 void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets)
 {
+  const double bound = this->Settings.MaximumError;
+  tbb::enumerable_thread_specific<lms3dPassedBeams> beams(bound, forgets);
   tbb::parallel_for(std::size_t{ 0 }, this->Planes.GetSize(),
     [&](std::size_t i)
     {
       lms3dFusedPlane& plane = this->Planes[i];
-      if (plane.Raster.GetNumberOfBlocks() > 0)
+      if (plane.GetBoxOfBlocks().IsNear(ranges.GetBox(), bound))
       {
-        lms3dPassedBeams(ranges, this->Settings.MaximumError, forgets).Mark(plane, 0);
+        beams.local().Mark(ranges, plane, 0);
       }
     });
 }
@@ -232,6 +235,7 @@ void lms3dGrowingMap::MarkPassedEarlier()
     }
   }
   const double bound = this->Settings.MaximumError;
+  tbb::enumerable_thread_specific<lms3dPassedBeams> beams(bound, false);
   tbb::parallel_for(std::size_t{ 0 }, growing.size(),
     [&](std::size_t i)
     {
@@ -241,7 +245,7 @@ void lms3dGrowingMap::MarkPassedEarlier()
       {
         if (box.IsNear(earlier->GetBox(), bound))
         {
-          lms3dPassedBeams(*earlier, bound, false).Mark(plane, plane.OldBlocks);
+          beams.local().Mark(*earlier, plane, plane.OldBlocks);
         }
       }
     });

@@ -94,6 +94,29 @@ bool lms3dRaster::HasAny(BitsOf bits, const lms3dCellBox& box) const
   return false;
 }
 
+bool lms3dRaster::HasAll(BitsOf bits, const lms3dCellBox& box) const
+{
+  for (std::int32_t v = GetBlockOf(box.Bottom); v <= GetBlockOf(box.Top); ++v)
+  {
+    const int from = GetBlockOf(box.Bottom) == v ? GetPlaceOf(box.Bottom) : 0;
+    const int to = GetBlockOf(box.Top) == v ? GetPlaceOf(box.Top) : Size - 1;
+    for (std::int32_t u = GetBlockOf(box.Left); u <= GetBlockOf(box.Right); ++u)
+    {
+      const int number = this->Find(u, v);
+      std::uint64_t missing = 0;
+      for (int row = from; number >= 0 && row <= to; ++row)
+      {
+        missing |= ~(this->Blocks[number].*bits)[row];
+      }
+      if ((missing & GetMask(u, box.Left, box.Right)) != 0)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 bool lms3dRaster::HasBlocks(const lms3dCellBox& box) const
 {
   for (std::int32_t v = GetBlockOf(box.Bottom); v <= GetBlockOf(box.Top); ++v)

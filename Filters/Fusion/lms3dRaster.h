@@ -108,6 +108,9 @@ public:
   /// Returns whether a cell of a box has the bit.
   bool HasAny(BitsOf bits, const lms3dCellBox& box) const;
 
+  /// Returns whether all cells of a box that lie in blocks have the bit.
+  bool HasAll(BitsOf bits, const lms3dCellBox& box) const;
+
   /// Returns whether all cells of a box lie in blocks.
   bool HasBlocks(const lms3dCellBox& box) const;
 
