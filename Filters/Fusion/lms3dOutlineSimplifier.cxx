@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace
@@ -15,17 +14,36 @@ namespace
 constexpr double OnLine = 1e-12;
 constexpr double Infinite = 1e300;
 
-double GetSquaredDistance(const lms3dPoint2& p, const lms3dPoint2& a, const lms3dPoint2& b)
+/// The squared distances of points from a line segment.
+class Segment
 {
-  const double du = b[0] - a[0];
-  const double dv = b[1] - a[1];
-  const double square = du * du + dv * dv;
-  const double share =
-    square > 0.0 ? std::clamp(((p[0] - a[0]) * du + (p[1] - a[1]) * dv) / square, 0.0, 1.0) : 0.0;
-  const double u = p[0] - a[0] - share * du;
-  const double v = p[1] - a[1] - share * dv;
-  return u * u + v * v;
-}
+public:
+  Segment(const lms3dPoint2& a, const lms3dPoint2& b)
+    : Start(a)
+    , Du(b[0] - a[0])
+    , Dv(b[1] - a[1])
+    , Square(this->Du * this->Du + this->Dv * this->Dv)
+  {
+  }
+
+  double GetSquaredDistance(const lms3dPoint2& p) const
+  {
+    const double pu = p[0] - this->Start[0];
+    const double pv = p[1] - this->Start[1];
+    const double share = this->Square > 0.0
+      ? std::clamp((pu * this->Du + pv * this->Dv) / this->Square, 0.0, 1.0)
+      : 0.0;
+    const double u = pu - share * this->Du;
+    const double v = pv - share * this->Dv;
+    return u * u + v * v;
+  }
+
+private:
+  const lms3dPoint2& Start;
+  const double Du;
+  const double Dv;
+  const double Square;
+};
 
 bool IsIn(const lms3dPoint2& p, const std::array<lms3dPoint2, 3>& triangle, int orientation)
 {
@@ -62,10 +80,10 @@ void lms3dOutlineSimplifier::Link(const std::vector<lms3dLoop>& loops)
       this->Points.push_back(loops[loop][i]);
       this->Next.push_back(first + (i + 1) % size);
       this->Previous.push_back(first + (i + size - 1) % size);
-      this->LoopOf.push_back(static_cast<int>(loop));
       this->Buckets.Add(first + i, loops[loop][i]);
     }
   }
+  this->NextOriginal = this->Next;
   this->Versions.assign(this->Points.size(), 0);
   this->IsGone.assign(this->Points.size(), false);
 }
@@ -75,17 +93,13 @@ double lms3dOutlineSimplifier::GetCost(Corner corner) const
 {
   const Corner from = this->Previous[corner];
   const Corner to = this->Next[corner];
-  const int loop = this->LoopOf[corner];
-  const Corner first = this->FirstOfLoop[loop];
-  const Corner end = first + this->SizeOfLoop[loop];
+  const Segment line(this->Points[from], this->Points[to]);
   double cost = 0.0;
-  Corner original = from;
-  do
+  for (Corner original = this->NextOriginal[from]; original != to && cost <= this->Tolerance;
+       original = this->NextOriginal[original])
   {
-    cost = std::max(
-      cost, GetSquaredDistance(this->Points[original], this->Points[from], this->Points[to]));
-    original = original + 1 < end ? original + 1 : first;
-  } while (original != to && cost <= this->Tolerance);
+    cost = std::max(cost, line.GetSquaredDistance(this->Points[original]));
+  }
   if (this->IsFixed[corner] && cost > OnLine)
   {
     return Infinite;
@@ -99,7 +113,7 @@ void lms3dOutlineSimplifier::Queue(Corner corner)
   ++this->Versions[corner];
   if (cost <= this->Tolerance)
   {
-    this->Candidates.push({ cost, corner, this->Versions[corner] });
+    this->Later.push({ cost, corner, this->Versions[corner] });
   }
 }
 
@@ -133,7 +147,7 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
   {
     return true;
   }
-  if (GetSquaredDistance(triangle[1], triangle[0], triangle[2]) <= OnLine)
+  if (Segment(triangle[0], triangle[2]).GetSquaredDistance(triangle[1]) <= OnLine)
   {
     return this->IsEmpty(triangle, corner);
   }
@@ -173,23 +187,41 @@ void lms3dOutlineSimplifier::Remove(Corner corner)
   this->Queue(next);
 }
 
-std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
+// Takes the next candidate out of the first ones, which are sorted, or out of those that came later.
+lms3dOutlineSimplifier::Candidate lms3dOutlineSimplifier::TakeNext()
+{
+  const bool isFirst = this->NextOfFirst < this->First.size() &&
+    (this->Later.empty() || this->Later.top() < this->First[this->NextOfFirst]);
+  if (isFirst)
+  {
+    return this->First[this->NextOfFirst++];
+  }
+  const Candidate candidate = this->Later.top();
+  this->Later.pop();
+  return candidate;
+}
+
+void lms3dOutlineSimplifier::FindCandidates()
 {
   const auto count = static_cast<Corner>(this->Points.size());
-  std::vector<Candidate> candidates;
   for (Corner corner = 0; corner < count; ++corner)
   {
     const double cost = this->GetCost(corner);
     if (cost <= this->Tolerance)
     {
-      candidates.push_back({ cost, corner, 0 });
+      this->First.push_back({ cost, corner, 0 });
     }
   }
-  this->Candidates = std::priority_queue<Candidate>(std::less<Candidate>(), std::move(candidates));
-  while (!this->Candidates.empty())
+  std::sort(this->First.begin(), this->First.end(),
+    [](const Candidate& a, const Candidate& b) { return b < a; });
+}
+
+std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
+{
+  this->FindCandidates();
+  while (this->NextOfFirst < this->First.size() || !this->Later.empty())
   {
-    const Candidate candidate = this->Candidates.top();
-    this->Candidates.pop();
+    const Candidate candidate = this->TakeNext();
     const Corner corner = candidate.Number;
     const bool isCurrent = !this->IsGone[corner] && candidate.Version == this->Versions[corner];
     const bool isTriangle = isCurrent && this->Next[this->Next[corner]] == this->Previous[corner];
@@ -198,6 +230,11 @@ std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
       this->Remove(corner);
     }
   }
+  return this->GetLoops();
+}
+
+std::vector<lms3dLoop> lms3dOutlineSimplifier::GetLoops() const
+{
   std::vector<lms3dLoop> loops;
   for (std::size_t i = 0; i < this->FirstOfLoop.size(); ++i)
   {
