@@ -80,9 +80,9 @@ void lms3dOutlineSimplifier::Link(const std::vector<lms3dLoop>& loops)
       this->Points.push_back(loops[loop][i]);
       this->Next.push_back(first + (i + 1) % size);
       this->Previous.push_back(first + (i + size - 1) % size);
-      this->Buckets.Add(first + i, loops[loop][i]);
     }
   }
+  this->Buckets.Fill(this->Points);
   this->NextOriginal = this->Next;
   this->Versions.assign(this->Points.size(), 0);
   this->IsGone.assign(this->Points.size(), false);
@@ -125,15 +125,14 @@ bool lms3dOutlineSimplifier::IsEmpty(
   const auto [bottom, top] = std::minmax({ triangle[0][1], triangle[1][1], triangle[2][1] });
   // Structured bindings cannot be captured in C++17.
   const std::array<double, 4> box = { left, right, bottom, top };
-  const auto isFree = [&](Corner other)
+  const auto isFree = [&](const lms3dPoint2& point, Corner other)
   {
-    const lms3dPoint2& point = this->Points[other];
     if (point[0] < box[0] || point[0] > box[1] || point[1] < box[2] || point[1] > box[3])
     {
       return true;
     }
     return other == corner || other == this->Next[corner] || other == this->Previous[corner] ||
-      !IsIn(this->Points[other], triangle, orientation);
+      !IsIn(point, triangle, orientation);
   };
   return this->Buckets.AllOf(triangle, isFree);
 }
@@ -180,7 +179,7 @@ void lms3dOutlineSimplifier::Remove(Corner corner)
   const Corner previous = this->Previous[corner];
   const Corner next = this->Next[corner];
   this->IsGone[corner] = true;
-  this->Buckets.Remove(corner, this->Points[corner]);
+  this->Buckets.Remove(corner);
   this->Next[previous] = next;
   this->Previous[next] = previous;
   this->Queue(previous);
