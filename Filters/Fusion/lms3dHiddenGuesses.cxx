@@ -85,11 +85,21 @@ public:
       {
         turns[i] = turns[i - 1] < 0 ? -1 : table.GetNextTurn(turns[i - 1]);
       }
-      for (int beam = 0; turns[3] >= 0 && beam + 3 < beams; ++beam)
+      // The first of the beams that have the plane of the last one in all turns.
+      int same = 0;
+      for (int last = 0; turns[3] >= 0 && last < beams; ++last)
       {
-        if (this->HasTwoPlanes(turns, beam))
+        if (!this->HasOnePlane(turns, last))
         {
-          this->TakeOutBetween(GetAround(turns, beam));
+          same = last + 1;
+        }
+        else if (this->PlaneOfBeam[first + last] != this->PlaneOfBeam[first + same])
+        {
+          same = last;
+        }
+        if (last >= 3 && same > last - 3)
+        {
+          this->TakeOutBetween(GetAround(turns, last - 3));
         }
       }
     }
@@ -106,18 +116,13 @@ private:
     return around;
   }
 
-  bool HasTwoPlanes(const std::array<int, 4>& turns, int beam) const
+  /// Whether the beams of the turns have one plane.
+  bool HasOnePlane(const std::array<int, 4>& turns, int beam) const
   {
-    const int first = this->PlaneOfBeam[turns[0] + beam];
-    int differences = 0;
-    for (const int turn : turns)
-    {
-      for (int i = 0; i < 4; ++i)
-      {
-        differences |= this->PlaneOfBeam[turn + beam + i] ^ first;
-      }
-    }
-    return differences != 0;
+    const int* const planes = this->PlaneOfBeam.data() + beam;
+    const int first = planes[turns[0]];
+    return ((planes[turns[1]] ^ first) | (planes[turns[2]] ^ first) | (planes[turns[3]] ^ first)) ==
+      0;
   }
 
   void TakeOutBetween(const Around& around)

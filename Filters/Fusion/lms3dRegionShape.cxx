@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionShape.h"
 
-#include "Fusion/lms3dBlockParts.h"
 #include "Fusion/lms3dRegionRaster.h"
 
 #include <algorithm>
@@ -75,16 +74,19 @@ lms3dBits lms3dRegionShape::GetFree(int number, const lms3dRasterBlock& cells) c
   return free;
 }
 
-void lms3dRegionShape::FindParts(
+std::vector<lms3dBlockParts> lms3dRegionShape::FindParts(
   const std::vector<int>& blocks, const lms3dRaster& region, const lms3dRaster& raster)
 {
+  std::vector<lms3dBlockParts> partsOfBlocks;
+  partsOfBlocks.reserve(blocks.size());
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const lms3dRasterBlock& cells = region.GetBlock(static_cast<int>(i));
     BlockState& state = this->Blocks[blocks[i]];
     const lms3dCreaseMask::Cells* const crease = this->Creases.Get(blocks[i]);
     const lms3dBits& must = raster.GetBlock(blocks[i]).Must;
-    const lms3dBlockParts parts(this->GetFree(blocks[i], cells));
+    partsOfBlocks.emplace_back(this->GetFree(blocks[i], cells));
+    const lms3dBlockParts& parts = partsOfBlocks.back();
     state.Parts.assign(static_cast<std::size_t>(parts.GetCount()), { {}, false, false });
     parts.ForRuns(
       [&](int number, int row, std::uint64_t bits)
@@ -98,6 +100,7 @@ void lms3dRegionShape::FindParts(
         part.Cells[3] |= row == Last ? bits : 0;
       });
   }
+  return partsOfBlocks;
 }
 
 void lms3dRegionShape::Connect(std::vector<int>& links) const
@@ -171,11 +174,11 @@ std::vector<int> lms3dRegionShape::FindReached()
   return changed;
 }
 
-lms3dBits lms3dRegionShape::GetShape(int number, const lms3dRasterBlock& cells) const
+lms3dBits lms3dRegionShape::GetShape(
+  int number, const lms3dBlockParts& parts, const lms3dRasterBlock& cells) const
 {
   const BlockState& state = this->Blocks[number];
   lms3dBits shape = cells.Must;
-  const lms3dBlockParts parts(this->GetFree(number, cells));
   parts.ForRuns([&](int part, int row, std::uint64_t bits)
     { shape[row] |= state.Parts[part].IsReached ? bits : 0; });
   const lms3dCreaseMask::Cells* const crease = this->Creases.Get(number);
@@ -198,23 +201,19 @@ lms3dBits lms3dRegionShape::GetShape(int number, const lms3dRasterBlock& cells) 
   return shape;
 }
 
-void lms3dRegionShape::MakeShapes(const std::vector<int>& blocks, const lms3dRaster& region,
-  lms3dRaster& raster, std::vector<int>& changed) const
+void lms3dRegionShape::MakeShape(int number, const lms3dBlockParts& parts,
+  const lms3dRasterBlock& cells, lms3dRaster& raster, std::vector<int>& changed) const
 {
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+  lms3dRasterBlock& block = raster.GetBlock(number);
+  const std::vector<Part>& states = this->Blocks[number].Parts;
+  block.IsCalm =
+    std::all_of(states.begin(), states.end(), [](const Part& part) { return part.HasReturn; });
+  const lms3dBits shape = this->GetShape(number, parts, cells);
+  if (shape != block.Shape || block.NewCreaseCells > 0)
   {
-    const lms3dRasterBlock& cells = region.GetBlock(static_cast<int>(i));
-    lms3dRasterBlock& block = raster.GetBlock(blocks[i]);
-    const std::vector<Part>& parts = this->Blocks[blocks[i]].Parts;
-    block.IsCalm =
-      std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.HasReturn; });
-    const lms3dBits shape = this->GetShape(blocks[i], cells);
-    if (shape != block.Shape || block.NewCreaseCells > 0)
-    {
-      block.Shape = shape;
-      block.Difference = CountDifferences(shape, block.Meshed);
-      changed.push_back(blocks[i]);
-    }
+    block.Shape = shape;
+    block.Difference = CountDifferences(shape, block.Meshed);
+    changed.push_back(number);
   }
 }
 
@@ -232,15 +231,24 @@ std::vector<int> lms3dRegionShape::Update(
     return {};
   }
   const lms3dRaster region = lms3dMakeRegion(raster, blocks);
-  this->FindParts(blocks, region, raster);
+  const std::vector<lms3dBlockParts> parts = this->FindParts(blocks, region, raster);
   std::vector<int> others = this->FindReached();
   others.erase(
     std::remove_if(others.begin(), others.end(),
       [&](int number) { return std::binary_search(blocks.begin(), blocks.end(), number); }),
     others.end());
   std::vector<int> changed;
-  this->MakeShapes(blocks, region, raster, changed);
-  this->MakeShapes(others, lms3dMakeRegion(raster, others), raster, changed);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    this->MakeShape(blocks[i], parts[i], region.GetBlock(static_cast<int>(i)), raster, changed);
+  }
+  const lms3dRaster otherRegion = lms3dMakeRegion(raster, others);
+  for (std::size_t i = 0; i < others.size(); ++i)
+  {
+    const lms3dRasterBlock& cells = otherRegion.GetBlock(static_cast<int>(i));
+    this->MakeShape(
+      others[i], lms3dBlockParts(this->GetFree(others[i], cells)), cells, raster, changed);
+  }
   std::sort(changed.begin(), changed.end());
   return changed;
 }
