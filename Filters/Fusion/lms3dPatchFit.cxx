@@ -39,21 +39,20 @@ std::optional<lms3dFittedPlane> FitOnce(
   }
   const lms3dVector mean = GetMean(points);
   const auto count = static_cast<double>(points.size());
-  double moments[3][3] = {};
+  // Of the symmetric matrix of moments, row by row, what is not left of the diagonal.
+  std::array<double, 6> sums = {};
   for (const lms3dVector& point : points)
   {
     const lms3dVector v = lms3dSubtract(point, mean);
-    for (int row = 0; row < 3; ++row)
+    const std::array<double, 6> a = { v[0], v[0], v[0], v[1], v[1], v[2] };
+    const std::array<double, 6> b = { v[0], v[1], v[2], v[1], v[2], v[2] };
+    for (std::size_t i = 0; i < sums.size(); ++i)
     {
-      for (int column = row; column < 3; ++column)
-      {
-        moments[row][column] += v[row] * v[column] / count;
-      }
+      sums[i] += a[i] * b[i] / count;
     }
   }
-  moments[1][0] = moments[0][1];
-  moments[2][0] = moments[0][2];
-  moments[2][1] = moments[1][2];
+  double moments[3][3] = { { sums[0], sums[1], sums[2] }, { sums[1], sums[3], sums[4] },
+    { sums[2], sums[4], sums[5] } };
   double values[3];
   double vectors[3][3];
   vtkMath::Diagonalize3x3(moments, values, vectors);

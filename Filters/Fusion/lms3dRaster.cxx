@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRaster.h"
 
-int lms3dRaster::Make(std::int32_t u, std::int32_t v)
+int lms3dRaster::FindOrMake(std::int32_t u, std::int32_t v)
 {
   const int found = this->Numbers.Find(u, v);
   if (found >= 0)

@@ -91,8 +91,16 @@ public:
 
   /// The number of a block, -1 if there is none.
   int Find(std::int32_t u, std::int32_t v) const { return this->Numbers.Find(u, v); }
-  /// The same, but makes the block if there is none.
-  int Make(std::int32_t u, std::int32_t v);
+  /// The same, but makes the block if there is none. Successive calls for one block are quick.
+  int Make(std::int32_t u, std::int32_t v)
+  {
+    if (this->LastMade < 0 || this->Blocks[this->LastMade].U != u ||
+      this->Blocks[this->LastMade].V != v)
+    {
+      this->LastMade = this->FindOrMake(u, v);
+    }
+    return this->LastMade;
+  }
 
   static std::int32_t GetBlockOf(std::int32_t cell) { return cell >> 6; }
   static int GetPlaceOf(std::int32_t cell) { return cell & 63; }
@@ -171,6 +179,8 @@ public:
   }
 
 private:
+  int FindOrMake(std::int32_t u, std::int32_t v);
+
   /// The bits of cells from `first` to `last` in a block.
   static std::uint64_t GetMask(std::int32_t block, std::int32_t first, std::int32_t last)
   {
@@ -183,6 +193,8 @@ private:
   std::deque<lms3dRasterBlock> Blocks;
   lms3dBlockIndex Numbers;
   std::vector<int> Marked;
+  /// The block of the last call of Make(), -1 if there is none.
+  int LastMade = -1;
 };
 
 #endif
