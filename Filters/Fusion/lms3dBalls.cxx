@@ -34,27 +34,15 @@ private:
 };
 } // namespace
 
-lms3dBlockWindow::lms3dBlockWindow(
-  const lms3dRaster& raster, const lms3dRasterBlock& block, lms3dRaster::BitsOf bits)
+// Adds the block beside the middle by u and v.
+void lms3dBlockWindow::Add(int u, int v, const lms3dBits& bits)
 {
-  for (int v = -1; v <= 1; ++v)
+  const int first = v < 0 ? lms3dRaster::Size - Margin : 0;
+  const int end = v > 0 ? Margin : lms3dRaster::Size;
+  for (int row = first; row < end; ++row)
   {
-    for (int u = -1; u <= 1; ++u)
-    {
-      const int number = raster.Find(block.U + u, block.V + v);
-      if (number < 0)
-      {
-        continue;
-      }
-      const lms3dBits& words = raster.GetBlock(number).*bits;
-      const int first = v < 0 ? lms3dRaster::Size - Margin : 0;
-      const int end = v > 0 ? Margin : lms3dRaster::Size;
-      for (int row = first; row < end; ++row)
-      {
-        this->Rows[row + v * lms3dRaster::Size + Margin][u + 1] = words[row];
-        this->HasNone = this->HasNone && words[row] == 0;
-      }
-    }
+    this->Rows[row + v * lms3dRaster::Size + Margin][u + 1] = bits[row];
+    this->HasNone = this->HasNone && bits[row] == 0;
   }
 }
 

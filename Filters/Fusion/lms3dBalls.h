@@ -21,9 +21,23 @@ public:
   /// Cells: the largest radius of a ball.
   static constexpr int LargestRadius = (Margin - 1) / 2;
 
-  /// The blocks that a raster does not have are empty.
-  lms3dBlockWindow(
-    const lms3dRaster& raster, const lms3dRasterBlock& block, lms3dRaster::BitsOf bits);
+  /// The blocks that a grid does not have are empty.
+  template <typename Block>
+  lms3dBlockWindow(const lms3dBlockGrid<Block>& grid, const lms3dRegionBlock& block,
+    typename lms3dBlockGrid<Block>::BitsOf bits)
+  {
+    for (int v = -1; v <= 1; ++v)
+    {
+      for (int u = -1; u <= 1; ++u)
+      {
+        const int number = grid.Find(block.U + u, block.V + v);
+        if (number >= 0)
+        {
+          this->Add(u, v, grid.GetBlock(number).*bits);
+        }
+      }
+    }
+  }
 
   bool IsEmpty() const { return this->HasNone; }
 
@@ -35,6 +49,8 @@ public:
   lms3dBits GetCellsNear() const;
 
 private:
+  void Add(int u, int v, const lms3dBits& bits);
+
   /// The cells of a row from 31 before a cell to 32 behind it. Bit 31 is the cell itself.
   std::uint64_t GetWord(int u, int row) const;
 

@@ -58,7 +58,7 @@ bool IsIn(const lms3dPoint2& p, const std::array<lms3dPoint2, 3>& triangle, int 
 }
 } // namespace
 
-lms3dOutlineSimplifier::lms3dOutlineSimplifier(const lms3dRaster& region,
+lms3dOutlineSimplifier::lms3dOutlineSimplifier(const lms3dRegion& region,
   const std::vector<lms3dLoop>& loops, const std::vector<bool>& isFixed, double tolerance)
   : Region(region)
   , IsFixed(isFixed)

@@ -29,7 +29,7 @@ class lms3dOutlineSimplifier
 public:
   /// `region` is that of lms3dMakeRegion. The tolerance is in cells. Corners of `isFixed`, in the order of the loops,
   /// go only if they lie on a straight line.
-  lms3dOutlineSimplifier(const lms3dRaster& region, const std::vector<lms3dLoop>& loops,
+  lms3dOutlineSimplifier(const lms3dRegion& region, const std::vector<lms3dLoop>& loops,
     const std::vector<bool>& isFixed, double tolerance);
 
   std::vector<lms3dLoop> Simplify();
@@ -60,7 +60,7 @@ private:
   void Remove(Corner corner);
   std::vector<lms3dLoop> GetLoops() const;
 
-  const lms3dRaster& Region;
+  const lms3dRegion& Region;
   const std::vector<bool>& IsFixed;
   /// Squared.
   double Tolerance;

@@ -76,7 +76,7 @@ std::vector<Crossing> FindCrossings(const std::vector<Edge>& border)
 class Filler
 {
 public:
-  explicit Filler(lms3dRaster& raster)
+  explicit Filler(lms3dRegion& raster)
     : Raster(raster)
   {
   }
@@ -128,12 +128,12 @@ private:
     this->Strips.clear();
   }
 
-  lms3dRaster& Raster;
+  lms3dRegion& Raster;
   std::vector<lms3dCellStrip> Strips;
 };
 } // namespace
 
-void lms3dCoverRegion(const std::vector<lms3dTriangle2>& triangles, lms3dRaster& raster)
+void lms3dCoverRegion(const std::vector<lms3dTriangle2>& triangles, lms3dRegion& raster)
 {
   const std::vector<Edge> border = FindBorder(triangles);
   Filler(raster).Fill(FindCrossings(border));

@@ -79,7 +79,7 @@ lms3dBits GetBoth(const lms3dRasterBlock& block, lms3dRaster::BitsOf a, lms3dRas
 /// returns for a block. The balls keep away from the cells with the bit `others`.
 template <typename Getter, typename Visitor>
 void ForBalls(const lms3dRaster& raster, const std::vector<int>& blocks, const Getter& getCentres,
-  lms3dRaster::BitsOf others, const lms3dRaster& region, const Visitor& visit)
+  lms3dRaster::BitsOf others, const lms3dRegion& region, const Visitor& visit)
 {
   for (const int i : blocks)
   {
@@ -111,27 +111,23 @@ void ForBalls(const lms3dRaster& raster, const std::vector<int>& blocks, const G
 }
 
 /// Gives the cells back that are nearer to a return than to any beam that passed.
-void GiveBack(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster& region)
+void GiveBack(const lms3dRaster& raster, const std::vector<int>& blocks,
+  const std::vector<int>& blocksOfRegion, lms3dRegion& region)
 {
   ForBalls(
     raster, blocks,
     [](const lms3dRasterBlock& block)
     { return GetBoth(block, &lms3dRasterBlock::Must, &lms3dRasterBlock::Open); },
     &lms3dRasterBlock::Passed, region,
-    [&](int number, int row, std::uint64_t bits) { region.GetBlock(number).Open[row] |= bits; });
-  for (int i = 0; i < region.GetNumberOfBlocks(); ++i)
-  {
-    lms3dRasterBlock& cells = region.GetBlock(i);
-    const lms3dBits& may = raster.GetBlock(raster.Find(cells.U, cells.V)).May;
-    for (int row = 0; row <= Last; ++row)
+    [&](int number, int row, std::uint64_t bits)
     {
-      cells.May[row] |= cells.Open[row] & may[row];
-    }
-  }
+      const lms3dBits& may = raster.GetBlock(blocksOfRegion[number]).May;
+      region.GetBlock(number).May[row] |= bits & may[row];
+    });
 }
 
 /// Takes the cells out that are nearer to a beam that passed than to any return.
-void TakeOut(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster& region)
+void TakeOut(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRegion& region)
 {
   // Balls that are too far from the region take nothing out.
   const auto getCentres = [&](const lms3dRasterBlock& block)
@@ -152,7 +148,7 @@ void TakeOut(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRas
 }
 
 void CopySure(const lms3dRasterBlock& block, const PassedAround& passed, bool hasPassed,
-  lms3dRasterBlock& cells)
+  lms3dRegionBlock& cells)
 {
   if (!hasPassed)
   {
@@ -212,34 +208,34 @@ std::vector<int> lms3dFindDirtyBlocks(const lms3dRaster& raster)
   return blocks;
 }
 
-lms3dRaster lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<int>& blocks)
+lms3dRegion lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<int>& blocks)
 {
-  lms3dRaster region;
+  lms3dRegion region;
   PassedAround passed(raster);
   for (const int number : blocks)
   {
     const lms3dRasterBlock& block = raster.GetBlock(number);
-    lms3dRasterBlock& cells = region.GetBlock(region.Make(block.U, block.V));
+    lms3dRegionBlock& cells = region.GetBlock(region.Make(block.U, block.V));
     const bool isPassed = passed.MoveTo(block);
     CopySure(block, passed, isPassed, cells);
   }
   return region;
 }
 
-lms3dRaster lms3dMakeRegion(const lms3dRaster& raster, const std::vector<int>& blocks)
+lms3dRegion lms3dMakeRegion(const lms3dRaster& raster, const std::vector<int>& blocks)
 {
-  lms3dRaster region = lms3dCopySureReturns(raster, blocks);
+  lms3dRegion region = lms3dCopySureReturns(raster, blocks);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const lms3dRasterBlock& block = raster.GetBlock(blocks[i]);
-    lms3dRasterBlock& cells = region.GetBlock(static_cast<int>(i));
+    lms3dRegionBlock& cells = region.GetBlock(static_cast<int>(i));
     for (int row = 0; row <= Last; ++row)
     {
       cells.May[row] = (block.May[row] & ~block.Open[row] & ~block.Passed[row]) | cells.Must[row];
     }
   }
   const std::vector<int> around = lms3dFindBlocksAround(raster, blocks);
-  GiveBack(raster, around, region);
+  GiveBack(raster, around, blocks, region);
   TakeOut(raster, around, region);
   return region;
 }

@@ -61,7 +61,7 @@ void lms3dRegionShape::AddBlocks(const lms3dRaster& raster)
   }
 }
 
-lms3dBits lms3dRegionShape::GetFree(int number, const lms3dRasterBlock& cells) const
+lms3dBits lms3dRegionShape::GetFree(int number, const lms3dRegionBlock& cells) const
 {
   lms3dBits free = cells.May;
   if (const lms3dCreaseMask::Cells* crease = this->Creases.Get(number))
@@ -75,13 +75,13 @@ lms3dBits lms3dRegionShape::GetFree(int number, const lms3dRasterBlock& cells) c
 }
 
 std::vector<lms3dBlockParts> lms3dRegionShape::FindParts(
-  const std::vector<int>& blocks, const lms3dRaster& region, const lms3dRaster& raster)
+  const std::vector<int>& blocks, const lms3dRegion& region, const lms3dRaster& raster)
 {
   std::vector<lms3dBlockParts> partsOfBlocks;
   partsOfBlocks.reserve(blocks.size());
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    const lms3dRasterBlock& cells = region.GetBlock(static_cast<int>(i));
+    const lms3dRegionBlock& cells = region.GetBlock(static_cast<int>(i));
     BlockState& state = this->Blocks[blocks[i]];
     const lms3dCreaseMask::Cells* const crease = this->Creases.Get(blocks[i]);
     const lms3dBits& must = raster.GetBlock(blocks[i]).Must;
@@ -175,7 +175,7 @@ std::vector<int> lms3dRegionShape::FindReached()
 }
 
 lms3dBits lms3dRegionShape::GetShape(
-  int number, const lms3dBlockParts& parts, const lms3dRasterBlock& cells) const
+  int number, const lms3dBlockParts& parts, const lms3dRegionBlock& cells) const
 {
   const BlockState& state = this->Blocks[number];
   lms3dBits shape = cells.Must;
@@ -202,7 +202,7 @@ lms3dBits lms3dRegionShape::GetShape(
 }
 
 void lms3dRegionShape::MakeShape(int number, const lms3dBlockParts& parts,
-  const lms3dRasterBlock& cells, lms3dRaster& raster, std::vector<int>& changed) const
+  const lms3dRegionBlock& cells, lms3dRaster& raster, std::vector<int>& changed) const
 {
   lms3dRasterBlock& block = raster.GetBlock(number);
   const std::vector<Part>& states = this->Blocks[number].Parts;
@@ -230,7 +230,7 @@ std::vector<int> lms3dRegionShape::Update(
   {
     return {};
   }
-  const lms3dRaster region = lms3dMakeRegion(raster, blocks);
+  const lms3dRegion region = lms3dMakeRegion(raster, blocks);
   const std::vector<lms3dBlockParts> parts = this->FindParts(blocks, region, raster);
   std::vector<int> others = this->FindReached();
   others.erase(
@@ -242,10 +242,10 @@ std::vector<int> lms3dRegionShape::Update(
   {
     this->MakeShape(blocks[i], parts[i], region.GetBlock(static_cast<int>(i)), raster, changed);
   }
-  const lms3dRaster otherRegion = lms3dMakeRegion(raster, others);
+  const lms3dRegion otherRegion = lms3dMakeRegion(raster, others);
   for (std::size_t i = 0; i < others.size(); ++i)
   {
-    const lms3dRasterBlock& cells = otherRegion.GetBlock(static_cast<int>(i));
+    const lms3dRegionBlock& cells = otherRegion.GetBlock(static_cast<int>(i));
     this->MakeShape(
       others[i], lms3dBlockParts(this->GetFree(others[i], cells)), cells, raster, changed);
   }
