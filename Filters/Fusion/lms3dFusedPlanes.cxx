@@ -45,15 +45,21 @@ int lms3dFusedPlanes::MakePlane(const lms3dVector& point, const lms3dVector& nor
   return static_cast<int>(this->Planes.size()) - 1;
 }
 
-void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int triangle)
+void lms3dFusedPlanes::GrowBox(int number, const lms3dLocalMap& local, int triangle)
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    this->Boxes.Grow(static_cast<std::size_t>(number), local.GetCorner(triangle, corner));
+  }
+}
+
+void lms3dFusedPlanes::GuessTriangle(int number, const lms3dLocalMap& local, int triangle)
 {
   lms3dFusedPlane& plane = this->Planes[number];
   std::array<lms3dPoint2, 3> cells;
   for (int corner = 0; corner < 3; ++corner)
   {
-    const lms3dVector point = local.GetCorner(triangle, corner);
-    cells[corner] = plane.Frame.ToCells(point);
-    this->Boxes.Grow(static_cast<std::size_t>(number), point);
+    cells[corner] = plane.Frame.ToCells(local.GetCorner(triangle, corner));
   }
   lms3dForTouchedStrips(cells,
     [&](const lms3dCellStrip& strip)

@@ -36,14 +36,20 @@ public:
   /// Returns the number of a new plane.
   int MakePlane(const lms3dVector& point, const lms3dVector& normal);
 
+  /// Lets the box of a plane have a triangle of a local map.
+  void GrowBox(int number, const lms3dLocalMap& local, int triangle);
+
+  ///@{
+  /// Threads may call these for different planes at the same time.
   /// Lets a plane have surface where a triangle of a local map is. The cells get Guess until AcceptGuesses().
-  void AddTriangle(int number, const lms3dLocalMap& local, int triangle);
+  void GuessTriangle(int number, const lms3dLocalMap& local, int triangle);
 
   /// Lets a plane have surface where Guess says so.
   void AcceptGuesses(int number);
 
   /// Adds a return to a plane. Returns false if the plane does not explain it.
   bool AddReturn(int number, const lms3dMappedReturn& mapped);
+  ///@}
 
   /// Adds a return to the first plane that shows it. Returns false if none does.
   bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);
