@@ -39,7 +39,7 @@ std::optional<lms3dFittedPlane> FitOnce(
   }
   const lms3dVector mean = GetMean(points);
   const auto count = static_cast<double>(points.size());
-  // Of the symmetric matrix of moments, row by row, what is not left of the diagonal.
+  // The symmetric matrix of moments, row by row, without what is left of the diagonal.
   std::array<double, 6> sums = {};
   for (const lms3dVector& point : points)
   {
