@@ -29,22 +29,37 @@ struct Corner
   double Height;
 };
 
-/// The part of a convex polygon that lies lower than a height.
-std::vector<lms3dPoint2> Clip(const std::array<Corner, 4>& corners, double height)
+/// The corners of a small polygon.
+class Polygon
 {
-  std::vector<lms3dPoint2> clipped;
+public:
+  void Add(const lms3dPoint2& point) { this->Points[this->Count++] = point; }
+  std::size_t size() const { return this->Count; }
+  const lms3dPoint2& operator[](std::size_t i) const { return this->Points[i]; }
+  const lms3dPoint2* begin() const { return this->Points.data(); }
+  const lms3dPoint2* end() const { return this->Points.data() + this->Count; }
+
+private:
+  std::array<lms3dPoint2, 8> Points = {};
+  std::size_t Count = 0;
+};
+
+/// The part of a convex polygon that lies lower than a height.
+Polygon Clip(const std::array<Corner, 4>& corners, double height)
+{
+  Polygon clipped;
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     const Corner& a = corners[i];
     const Corner& b = corners[(i + 1) % corners.size()];
     if (a.Height < height)
     {
-      clipped.push_back(a.Place);
+      clipped.Add(a.Place);
     }
     if ((a.Height < height) != (b.Height < height))
     {
       const double share = (height - a.Height) / (b.Height - a.Height);
-      clipped.push_back({ a.Place[0] + share * (b.Place[0] - a.Place[0]),
+      clipped.Add({ a.Place[0] + share * (b.Place[0] - a.Place[0]),
         a.Place[1] + share * (b.Place[1] - a.Place[1]) });
     }
   }
@@ -196,8 +211,7 @@ private:
       corners[i].Height =
         this->Planes[other].Frame.GetHeight(plane.Frame.ToWorld(corners[i].Place));
     }
-    const std::vector<lms3dPoint2> hidden =
-      Clip(corners, -BehindShare * this->Planes.GetMaximumError());
+    const Polygon hidden = Clip(corners, -BehindShare * this->Planes.GetMaximumError());
     if (hidden.size() < 3)
     {
       return;

@@ -55,9 +55,9 @@ void lms3dPassages::FindBins(int firstBlock)
     this->Ranges->FindBins(centre, radius, this->BinsOfBlock);
     for (const int bin : this->BinsOfBlock)
     {
-      if (!this->HasBin[bin])
+      if (this->HasBin[bin] == 0)
       {
-        this->HasBin[bin] = true;
+        this->HasBin[bin] = 1;
         this->Bins.push_back(bin);
       }
     }
@@ -146,15 +146,15 @@ lms3dPassage lms3dPassages::Get(int beamId) const
   {
     return { true, this->Places[number] };
   }
-  return this->HasBin[this->Ranges->GetTable().GetBin(beamId)] ? lms3dPassage()
-                                                               : this->Look(beamId);
+  return this->HasBin[this->Ranges->GetTable().GetBin(beamId)] != 0 ? lms3dPassage()
+                                                                    : this->Look(beamId);
 }
 
 void lms3dPassages::Forget()
 {
   for (const int bin : this->Bins)
   {
-    this->HasBin[bin] = false;
+    this->HasBin[bin] = 0;
   }
   for (const int beam : this->Beams)
   {

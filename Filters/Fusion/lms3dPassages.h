@@ -54,7 +54,7 @@ private:
   /// The bins of the beams that were looked at.
   std::vector<int> Bins;
   std::vector<int> BinsOfBlock;
-  std::vector<bool> HasBin;
+  std::vector<char> HasBin;
   /// The beams of these bins that passed, and the place of each.
   std::vector<int> Beams;
   std::vector<lms3dPoint2> Places;

@@ -26,11 +26,15 @@ lms3dSeenRanges::lms3dSeenRanges(
     }
     this->Largest = std::max<double>(this->Largest, largest);
   }
+  this->Box.Add(this->Pose.Position);
   for (vtkIdType i = 0; i < scan.GetNumberOfReturns(); ++i)
   {
     const int id = scan.GetBeamIds()[i];
     const lms3dVector start = this->GetStart(id);
-    this->Box.Add(start);
+    if (this->Table->HasStarts())
+    {
+      this->Box.Add(start);
+    }
     this->Box.Add(lms3dAdd(start, lms3dScale(this->GetDirection(id), scan.GetRanges()[i])));
   }
 }

@@ -32,8 +32,8 @@ Seams FindSeams(vtkPolyData* fused, vtkPolyData* scene, double bound);
 /// 1983, "The solid angle of a plane triangle"), as a share of the sphere.
 double CountSheetsAround(vtkPolyData* fused, const Vector& place);
 
-/// A map whose vertices are joined if they are nearer to one another than a micrometre, also those of one triangle that lie
-/// on an edge of another one.
+/// A map whose vertices are joined if they are nearer to one another than a micrometre. An edge is divided at the
+/// vertices that lie on it.
 class JoinedMap
 {
 public:
