@@ -66,10 +66,12 @@ struct lms3dFusedPlane
     for (int number = first; number < this->Raster.GetNumberOfBlocks(); ++number)
     {
       const lms3dRasterBlock& block = this->Raster.GetBlock(number);
-      for (int corner = 0; corner < 4; ++corner)
+      for (const double u : { block.U + 0.0, block.U + 1.0 })
       {
-        box.Add(this->Frame.ToWorld({ (block.U + corner % 2) * 1.0 * lms3dRaster::Size,
-          (block.V + corner / 2) * 1.0 * lms3dRaster::Size }));
+        for (const double v : { block.V + 0.0, block.V + 1.0 })
+        {
+          box.Add(this->Frame.ToWorld({ u * lms3dRaster::Size, v * lms3dRaster::Size }));
+        }
       }
     }
     return box;

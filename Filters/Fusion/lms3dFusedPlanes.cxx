@@ -210,12 +210,17 @@ bool lms3dFusedPlanes::ShowShare(
   const auto count = static_cast<double>(returns.size());
   const double allowed = count - share * count;
   double hidden = 0.0;
+  // The plane that shows a return often shows the next one, too.
+  auto last = planes.end();
   return std::all_of(returns.begin(), returns.end(),
     [&](const lms3dMappedReturn& mapped)
     {
-      const bool isShown = std::any_of(planes.begin(), planes.end(),
-        [&](int plane) { return this->Shows(this->Planes[plane], mapped); });
-      hidden += isShown ? 0.0 : 1.0;
+      const auto shows = [&](int plane) { return this->Shows(this->Planes[plane], mapped); };
+      if (last == planes.end() || !shows(*last))
+      {
+        last = std::find_if(planes.begin(), planes.end(), shows);
+      }
+      hidden += last != planes.end() ? 0.0 : 1.0;
       return hidden <= allowed;
     });
 }

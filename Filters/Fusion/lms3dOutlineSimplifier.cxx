@@ -69,15 +69,15 @@ lms3dOutlineSimplifier::lms3dOutlineSimplifier(const lms3dRegion& region,
 
 void lms3dOutlineSimplifier::Link(const std::vector<lms3dLoop>& loops)
 {
-  for (std::size_t loop = 0; loop < loops.size(); ++loop)
+  for (const lms3dLoop& loop : loops)
   {
     const auto first = static_cast<Corner>(this->Points.size());
-    const auto size = static_cast<Corner>(loops[loop].size());
+    const auto size = static_cast<Corner>(loop.size());
     this->FirstOfLoop.push_back(first);
     this->SizeOfLoop.push_back(size);
     for (Corner i = 0; i < size; ++i)
     {
-      this->Points.push_back(loops[loop][i]);
+      this->Points.push_back(loop[i]);
       this->Next.push_back(first + (i + 1) % size);
       this->Previous.push_back(first + (i + size - 1) % size);
     }
