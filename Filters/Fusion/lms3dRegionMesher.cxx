@@ -80,9 +80,9 @@ private:
   /// Triangles may touch the sides of the tile.
   void AddBlocksAround()
   {
-    for (std::size_t i = 0; i < this->Tile.Blocks.size(); ++i)
+    for (const int number : this->Tile.Blocks)
     {
-      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(this->Tile.Blocks[i]);
+      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(number);
       for (std::int32_t v = block.V - 1; v <= block.V + 1; ++v)
       {
         for (std::int32_t u = block.U - 1; u <= block.U + 1; ++u)

@@ -48,14 +48,12 @@ void lms3dScanJoin::Join()
   PatchesOfPlanes patches;
   for (std::size_t patch = 0; patch < returns.size(); ++patch)
   {
-    if (fits[patch])
+    const std::optional<lms3dFittedPlane>& fit = fits[patch];
+    const int plane = fit ? this->FindOrMakePlane(returns[patch], *fit, planesBefore) : -1;
+    planeOfPatch[patch] = plane;
+    if (fit && plane >= 0)
     {
-      planeOfPatch[patch] = this->FindOrMakePlane(returns[patch], *fits[patch], planesBefore);
-    }
-    if (planeOfPatch[patch] >= 0)
-    {
-      patches[planeOfPatch[patch]].push_back(
-        { static_cast<int>(patch), &returns[patch], fits[patch]->Deviation, {} });
+      patches[plane].push_back({ static_cast<int>(patch), &returns[patch], fit->Deviation, {} });
     }
   }
   std::vector<char> isExplained(this->Local.Returns.size());
