@@ -225,21 +225,16 @@ void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets)
 // Marks where beams of earlier scans passed through new blocks.
 void lms3dGrowingMap::MarkPassedEarlier()
 {
-  std::vector<lms3dFusedPlane*> growing;
-  for (std::size_t i = 0; i < this->Planes.GetSize(); ++i)
-  {
-    lms3dFusedPlane& plane = this->Planes[i];
-    if (plane.OldBlocks < plane.Raster.GetNumberOfBlocks())
-    {
-      growing.push_back(&plane);
-    }
-  }
   const double bound = this->Settings.MaximumError;
   tbb::enumerable_thread_specific<lms3dPassedBeams> beams(bound, false);
-  tbb::parallel_for(std::size_t{ 0 }, growing.size(),
+  tbb::parallel_for(std::size_t{ 0 }, this->Planes.GetSize(),
     [&](std::size_t i)
     {
-      lms3dFusedPlane& plane = *growing[i];
+      lms3dFusedPlane& plane = this->Planes[i];
+      if (plane.OldBlocks == plane.Raster.GetNumberOfBlocks())
+      {
+        return;
+      }
       const lms3dWorldBox box = plane.GetBoxOfBlocks(plane.OldBlocks);
       for (const std::unique_ptr<lms3dSeenRanges>& earlier : this->Seen)
       {

@@ -100,11 +100,7 @@ double lms3dOutlineSimplifier::GetCost(Corner corner) const
   {
     cost = std::max(cost, line.GetSquaredDistance(this->Points[original]));
   }
-  if (this->IsFixed[corner] && cost > OnLine)
-  {
-    return Infinite;
-  }
-  return cost;
+  return this->IsFixed[corner] && cost > OnLine ? Infinite : cost;
 }
 
 void lms3dOutlineSimplifier::Queue(Corner corner)

@@ -17,6 +17,54 @@ constexpr double SmallestCosine = 1e-9;
 constexpr double QuickShare = 4e-6;
 } // namespace
 
+/// Drops most of the beams that end before a plane, in single precision.
+class lms3dPassages::QuickLook
+{
+public:
+  /// How many beams are looked at together.
+  static constexpr int Count = 64;
+
+  QuickLook(const lms3dSeenRanges& ranges, const lms3dPlaneFrame& frame, double maximumError)
+    : Table(ranges.GetTable())
+    , Ranges(ranges.GetRangesOfPlaces())
+    , Bound(static_cast<float>(PassedShare * maximumError))
+  {
+    const double height = frame.GetHeight(ranges.GetPosition());
+    const lms3dVector normal = ranges.ToSensor(lms3dAdd(ranges.GetPosition(), frame.GetNormal()));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Behind[axis] = static_cast<float>(height >= 0.0 ? -normal[axis] : normal[axis]);
+    }
+    this->Height = static_cast<float>(std::abs(height) * (1.0 - QuickShare) - QuickShare);
+  }
+
+  /// Whether each beam from a place on may pass. Beams must start at the sensor's position.
+  std::array<bool, Count> Look(int place, int count) const
+  {
+    const float* const x = this->Table.GetNarrowDirections(0) + place;
+    const float* const y = this->Table.GetNarrowDirections(1) + place;
+    const float* const z = this->Table.GetNarrowDirections(2) + place;
+    const float* const ranges = this->Ranges + place;
+    constexpr auto Share = static_cast<float>(QuickShare);
+    std::array<bool, Count> mayPass = {};
+    for (int i = 0; i < count; ++i)
+    {
+      const float cosine = this->Behind[0] * x[i] + this->Behind[1] * y[i] + this->Behind[2] * z[i];
+      mayPass[i] = (ranges[i] - this->Bound) * cosine + Share * ranges[i] >= this->Height;
+    }
+    return mayPass;
+  }
+
+private:
+  const lms3dBeamTable& Table;
+  const float* const Ranges;
+  const float Bound;
+  /// The normal in the sensor frame, towards the side behind the plane.
+  std::array<float, 3> Behind = {};
+  /// The sensor's distance from the plane, less what rounding may change, metres.
+  float Height = 0.0F;
+};
+
 lms3dPassage lms3dPassages::Look(int beamId) const
 {
   const double range = this->Ranges->GetRange(beamId);
@@ -70,6 +118,7 @@ void lms3dPassages::FindInBins()
   this->Numbers.resize(
     std::max(this->Numbers.size(), static_cast<std::size_t>(table.GetSize())), -1);
   std::sort(this->Bins.begin(), this->Bins.end());
+  const QuickLook look(*this->Ranges, this->Plane->Frame, this->MaximumError);
   for (std::size_t i = 0; i < this->Bins.size();)
   {
     const std::size_t first = i;
@@ -77,48 +126,24 @@ void lms3dPassages::FindInBins()
     {
       ++i;
     } while (i < this->Bins.size() && this->Bins[i] == this->Bins[i - 1] + 1);
-    this->FindAt(table.GetFirstPlace(this->Bins[first]), table.GetEndOfPlaces(this->Bins[i - 1]));
+    this->FindAt(
+      look, table.GetFirstPlace(this->Bins[first]), table.GetEndOfPlaces(this->Bins[i - 1]));
   }
 }
 
-// A quick look at many beams in single precision comes first.
-void lms3dPassages::FindAt(int firstPlace, int endOfPlaces)
+// A quick look at many beams comes first.
+void lms3dPassages::FindAt(const QuickLook& look, int firstPlace, int endOfPlaces)
 {
   const lms3dBeamTable& table = this->Ranges->GetTable();
-  const lms3dVector& position = this->Ranges->GetPosition();
-  const double height = this->Plane->Frame.GetHeight(position);
-  // The normal in the sensor frame, towards the side behind the plane.
-  const lms3dVector behind =
-    lms3dScale(this->Ranges->ToSensor(lms3dAdd(position, this->Plane->Frame.GetNormal())),
-      height >= 0.0 ? -1.0 : 1.0);
-  const std::array<float, 3> normal = { static_cast<float>(behind[0]),
-    static_cast<float>(behind[1]), static_cast<float>(behind[2]) };
-  const auto bound = static_cast<float>(PassedShare * this->MaximumError);
-  const auto least = static_cast<float>(std::abs(height) * (1.0 - QuickShare) - QuickShare);
-  const float* const x = table.GetNarrowDirections(0);
-  const float* const y = table.GetNarrowDirections(1);
-  const float* const z = table.GetNarrowDirections(2);
-  const float* const ranges = this->Ranges->GetRangesOfPlaces();
-  constexpr int Chunk = 64;
-  std::array<bool, Chunk> isLong = {};
-  for (int place = firstPlace; place < endOfPlaces; place += Chunk)
+  for (int place = firstPlace; place < endOfPlaces; place += QuickLook::Count)
   {
-    const int count = std::min(Chunk, endOfPlaces - place);
+    const int count = std::min(QuickLook::Count, endOfPlaces - place);
+    const std::array<bool, QuickLook::Count> mayPass = look.Look(place, count);
     for (int i = 0; i < count; ++i)
     {
-      const int k = place + i;
-      const float cosine = normal[0] * x[k] + normal[1] * y[k] + normal[2] * z[k];
-      const auto share = static_cast<float>(QuickShare);
-      isLong[i] = (ranges[k] - bound) * cosine + share * ranges[k] >= least;
-    }
-    for (int i = 0; i < count; ++i)
-    {
-      if (!isLong[i] && !table.HasStarts())
-      {
-        continue;
-      }
       const int beam = table.GetBeam(place + i);
-      const lms3dPassage passage = this->Look(beam);
+      const lms3dPassage passage =
+        mayPass[i] || table.HasStarts() ? this->Look(beam) : lms3dPassage();
       if (passage.IsPassed)
       {
         this->Numbers[beam] = static_cast<int>(this->Beams.size());

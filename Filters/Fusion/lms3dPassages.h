@@ -42,10 +42,12 @@ public:
   lms3dPassage Get(int beamId) const;
 
 private:
+  class QuickLook;
+
   void Forget();
   void FindBins(int firstBlock);
   void FindInBins();
-  void FindAt(int firstPlace, int endOfPlaces);
+  void FindAt(const QuickLook& look, int firstPlace, int endOfPlaces);
   lms3dPassage Look(int beamId) const;
 
   const double MaximumError;

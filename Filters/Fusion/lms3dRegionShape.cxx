@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <cstddef>
 #include <numeric>
 
 namespace
@@ -22,19 +23,14 @@ int FindFirst(std::vector<int>& links, int part)
   return part;
 }
 
-int Count(std::uint64_t bits)
-{
-  return static_cast<int>(std::bitset<lms3dRaster::Size>(bits).count());
-}
-
 int CountDifferences(const lms3dBits& a, const lms3dBits& b)
 {
-  int count = 0;
+  std::size_t count = 0;
   for (int row = 0; row <= Last; ++row)
   {
-    count += Count(a[row] ^ b[row]);
+    count += std::bitset<lms3dRaster::Size>(a[row] ^ b[row]).count();
   }
-  return count;
+  return static_cast<int>(count);
 }
 } // namespace
 
@@ -85,8 +81,7 @@ std::vector<lms3dBlockParts> lms3dRegionShape::FindParts(
     BlockState& state = this->Blocks[blocks[i]];
     const lms3dCreaseMask::Cells* const crease = this->Creases.Get(blocks[i]);
     const lms3dBits& must = raster.GetBlock(blocks[i]).Must;
-    partsOfBlocks.emplace_back(this->GetFree(blocks[i], cells));
-    const lms3dBlockParts& parts = partsOfBlocks.back();
+    const lms3dBlockParts& parts = partsOfBlocks.emplace_back(this->GetFree(blocks[i], cells));
     state.Parts.assign(static_cast<std::size_t>(parts.GetCount()), { {}, false, false });
     parts.ForRuns(
       [&](int number, int row, std::uint64_t bits)
