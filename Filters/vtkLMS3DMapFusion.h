@@ -124,7 +124,7 @@ public:
    * Whether the filter keeps the ranges of all scans, four bytes for each beam, so that what a later scan guesses
    * between its returns is checked against the beams of earlier ones. Otherwise, about ten times as many beams of
    * earlier scans are blocked, and the memory is that of the map and its
-   * rasters alone, about 3 kB for each block of 64 x 64 cells. On by default.
+   * rasters alone, about 5 kB for each block of 64 x 64 cells. On by default.
    */
   vtkSetMacro(KeepReturns, bool);
   vtkGetMacro(KeepReturns, bool);

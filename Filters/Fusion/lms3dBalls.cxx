@@ -34,27 +34,15 @@ private:
 };
 } // namespace
 
-lms3dBlockWindow::lms3dBlockWindow(
-  const lms3dRaster& raster, const lms3dRasterBlock& block, lms3dRaster::BitsOf bits)
+// Adds the block beside the middle by u and v.
+void lms3dBlockWindow::Add(int u, int v, const lms3dBits& bits)
 {
-  for (int v = -1; v <= 1; ++v)
+  const int first = v < 0 ? lms3dRaster::Size - Margin : 0;
+  const int end = v > 0 ? Margin : lms3dRaster::Size;
+  for (int row = first; row < end; ++row)
   {
-    for (int u = -1; u <= 1; ++u)
-    {
-      const int number = raster.Find(block.U + u, block.V + v);
-      if (number < 0)
-      {
-        continue;
-      }
-      const lms3dBits& words = raster.GetBlock(number).*bits;
-      const int first = v < 0 ? lms3dRaster::Size - Margin : 0;
-      const int end = v > 0 ? Margin : lms3dRaster::Size;
-      for (int row = first; row < end; ++row)
-      {
-        this->Rows[row + v * lms3dRaster::Size + Margin][u + 1] = words[row];
-        this->HasNone = this->HasNone && words[row] == 0;
-      }
-    }
+    this->Rows[row + v * lms3dRaster::Size + Margin][u + 1] = bits[row];
+    this->HasNone = this->HasNone && bits[row] == 0;
   }
 }
 
@@ -86,6 +74,40 @@ int lms3dBlockWindow::GetDistance(int u, int v) const
     }
   }
   return nearest;
+}
+
+lms3dBits lms3dBlockWindow::GetCellsNear() const
+{
+  // Shifts of 1, 2, 4 and 8 cells reach 15 cells.
+  constexpr std::array<int, 4> Shifts = { 1, 2, 4, 8 };
+  constexpr int Beyond = lms3dRaster::Size - LargestRadius;
+  std::array<std::uint64_t, lms3dRaster::Size + 2 * LargestRadius> wide;
+  for (std::size_t row = 0; row < wide.size(); ++row)
+  {
+    const auto& [left, middle, right] = this->Rows[row + Margin - LargestRadius];
+    std::uint64_t up = middle | right << Beyond;
+    std::uint64_t down = middle | left >> Beyond;
+    for (const int shift : Shifts)
+    {
+      up |= up << shift;
+      down |= down >> shift;
+    }
+    wide[row] = up | down;
+  }
+  // Each row gets the rows above it, as far as the window of 31 rows reaches.
+  for (const int shift : Shifts)
+  {
+    for (std::size_t row = 0; row + shift < wide.size(); ++row)
+    {
+      wide[row] |= wide[row + shift];
+    }
+  }
+  lms3dBits near;
+  for (std::size_t row = 0; row < near.size(); ++row)
+  {
+    near[row] = wide[row] | wide[row + LargestRadius];
+  }
+  return near;
 }
 
 lms3dBalls::lms3dBalls(const lms3dBits& centres, const lms3dBlockWindow& others)

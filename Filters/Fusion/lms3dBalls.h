@@ -18,10 +18,26 @@ class lms3dBlockWindow
 public:
   /// The cells beyond the block on each side.
   static constexpr int Margin = 32;
+  /// Cells: the largest radius of a ball.
+  static constexpr int LargestRadius = (Margin - 1) / 2;
 
-  /// The blocks that a raster does not have are empty.
-  lms3dBlockWindow(
-    const lms3dRaster& raster, const lms3dRasterBlock& block, lms3dRaster::BitsOf bits);
+  /// The blocks that a grid does not have are empty.
+  template <typename Block>
+  lms3dBlockWindow(const lms3dBlockGrid<Block>& grid, const lms3dRegionBlock& block,
+    typename lms3dBlockGrid<Block>::BitsOf bits)
+  {
+    for (int v = -1; v <= 1; ++v)
+    {
+      for (int u = -1; u <= 1; ++u)
+      {
+        const int number = grid.Find(block.U + u, block.V + v);
+        if (number >= 0)
+        {
+          this->Add(u, v, grid.GetBlock(number).*bits);
+        }
+      }
+    }
+  }
 
   bool IsEmpty() const { return this->HasNone; }
 
@@ -29,7 +45,12 @@ public:
   /// cell itself is 0.
   int GetDistance(int u, int v) const;
 
+  /// The cells of the block that have a cell of the window at most LargestRadius away along both axes.
+  lms3dBits GetCellsNear() const;
+
 private:
+  void Add(int u, int v, const lms3dBits& bits);
+
   /// The cells of a row from 31 before a cell to 32 behind it. Bit 31 is the cell itself.
   std::uint64_t GetWord(int u, int row) const;
 
@@ -61,8 +82,7 @@ public:
   }
 
 private:
-  /// Cells: the largest radius.
-  static constexpr int Largest = (lms3dBlockWindow::Margin - 1) / 2;
+  static constexpr int Largest = lms3dBlockWindow::LargestRadius;
 
   void Add(int u, int v, int radius);
 

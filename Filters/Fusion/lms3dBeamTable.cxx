@@ -72,20 +72,29 @@ int lms3dBeamTable::GetColumn(double azimuth)
 
 void lms3dBeamTable::FillBins()
 {
-  std::vector<int> bins(this->Size);
+  this->Bins.resize(this->Size);
   this->BinStarts.assign(this->GetNumberOfBins() + 1, 0);
   for (int beam = 0; beam < this->Size; ++beam)
   {
     const lms3dVector& direction = this->Directions[beam];
-    bins[beam] = GetRow(GetElevation(direction)) * Columns + GetColumn(GetAzimuth(direction));
-    ++this->BinStarts[bins[beam] + 1];
+    this->Bins[beam] = GetRow(GetElevation(direction)) * Columns + GetColumn(GetAzimuth(direction));
+    ++this->BinStarts[this->Bins[beam] + 1];
   }
   std::partial_sum(this->BinStarts.begin(), this->BinStarts.end(), this->BinStarts.begin());
   std::vector<int> next(this->BinStarts.begin(), this->BinStarts.end() - 1);
   this->Sorted.resize(this->Size);
+  this->Places.resize(this->Size);
   for (int beam = 0; beam < this->Size; ++beam)
   {
-    this->Sorted[next[bins[beam]]++] = beam;
+    this->Places[beam] = next[this->Bins[beam]]++;
+    this->Sorted[this->Places[beam]] = beam;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int beam : this->Sorted)
+    {
+      this->NarrowDirections[axis].push_back(static_cast<float>(this->Directions[beam][axis]));
+    }
   }
 }
 

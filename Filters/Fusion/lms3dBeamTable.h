@@ -10,6 +10,7 @@
 #include "Device/lms3dScanGeometry.h"
 #include "Geometry/lms3dVector.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -44,8 +45,17 @@ public:
   ///@{
   /// Bins of directions. A beam belongs to one.
   int GetNumberOfBins() const { return Rows * Columns; }
-  const int* GetFirstInBin(int bin) const { return this->Sorted.data() + this->BinStarts[bin]; }
-  const int* GetEndOfBin(int bin) const { return this->Sorted.data() + this->BinStarts[bin + 1]; }
+  int GetBin(int beamId) const { return this->Bins[beamId]; }
+  ///@}
+
+  ///@{
+  /// The place of a beam in the order of the bins, and the beam of a place.
+  int GetPlace(int beamId) const { return this->Places[beamId]; }
+  int GetBeam(int place) const { return this->Sorted[place]; }
+  int GetFirstPlace(int bin) const { return this->BinStarts[bin]; }
+  int GetEndOfPlaces(int bin) const { return this->BinStarts[bin + 1]; }
+  /// A coordinate of the directions in the order of places, in single precision.
+  const float* GetNarrowDirections(int axis) const { return this->NarrowDirections[axis].data(); }
   ///@}
 
   /// Adds the bins whose beams can meet a sphere.
@@ -68,8 +78,11 @@ private:
   double LargestStart = 0.0;
   std::vector<lms3dVector> Directions;
   std::vector<lms3dVector> Starts;
+  std::vector<int> Bins;
   std::vector<int> BinStarts;
   std::vector<int> Sorted;
+  std::vector<int> Places;
+  std::array<std::vector<float>, 3> NarrowDirections;
 };
 
 #endif

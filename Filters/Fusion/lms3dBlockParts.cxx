@@ -3,9 +3,13 @@
 #include "Fusion/lms3dBlockParts.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace
 {
+// The runs that most blocks have at most.
+constexpr std::size_t UsualCount = 128;
+
 std::uint64_t GetLowest(std::uint64_t bits)
 {
   return bits & (~bits + 1);
@@ -15,6 +19,8 @@ std::uint64_t GetLowest(std::uint64_t bits)
 class Links
 {
 public:
+  Links() { this->Earlier.reserve(UsualCount); }
+
   int Add()
   {
     this->Earlier.push_back(static_cast<int>(this->Earlier.size()));
@@ -46,6 +52,7 @@ private:
 lms3dBlockParts::lms3dBlockParts(const lms3dBits& cells)
 {
   Links links;
+  this->Runs.reserve(UsualCount);
   std::size_t below = 0;
   for (int row = 0; row < lms3dRaster::Size; ++row)
   {

@@ -10,10 +10,11 @@
 #include "Fusion/lms3dBlockIndex.h"
 #include "Fusion/lms3dRasterRows.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 /// Corners are numbers. Coordinates are cells.
@@ -22,17 +23,42 @@ class lms3dCornerBuckets
 public:
   using Corner = std::int32_t;
 
-  void Add(Corner corner, const lms3dPoint2& point) { this->GetBucket(point).push_back(corner); }
-
-  /// Takes a corner out that was added with this point.
-  void Remove(Corner corner, const lms3dPoint2& point)
+  /// The corners have the numbers of their points.
+  void Fill(const std::vector<lms3dPoint2>& points)
   {
-    std::vector<Corner>& bucket = this->GetBucket(point);
-    *std::find(bucket.begin(), bucket.end(), corner) = bucket.back();
-    bucket.pop_back();
+    this->BucketOf.reserve(points.size());
+    for (const lms3dPoint2& point : points)
+    {
+      this->BucketOf.push_back(this->GetBucket(point));
+      ++this->Buckets[this->BucketOf.back()].Count;
+    }
+    std::size_t first = 0;
+    for (Bucket& bucket : this->Buckets)
+    {
+      bucket.First = first;
+      first += std::exchange(bucket.Count, 0);
+    }
+    this->Places.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      Bucket& bucket = this->Buckets[this->BucketOf[i]];
+      this->Places[bucket.First + bucket.Count++] = { points[i], static_cast<Corner>(i) };
+    }
   }
 
-  /// Whether `predicate` holds for all corners in a triangle. It is also asked about other corners.
+  void Remove(Corner corner)
+  {
+    Bucket& bucket = this->Buckets[this->BucketOf[corner]];
+    --bucket.Count;
+    std::size_t place = bucket.First;
+    while (this->Places[place].Number != corner)
+    {
+      ++place;
+    }
+    this->Places[place] = this->Places[bucket.First + bucket.Count];
+  }
+
+  /// Whether `predicate` holds for the points and numbers of all corners in a triangle. It is also asked about others.
   template <typename Predicate>
   bool AllOf(const std::array<lms3dPoint2, 3>& triangle, const Predicate& predicate) const
   {
@@ -57,37 +83,60 @@ private:
   /// Cells: the size of a bucket.
   static constexpr double Size = 16.0;
 
+  struct Bucket
+  {
+    std::size_t First = 0;
+    std::size_t Count = 0;
+  };
+
+  struct Place
+  {
+    lms3dPoint2 Point;
+    Corner Number;
+  };
+
   template <typename Predicate>
   bool AllInRow(
     std::int32_t v, std::int32_t first, std::int32_t last, const Predicate& predicate) const
   {
     for (std::int32_t u = first; u <= last; ++u)
     {
-      const int bucket = this->Numbers.Find(u, v);
-      if (bucket >= 0 &&
-        !std::all_of(this->Corners[bucket].begin(), this->Corners[bucket].end(), predicate))
+      const int number = this->Numbers.Find(u, v);
+      if (number < 0)
       {
-        return false;
+        continue;
+      }
+      const Bucket& bucket = this->Buckets[number];
+      const Place* const places = this->Places.data() + bucket.First;
+      for (std::size_t i = 0; i < bucket.Count; ++i)
+      {
+        if (!predicate(places[i].Point, places[i].Number))
+        {
+          return false;
+        }
       }
     }
     return true;
   }
 
-  std::vector<Corner>& GetBucket(const lms3dPoint2& point)
+  int GetBucket(const lms3dPoint2& point)
   {
     const auto u = static_cast<std::int32_t>(std::floor(point[0] / Size));
     const auto v = static_cast<std::int32_t>(std::floor(point[1] / Size));
-    const int found = this->Numbers.Find(u, v);
-    if (found >= 0)
+    int number = this->Numbers.Find(u, v);
+    if (number < 0)
     {
-      return this->Corners[found];
+      number = static_cast<int>(this->Buckets.size());
+      this->Numbers.Add(u, v, number);
+      this->Buckets.emplace_back();
     }
-    this->Numbers.Add(u, v, static_cast<int>(this->Corners.size()));
-    return this->Corners.emplace_back();
+    return number;
   }
 
   lms3dBlockIndex Numbers;
-  std::vector<std::vector<Corner>> Corners;
+  std::vector<Bucket> Buckets;
+  std::vector<int> BucketOf;
+  std::vector<Place> Places;
 };
 
 #endif

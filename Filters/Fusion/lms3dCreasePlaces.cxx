@@ -104,7 +104,7 @@ std::optional<lms3dPoint2> FindPlaceOnSide(
 {
   const lms3dCreaseLine side = { point, { axis == 0 ? 0.0 : 1.0, axis == 0 ? 1.0 : 0.0 }, {} };
   std::optional<lms3dPoint2> meeting = Intersect(crease, side);
-  if (!IsNearMeeting(point, meeting))
+  if (!meeting || !IsNearMeeting(point, meeting))
   {
     return {};
   }

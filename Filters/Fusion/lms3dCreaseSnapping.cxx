@@ -16,7 +16,7 @@ namespace
 constexpr double ShortestRun = 48.0;
 
 // Samples the way at half cells.
-bool IsWayFree(const lms3dPoint2& from, const lms3dPoint2& to, const lms3dRaster& region)
+bool IsWayFree(const lms3dPoint2& from, const lms3dPoint2& to, const lms3dRegion& region)
 {
   const int steps =
     2 * static_cast<int>(std::ceil(std::hypot(to[0] - from[0], to[1] - from[1]))) + 1;
@@ -40,7 +40,7 @@ struct Snapped
 };
 
 // Whether a side of an outline moves inwards, or no beam passed where it moves over.
-bool IsSweepFree(const std::array<lms3dPoint2, 3>& triangle, const lms3dRaster& region)
+bool IsSweepFree(const std::array<lms3dPoint2, 3>& triangle, const lms3dRegion& region)
 {
   return lms3dGetOrientation(triangle[0], triangle[1], triangle[2]) >= 0 ||
     lms3dForTouchedRows(triangle,
@@ -49,7 +49,7 @@ bool IsSweepFree(const std::array<lms3dPoint2, 3>& triangle, const lms3dRaster& 
 }
 
 // Moves corners back until no side moves over a beam that passed.
-void MoveBack(const lms3dLoop& loop, const lms3dRaster& region, std::vector<Snapped>& corners)
+void MoveBack(const lms3dLoop& loop, const lms3dRegion& region, std::vector<Snapped>& corners)
 {
   const std::size_t count = loop.size();
   for (bool isChanged = true; isChanged;)
@@ -138,7 +138,7 @@ void FreeShortRuns(std::vector<Snapped>& corners)
 } // namespace
 
 std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
-  const std::vector<lms3dCreaseLine>& creases, const lms3dRaster& region,
+  const std::vector<lms3dCreaseLine>& creases, const lms3dRegion& region,
   const lms3dFusedTile& tile, std::vector<bool>& isFixed)
 {
   std::vector<lms3dLoop> result;

@@ -18,7 +18,7 @@
 /// spikes. Corners on a side of the tile stay on it. `isFixed` receives which corners lie on
 /// creases or on sides of the tile.
 std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
-  const std::vector<lms3dCreaseLine>& creases, const lms3dRaster& region,
+  const std::vector<lms3dCreaseLine>& creases, const lms3dRegion& region,
   const lms3dFusedTile& tile, std::vector<bool>& isFixed);
 
 #endif

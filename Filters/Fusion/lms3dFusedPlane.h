@@ -48,6 +48,8 @@ struct lms3dFusedPlane
     this->TiledBlocks = 0;
     this->ShapedBlocks = 0;
     this->OldBlocks = 0;
+    this->BoxOfBlocks = {};
+    this->BoxedBlocks = 0;
     this->HasNewCreases = true;
     for (lms3dFusedTile& tile : this->Tiles)
     {
@@ -64,13 +66,24 @@ struct lms3dFusedPlane
     for (int number = first; number < this->Raster.GetNumberOfBlocks(); ++number)
     {
       const lms3dRasterBlock& block = this->Raster.GetBlock(number);
-      for (int corner = 0; corner < 4; ++corner)
+      for (const double u : { block.U + 0.0, block.U + 1.0 })
       {
-        box.Add(this->Frame.ToWorld({ (block.U + corner % 2) * 1.0 * lms3dRaster::Size,
-          (block.V + corner / 2) * 1.0 * lms3dRaster::Size }));
+        for (const double v : { block.V + 0.0, block.V + 1.0 })
+        {
+          box.Add(this->Frame.ToWorld({ u * lms3dRaster::Size, v * lms3dRaster::Size }));
+        }
       }
     }
     return box;
+  }
+
+  /// The box of all blocks.
+  const lms3dWorldBox& GetBoxOfBlocks()
+  {
+    const lms3dWorldBox added = this->GetBoxOfBlocks(this->BoxedBlocks);
+    this->BoxedBlocks = this->Raster.GetNumberOfBlocks();
+    this->BoxOfBlocks.Add(added);
+    return this->BoxOfBlocks;
   }
 
   lms3dPlaneFrame Frame;
@@ -84,8 +97,6 @@ struct lms3dFusedPlane
   std::map<int, lms3dCreaseParts> Creases;
   /// The triangle of a local map, if the region is nothing else. It need not lie exactly in the plane.
   std::vector<std::array<lms3dVector, 3>> Verbatim;
-  /// The box of the triangles of local maps that joined.
-  lms3dWorldBox Box;
 
   lms3dRegionShape Shape;
   /// A tile keeps its place. A plane that is a triangle of a local map has one.
@@ -100,6 +111,11 @@ struct lms3dFusedPlane
   bool HasNewCreases = false;
   /// Blocks before this one are not new.
   int OldBlocks = 0;
+
+private:
+  lms3dWorldBox BoxOfBlocks;
+  /// The blocks before this one are in the box.
+  int BoxedBlocks = 0;
 };
 
 #endif

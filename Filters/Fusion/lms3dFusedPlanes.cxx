@@ -14,6 +14,8 @@ namespace
 {
 // Cells for each bound.
 constexpr double CellsPerBound = 3.0;
+// Bounds: the size of the cubes in which planes are looked for.
+constexpr double CubeShare = 50.0;
 // Cells: the circumradius of a facet.
 constexpr double FacetRadius = 0.25;
 // A weak plane with more returns is not weak any more.
@@ -32,24 +34,32 @@ bool IsAtVerbatim(const lms3dFusedPlane& plane, const lms3dVector& point, double
 lms3dFusedPlanes::lms3dFusedPlanes(double maximumError)
   : MaximumError(maximumError)
   , Cell(maximumError / CellsPerBound)
+  , Boxes(CubeShare * maximumError)
 {
 }
 
 int lms3dFusedPlanes::MakePlane(const lms3dVector& point, const lms3dVector& normal)
 {
   this->Planes.emplace_back(lms3dPlaneFrame(point, normal, this->Cell));
+  this->Boxes.AddPlane();
   return static_cast<int>(this->Planes.size()) - 1;
 }
 
-void lms3dFusedPlanes::AddTriangle(int number, const lms3dLocalMap& local, int triangle)
+void lms3dFusedPlanes::GrowBox(int number, const lms3dLocalMap& local, int triangle)
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    this->Boxes.Grow(static_cast<std::size_t>(number), local.GetCorner(triangle, corner));
+  }
+}
+
+void lms3dFusedPlanes::GuessTriangle(int number, const lms3dLocalMap& local, int triangle)
 {
   lms3dFusedPlane& plane = this->Planes[number];
   std::array<lms3dPoint2, 3> cells;
   for (int corner = 0; corner < 3; ++corner)
   {
-    const lms3dVector point = local.GetCorner(triangle, corner);
-    cells[corner] = plane.Frame.ToCells(point);
-    plane.Box.Add(point);
+    cells[corner] = plane.Frame.ToCells(local.GetCorner(triangle, corner));
   }
   lms3dForTouchedStrips(cells,
     [&](const lms3dCellStrip& strip)
@@ -191,15 +201,7 @@ std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   {
     box.Add(mapped.Point);
   }
-  std::vector<int> planes;
-  for (std::size_t i = 0; i < end; ++i)
-  {
-    if (box.IsNear(this->Planes[i].Box, this->MaximumError))
-    {
-      planes.push_back(static_cast<int>(i));
-    }
-  }
-  return planes;
+  return this->Boxes.Find(box, this->MaximumError, end);
 }
 
 bool lms3dFusedPlanes::ShowShare(
@@ -208,12 +210,17 @@ bool lms3dFusedPlanes::ShowShare(
   const auto count = static_cast<double>(returns.size());
   const double allowed = count - share * count;
   double hidden = 0.0;
+  // The plane that shows a return often shows the next one, too.
+  auto last = planes.end();
   return std::all_of(returns.begin(), returns.end(),
     [&](const lms3dMappedReturn& mapped)
     {
-      const bool isShown = std::any_of(planes.begin(), planes.end(),
-        [&](int plane) { return this->Shows(this->Planes[plane], mapped); });
-      hidden += isShown ? 0.0 : 1.0;
+      const auto shows = [&](int plane) { return this->Shows(this->Planes[plane], mapped); };
+      if (last == planes.end() || !shows(*last))
+      {
+        last = std::find_if(planes.begin(), planes.end(), shows);
+      }
+      hidden += last != planes.end() ? 0.0 : 1.0;
       return hidden <= allowed;
     });
 }

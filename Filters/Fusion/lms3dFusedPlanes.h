@@ -9,6 +9,7 @@
 
 #include "Fusion/lms3dFusedPlane.h"
 #include "Fusion/lms3dLocalMap.h"
+#include "Fusion/lms3dPlaneBoxes.h"
 
 #include <cstdint>
 #include <deque>
@@ -35,14 +36,20 @@ public:
   /// Returns the number of a new plane.
   int MakePlane(const lms3dVector& point, const lms3dVector& normal);
 
+  /// Lets the box of a plane have a triangle of a local map.
+  void GrowBox(int number, const lms3dLocalMap& local, int triangle);
+
+  ///@{
+  /// Threads may call these for different planes at the same time.
   /// Lets a plane have surface where a triangle of a local map is. The cells get Guess until AcceptGuesses().
-  void AddTriangle(int number, const lms3dLocalMap& local, int triangle);
+  void GuessTriangle(int number, const lms3dLocalMap& local, int triangle);
 
   /// Lets a plane have surface where Guess says so.
   void AcceptGuesses(int number);
 
   /// Adds a return to a plane. Returns false if the plane does not explain it.
   bool AddReturn(int number, const lms3dMappedReturn& mapped);
+  ///@}
 
   /// Adds a return to the first plane that shows it. Returns false if none does.
   bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);
@@ -57,6 +64,12 @@ public:
   std::vector<int> FindPlanesNear(
     const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
 
+  /// The planes whose boxes are nearer to a box than a distance along each axis.
+  std::vector<int> FindPlanesNear(const lms3dWorldBox& box, double distance) const
+  {
+    return this->Boxes.Find(box, distance, this->Planes.size());
+  }
+
   /// Whether the planes show at least a share of the returns.
   bool ShowShare(double share, const std::vector<int>& planes,
     const std::vector<lms3dMappedReturn>& returns) const;
@@ -69,6 +82,8 @@ private:
   const double Cell;
   int Scan = 0;
   std::deque<lms3dFusedPlane> Planes;
+  /// The boxes of the triangles of local maps that joined.
+  lms3dPlaneBoxes Boxes;
 };
 
 #endif

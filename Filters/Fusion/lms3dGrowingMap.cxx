@@ -12,6 +12,7 @@
 
 #include <vtkPolyData.h>
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -208,13 +209,15 @@ void lms3dGrowingMap::RenewTile(const TileToRenew& place)
 
 void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets)
 {
+  const double bound = this->Settings.MaximumError;
+  tbb::enumerable_thread_specific<lms3dPassedBeams> beams(bound, forgets);
   tbb::parallel_for(std::size_t{ 0 }, this->Planes.GetSize(),
     [&](std::size_t i)
     {
       lms3dFusedPlane& plane = this->Planes[i];
-      if (plane.Raster.GetNumberOfBlocks() > 0)
+      if (plane.GetBoxOfBlocks().IsNear(ranges.GetBox(), bound))
       {
-        lms3dPassedBeams(ranges, this->Settings.MaximumError, forgets).Mark(plane, 0);
+        beams.local().Mark(ranges, plane, 0);
       }
     });
 }
@@ -222,26 +225,22 @@ void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets)
 // Marks where beams of earlier scans passed through new blocks.
 void lms3dGrowingMap::MarkPassedEarlier()
 {
-  std::vector<lms3dFusedPlane*> growing;
-  for (std::size_t i = 0; i < this->Planes.GetSize(); ++i)
-  {
-    lms3dFusedPlane& plane = this->Planes[i];
-    if (plane.OldBlocks < plane.Raster.GetNumberOfBlocks())
-    {
-      growing.push_back(&plane);
-    }
-  }
   const double bound = this->Settings.MaximumError;
-  tbb::parallel_for(std::size_t{ 0 }, growing.size(),
+  tbb::enumerable_thread_specific<lms3dPassedBeams> beams(bound, false);
+  tbb::parallel_for(std::size_t{ 0 }, this->Planes.GetSize(),
     [&](std::size_t i)
     {
-      lms3dFusedPlane& plane = *growing[i];
+      lms3dFusedPlane& plane = this->Planes[i];
+      if (plane.OldBlocks == plane.Raster.GetNumberOfBlocks())
+      {
+        return;
+      }
       const lms3dWorldBox box = plane.GetBoxOfBlocks(plane.OldBlocks);
       for (const std::unique_ptr<lms3dSeenRanges>& earlier : this->Seen)
       {
         if (box.IsNear(earlier->GetBox(), bound))
         {
-          lms3dPassedBeams(*earlier, bound, false).Mark(plane, plane.OldBlocks);
+          beams.local().Mark(*earlier, plane, plane.OldBlocks);
         }
       }
     });

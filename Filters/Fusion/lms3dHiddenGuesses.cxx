@@ -29,22 +29,37 @@ struct Corner
   double Height;
 };
 
-/// The part of a convex polygon that lies lower than a height.
-std::vector<lms3dPoint2> Clip(const std::array<Corner, 4>& corners, double height)
+/// The corners of a small polygon.
+class Polygon
 {
-  std::vector<lms3dPoint2> clipped;
+public:
+  void Add(const lms3dPoint2& point) { this->Points[this->Count++] = point; }
+  std::size_t size() const { return this->Count; }
+  const lms3dPoint2& operator[](std::size_t i) const { return this->Points[i]; }
+  const lms3dPoint2* begin() const { return this->Points.data(); }
+  const lms3dPoint2* end() const { return this->Points.data() + this->Count; }
+
+private:
+  std::array<lms3dPoint2, 8> Points = {};
+  std::size_t Count = 0;
+};
+
+/// The part of a convex polygon that lies lower than a height.
+Polygon Clip(const std::array<Corner, 4>& corners, double height)
+{
+  Polygon clipped;
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     const Corner& a = corners[i];
     const Corner& b = corners[(i + 1) % corners.size()];
     if (a.Height < height)
     {
-      clipped.push_back(a.Place);
+      clipped.Add(a.Place);
     }
     if ((a.Height < height) != (b.Height < height))
     {
       const double share = (height - a.Height) / (b.Height - a.Height);
-      clipped.push_back({ a.Place[0] + share * (b.Place[0] - a.Place[0]),
+      clipped.Add({ a.Place[0] + share * (b.Place[0] - a.Place[0]),
         a.Place[1] + share * (b.Place[1] - a.Place[1]) });
     }
   }
@@ -85,11 +100,21 @@ public:
       {
         turns[i] = turns[i - 1] < 0 ? -1 : table.GetNextTurn(turns[i - 1]);
       }
-      for (int beam = 0; turns[3] >= 0 && beam + 3 < beams; ++beam)
+      // The first of the beams that have the plane of the last one in all turns.
+      int same = 0;
+      for (int last = 0; turns[3] >= 0 && last < beams; ++last)
       {
-        if (this->HasTwoPlanes(turns, beam))
+        if (!this->HasOnePlane(turns, last))
         {
-          this->TakeOutBetween(GetAround(turns, beam));
+          same = last + 1;
+        }
+        else if (this->PlaneOfBeam[first + last] != this->PlaneOfBeam[first + same])
+        {
+          same = last;
+        }
+        if (last >= 3 && same > last - 3)
+        {
+          this->TakeOutBetween(GetAround(turns, last - 3));
         }
       }
     }
@@ -106,18 +131,13 @@ private:
     return around;
   }
 
-  bool HasTwoPlanes(const std::array<int, 4>& turns, int beam) const
+  /// Whether the beams of the turns have one plane.
+  bool HasOnePlane(const std::array<int, 4>& turns, int beam) const
   {
-    const int first = this->PlaneOfBeam[turns[0] + beam];
-    int differences = 0;
-    for (const int turn : turns)
-    {
-      for (int i = 0; i < 4; ++i)
-      {
-        differences |= this->PlaneOfBeam[turn + beam + i] ^ first;
-      }
-    }
-    return differences != 0;
+    const int* const planes = this->PlaneOfBeam.data() + beam;
+    const int first = planes[turns[0]];
+    return ((planes[turns[1]] ^ first) | (planes[turns[2]] ^ first) | (planes[turns[3]] ^ first)) ==
+      0;
   }
 
   void TakeOutBetween(const Around& around)
@@ -191,8 +211,7 @@ private:
       corners[i].Height =
         this->Planes[other].Frame.GetHeight(plane.Frame.ToWorld(corners[i].Place));
     }
-    const std::vector<lms3dPoint2> hidden =
-      Clip(corners, -BehindShare * this->Planes.GetMaximumError());
+    const Polygon hidden = Clip(corners, -BehindShare * this->Planes.GetMaximumError());
     if (hidden.size() < 3)
     {
       return;

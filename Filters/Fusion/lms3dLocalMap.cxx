@@ -152,3 +152,14 @@ lms3dLocalMap::lms3dLocalMap(
                         [](const lms3dMappedReturn& mapped) { return mapped.Triangle < 0; }),
     this->Returns.end());
 }
+
+std::vector<lms3dMappedReturn> lms3dLocalMap::Select(const std::vector<int>& numbers) const
+{
+  std::vector<lms3dMappedReturn> returns;
+  returns.reserve(numbers.size());
+  for (const int i : numbers)
+  {
+    returns.push_back(this->Returns[i]);
+  }
+  return returns;
+}

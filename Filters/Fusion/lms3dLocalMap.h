@@ -42,6 +42,9 @@ struct lms3dLocalMap
     return { point[0], point[1], point[2] };
   }
 
+  /// Copies of some returns.
+  std::vector<lms3dMappedReturn> Select(const std::vector<int>& numbers) const;
+
   lms3dTriangleMesh Mesh;
   /// The patch of each triangle, -1 for triangles between patches.
   std::vector<int> PatchIds;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace
@@ -15,17 +14,36 @@ namespace
 constexpr double OnLine = 1e-12;
 constexpr double Infinite = 1e300;
 
-double GetSquaredDistance(const lms3dPoint2& p, const lms3dPoint2& a, const lms3dPoint2& b)
+/// The squared distances of points from a line segment.
+class Segment
 {
-  const double du = b[0] - a[0];
-  const double dv = b[1] - a[1];
-  const double square = du * du + dv * dv;
-  const double share =
-    square > 0.0 ? std::clamp(((p[0] - a[0]) * du + (p[1] - a[1]) * dv) / square, 0.0, 1.0) : 0.0;
-  const double u = p[0] - a[0] - share * du;
-  const double v = p[1] - a[1] - share * dv;
-  return u * u + v * v;
-}
+public:
+  Segment(const lms3dPoint2& a, const lms3dPoint2& b)
+    : Start(a)
+    , Du(b[0] - a[0])
+    , Dv(b[1] - a[1])
+    , Square(this->Du * this->Du + this->Dv * this->Dv)
+  {
+  }
+
+  double GetSquaredDistance(const lms3dPoint2& p) const
+  {
+    const double pu = p[0] - this->Start[0];
+    const double pv = p[1] - this->Start[1];
+    const double share = this->Square > 0.0
+      ? std::clamp((pu * this->Du + pv * this->Dv) / this->Square, 0.0, 1.0)
+      : 0.0;
+    const double u = pu - share * this->Du;
+    const double v = pv - share * this->Dv;
+    return u * u + v * v;
+  }
+
+private:
+  const lms3dPoint2& Start;
+  const double Du;
+  const double Dv;
+  const double Square;
+};
 
 bool IsIn(const lms3dPoint2& p, const std::array<lms3dPoint2, 3>& triangle, int orientation)
 {
@@ -40,7 +58,7 @@ bool IsIn(const lms3dPoint2& p, const std::array<lms3dPoint2, 3>& triangle, int 
 }
 } // namespace
 
-lms3dOutlineSimplifier::lms3dOutlineSimplifier(const lms3dRaster& region,
+lms3dOutlineSimplifier::lms3dOutlineSimplifier(const lms3dRegion& region,
   const std::vector<lms3dLoop>& loops, const std::vector<bool>& isFixed, double tolerance)
   : Region(region)
   , IsFixed(isFixed)
@@ -51,21 +69,21 @@ lms3dOutlineSimplifier::lms3dOutlineSimplifier(const lms3dRaster& region,
 
 void lms3dOutlineSimplifier::Link(const std::vector<lms3dLoop>& loops)
 {
-  for (std::size_t loop = 0; loop < loops.size(); ++loop)
+  for (const lms3dLoop& loop : loops)
   {
     const auto first = static_cast<Corner>(this->Points.size());
-    const auto size = static_cast<Corner>(loops[loop].size());
+    const auto size = static_cast<Corner>(loop.size());
     this->FirstOfLoop.push_back(first);
     this->SizeOfLoop.push_back(size);
     for (Corner i = 0; i < size; ++i)
     {
-      this->Points.push_back(loops[loop][i]);
+      this->Points.push_back(loop[i]);
       this->Next.push_back(first + (i + 1) % size);
       this->Previous.push_back(first + (i + size - 1) % size);
-      this->LoopOf.push_back(static_cast<int>(loop));
-      this->Buckets.Add(first + i, loops[loop][i]);
     }
   }
+  this->Buckets.Fill(this->Points);
+  this->NextOriginal = this->Next;
   this->Versions.assign(this->Points.size(), 0);
   this->IsGone.assign(this->Points.size(), false);
 }
@@ -75,22 +93,14 @@ double lms3dOutlineSimplifier::GetCost(Corner corner) const
 {
   const Corner from = this->Previous[corner];
   const Corner to = this->Next[corner];
-  const int loop = this->LoopOf[corner];
-  const Corner first = this->FirstOfLoop[loop];
-  const Corner end = first + this->SizeOfLoop[loop];
+  const Segment line(this->Points[from], this->Points[to]);
   double cost = 0.0;
-  Corner original = from;
-  do
+  for (Corner original = this->NextOriginal[from]; original != to && cost <= this->Tolerance;
+       original = this->NextOriginal[original])
   {
-    cost = std::max(
-      cost, GetSquaredDistance(this->Points[original], this->Points[from], this->Points[to]));
-    original = original + 1 < end ? original + 1 : first;
-  } while (original != to && cost <= this->Tolerance);
-  if (this->IsFixed[corner] && cost > OnLine)
-  {
-    return Infinite;
+    cost = std::max(cost, line.GetSquaredDistance(this->Points[original]));
   }
-  return cost;
+  return this->IsFixed[corner] && cost > OnLine ? Infinite : cost;
 }
 
 void lms3dOutlineSimplifier::Queue(Corner corner)
@@ -99,7 +109,7 @@ void lms3dOutlineSimplifier::Queue(Corner corner)
   ++this->Versions[corner];
   if (cost <= this->Tolerance)
   {
-    this->Candidates.push({ cost, corner, this->Versions[corner] });
+    this->Later.push({ cost, corner, this->Versions[corner] });
   }
 }
 
@@ -111,15 +121,14 @@ bool lms3dOutlineSimplifier::IsEmpty(
   const auto [bottom, top] = std::minmax({ triangle[0][1], triangle[1][1], triangle[2][1] });
   // Structured bindings cannot be captured in C++17.
   const std::array<double, 4> box = { left, right, bottom, top };
-  const auto isFree = [&](Corner other)
+  const auto isFree = [&](const lms3dPoint2& point, Corner other)
   {
-    const lms3dPoint2& point = this->Points[other];
     if (point[0] < box[0] || point[0] > box[1] || point[1] < box[2] || point[1] > box[3])
     {
       return true;
     }
     return other == corner || other == this->Next[corner] || other == this->Previous[corner] ||
-      !IsIn(this->Points[other], triangle, orientation);
+      !IsIn(point, triangle, orientation);
   };
   return this->Buckets.AllOf(triangle, isFree);
 }
@@ -133,7 +142,7 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
   {
     return true;
   }
-  if (GetSquaredDistance(triangle[1], triangle[0], triangle[2]) <= OnLine)
+  if (Segment(triangle[0], triangle[2]).GetSquaredDistance(triangle[1]) <= OnLine)
   {
     return this->IsEmpty(triangle, corner);
   }
@@ -166,30 +175,48 @@ void lms3dOutlineSimplifier::Remove(Corner corner)
   const Corner previous = this->Previous[corner];
   const Corner next = this->Next[corner];
   this->IsGone[corner] = true;
-  this->Buckets.Remove(corner, this->Points[corner]);
+  this->Buckets.Remove(corner);
   this->Next[previous] = next;
   this->Previous[next] = previous;
   this->Queue(previous);
   this->Queue(next);
 }
 
-std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
+// Takes the next candidate out of the first ones, which are sorted, or out of those that came later.
+lms3dOutlineSimplifier::Candidate lms3dOutlineSimplifier::TakeNext()
+{
+  const bool isFirst = this->NextOfFirst < this->First.size() &&
+    (this->Later.empty() || this->Later.top() < this->First[this->NextOfFirst]);
+  if (isFirst)
+  {
+    return this->First[this->NextOfFirst++];
+  }
+  const Candidate candidate = this->Later.top();
+  this->Later.pop();
+  return candidate;
+}
+
+void lms3dOutlineSimplifier::FindCandidates()
 {
   const auto count = static_cast<Corner>(this->Points.size());
-  std::vector<Candidate> candidates;
   for (Corner corner = 0; corner < count; ++corner)
   {
     const double cost = this->GetCost(corner);
     if (cost <= this->Tolerance)
     {
-      candidates.push_back({ cost, corner, 0 });
+      this->First.push_back({ cost, corner, 0 });
     }
   }
-  this->Candidates = std::priority_queue<Candidate>(std::less<Candidate>(), std::move(candidates));
-  while (!this->Candidates.empty())
+  std::sort(this->First.begin(), this->First.end(),
+    [](const Candidate& a, const Candidate& b) { return b < a; });
+}
+
+std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
+{
+  this->FindCandidates();
+  while (this->NextOfFirst < this->First.size() || !this->Later.empty())
   {
-    const Candidate candidate = this->Candidates.top();
-    this->Candidates.pop();
+    const Candidate candidate = this->TakeNext();
     const Corner corner = candidate.Number;
     const bool isCurrent = !this->IsGone[corner] && candidate.Version == this->Versions[corner];
     const bool isTriangle = isCurrent && this->Next[this->Next[corner]] == this->Previous[corner];
@@ -198,6 +225,11 @@ std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
       this->Remove(corner);
     }
   }
+  return this->GetLoops();
+}
+
+std::vector<lms3dLoop> lms3dOutlineSimplifier::GetLoops() const
+{
   std::vector<lms3dLoop> loops;
   for (std::size_t i = 0; i < this->FirstOfLoop.size(); ++i)
   {

@@ -12,6 +12,7 @@
 #include "Fusion/lms3dRasterOutline.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <queue>
 #include <vector>
@@ -28,7 +29,7 @@ class lms3dOutlineSimplifier
 public:
   /// `region` is that of lms3dMakeRegion. The tolerance is in cells. Corners of `isFixed`, in the order of the loops,
   /// go only if they lie on a straight line.
-  lms3dOutlineSimplifier(const lms3dRaster& region, const std::vector<lms3dLoop>& loops,
+  lms3dOutlineSimplifier(const lms3dRegion& region, const std::vector<lms3dLoop>& loops,
     const std::vector<bool>& isFixed, double tolerance);
 
   std::vector<lms3dLoop> Simplify();
@@ -48,6 +49,8 @@ private:
   };
 
   void Link(const std::vector<lms3dLoop>& loops);
+  void FindCandidates();
+  Candidate TakeNext();
   void Queue(Corner corner);
   double GetCost(Corner corner) const;
   bool MayGo(Corner corner) const;
@@ -55,22 +58,27 @@ private:
   bool MayGain(const std::array<lms3dPoint2, 3>& triangle) const;
   bool IsEmpty(const std::array<lms3dPoint2, 3>& triangle, Corner corner) const;
   void Remove(Corner corner);
+  std::vector<lms3dLoop> GetLoops() const;
 
-  const lms3dRaster& Region;
+  const lms3dRegion& Region;
   const std::vector<bool>& IsFixed;
   /// Squared.
   double Tolerance;
   std::vector<lms3dPoint2> Points;
   std::vector<Corner> Next;
   std::vector<Corner> Previous;
+  /// The next corner before any went.
+  std::vector<Corner> NextOriginal;
   std::vector<Corner> FirstOfLoop;
   std::vector<int> SizeOfLoop;
-  std::vector<int> LoopOf;
   std::vector<int> Versions;
   std::vector<bool> IsGone;
   /// The corners that did not go.
   lms3dCornerBuckets Buckets;
-  std::priority_queue<Candidate> Candidates;
+  /// The candidates at the start in the order in which they go, and those that came later.
+  std::vector<Candidate> First;
+  std::size_t NextOfFirst = 0;
+  std::priority_queue<Candidate> Later;
 };
 
 #endif

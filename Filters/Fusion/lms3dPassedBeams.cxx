@@ -11,19 +11,10 @@
 
 namespace
 {
-// The diagonal of a block from its centre, cells.
-constexpr double HalfDiagonal = 45.26;
 // Cells: what lies between beams that are farther apart, at grazing angles, is unknown.
 constexpr double LargestDistance = 128.0;
-// The share of the bound from which on a beam counts as passed; less than 1 because of rounding.
-constexpr double PassedShare = 0.999;
-constexpr double SmallestCosine = 1e-9;
 // Cells: no block lies farther away.
 constexpr double LargestCell = 2e9;
-// More than the rounding of a quick look at a beam, as a share of the range, and metres. At smaller
-// cosines the rounding may be larger.
-constexpr double QuickShare = 1e-6;
-constexpr double QuickCosine = 1e-5;
 // Cells: how far around a beam the shape may change.
 constexpr int ShapeReach = 15;
 
@@ -44,93 +35,25 @@ bool HasShapeNear(const lms3dRasterBlock& cells, int u, int v)
 }
 } // namespace
 
-// A quick look, in the sensor frame. Returns false if in doubt.
-bool lms3dPassedBeams::IsSurelyShort(int beamId, double range) const
+void lms3dPassedBeams::Mark(const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock)
 {
-  const lms3dBeamTable& table = this->Ranges.GetTable();
-  const double cosine = lms3dDot(this->Normal, table.GetDirection(beamId));
-  if (table.HasStarts() || std::abs(cosine) < QuickCosine)
+  this->Passages.Find(ranges, plane, firstBlock);
+  for (std::size_t i = 0; i < this->Passages.GetSize(); ++i)
   {
-    return false;
-  }
-  const double crossing = -this->Height / cosine;
-  const double margin = QuickShare * (1.0 + std::abs(crossing));
-  return crossing < -margin || range - crossing < PassedShare * this->MaximumError - margin;
-}
-
-lms3dPassedBeams::Passage lms3dPassedBeams::Find(const lms3dFusedPlane& plane, int beamId) const
-{
-  const double range = this->Ranges.GetRange(beamId);
-  if (range == 0.0 || this->IsSurelyShort(beamId, range))
-  {
-    return {};
-  }
-  const lms3dVector direction = this->Ranges.GetDirection(beamId);
-  const lms3dVector start = this->Ranges.GetStart(beamId);
-  const double cosine = lms3dDot(plane.Frame.GetNormal(), direction);
-  if (std::abs(cosine) < SmallestCosine)
-  {
-    return {};
-  }
-  const double crossing = -plane.Frame.GetHeight(start) / cosine;
-  if (!(crossing > 0.0) || range - crossing <= PassedShare * this->MaximumError)
-  {
-    return {};
-  }
-  return { true, plane.Frame.ToCells(lms3dAdd(start, lms3dScale(direction, crossing))) };
-}
-
-void lms3dPassedBeams::FindBins(const lms3dFusedPlane& plane, int firstBlock)
-{
-  this->Bins.clear();
-  this->HasBin.resize(static_cast<std::size_t>(this->Ranges.GetTable().GetNumberOfBins()));
-  for (int block = firstBlock; block < plane.Raster.GetNumberOfBlocks(); ++block)
-  {
-    const lms3dRasterBlock& cells = plane.Raster.GetBlock(block);
-    const lms3dVector centre = plane.Frame.ToWorld(
-      { (cells.U + 0.5) * lms3dRaster::Size, (cells.V + 0.5) * lms3dRaster::Size });
-    this->Ranges.FindBins(centre, HalfDiagonal * plane.Frame.GetCell(), this->BinsOfBlock);
-    for (const int bin : this->BinsOfBlock)
-    {
-      if (!this->HasBin[bin])
-      {
-        this->HasBin[bin] = true;
-        this->Bins.push_back(bin);
-      }
-    }
-  }
-  for (const int bin : this->Bins)
-  {
-    this->HasBin[bin] = false;
+    this->MarkBeam(ranges, plane, firstBlock, i);
   }
 }
 
-void lms3dPassedBeams::Mark(lms3dFusedPlane& plane, int firstBlock)
+void lms3dPassedBeams::MarkBeam(
+  const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock, std::size_t number) const
 {
-  this->FindBins(plane, firstBlock);
-  const lms3dVector& position = this->Ranges.GetPosition();
-  this->Normal = this->Ranges.ToSensor(lms3dAdd(position, plane.Frame.GetNormal()));
-  this->Height = plane.Frame.GetHeight(position);
-  const lms3dBeamTable& table = this->Ranges.GetTable();
-  for (const int bin : this->Bins)
-  {
-    for (const int* id = table.GetFirstInBin(bin); id != table.GetEndOfBin(bin); ++id)
-    {
-      this->MarkBeam(plane, firstBlock, *id);
-    }
-  }
-}
-
-void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int firstBlock, int beamId)
-{
-  const Passage passage = this->Find(plane, beamId);
-  if (!passage.IsPassed || std::abs(passage.Place[0]) > LargestCell ||
-    std::abs(passage.Place[1]) > LargestCell)
+  const lms3dPoint2& place = this->Passages.GetPlace(number);
+  if (std::abs(place[0]) > LargestCell || std::abs(place[1]) > LargestCell)
   {
     return;
   }
-  const auto column = static_cast<std::int32_t>(std::floor(passage.Place[0]));
-  const auto row = static_cast<std::int32_t>(std::floor(passage.Place[1]));
+  const auto column = static_cast<std::int32_t>(std::floor(place[0]));
+  const auto row = static_cast<std::int32_t>(std::floor(place[1]));
   const int block =
     plane.Raster.Find(lms3dRaster::GetBlockOf(column), lms3dRaster::GetBlockOf(row));
   if (block < firstBlock)
@@ -158,13 +81,18 @@ void lms3dPassedBeams::MarkBeam(lms3dFusedPlane& plane, int firstBlock, int beam
     cells.Must[v] &= ~bit;
     plane.Raster.SetMark(block, lms3dRaster::DIRTY);
   }
-  this->MarkAround(plane, beamId, passage.Place);
+  this->MarkAround(ranges.GetTable(), plane, number);
 }
 
 // Opens a convex polygon between beams that passed, unless a return lies in it.
 template <typename Points>
 void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
 {
+  const lms3dCellBox box = lms3dGetTouchedBox(points);
+  if (!this->Forgets && plane.Raster.HasAll(&lms3dRasterBlock::Open, box))
+  {
+    return;
+  }
   if (this->Forgets)
   {
     lms3dForTouchedStrips(points,
@@ -174,7 +102,7 @@ void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
         return true;
       });
   }
-  const bool isFree = !plane.Raster.HasAny(&lms3dRasterBlock::Must, lms3dGetTouchedBox(points)) ||
+  const bool isFree = !plane.Raster.HasAny(&lms3dRasterBlock::Must, box) ||
     lms3dForTouchedStrips(points,
       [&](const lms3dCellStrip& strip)
       { return !plane.Raster.HasAny(&lms3dRasterBlock::Must, strip); });
@@ -190,27 +118,28 @@ void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
 }
 
 void lms3dPassedBeams::MarkAround(
-  lms3dFusedPlane& plane, int beamId, const lms3dPoint2& place) const
+  const lms3dBeamTable& table, lms3dFusedPlane& plane, std::size_t number) const
 {
-  const lms3dBeamTable& table = this->Ranges.GetTable();
+  const int beamId = this->Passages.GetBeam(number);
+  const lms3dPoint2& place = this->Passages.GetPlace(number);
   const auto find = [&](int id)
   {
-    Passage passage = id < 0 ? Passage() : this->Find(plane, id);
+    lms3dPassage passage = id < 0 ? lms3dPassage() : this->Passages.Get(id);
     passage.IsPassed = passage.IsPassed &&
       std::abs(passage.Place[0] - place[0]) <= LargestDistance &&
       std::abs(passage.Place[1] - place[1]) <= LargestDistance;
     return passage;
   };
   const int turnId = table.GetNextTurn(beamId);
-  const Passage inFan = find(table.GetNextInFan(beamId));
-  const Passage inTurn = find(turnId);
-  const Passage across = find(turnId < 0 ? -1 : table.GetNextInFan(turnId));
+  const lms3dPassage inFan = find(table.GetNextInFan(beamId));
+  const lms3dPassage inTurn = find(turnId);
+  const lms3dPassage across = find(turnId < 0 ? -1 : table.GetNextInFan(turnId));
   if (inFan.IsPassed && inTurn.IsPassed && across.IsPassed)
   {
     this->Open(plane, std::array<lms3dPoint2, 4>{ place, inFan.Place, across.Place, inTurn.Place });
     return;
   }
-  for (const Passage& passage : { inFan, inTurn })
+  for (const lms3dPassage& passage : { inFan, inTurn })
   {
     if (passage.IsPassed)
     {

@@ -5,7 +5,10 @@
 #include <vtkMath.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace
 {
@@ -16,35 +19,40 @@ constexpr int Rounds = 4;
 // With fewer, a plane through two columns of returns would fit without any error.
 constexpr double SmallestKeptShare = 0.9;
 
-lms3dVector GetMean(const lms3dLocalMap& map, const std::vector<int>& returns)
+lms3dVector GetMean(const std::vector<lms3dVector>& points)
 {
   lms3dVector sum = { 0.0, 0.0, 0.0 };
-  for (int i : returns)
+  for (const lms3dVector& point : points)
   {
-    sum = lms3dAdd(sum, map.Returns[i].Point);
+    sum = lms3dAdd(sum, point);
   }
-  return lms3dScale(sum, 1.0 / static_cast<double>(returns.size()));
+  return lms3dScale(sum, 1.0 / static_cast<double>(points.size()));
 }
+
+/// `direction` is that of a beam towards the plane.
 std::optional<lms3dFittedPlane> FitOnce(
-  const lms3dLocalMap& map, const std::vector<int>& returns, double smallestWidth)
+  const std::vector<lms3dVector>& points, const lms3dVector& direction, double smallestWidth)
 {
-  if (returns.size() < SmallestCount)
+  if (points.size() < SmallestCount)
   {
     return {};
   }
-  const lms3dVector mean = GetMean(map, returns);
-  double moments[3][3] = {};
-  for (int i : returns)
+  const lms3dVector mean = GetMean(points);
+  const auto count = static_cast<double>(points.size());
+  // The symmetric matrix of moments, row by row, without what is left of the diagonal.
+  std::array<double, 6> sums = {};
+  for (const lms3dVector& point : points)
   {
-    const lms3dVector v = lms3dSubtract(map.Returns[i].Point, mean);
-    for (int row = 0; row < 3; ++row)
+    const lms3dVector v = lms3dSubtract(point, mean);
+    const std::array<double, 6> a = { v[0], v[0], v[0], v[1], v[1], v[2] };
+    const std::array<double, 6> b = { v[0], v[1], v[2], v[1], v[2], v[2] };
+    for (std::size_t i = 0; i < sums.size(); ++i)
     {
-      for (int column = 0; column < 3; ++column)
-      {
-        moments[row][column] += v[row] * v[column] / static_cast<double>(returns.size());
-      }
+      sums[i] += a[i] * b[i] / count;
     }
   }
+  double moments[3][3] = { { sums[0], sums[1], sums[2] }, { sums[1], sums[3], sums[4] },
+    { sums[2], sums[4], sums[5] } };
   double values[3];
   double vectors[3][3];
   vtkMath::Diagonalize3x3(moments, values, vectors);
@@ -56,27 +64,55 @@ std::optional<lms3dFittedPlane> FitOnce(
   }
   const int least = order[0];
   lms3dVector normal = lms3dNormalize({ vectors[0][least], vectors[1][least], vectors[2][least] });
-  if (lms3dDot(normal, map.Returns[returns.front()].Direction) > 0.0)
+  if (lms3dDot(normal, direction) > 0.0)
   {
     normal = lms3dScale(normal, -1.0);
   }
   return lms3dFittedPlane{ mean, normal, std::sqrt(std::max(0.0, values[least])) };
 }
 
-double GetCorrelation(
-  const lms3dLocalMap& map, const std::vector<int>& returns, const lms3dFittedPlane& fit)
+double GetDistance(const lms3dFittedPlane& fit, const lms3dVector& point)
+{
+  return lms3dDot(fit.Normal, lms3dSubtract(point, fit.Centre));
+}
+
+double GetCorrelation(const std::vector<lms3dVector>& points, const lms3dFittedPlane& fit)
 {
   double squares = 0.0;
   double products = 0.0;
   double last = 0.0;
-  for (int i : returns)
+  for (const lms3dVector& point : points)
   {
-    const double distance = lms3dDot(fit.Normal, lms3dSubtract(map.Returns[i].Point, fit.Centre));
+    const double distance = GetDistance(fit, point);
     squares += distance * distance;
     products += distance * last;
     last = distance;
   }
   return squares > 0.0 ? products / squares : 0.0;
+}
+
+/// The returns that are near a plane. `returns` and `points` are in the same order.
+struct Members
+{
+  std::vector<int> Returns;
+  std::vector<lms3dVector> Points;
+};
+
+Members Keep(const Members& members, const lms3dFittedPlane& fit)
+{
+  const double largest = LargestShare * fit.Deviation;
+  Members kept;
+  kept.Returns.reserve(members.Returns.size());
+  kept.Points.reserve(members.Points.size());
+  for (std::size_t i = 0; i < members.Points.size(); ++i)
+  {
+    if (std::abs(GetDistance(fit, members.Points[i])) <= largest)
+    {
+      kept.Returns.push_back(members.Returns[i]);
+      kept.Points.push_back(members.Points[i]);
+    }
+  }
+  return kept;
 }
 } // namespace
 
@@ -97,33 +133,35 @@ std::vector<std::vector<int>> lms3dGetReturnsOfPatches(const lms3dLocalMap& map)
 std::optional<lms3dFittedPlane> lms3dFitPlane(
   const lms3dLocalMap& map, const std::vector<int>& returns, double smallestWidth)
 {
-  std::optional<lms3dFittedPlane> fit = FitOnce(map, returns, smallestWidth);
-  std::vector<int> members = returns;
+  Members members = { returns, {} };
+  members.Points.reserve(returns.size());
+  for (const int i : returns)
+  {
+    members.Points.push_back(map.Returns[i].Point);
+  }
+  const auto fitTo = [&](const Members& some) -> std::optional<lms3dFittedPlane>
+  {
+    return some.Returns.empty()
+      ? std::nullopt
+      : FitOnce(some.Points, map.Returns[some.Returns.front()].Direction, smallestWidth);
+  };
+  std::optional<lms3dFittedPlane> fit = fitTo(members);
   for (int round = 0; fit && round < Rounds; ++round)
   {
-    const double largest = LargestShare * fit->Deviation;
-    std::vector<int> kept;
-    for (int i : members)
-    {
-      if (std::abs(lms3dDot(fit->Normal, lms3dSubtract(map.Returns[i].Point, fit->Centre))) <=
-        largest)
-      {
-        kept.push_back(i);
-      }
-    }
-    const std::optional<lms3dFittedPlane> next = FitOnce(map, kept, smallestWidth);
-    const bool isMost =
-      static_cast<double>(kept.size()) >= SmallestKeptShare * static_cast<double>(returns.size());
-    if (kept.size() == members.size() || !isMost || !next)
+    Members kept = Keep(members, *fit);
+    const std::optional<lms3dFittedPlane> next = fitTo(kept);
+    const bool isMost = static_cast<double>(kept.Points.size()) >=
+      SmallestKeptShare * static_cast<double>(returns.size());
+    if (kept.Points.size() == members.Points.size() || !isMost || !next)
     {
       break;
     }
     fit = next;
-    members = kept;
+    members = std::move(kept);
   }
   if (fit)
   {
-    fit->Correlation = GetCorrelation(map, members, *fit);
+    fit->Correlation = GetCorrelation(members.Points, *fit);
   }
   return fit;
 }

@@ -12,7 +12,7 @@ constexpr int Last = lms3dRaster::Size - 1;
 class Tracer
 {
 public:
-  explicit Tracer(const lms3dRaster& raster)
+  explicit Tracer(const lms3dRegion& raster)
     : Raster(raster)
     , Visited(static_cast<std::size_t>(raster.GetNumberOfBlocks()), lms3dBits{})
   {
@@ -23,7 +23,7 @@ public:
     std::vector<lms3dLoop> loops;
     for (int number = 0; number < this->Raster.GetNumberOfBlocks(); ++number)
     {
-      const lms3dRasterBlock& block = this->Raster.GetBlock(number);
+      const lms3dRegionBlock& block = this->Raster.GetBlock(number);
       for (int row = 0; row <= Last; ++row)
       {
         this->TraceRow(number, block, row, loops);
@@ -34,7 +34,7 @@ public:
 
 private:
   /// Starts at cells without a cell below, which each outline has.
-  void TraceRow(int number, const lms3dRasterBlock& block, int row, std::vector<lms3dLoop>& loops)
+  void TraceRow(int number, const lms3dRegionBlock& block, int row, std::vector<lms3dLoop>& loops)
   {
     const int below = row > 0 ? number : this->Raster.Find(block.U, block.V - 1);
     const std::uint64_t word = below < 0 ? 0 : this->Raster.GetBlock(below).May[(row - 1) & Last];
@@ -115,7 +115,7 @@ private:
     return false;
   }
 
-  const lms3dRaster& Raster;
+  const lms3dRegion& Raster;
   /// Cells whose lower side was walked along.
   std::vector<lms3dBits> Visited;
   bool HasLast = false;
@@ -125,7 +125,7 @@ private:
 };
 } // namespace
 
-std::vector<lms3dLoop> lms3dTraceOutlines(const lms3dRaster& raster)
+std::vector<lms3dLoop> lms3dTraceOutlines(const lms3dRegion& raster)
 {
   return Tracer(raster).Trace();
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace
@@ -52,6 +53,36 @@ struct Crossing
   }
 };
 
+/// Divides crossings by their rows first, which are few, and sorts each row.
+void SortByRow(std::vector<Crossing>& crossings)
+{
+  if (crossings.empty())
+  {
+    return;
+  }
+  const auto [low, high] = std::minmax_element(crossings.begin(), crossings.end(),
+    [](const Crossing& a, const Crossing& b) { return a.Row < b.Row; });
+  const std::int32_t first = low->Row;
+  std::vector<std::size_t> ends(static_cast<std::size_t>(high->Row - first) + 2);
+  for (const Crossing& crossing : crossings)
+  {
+    ++ends[static_cast<std::size_t>(crossing.Row - first) + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<std::size_t> places(ends.begin(), ends.end() - 1);
+  std::vector<Crossing> sorted(crossings.size());
+  for (const Crossing& crossing : crossings)
+  {
+    sorted[places[static_cast<std::size_t>(crossing.Row - first)]++] = crossing;
+  }
+  for (std::size_t row = 0; row + 1 < ends.size(); ++row)
+  {
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(ends[row]),
+      sorted.begin() + static_cast<std::ptrdiff_t>(ends[row + 1]));
+  }
+  crossings.swap(sorted);
+}
+
 /// Each edge has its lower end, but not its upper one, so that each row has an even number of
 /// crossings.
 std::vector<Crossing> FindCrossings(const std::vector<Edge>& border)
@@ -67,7 +98,7 @@ std::vector<Crossing> FindCrossings(const std::vector<Edge>& border)
       crossings.push_back({ row, a[0] + (b[0] - a[0]) * ((row + 0.5 - a[1]) / (b[1] - a[1])) });
     }
   }
-  std::sort(crossings.begin(), crossings.end());
+  SortByRow(crossings);
   return crossings;
 }
 
@@ -76,7 +107,7 @@ std::vector<Crossing> FindCrossings(const std::vector<Edge>& border)
 class Filler
 {
 public:
-  explicit Filler(lms3dRaster& raster)
+  explicit Filler(lms3dRegion& raster)
     : Raster(raster)
   {
   }
@@ -128,12 +159,12 @@ private:
     this->Strips.clear();
   }
 
-  lms3dRaster& Raster;
+  lms3dRegion& Raster;
   std::vector<lms3dCellStrip> Strips;
 };
 } // namespace
 
-void lms3dCoverRegion(const std::vector<lms3dTriangle2>& triangles, lms3dRaster& raster)
+void lms3dCoverRegion(const std::vector<lms3dTriangle2>& triangles, lms3dRegion& raster)
 {
   const std::vector<Edge> border = FindBorder(triangles);
   Filler(raster).Fill(FindCrossings(border));

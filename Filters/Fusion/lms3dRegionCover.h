@@ -14,6 +14,6 @@
 
 /// Sets Covered and Touched of the cells that triangles cover and touch. The triangles share their
 /// edges, so only the edges around them are looked at.
-void lms3dCoverRegion(const std::vector<lms3dTriangle2>& triangles, lms3dRaster& raster);
+void lms3dCoverRegion(const std::vector<lms3dTriangle2>& triangles, lms3dRegion& raster);
 
 #endif

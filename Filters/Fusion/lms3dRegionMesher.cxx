@@ -66,7 +66,7 @@ public:
     }
     for (std::size_t i = 0; i < this->Tile.Blocks.size(); ++i)
     {
-      const lms3dRasterBlock& cells = this->Region.GetBlock(static_cast<int>(i));
+      const lms3dRegionBlock& cells = this->Region.GetBlock(static_cast<int>(i));
       lms3dRasterBlock& block = this->Plane.Raster.GetBlock(this->Tile.Blocks[i]);
       block.Covered = cells.Covered;
       block.Touched = cells.Touched;
@@ -80,9 +80,9 @@ private:
   /// Triangles may touch the sides of the tile.
   void AddBlocksAround()
   {
-    for (std::size_t i = 0; i < this->Tile.Blocks.size(); ++i)
+    for (const int number : this->Tile.Blocks)
     {
-      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(this->Tile.Blocks[i]);
+      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(number);
       for (std::int32_t v = block.V - 1; v <= block.V + 1; ++v)
       {
         for (std::int32_t u = block.U - 1; u <= block.U + 1; ++u)
@@ -219,7 +219,7 @@ private:
   const std::vector<lms3dCreaseLine>& Creases;
   const double MaximumError;
   /// The blocks of the tile first, in its order.
-  lms3dRaster Region;
+  lms3dRegion Region;
   std::map<lms3dPoint2, std::int32_t> Numbers;
 };
 } // namespace

@@ -64,21 +64,27 @@ private:
   std::array<std::array<const lms3dBits*, 3>, 3> Bits = {};
 };
 
-/// Calls `visit` with a number of a block of the region, a row and bits, for the balls around the cells of blocks that
-/// have two bits. The balls keep away from the cells with the bit `others`.
-template <typename Visitor>
-void ForBalls(const lms3dRaster& raster, const std::vector<int>& blocks,
-  const std::array<lms3dRaster::BitsOf, 2>& both, lms3dRaster::BitsOf others,
-  const lms3dRaster& region, const Visitor& visit)
+/// The cells of a block that have two bits.
+lms3dBits GetBoth(const lms3dRasterBlock& block, lms3dRaster::BitsOf a, lms3dRaster::BitsOf b)
+{
+  lms3dBits both;
+  for (int row = 0; row <= Last; ++row)
+  {
+    both[row] = (block.*a)[row] & (block.*b)[row];
+  }
+  return both;
+}
+
+/// Calls `visit` with a number of a block of the region, a row and bits, for the balls around the cells that `getCentres`
+/// returns for a block. The balls keep away from the cells with the bit `others`.
+template <typename Getter, typename Visitor>
+void ForBalls(const lms3dRaster& raster, const std::vector<int>& blocks, const Getter& getCentres,
+  lms3dRaster::BitsOf others, const lms3dRegion& region, const Visitor& visit)
 {
   for (const int i : blocks)
   {
     const lms3dRasterBlock& block = raster.GetBlock(i);
-    lms3dBits centres;
-    for (int row = 0; row <= Last; ++row)
-    {
-      centres[row] = (block.*both[0])[row] & (block.*both[1])[row];
-    }
+    const lms3dBits centres = getCentres(block);
     if (IsEmpty(centres))
     {
       continue;
@@ -105,32 +111,44 @@ void ForBalls(const lms3dRaster& raster, const std::vector<int>& blocks,
 }
 
 /// Gives the cells back that are nearer to a return than to any beam that passed.
-void GiveBack(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster& region)
+void GiveBack(const lms3dRaster& raster, const std::vector<int>& blocks,
+  const std::vector<int>& blocksOfRegion, lms3dRegion& region)
 {
-  ForBalls(raster, blocks, { &lms3dRasterBlock::Must, &lms3dRasterBlock::Open },
+  ForBalls(
+    raster, blocks,
+    [](const lms3dRasterBlock& block)
+    { return GetBoth(block, &lms3dRasterBlock::Must, &lms3dRasterBlock::Open); },
     &lms3dRasterBlock::Passed, region,
-    [&](int number, int row, std::uint64_t bits) { region.GetBlock(number).Open[row] |= bits; });
-  for (int i = 0; i < region.GetNumberOfBlocks(); ++i)
-  {
-    lms3dRasterBlock& cells = region.GetBlock(i);
-    const lms3dBits& may = raster.GetBlock(raster.Find(cells.U, cells.V)).May;
-    for (int row = 0; row <= Last; ++row)
+    [&](int number, int row, std::uint64_t bits)
     {
-      cells.May[row] |= cells.Open[row] & may[row];
-    }
-  }
+      const lms3dBits& may = raster.GetBlock(blocksOfRegion[number]).May;
+      region.GetBlock(number).May[row] |= bits & may[row];
+    });
 }
 
 /// Takes the cells out that are nearer to a beam that passed than to any return.
-void TakeOut(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRaster& region)
+void TakeOut(const lms3dRaster& raster, const std::vector<int>& blocks, lms3dRegion& region)
 {
-  ForBalls(raster, blocks, { &lms3dRasterBlock::Passed, &lms3dRasterBlock::May },
-    &lms3dRasterBlock::Must, region,
+  // Balls that are too far from the region take nothing out.
+  const auto getCentres = [&](const lms3dRasterBlock& block)
+  {
+    lms3dBits centres = GetBoth(block, &lms3dRasterBlock::Passed, &lms3dRasterBlock::May);
+    if (!IsEmpty(centres))
+    {
+      const lms3dBits near = lms3dBlockWindow(region, block, &lms3dRasterBlock::May).GetCellsNear();
+      for (int row = 0; row <= Last; ++row)
+      {
+        centres[row] &= near[row];
+      }
+    }
+    return centres;
+  };
+  ForBalls(raster, blocks, getCentres, &lms3dRasterBlock::Must, region,
     [&](int number, int row, std::uint64_t bits) { region.GetBlock(number).May[row] &= ~bits; });
 }
 
 void CopySure(const lms3dRasterBlock& block, const PassedAround& passed, bool hasPassed,
-  lms3dRasterBlock& cells)
+  lms3dRegionBlock& cells)
 {
   if (!hasPassed)
   {
@@ -190,34 +208,34 @@ std::vector<int> lms3dFindDirtyBlocks(const lms3dRaster& raster)
   return blocks;
 }
 
-lms3dRaster lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<int>& blocks)
+lms3dRegion lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<int>& blocks)
 {
-  lms3dRaster region;
+  lms3dRegion region;
   PassedAround passed(raster);
   for (const int number : blocks)
   {
     const lms3dRasterBlock& block = raster.GetBlock(number);
-    lms3dRasterBlock& cells = region.GetBlock(region.Make(block.U, block.V));
+    lms3dRegionBlock& cells = region.GetBlock(region.Make(block.U, block.V));
     const bool isPassed = passed.MoveTo(block);
     CopySure(block, passed, isPassed, cells);
   }
   return region;
 }
 
-lms3dRaster lms3dMakeRegion(const lms3dRaster& raster, const std::vector<int>& blocks)
+lms3dRegion lms3dMakeRegion(const lms3dRaster& raster, const std::vector<int>& blocks)
 {
-  lms3dRaster region = lms3dCopySureReturns(raster, blocks);
+  lms3dRegion region = lms3dCopySureReturns(raster, blocks);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const lms3dRasterBlock& block = raster.GetBlock(blocks[i]);
-    lms3dRasterBlock& cells = region.GetBlock(static_cast<int>(i));
+    lms3dRegionBlock& cells = region.GetBlock(static_cast<int>(i));
     for (int row = 0; row <= Last; ++row)
     {
       cells.May[row] = (block.May[row] & ~block.Open[row] & ~block.Passed[row]) | cells.Must[row];
     }
   }
   const std::vector<int> around = lms3dFindBlocksAround(raster, blocks);
-  GiveBack(raster, around, region);
+  GiveBack(raster, around, blocks, region);
   TakeOut(raster, around, region);
   return region;
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionShape.h"
 
-#include "Fusion/lms3dBlockParts.h"
 #include "Fusion/lms3dRegionRaster.h"
 
 #include <algorithm>
 #include <bitset>
+#include <cstddef>
 #include <numeric>
 
 namespace
@@ -23,19 +23,14 @@ int FindFirst(std::vector<int>& links, int part)
   return part;
 }
 
-int Count(std::uint64_t bits)
-{
-  return static_cast<int>(std::bitset<lms3dRaster::Size>(bits).count());
-}
-
 int CountDifferences(const lms3dBits& a, const lms3dBits& b)
 {
-  int count = 0;
+  std::size_t count = 0;
   for (int row = 0; row <= Last; ++row)
   {
-    count += Count(a[row] ^ b[row]);
+    count += std::bitset<lms3dRaster::Size>(a[row] ^ b[row]).count();
   }
-  return count;
+  return static_cast<int>(count);
 }
 } // namespace
 
@@ -62,7 +57,7 @@ void lms3dRegionShape::AddBlocks(const lms3dRaster& raster)
   }
 }
 
-lms3dBits lms3dRegionShape::GetFree(int number, const lms3dRasterBlock& cells) const
+lms3dBits lms3dRegionShape::GetFree(int number, const lms3dRegionBlock& cells) const
 {
   lms3dBits free = cells.May;
   if (const lms3dCreaseMask::Cells* crease = this->Creases.Get(number))
@@ -75,16 +70,18 @@ lms3dBits lms3dRegionShape::GetFree(int number, const lms3dRasterBlock& cells) c
   return free;
 }
 
-void lms3dRegionShape::FindParts(
-  const std::vector<int>& blocks, const lms3dRaster& region, const lms3dRaster& raster)
+std::vector<lms3dBlockParts> lms3dRegionShape::FindParts(
+  const std::vector<int>& blocks, const lms3dRegion& region, const lms3dRaster& raster)
 {
+  std::vector<lms3dBlockParts> partsOfBlocks;
+  partsOfBlocks.reserve(blocks.size());
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    const lms3dRasterBlock& cells = region.GetBlock(static_cast<int>(i));
+    const lms3dRegionBlock& cells = region.GetBlock(static_cast<int>(i));
     BlockState& state = this->Blocks[blocks[i]];
     const lms3dCreaseMask::Cells* const crease = this->Creases.Get(blocks[i]);
     const lms3dBits& must = raster.GetBlock(blocks[i]).Must;
-    const lms3dBlockParts parts(this->GetFree(blocks[i], cells));
+    const lms3dBlockParts& parts = partsOfBlocks.emplace_back(this->GetFree(blocks[i], cells));
     state.Parts.assign(static_cast<std::size_t>(parts.GetCount()), { {}, false, false });
     parts.ForRuns(
       [&](int number, int row, std::uint64_t bits)
@@ -98,6 +95,7 @@ void lms3dRegionShape::FindParts(
         part.Cells[3] |= row == Last ? bits : 0;
       });
   }
+  return partsOfBlocks;
 }
 
 void lms3dRegionShape::Connect(std::vector<int>& links) const
@@ -171,11 +169,11 @@ std::vector<int> lms3dRegionShape::FindReached()
   return changed;
 }
 
-lms3dBits lms3dRegionShape::GetShape(int number, const lms3dRasterBlock& cells) const
+lms3dBits lms3dRegionShape::GetShape(
+  int number, const lms3dBlockParts& parts, const lms3dRegionBlock& cells) const
 {
   const BlockState& state = this->Blocks[number];
   lms3dBits shape = cells.Must;
-  const lms3dBlockParts parts(this->GetFree(number, cells));
   parts.ForRuns([&](int part, int row, std::uint64_t bits)
     { shape[row] |= state.Parts[part].IsReached ? bits : 0; });
   const lms3dCreaseMask::Cells* const crease = this->Creases.Get(number);
@@ -198,23 +196,19 @@ lms3dBits lms3dRegionShape::GetShape(int number, const lms3dRasterBlock& cells) 
   return shape;
 }
 
-void lms3dRegionShape::MakeShapes(const std::vector<int>& blocks, const lms3dRaster& region,
-  lms3dRaster& raster, std::vector<int>& changed) const
+void lms3dRegionShape::MakeShape(int number, const lms3dBlockParts& parts,
+  const lms3dRegionBlock& cells, lms3dRaster& raster, std::vector<int>& changed) const
 {
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+  lms3dRasterBlock& block = raster.GetBlock(number);
+  const std::vector<Part>& states = this->Blocks[number].Parts;
+  block.IsCalm =
+    std::all_of(states.begin(), states.end(), [](const Part& part) { return part.HasReturn; });
+  const lms3dBits shape = this->GetShape(number, parts, cells);
+  if (shape != block.Shape || block.NewCreaseCells > 0)
   {
-    const lms3dRasterBlock& cells = region.GetBlock(static_cast<int>(i));
-    lms3dRasterBlock& block = raster.GetBlock(blocks[i]);
-    const std::vector<Part>& parts = this->Blocks[blocks[i]].Parts;
-    block.IsCalm =
-      std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.HasReturn; });
-    const lms3dBits shape = this->GetShape(blocks[i], cells);
-    if (shape != block.Shape || block.NewCreaseCells > 0)
-    {
-      block.Shape = shape;
-      block.Difference = CountDifferences(shape, block.Meshed);
-      changed.push_back(blocks[i]);
-    }
+    block.Shape = shape;
+    block.Difference = CountDifferences(shape, block.Meshed);
+    changed.push_back(number);
   }
 }
 
@@ -231,16 +225,25 @@ std::vector<int> lms3dRegionShape::Update(
   {
     return {};
   }
-  const lms3dRaster region = lms3dMakeRegion(raster, blocks);
-  this->FindParts(blocks, region, raster);
+  const lms3dRegion region = lms3dMakeRegion(raster, blocks);
+  const std::vector<lms3dBlockParts> parts = this->FindParts(blocks, region, raster);
   std::vector<int> others = this->FindReached();
   others.erase(
     std::remove_if(others.begin(), others.end(),
       [&](int number) { return std::binary_search(blocks.begin(), blocks.end(), number); }),
     others.end());
   std::vector<int> changed;
-  this->MakeShapes(blocks, region, raster, changed);
-  this->MakeShapes(others, lms3dMakeRegion(raster, others), raster, changed);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    this->MakeShape(blocks[i], parts[i], region.GetBlock(static_cast<int>(i)), raster, changed);
+  }
+  const lms3dRegion otherRegion = lms3dMakeRegion(raster, others);
+  for (std::size_t i = 0; i < others.size(); ++i)
+  {
+    const lms3dRegionBlock& cells = otherRegion.GetBlock(static_cast<int>(i));
+    this->MakeShape(
+      others[i], lms3dBlockParts(this->GetFree(others[i], cells)), cells, raster, changed);
+  }
   std::sort(changed.begin(), changed.end());
   return changed;
 }

@@ -7,6 +7,7 @@
 #ifndef lms3dRegionShape_h
 #define lms3dRegionShape_h
 
+#include "Fusion/lms3dBlockParts.h"
 #include "Fusion/lms3dCreaseLine.h"
 #include "Fusion/lms3dCreaseMask.h"
 #include "Fusion/lms3dRaster.h"
@@ -51,14 +52,15 @@ private:
   };
 
   void AddBlocks(const lms3dRaster& raster);
-  void FindParts(
-    const std::vector<int>& blocks, const lms3dRaster& region, const lms3dRaster& raster);
+  /// Returns the parts of each block.
+  std::vector<lms3dBlockParts> FindParts(
+    const std::vector<int>& blocks, const lms3dRegion& region, const lms3dRaster& raster);
   std::vector<int> FindReached();
   void Connect(std::vector<int>& links) const;
-  void MakeShapes(const std::vector<int>& blocks, const lms3dRaster& region, lms3dRaster& raster,
-    std::vector<int>& changed) const;
-  lms3dBits GetShape(int number, const lms3dRasterBlock& cells) const;
-  lms3dBits GetFree(int number, const lms3dRasterBlock& cells) const;
+  void MakeShape(int number, const lms3dBlockParts& parts, const lms3dRegionBlock& cells,
+    lms3dRaster& raster, std::vector<int>& changed) const;
+  lms3dBits GetShape(int number, const lms3dBlockParts& parts, const lms3dRegionBlock& cells) const;
+  lms3dBits GetFree(int number, const lms3dRegionBlock& cells) const;
 
   lms3dCreaseMask Creases;
   std::vector<BlockState> Blocks;

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRaster& region,
+std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRegion& region,
   const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance)
 {
   const std::vector<lms3dLoop> outlines = lms3dTraceOutlines(region);

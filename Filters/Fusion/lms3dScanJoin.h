@@ -11,7 +11,7 @@
 #include "Fusion/lms3dLocalMap.h"
 #include "Fusion/lms3dPatchFit.h"
 
-#include <array>
+#include <map>
 #include <vector>
 
 /// Patches join planes that explain them, or become planes. Curved patches that the map explains already are left out.
@@ -30,16 +30,27 @@ public:
   void Join();
 
 private:
+  /// A patch with a plane.
+  struct PatchOfPlane
+  {
+    int Number;
+    const std::vector<int>* Returns;
+    /// The root mean square of the returns' distances, metres.
+    double Deviation;
+    /// The returns that are far from the plane.
+    std::vector<int> Loose;
+  };
+
+  /// The patches of each plane, in order.
+  using PatchesOfPlanes = std::map<int, std::vector<PatchOfPlane>>;
+
   int FindOrMakePlane(
     const std::vector<int>& returns, const lms3dFittedPlane& fit, std::size_t planesBefore);
+  void AddReturns(PatchesOfPlanes& patches, std::vector<char>& isExplained);
+  void AddLoose(const PatchesOfPlanes& patches, std::vector<char>& isExplained);
   void AddTriangles(const std::vector<int>& planeOfPatch);
   int FindPlane(const std::vector<int>& returns, const lms3dFittedPlane& fit) const;
   bool IsMostlyExplained(const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
-  void AddLoose(const std::vector<int>& returns, int ownPlane, std::vector<bool>& isExplained);
-  int FindPlaneBeside(const std::vector<int>& returns, const std::array<lms3dVector, 3>& corners,
-    const lms3dVector& normal) const;
-  void AddTriangle(int triangle, const std::vector<int>& returns);
-  void AddRest(const std::vector<bool>& isExplained, const std::vector<int>& planeOfPatch);
 
   const lms3dLocalMap& Local;
   const lms3dSeenRanges& Ranges;

@@ -14,22 +14,27 @@ lms3dSeenRanges::lms3dSeenRanges(
 {
   for (vtkIdType i = 0; i < scan.GetNumberOfReturns(); ++i)
   {
-    this->Ranges[scan.GetBeamIds()[i]] = static_cast<float>(scan.GetRanges()[i]);
+    this->Ranges[this->Table->GetPlace(scan.GetBeamIds()[i])] =
+      static_cast<float>(scan.GetRanges()[i]);
   }
   for (int bin = 0; bin < this->Table->GetNumberOfBins(); ++bin)
   {
     float& largest = this->LargestInBin[bin];
-    for (const int* id = this->Table->GetFirstInBin(bin); id != this->Table->GetEndOfBin(bin); ++id)
+    for (int i = this->Table->GetFirstPlace(bin); i < this->Table->GetEndOfPlaces(bin); ++i)
     {
-      largest = std::max(largest, this->Ranges[*id]);
+      largest = std::max(largest, this->Ranges[i]);
     }
     this->Largest = std::max<double>(this->Largest, largest);
   }
+  this->Box.Add(this->Pose.Position);
   for (vtkIdType i = 0; i < scan.GetNumberOfReturns(); ++i)
   {
     const int id = scan.GetBeamIds()[i];
     const lms3dVector start = this->GetStart(id);
-    this->Box.Add(start);
+    if (this->Table->HasStarts())
+    {
+      this->Box.Add(start);
+    }
     this->Box.Add(lms3dAdd(start, lms3dScale(this->GetDirection(id), scan.GetRanges()[i])));
   }
 }

@@ -27,7 +27,9 @@ public:
   const lms3dWorldBox& GetBox() const { return this->Box; }
 
   /// Metres, 0 for a beam without a return, within the rounding of single precision.
-  double GetRange(int beamId) const { return this->Ranges[beamId]; }
+  double GetRange(int beamId) const { return this->Ranges[this->Table->GetPlace(beamId)]; }
+  /// The ranges in the order of the places of lms3dBeamTable.
+  const float* GetRangesOfPlaces() const { return this->Ranges.data(); }
   /// World coordinates.
   lms3dVector GetDirection(int beamId) const
   {

@@ -15,7 +15,7 @@ class Side
 {
 public:
   /// `axis` is that along the side.
-  Side(const lms3dFusedTile& tile, int axis, bool isFar, lms3dRaster& region)
+  Side(const lms3dFusedTile& tile, int axis, bool isFar, lms3dRegion& region)
     : Region(region)
     , Axis(axis)
     , Start(lms3dRaster::GetBlockOf(axis == 0 ? tile.Left : tile.Bottom))
@@ -60,7 +60,7 @@ private:
                            : this->Region.Find(this->Across, this->Start + i);
   }
 
-  std::uint64_t Get(int number, lms3dRaster::BitsOf bits) const
+  std::uint64_t Get(int number, lms3dRegion::BitsOf bits) const
   {
     const lms3dBits& rows = this->Region.GetBlock(number).*bits;
     if (this->Axis == 0)
@@ -87,7 +87,7 @@ private:
     }
   }
 
-  lms3dRaster& Region;
+  lms3dRegion& Region;
   const int Axis;
   /// The first block along the side.
   const std::int32_t Start;
@@ -97,7 +97,7 @@ private:
 };
 } // namespace
 
-void lms3dCloseGapsAlongSides(const lms3dFusedTile& tile, lms3dRaster& region)
+void lms3dCloseGapsAlongSides(const lms3dFusedTile& tile, lms3dRegion& region)
 {
   for (int axis = 0; axis < 2; ++axis)
   {

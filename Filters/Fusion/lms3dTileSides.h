@@ -13,6 +13,6 @@
 /// A ragged border near a side would leave many islands beyond the side, which no straight border could join. Therefore
 /// gaps in the cells along a side get May, if they are small and no beam passed there. `region` has all blocks of the
 /// tile.
-void lms3dCloseGapsAlongSides(const lms3dFusedTile& tile, lms3dRaster& region);
+void lms3dCloseGapsAlongSides(const lms3dFusedTile& tile, lms3dRegion& region);
 
 #endif

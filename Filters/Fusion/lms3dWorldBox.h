@@ -26,6 +26,21 @@ struct lms3dWorldBox
     }
   }
 
+  void Add(const lms3dWorldBox& other)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = std::min(this->Low[axis], other.Low[axis]);
+      this->High[axis] = std::max(this->High[axis], other.High[axis]);
+    }
+  }
+
+  /// Whether a point is nearer than a distance along each axis.
+  bool IsNear(const lms3dVector& point, double distance) const
+  {
+    return this->IsNear(lms3dWorldBox{ point, point }, distance);
+  }
+
   /// Whether another box is nearer than a distance along each axis.
   bool IsNear(const lms3dWorldBox& other, double distance) const
   {

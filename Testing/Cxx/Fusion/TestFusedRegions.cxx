@@ -173,6 +173,28 @@ TEST(LMS3DBalls, KeepHalfOfTheWayToTheNearestOtherCell)
   EXPECT_EQ(found, expected);
 }
 
+TEST(LMS3DBalls, LookForCellsNearABlock)
+{
+  lms3dRaster raster;
+  for (int number = 0; number < 9; ++number)
+  {
+    raster.GetBlock(raster.Make(number % 3, number / 3)).Must =
+      MakeBits(0.0005, static_cast<unsigned>(20 + number));
+  }
+  const lms3dBits found =
+    lms3dBlockWindow(raster, raster.GetBlock(4), &lms3dRasterBlock::Must).GetCellsNear();
+  constexpr int Reach = lms3dBlockWindow::LargestRadius;
+  for (int v = 0; v < Size; ++v)
+  {
+    for (int u = 0; u < Size; ++u)
+    {
+      const lms3dCellBox box = { Size + u - Reach, Size + u + Reach, Size + v - Reach,
+        Size + v + Reach };
+      ASSERT_EQ((found[v] >> u & 1U) != 0, raster.HasAny(&lms3dRasterBlock::Must, box));
+    }
+  }
+}
+
 // The rooms have walls in the same planes, but no view into each other.
 TEST(LMS3DFusedRegions, StayInAnotherRoom)
 {

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Cells of a plane with bits, in blocks that exist only where something was seen.
+ */
+#ifndef lms3dBlockGrid_h
+#define lms3dBlockGrid_h
+
+#include "Fusion/lms3dBlockIndex.h"
+#include "Fusion/lms3dCellStrip.h"
+
+#include <array>
+#include <cstdint>
+#include <deque>
+
+/// The bits of 64 x 64 cells, one word for each row.
+using lms3dBits = std::array<std::uint64_t, 64>;
+
+/// What a region is made of.
+struct lms3dRegionBlock
+{
+  /// The numbers of the block along both axes.
+  std::int32_t U;
+  std::int32_t V;
+
+  /// The plane may have surface here.
+  lms3dBits May = {};
+  /// A return lies here.
+  lms3dBits Must = {};
+  /// A beam passed here.
+  lms3dBits Passed = {};
+  /// A triangle of the mesh covers the centre of the cell.
+  lms3dBits Covered = {};
+  /// A triangle of the mesh touches the cell.
+  lms3dBits Touched = {};
+};
+
+/// Coordinates are cells. `Block` has the members of lms3dRegionBlock.
+template <typename Block>
+class lms3dBlockGrid
+{
+public:
+  static constexpr int Size = 64;
+  using BitsOf = lms3dBits Block::*;
+
+  int GetNumberOfBlocks() const { return static_cast<int>(this->Blocks.size()); }
+  Block& GetBlock(int number) { return this->Blocks[number]; }
+  const Block& GetBlock(int number) const { return this->Blocks[number]; }
+
+  /// The number of a block, -1 if there is none.
+  int Find(std::int32_t u, std::int32_t v) const { return this->Numbers.Find(u, v); }
+  /// The same, but makes the block if there is none. Successive calls for one block are quick.
+  int Make(std::int32_t u, std::int32_t v)
+  {
+    if (this->LastMade < 0 || this->Blocks[this->LastMade].U != u ||
+      this->Blocks[this->LastMade].V != v)
+    {
+      this->LastMade = this->FindOrMake(u, v);
+    }
+    return this->LastMade;
+  }
+
+  static std::int32_t GetBlockOf(std::int32_t cell) { return cell >> 6; }
+  static int GetPlaceOf(std::int32_t cell) { return cell & 63; }
+
+  bool Has(BitsOf bits, std::int32_t u, std::int32_t v) const;
+
+  /// Returns whether a cell from `first` to `last` of a row has the bit.
+  bool HasAny(BitsOf bits, std::int32_t row, std::int32_t first, std::int32_t last) const;
+
+  /// Returns whether a cell of a strip has the bit.
+  bool HasAny(BitsOf bits, const lms3dCellStrip& strip) const;
+
+  /// Returns whether a cell of a box has the bit.
+  bool HasAny(BitsOf bits, const lms3dCellBox& box) const;
+
+  /// Returns whether all cells of a box that lie in blocks have the bit.
+  bool HasAll(BitsOf bits, const lms3dCellBox& box) const;
+
+  /// Returns whether all cells of a box lie in blocks.
+  bool HasBlocks(const lms3dCellBox& box) const;
+
+  /// Returns whether all cells of a strip lie in blocks.
+  bool HasBlocks(const lms3dCellStrip& strip) const;
+
+  /// Sets or clears a bit of the cells of a strip that lie in blocks.
+  void Set(BitsOf bits, const lms3dCellStrip& strip, bool value);
+
+  /// Sets or clears a bit of cells of a row. Blocks are made if `makesBlocks`; other cells without a block stay.
+  /// Calls `touch` with the number of each block in which a bit changed.
+  template <typename Visitor>
+  void SetRow(BitsOf bits, std::int32_t row, std::int32_t first, std::int32_t last, bool value,
+    bool makesBlocks, const Visitor& touch)
+  {
+    for (std::int32_t u = GetBlockOf(first); u <= GetBlockOf(last); ++u)
+    {
+      const std::int32_t v = GetBlockOf(row);
+      const int number = makesBlocks ? this->Make(u, v) : this->Find(u, v);
+      if (number < 0)
+      {
+        continue;
+      }
+      std::uint64_t& word = (this->Blocks[number].*bits)[GetPlaceOf(row)];
+      const std::uint64_t mask = GetMask(u, first, last);
+      const std::uint64_t changed = value ? word | mask : word & ~mask;
+      if (changed != word)
+      {
+        word = changed;
+        touch(number);
+      }
+    }
+  }
+
+protected:
+  int FindOrMake(std::int32_t u, std::int32_t v);
+
+  /// The bits of cells from `first` to `last` in a block.
+  static std::uint64_t GetMask(std::int32_t block, std::int32_t first, std::int32_t last)
+  {
+    const int from = GetBlockOf(first) == block ? GetPlaceOf(first) : 0;
+    const int to = GetBlockOf(last) == block ? GetPlaceOf(last) : Size - 1;
+    return (~std::uint64_t{ 0 } << from) & (~std::uint64_t{ 0 } >> (Size - 1 - to));
+  }
+
+  /// Blocks stay where they are in memory when others are made.
+  std::deque<Block> Blocks;
+  lms3dBlockIndex Numbers;
+  /// The block of the last call of Make(), -1 if there is none.
+  int LastMade = -1;
+};
+
+using lms3dRegion = lms3dBlockGrid<lms3dRegionBlock>;
+
+#endif

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dPassages.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+// The diagonal of a block from its centre, cells.
+constexpr double HalfDiagonal = 45.26;
+// The share of the bound from which on a beam counts as passed; less than 1 because of rounding.
+constexpr double PassedShare = 0.999;
+constexpr double SmallestCosine = 1e-9;
+// More than the rounding of a quick look at a beam, as a share of ranges and heights, and metres.
+constexpr double QuickShare = 4e-6;
+} // namespace
+
+/// Drops most of the beams that end before a plane, in single precision.
+class lms3dPassages::QuickLook
+{
+public:
+  /// How many beams are looked at together.
+  static constexpr int Count = 64;
+
+  QuickLook(const lms3dSeenRanges& ranges, const lms3dPlaneFrame& frame, double maximumError)
+    : Table(ranges.GetTable())
+    , Ranges(ranges.GetRangesOfPlaces())
+    , Bound(static_cast<float>(PassedShare * maximumError))
+  {
+    const double height = frame.GetHeight(ranges.GetPosition());
+    const lms3dVector normal = ranges.ToSensor(lms3dAdd(ranges.GetPosition(), frame.GetNormal()));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Behind[axis] = static_cast<float>(height >= 0.0 ? -normal[axis] : normal[axis]);
+    }
+    this->Height = static_cast<float>(std::abs(height) * (1.0 - QuickShare) - QuickShare);
+  }
+
+  /// Whether each beam from a place on may pass. Beams must start at the sensor's position.
+  std::array<bool, Count> Look(int place, int count) const
+  {
+    const float* const x = this->Table.GetNarrowDirections(0) + place;
+    const float* const y = this->Table.GetNarrowDirections(1) + place;
+    const float* const z = this->Table.GetNarrowDirections(2) + place;
+    const float* const ranges = this->Ranges + place;
+    constexpr auto Share = static_cast<float>(QuickShare);
+    std::array<bool, Count> mayPass = {};
+    for (int i = 0; i < count; ++i)
+    {
+      const float cosine = this->Behind[0] * x[i] + this->Behind[1] * y[i] + this->Behind[2] * z[i];
+      mayPass[i] = (ranges[i] - this->Bound) * cosine + Share * ranges[i] >= this->Height;
+    }
+    return mayPass;
+  }
+
+private:
+  const lms3dBeamTable& Table;
+  const float* const Ranges;
+  const float Bound;
+  /// The normal in the sensor frame, towards the side behind the plane.
+  std::array<float, 3> Behind = {};
+  /// The sensor's distance from the plane, less what rounding may change, metres.
+  float Height = 0.0F;
+};
+
+lms3dPassage lms3dPassages::Look(int beamId) const
+{
+  const double range = this->Ranges->GetRange(beamId);
+  if (range == 0.0)
+  {
+    return {};
+  }
+  const lms3dVector direction = this->Ranges->GetDirection(beamId);
+  const lms3dVector start = this->Ranges->GetStart(beamId);
+  const double cosine = lms3dDot(this->Plane->Frame.GetNormal(), direction);
+  if (std::abs(cosine) < SmallestCosine)
+  {
+    return {};
+  }
+  const double crossing = -this->Plane->Frame.GetHeight(start) / cosine;
+  if (!(crossing > 0.0) || range - crossing <= PassedShare * this->MaximumError)
+  {
+    return {};
+  }
+  return { true, this->Plane->Frame.ToCells(lms3dAdd(start, lms3dScale(direction, crossing))) };
+}
+
+void lms3dPassages::FindBins(int firstBlock)
+{
+  this->HasBin.resize(static_cast<std::size_t>(this->Ranges->GetTable().GetNumberOfBins()));
+  const double radius = HalfDiagonal * this->Plane->Frame.GetCell();
+  for (int block = firstBlock; block < this->Plane->Raster.GetNumberOfBlocks(); ++block)
+  {
+    const lms3dRasterBlock& cells = this->Plane->Raster.GetBlock(block);
+    const lms3dVector centre = this->Plane->Frame.ToWorld(
+      { (cells.U + 0.5) * lms3dRaster::Size, (cells.V + 0.5) * lms3dRaster::Size });
+    if (!this->Ranges->GetBox().IsNear(centre, radius))
+    {
+      continue;
+    }
+    this->Ranges->FindBins(centre, radius, this->BinsOfBlock);
+    for (const int bin : this->BinsOfBlock)
+    {
+      if (this->HasBin[bin] == 0)
+      {
+        this->HasBin[bin] = 1;
+        this->Bins.push_back(bin);
+      }
+    }
+  }
+}
+
+void lms3dPassages::FindInBins()
+{
+  const lms3dBeamTable& table = this->Ranges->GetTable();
+  this->Numbers.resize(
+    std::max(this->Numbers.size(), static_cast<std::size_t>(table.GetSize())), -1);
+  std::sort(this->Bins.begin(), this->Bins.end());
+  const QuickLook look(*this->Ranges, this->Plane->Frame, this->MaximumError);
+  for (std::size_t i = 0; i < this->Bins.size();)
+  {
+    const std::size_t first = i;
+    do
+    {
+      ++i;
+    } while (i < this->Bins.size() && this->Bins[i] == this->Bins[i - 1] + 1);
+    this->FindAt(
+      look, table.GetFirstPlace(this->Bins[first]), table.GetEndOfPlaces(this->Bins[i - 1]));
+  }
+}
+
+// A quick look at many beams comes first.
+void lms3dPassages::FindAt(const QuickLook& look, int firstPlace, int endOfPlaces)
+{
+  const lms3dBeamTable& table = this->Ranges->GetTable();
+  for (int place = firstPlace; place < endOfPlaces; place += QuickLook::Count)
+  {
+    const int count = std::min(QuickLook::Count, endOfPlaces - place);
+    const std::array<bool, QuickLook::Count> mayPass = look.Look(place, count);
+    for (int i = 0; i < count; ++i)
+    {
+      const int beam = table.GetBeam(place + i);
+      const lms3dPassage passage =
+        mayPass[i] || table.HasStarts() ? this->Look(beam) : lms3dPassage();
+      if (passage.IsPassed)
+      {
+        this->Numbers[beam] = static_cast<int>(this->Beams.size());
+        this->Beams.push_back(beam);
+        this->Places.push_back(passage.Place);
+      }
+    }
+  }
+}
+
+void lms3dPassages::Find(
+  const lms3dSeenRanges& ranges, const lms3dFusedPlane& plane, int firstBlock)
+{
+  this->Forget();
+  this->Ranges = &ranges;
+  this->Plane = &plane;
+  this->FindBins(firstBlock);
+  this->FindInBins();
+}
+
+lms3dPassage lms3dPassages::Get(int beamId) const
+{
+  const int number = this->Numbers[beamId];
+  if (number >= 0)
+  {
+    return { true, this->Places[number] };
+  }
+  return this->HasBin[this->Ranges->GetTable().GetBin(beamId)] != 0 ? lms3dPassage()
+                                                                    : this->Look(beamId);
+}
+
+void lms3dPassages::Forget()
+{
+  for (const int bin : this->Bins)
+  {
+    this->HasBin[bin] = 0;
+  }
+  for (const int beam : this->Beams)
+  {
+    this->Numbers[beam] = -1;
+  }
+  this->Bins.clear();
+  this->Beams.clear();
+  this->Places.clear();
+}

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks that the regions of a fused map leave no gaps between them, and that they close a room that was seen wholly.
+ */
+#include "Fixtures/ScanDamage.h"
+#include "Fixtures/SceneBuilder.h"
+#include "Fusion/SeamFixtures.h"
+
+#include "vtkLMS3DSurfaceReconstructionFilter.h"
+
+#include <vtkNew.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace
+{
+/// Two tiles of a plane are 3.4 m wide with a bound of 1 cm, so walls have several.
+vtkSmartPointer<vtkPolyData> MakeHall()
+{
+  SceneBuilder scene;
+  scene.AddBox({ -5.0, -3.0, 0.0 }, { 5.0, 3.0, 2.5 });
+  return scene.GetSurface();
+}
+
+/// A place in the hall.
+const Vector Inside = { 0.5, 0.5, 1.2 };
+
+const std::vector<Point> Poses = { { -2.0, -1.2, 1.0 }, { 2.0, -1.0, 1.4 }, { 0.0, 0.3, 1.2 } };
+
+void Record(const std::string& name, const Seams& seams, double sheets)
+{
+  testing::Test::RecordProperty(name + "Samples", seams.Samples);
+  testing::Test::RecordProperty(name + "Open", seams.Open);
+  testing::Test::RecordProperty(name + "Loose", seams.Loose);
+  testing::Test::RecordProperty(name + "Sheets", std::to_string(sheets));
+}
+} // namespace
+
+// The beams of one pose leave gaps along creases that they meet at grazing angles.
+TEST(LMS3DFusedSeams, CloseAHall)
+{
+  constexpr double Bound = 0.01;
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  for (std::size_t i = 0; i < Poses.size(); ++i)
+  {
+    AddAll({ MakeMappedScan(MakeHall(), Poses[i], false) }, fusion);
+    fusion->Update();
+    const Seams seams = FindSeams(fusion->GetOutput(), MakeHall(), Bound);
+    const double sheets = CountSheetsAround(fusion->GetOutput(), Inside);
+    Record("Poses" + std::to_string(i + 1), seams, sheets);
+    EXPECT_GT(seams.Samples, 0);
+    EXPECT_EQ(seams.Open > 0, i == 0) << seams.Open;
+    EXPECT_NEAR(sheets, 1.0, i == 0 ? 1e-3 : 1e-4);
+  }
+}
+
+// Two poses see the whole hall, so its map is closed, and has the Euler number of a sphere. One pose
+// does not see it wholly, and its map has holes.
+TEST(LMS3DFusedSeams, HaveTheEulerNumberOfASphere)
+{
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  AddAll({ MakeMappedScan(MakeHall(), Poses[0], false) }, fusion);
+  fusion->Update();
+  EXPECT_GT(JoinedMap(fusion->GetOutput()).CountOpenEdges(), 0);
+  AddAll({ MakeMappedScan(MakeHall(), Poses[1], false) }, fusion);
+  fusion->Update();
+  const JoinedMap joined(fusion->GetOutput());
+  EXPECT_EQ(joined.CountOpenEdges(), 0);
+  EXPECT_EQ(joined.GetEulerNumber(), 2);
+}
+
+// Strays get facets in free space. They pass no wall, and lost beams are no gaps as soon as two poses see a wall.
+TEST(LMS3DFusedSeams, HoldWithDropoutsAndStrays)
+{
+  constexpr double Bound = 0.03;
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  fusion->SetMaximumError(Bound);
+  for (std::size_t i = 0; i < Poses.size(); ++i)
+  {
+    ScanDamage damage;
+    damage.Seed = static_cast<int>(i);
+    damage.Dropouts = 0.02;
+    damage.Strays = 0.002;
+    damage.Noise = 0.002;
+    vtkNew<vtkLMS3DSurfaceReconstructionFilter> mapper;
+    mapper->SetInputData(Damage(MakeMappedScan(MakeHall(), Poses[i], false).Scan, damage));
+    mapper->SetMaximumError(Bound);
+    mapper->Update();
+    AddAll({ { mapper->GetPolyDataInput(0), mapper->GetOutput() } }, fusion);
+    fusion->Update();
+    const Seams seams = FindSeams(fusion->GetOutput(), MakeHall(), Bound);
+    const double sheets = CountSheetsAround(fusion->GetOutput(), Inside);
+    Record("Poses" + std::to_string(i + 1), seams, sheets);
+    EXPECT_GT(seams.Samples, 0);
+    EXPECT_EQ(seams.Open > 0, i == 0) << seams.Open;
+    EXPECT_NEAR(sheets, 1.0, i == 0 ? 1e-2 : 1e-3);
+  }
+}
