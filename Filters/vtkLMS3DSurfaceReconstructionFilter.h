@@ -37,7 +37,15 @@
  *   two returns show that plane, the surface must be whole all around. So a closed room stays closed in the coarsest
  *   scan, with noise as well; or
  * - their ranges differ by at most DepthStep plus 2 % of the nearer range, and no step of 1.8 times DepthStep fits
- *   between the planes. In scans coarser than 1.15 degrees, the angle between neighbours, in radians, replaces the 2 %.
+ *   between the planes. In scans coarser than 1.15 degrees, the angle between neighbours, in radians, replaces the
+ *   2 %; or
+ * - the surface between them would be seen at a gentle angle of incidence, as between the waves of the ground. If
+ *   neighbours are at most 1.15 degrees apart, these are angles up to 72 degrees where one plane meets the other
+ *   return, up to 63 degrees where both planes are steeper, and along a fan up to 68 degrees where the nearer side is
+ *   curved and does not end in front of the farther one. If neighbours are at most two degrees apart, these are
+ *   angles up to 27 degrees where both planes are steeper or both sides are curved; or
+ * - beams of a fan at most two degrees apart graze one plane, as that of a table's top: the same two beams of at least
+ *   five turns, and a third return in the fan, show it.
  *
  * The filter estimates the noise from the scan itself. If noise leaves two neighbours open, the mean over the pairs
  * beside them decides. Noise beyond half of DepthStep counts as steps.

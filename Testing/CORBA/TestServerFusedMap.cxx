@@ -157,6 +157,7 @@ TEST(ServerFusedMap, ManyClientsWhileTheMapGrows)
   std::atomic<int> updates(0);
   std::vector<lms3dRemoteFusedMap> maps(6);
   std::vector<std::thread> clients;
+  clients.reserve(maps.size());
   for (lms3dRemoteFusedMap& map : maps)
   {
     clients.emplace_back(

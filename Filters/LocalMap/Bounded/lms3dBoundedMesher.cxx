@@ -33,8 +33,9 @@ constexpr double Rounding = 1.0 + 1e-12;
 // The standard deviation of the noise, as a share of the bound, above which the plain grid is made.
 constexpr double MaximumNoise = 0.75;
 // The number of patches above which the plain grid is made: a share of the returns, and a number that
-// scans of few returns may have.
-constexpr double MaximumPatchShare = 0.05;
+// scans of few returns may have. Up to that share, the map of hills has at most nine tenths of the plain
+// grid's triangles.
+constexpr double MaximumPatchShare = 0.2;
 constexpr double SmallScan = 256.0;
 // The share of the time that finding patches takes.
 constexpr double PatchesDone = 0.4;

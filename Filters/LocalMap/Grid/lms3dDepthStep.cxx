@@ -3,14 +3,13 @@
 #include "LocalMap/Grid/lms3dDepthStep.h"
 
 #include "Geometry/lms3dAngle.h"
+#include "LocalMap/Grid/lms3dSlopeLimits.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace
 {
-// The share of the range that counts as no step.
-constexpr double MinimumRelative = 0.02;
 constexpr double MaximumStep = 180.0;
 // Real surfaces bend by this distance from a plane, metres: at most, as a share of the depth step, and at least.
 constexpr double MaximumFlatness = 0.02;
@@ -22,14 +21,6 @@ constexpr double LargestGap = 1.8;
 constexpr double SmallGap = 2.0;
 // A bend below this share of the angle between two planes leaves the plane's slope as it is.
 constexpr double SlightBend = 0.25;
-// The steepest slopes, as tangents of incidence, that two returns alone can show in a fine scan. In
-// scans of several scenes, steeper ones were nearly all depth steps.
-constexpr double SteepestToPlane = 18.0;
-constexpr double SteepestFromPlane = 12.0;
-constexpr double SteepestSmallCorner = 12.0;
-constexpr double SteepestCorner = 8.0;
-constexpr double SteepestSmallEdge = 8.0;
-constexpr double SteepestEdge = 5.0;
 
 double Square(double x)
 {
@@ -60,18 +51,6 @@ void lms3dDepthStep::FlagNear(
     const bool isNear = (a[i] > 0.0) & (b[i] > 0.0) & (std::abs(a[i] - b[i]) <= largest);
     flags[i] = static_cast<std::uint8_t>(flags[i] | (isNear ? flag : 0));
   }
-}
-
-void lms3dDepthStep::Plane::Add(const Plane& other, double weight)
-{
-  this->Inverse += weight * other.Inverse;
-  this->Variance += weight * weight * other.Variance;
-  this->Next += weight * other.Next;
-  this->VarianceOfNext += weight * weight * other.VarianceOfNext;
-  this->Bend += weight * other.Bend;
-  this->VarianceOfBend += weight * weight * other.VarianceOfBend;
-  this->VarianceOfTilt += weight * weight * other.VarianceOfTilt;
-  this->HasBend = this->HasBend && other.HasBend;
 }
 
 lms3dDepthStep::Plane lms3dDepthStep::GetPlane(const Side& side) const
@@ -148,11 +127,31 @@ lms3dDepthStep::Gap lms3dDepthStep::Measure(const Plane& plane, const Plane& oth
 
 lms3dDepthStep::Relation lms3dDepthStep::Classify(const Side& a, const Side& b) const
 {
-  if (!this->AreReturns(a.Ranges[0], b.Ranges[0]))
+  return this->AreReturns(a.Ranges[0], b.Ranges[0])
+    ? this->ClassifyAlone(this->Compare(this->GetPlane(a), this->GetPlane(b)))
+    : Separate;
+}
+
+// Along a fan, a gentle slope behind a curve is the same surface. (Along turns, the side of a hill can
+// end there in front of another hill.)
+lms3dDepthStep::Relation lms3dDepthStep::ClassifyInFan(const double* at) const
+{
+  if (!this->AreReturns(at[0], at[1]))
   {
     return Separate;
   }
-  const Pair pair = this->Compare(this->GetPlane(a), this->GetPlane(b));
+  const Pair pair =
+    this->Compare(this->GetPlane(GetSideBefore(at)), this->GetPlane(GetSideBehind(at)));
+  const Relation relation = this->ClassifyAlone(pair);
+  const bool areOverlapping = relation == Separate && pair.AtFar.At == Gap::Behind;
+  return (areOverlapping || relation == Uncertain) && this->IsCurved(pair.Near) &&
+      this->IsGentle(pair, lms3dSlopeLimits::GentleInFan)
+    ? Likely
+    : relation;
+}
+
+lms3dDepthStep::Relation lms3dDepthStep::ClassifyAlone(const Pair& pair) const
+{
   const Relation relation = this->Classify(pair);
   if (relation != Uncertain)
   {
@@ -162,12 +161,12 @@ lms3dDepthStep::Relation lms3dDepthStep::Classify(const Side& a, const Side& b) 
   {
     return Noisy;
   }
+  const bool isMet = pair.AtFar.At == Gap::AtReturn || pair.AtNear.At == Gap::AtReturn;
+  if (isMet && this->IsGentle(pair, lms3dSlopeLimits::GentleToPlane))
+  {
+    return Likely;
+  }
   return this->IsTooSteep(pair) ? Separate : Uncertain;
-}
-
-lms3dDepthStep::Relation lms3dDepthStep::ClassifyMeans(const Plane& a, const Plane& b) const
-{
-  return this->Classify(this->Compare(a, b));
 }
 
 lms3dDepthStep::Pair lms3dDepthStep::Compare(const Plane& a, const Plane& b) const
@@ -188,10 +187,9 @@ lms3dDepthStep::Relation lms3dDepthStep::Classify(const Pair& pair) const
     (atFar.At == Gap::Behind && atNear.At == Gap::Before);
   if (areApart)
   {
-    return std::max(atFar.Size, atNear.Size) > LargestGap * this->Absolute ||
-        std::min(atFar.Size, atNear.Size) > pair.Tolerance
-      ? Separate
-      : Joined;
+    const bool isStep = std::max(atFar.Size, atNear.Size) > LargestGap * this->Absolute ||
+      std::min(atFar.Size, atNear.Size) > pair.Tolerance;
+    return isStep && !this->IsGentleBetween(pair) ? Separate : Joined;
   }
   return pair.Difference <= pair.Tolerance ? Joined : this->ClassifyCrease(pair);
 }
@@ -202,49 +200,60 @@ lms3dDepthStep::Relation lms3dDepthStep::ClassifyCrease(const Pair& pair) const
   const Gap& atNear = pair.AtNear;
   const bool isNearStraight = this->IsStraight(pair.Near);
   const bool isFarStraight = this->IsStraight(pair.Far);
-  bool isLikely = false;
+  const Relation crease = this->Relative == MinimumRelative ? Crease : Likely;
   if (atFar.At == Gap::AtReturn && atNear.At == Gap::AtReturn)
   {
     return atFar.IsVague && atNear.IsVague ? Uncertain : Joined;
   }
   if (atFar.At == Gap::AtReturn)
   {
-    isLikely = isNearStraight && !atFar.IsVague;
+    return isNearStraight && !atFar.IsVague ? Likely : Uncertain;
   }
-  else if (atNear.At == Gap::AtReturn)
+  if (atNear.At == Gap::AtReturn)
   {
-    isLikely = isFarStraight && !atNear.IsVague;
+    return isFarStraight && !atNear.IsVague ? Likely : Uncertain;
   }
-  else if (atFar.At == Gap::Behind)
+  if (atFar.At == Gap::Behind)
   {
-    isLikely = isNearStraight ||
+    const bool isCrease = isNearStraight ||
       (pair.Near.HasBend && std::abs(pair.Near.Bend) <= SlightBend * atFar.InInverse);
+    return isCrease ? crease : Uncertain;
   }
-  else
+  if (isFarStraight)
   {
-    isLikely = isFarStraight || (isNearStraight && atFar.Size <= pair.Tolerance);
+    return Likely;
   }
-  return isLikely ? Likely : Uncertain;
+  return isNearStraight && atFar.Size <= pair.Tolerance ? crease : Uncertain;
+}
+
+// Whether the slope between planes that do not intersect is gentle enough for one surface.
+bool lms3dDepthStep::IsGentleBetween(const Pair& pair) const
+{
+  const bool areOverlapping = pair.AtFar.At == Gap::Behind;
+  const bool areCurved = this->IsCurved(pair.Near) && this->IsCurved(pair.Far) &&
+    std::min(pair.AtFar.Size, pair.AtNear.Size) <= pair.Tolerance;
+  return (areOverlapping && this->IsGentle(pair, lms3dSlopeLimits::GentleOverlap)) ||
+    ((areOverlapping || areCurved) && this->Angle <= lms3dSlopeLimits::WidestGentle &&
+      this->GetSlope(pair) <= lms3dSlopeLimits::GentleCurve);
 }
 
 // Whether a slope in a fine scan is steeper than slopes that two returns alone can show.
 bool lms3dDepthStep::IsTooSteep(const Pair& pair) const
 {
-  const double range = 1.0 / pair.Near.Inverse;
-  const double slope = pair.Difference / (range * this->Angle);
+  namespace Limits = lms3dSlopeLimits;
   const bool isSmall = std::min(pair.AtFar.Size, pair.AtNear.Size) <= SmallGap * this->Absolute;
-  double steepest = isSmall ? SteepestSmallEdge : SteepestEdge;
+  double steepest = isSmall ? Limits::SteepestSmallEdge : Limits::SteepestEdge;
   if (pair.AtFar.At == Gap::AtReturn)
   {
-    steepest = SteepestToPlane;
+    steepest = Limits::SteepestToPlane;
   }
   else if (pair.AtNear.At == Gap::AtReturn)
   {
-    steepest = SteepestFromPlane;
+    steepest = Limits::SteepestFromPlane;
   }
   else if (pair.AtFar.At == Gap::Behind)
   {
-    steepest = isSmall ? SteepestSmallCorner : SteepestCorner;
+    steepest = isSmall ? Limits::SteepestSmallCorner : Limits::SteepestCorner;
   }
-  return this->Relative == MinimumRelative && slope > steepest;
+  return this->Relative == MinimumRelative && this->GetSlope(pair) > steepest;
 }

@@ -22,13 +22,16 @@
  *
  * - If one plane meets the other beam before its return, and the other plane behind, the planes do not
  *   intersect between the beams. The returns are Separate. (If both gaps are small, below 1.8 depth
- *   steps, and one is within the tolerance, no larger step fits in between: they are Joined.)
+ *   steps, and one is within the tolerance, no larger step fits in between: they are Joined. If the slope
+ *   from one return to the other is gentle (lms3dSlopeLimits), they are Joined as well where both planes
+ *   are steeper, or where both sides are curved and one gap is within the tolerance.)
  * - If both planes meet the other beam at its return, they are Joined.
  * - Otherwise the planes intersect between the beams, as floor and wall do at the crease of a room. The
  *   side of an object can intersect the wall far behind it in the same way. Therefore a third return
  *   must confirm a plane: at a concave crease the near one, at a convex crease the far one. Then the
- *   returns are Likely on one surface, otherwise Uncertain. In a fine scan, a slope that is steep and
- *   that only two returns show is Separate.
+ *   returns are Likely on one surface or a Crease, otherwise Uncertain. In a fine scan, a slope that is
+ *   steep and that only two returns show is Separate. One that is gentle is Likely if a plane meets a
+ *   return, or, along a fan, if the near side is curved.
  *
  * Within the tolerance, returns are Joined unless they are Separate. The tolerance is the depth step
  * plus a share of the nearer range: 2 % or, if neighbours are farther apart, the angle between them in
@@ -56,6 +59,8 @@ public:
     Joined,
     /// The planes explain one surface.
     Likely,
+    /// The same, unless the pair is beside a depth step.
+    Crease,
     /// The returns and those before them do not decide.
     Uncertain,
     /// The same, because of noise.
@@ -91,7 +96,17 @@ public:
     bool HasBend = true;
 
     /// Adds a plane times a weight.
-    void Add(const Plane& other, double weight);
+    void Add(const Plane& other, double weight)
+    {
+      this->Inverse += weight * other.Inverse;
+      this->Variance += weight * weight * other.Variance;
+      this->Next += weight * other.Next;
+      this->VarianceOfNext += weight * weight * other.VarianceOfNext;
+      this->Bend += weight * other.Bend;
+      this->VarianceOfBend += weight * weight * other.VarianceOfBend;
+      this->VarianceOfTilt += weight * weight * other.VarianceOfTilt;
+      this->HasBend = this->HasBend && other.HasBend;
+    }
   };
 
   /// Whether two neighbours returned at ranges within the depth step.
@@ -113,9 +128,7 @@ public:
   /// The relation of two neighbours in a fan, at[0] and at[1]. The ranges at[-2] to at[3] are read.
   Relation Classify(const double* at) const
   {
-    return this->AreNear(at[0], at[1]) || this->AreCoplanar(at)
-      ? Joined
-      : this->Classify(GetSideBefore(at), GetSideBehind(at));
+    return this->AreNear(at[0], at[1]) || this->AreCoplanar(at) ? Joined : this->ClassifyInFan(at);
   }
 
   ///@{
@@ -127,18 +140,20 @@ public:
   ///@{
   /// The relation of two returns, or of the means over several pairs of two surfaces.
   Relation Classify(const Side& a, const Side& b) const;
-  Relation ClassifyMeans(const Plane& a, const Plane& b) const;
+  Relation ClassifyMeans(const Plane& a, const Plane& b) const
+  {
+    return this->Classify(this->Compare(a, b));
+  }
   ///@}
 
   /// The plane of a side whose last beam returned.
   Plane GetPlane(const Side& side) const;
 
-  /// Whether two neighbours in a fan are Joined or Likely.
-  bool IsOneSurface(const double* at) const
-  {
-    const Relation relation = this->Classify(at);
-    return relation == Joined || relation == Likely;
-  }
+  /// Whether a pair is Joined, Likely or a Crease.
+  static bool IsOneSurface(Relation relation) { return relation <= Crease && relation != Separate; }
+
+  /// Whether two neighbours in a fan lie on one surface.
+  bool IsOneSurface(const double* at) const { return IsOneSurface(this->Classify(at)); }
 
   /// The variance of an inverse range due to noise.
   double GetVariance(double inverse) const
@@ -149,6 +164,8 @@ public:
 private:
   /// Square metres.
   static constexpr double NegligibleVariance = 1e-12;
+  /// The share of the range that counts as no step.
+  static constexpr double MinimumRelative = 0.02;
 
   /// Where a plane meets a beam, compared with the return there.
   struct Gap
@@ -202,11 +219,25 @@ private:
     return this->Absolute + this->Relative * (a < b ? a : b);
   }
   bool IsStraight(const Plane& plane) const;
+  /// Whether three returns show that a surface is no plane.
+  bool IsCurved(const Plane& plane) const { return plane.HasBend && !this->IsStraight(plane); }
   Plane Fit(const Plane& plane) const;
   Gap Measure(const Plane& plane, const Plane& other) const;
   Pair Compare(const Plane& a, const Plane& b) const;
+  Relation ClassifyInFan(const double* at) const;
+  Relation ClassifyAlone(const Pair& pair) const;
   Relation Classify(const Pair& pair) const;
   Relation ClassifyCrease(const Pair& pair) const;
+  /// The tangent of incidence of the line through both returns.
+  double GetSlope(const Pair& pair) const
+  {
+    return pair.Difference * pair.Near.Inverse / this->Angle;
+  }
+  bool IsGentleBetween(const Pair& pair) const;
+  bool IsGentle(const Pair& pair, double gentle) const
+  {
+    return this->Relative == MinimumRelative && this->GetSlope(pair) <= gentle;
+  }
   bool IsTooSteep(const Pair& pair) const;
 
   double Absolute;

@@ -3,7 +3,9 @@
 #include "LocalMap/Grid/lms3dJoinResolver.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace
 {
@@ -113,12 +115,62 @@ void lms3dJoinResolver::JoinWhole(std::vector<lms3dUncertainJoin> uncertain)
   } while (uncertain.size() < count);
 }
 
+// A step goes on beside a pair that it separates. The pairs are judged before any is separated, so their
+// order does not count.
+void lms3dJoinResolver::SeparateBesideSteps(
+  const std::vector<lms3dUncertainJoin>& joins, double depthStep)
+{
+  std::vector<lms3dUncertainJoin> besideSteps;
+  std::copy_if(joins.begin(), joins.end(), std::back_inserter(besideSteps),
+    [&](const lms3dUncertainJoin& join) { return this->IsBesideStep(join, 2.0 * depthStep); });
+  for (const lms3dUncertainJoin& join : besideSteps)
+  {
+    this->Separate(join);
+  }
+}
+
+bool lms3dJoinResolver::IsBesideStep(const lms3dUncertainJoin& join, double minimum) const
+{
+  const double difference = this->GetDifference(join);
+  const bool isFan = join.Towards == lms3dJoinedAlongFan;
+  const auto isStep = [&](int direction)
+  {
+    const lms3dUncertainJoin beside = { join.Turn + (isFan ? direction : 0),
+      join.Beam + (isFan ? 0 : direction), join.Towards, false };
+    if (!this->IsInside(beside.Turn, beside.Beam))
+    {
+      return false;
+    }
+    const double step = this->GetDifference(beside);
+    return std::abs(step) > minimum && step * difference > 0.0 &&
+      !this->IsJoined(beside.Turn, beside.Beam, beside.Towards);
+  };
+  return isStep(-1) || isStep(1);
+}
+
+// From the range of the beam to that of its neighbour; 0 if one has not returned.
+double lms3dJoinResolver::GetDifference(const lms3dUncertainJoin& join) const
+{
+  const int turns = this->Grid.GetNumberOfTurns();
+  const int turn = (join.Turn + turns) % turns;
+  const bool isFan = join.Towards == lms3dJoinedAlongFan;
+  const double range = this->Grid.GetRanges(turn)[join.Beam];
+  const double next =
+    isFan ? this->Grid.GetRanges(turn)[join.Beam + 1] : this->Grid.GetRanges(turn + 1)[join.Beam];
+  return range > 0.0 && next > 0.0 ? next - range : 0.0;
+}
+
+void lms3dJoinResolver::Separate(const lms3dUncertainJoin& join)
+{
+  this->Joins.GetRow(join.Turn)[join.Beam] &= static_cast<std::uint8_t>(~join.Towards);
+}
+
 bool lms3dJoinResolver::DropBesideGap(const lms3dUncertainJoin& join)
 {
   const bool isWhole = this->IsWholeAround(join);
   if (!isWhole)
   {
-    this->Joins.GetRow(join.Turn)[join.Beam] &= static_cast<std::uint8_t>(~join.Towards);
+    this->Separate(join);
   }
   return !isWhole;
 }
@@ -146,13 +198,17 @@ bool lms3dJoinResolver::IsWholeAround(const lms3dUncertainJoin& join) const
   return isWhole(beam - 1, beam - 1) && isWhole(beam, beam + 1);
 }
 
+bool lms3dJoinResolver::IsInside(int turn, int beam) const
+{
+  return (this->Grid.IsClosed() || (turn >= 0 && turn < this->Grid.GetNumberOfTurns())) &&
+    beam >= 0 && beam < this->Grid.GetNumberOfBeams();
+}
+
 // The entries of a pole count as joined.
 bool lms3dJoinResolver::IsJoined(int turn, int beam, lms3dJoinFlag towards) const
 {
   const int turns = this->Grid.GetNumberOfTurns();
-  const bool isInside = (this->Grid.IsClosed() || (turn >= 0 && turn < turns)) && beam >= 0 &&
-    beam < this->Grid.GetNumberOfBeams();
-  return isInside &&
+  return this->IsInside(turn, beam) &&
     ((towards == lms3dJoinedAlongTurn && this->Grid.GetGeometry().IsPole(beam)) ||
       (this->Joins.GetRow((turn + turns) % turns)[beam] & towards) != 0);
 }

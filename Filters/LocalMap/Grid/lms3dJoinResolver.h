@@ -71,9 +71,17 @@ public:
   /// Joins pairs if the surface is whole around them.
   void JoinWhole(std::vector<lms3dUncertainJoin> uncertain);
 
+  /// Separates pairs beside a step: a pair that is not joined, whose ranges differ by more than two
+  /// depth steps in the same sense.
+  void SeparateBesideSteps(const std::vector<lms3dUncertainJoin>& joins, double depthStep);
+
 private:
+  bool IsBesideStep(const lms3dUncertainJoin& join, double minimum) const;
+  void Separate(const lms3dUncertainJoin& join);
+  double GetDifference(const lms3dUncertainJoin& join) const;
   bool DropBesideGap(const lms3dUncertainJoin& join);
   bool IsWholeAround(const lms3dUncertainJoin& join) const;
+  bool IsInside(int turn, int beam) const;
   bool IsJoined(int turn, int beam, lms3dJoinFlag towards) const;
   bool IsJoinedAcross(int turn, int beam, bool isFan, int direction) const;
   std::array<lms3dDepthStep::Side, 2> GetSides(

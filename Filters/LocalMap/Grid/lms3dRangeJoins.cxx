@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Grid/lms3dRangeJoins.h"
 
+#include "LocalMap/Grid/lms3dGrazedStrips.h"
 #include "LocalMap/Grid/lms3dScanNoise.h"
 #include "LocalMap/Grid/lms3dSteadyFans.h"
 #include "LocalMap/Grid/lms3dTurnClassifier.h"
+#include "LocalMap/Grid/lms3dTurnJoins.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -24,27 +27,6 @@ double GetNoise(const lms3dRangeGrid& grid, int interlaced, double depthStep)
   return noise > depthStep ? 0.0 : std::min(noise, MaximumNoise * depthStep);
 }
 
-/// Collects the joins of one turn.
-struct TurnJoins
-{
-  int Turn;
-  std::uint8_t* Flags;
-  std::vector<lms3dUncertainJoin>& UncertainJoins;
-
-  void Add(int beam, lms3dRangeJoins::Flag towards, lms3dDepthStep::Relation relation)
-  {
-    if (relation == lms3dDepthStep::Joined || relation == lms3dDepthStep::Likely)
-    {
-      this->Flags[beam] |= towards;
-    }
-    else if (relation != lms3dDepthStep::Separate)
-    {
-      this->UncertainJoins.push_back(
-        { this->Turn, beam, towards, relation == lms3dDepthStep::Noisy });
-    }
-  }
-};
-
 // With an odd number of turns, no fan continues beyond a pole in a turn that is opposite.
 bool IsBesideOddPole(const lms3dRangeGrid& grid, int beam)
 {
@@ -52,8 +34,8 @@ bool IsBesideOddPole(const lms3dRangeGrid& grid, int beam)
   return grid.GetNumberOfTurns() % 2 != 0 && (geometry.IsPole(beam) || geometry.IsPole(beam + 1));
 }
 
-void ClassifyFan(
-  const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step, TurnJoins& found)
+void ClassifyFan(const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step,
+  lms3dTurnJoins& found)
 {
   // Most neighbours are near.
   step.FlagNear(
@@ -76,7 +58,7 @@ void ClassifyFan(
 }
 
 void ClassifyTurn(
-  const lms3dRangeGrid& grid, const lms3dTurnClassifier& classifier, TurnJoins& found)
+  const lms3dRangeGrid& grid, const lms3dTurnClassifier& classifier, lms3dTurnJoins& found)
 {
   classifier.FlagNear(grid.GetNumberOfBeams(), lms3dRangeJoins::AlongTurn, found.Flags);
   for (int beam = 0; beam < grid.GetNumberOfBeams(); ++beam)
@@ -107,12 +89,15 @@ void lms3dRangeJoins::Find(
   const int turns = grid.GetNumberOfTurns();
   this->Flags.SetShape(turns, grid.GetNumberOfBeams());
   this->UncertainJoins.resize(turns);
+  this->Creases.resize(turns);
   tbb::parallel_for(0, turns,
     [&](int turn)
     {
-      TurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn] };
+      lms3dTurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn],
+        this->Creases[turn] };
       std::fill_n(found.Flags, grid.GetNumberOfBeams(), 0);
       found.UncertainJoins.clear();
+      found.Creases.clear();
       if (areFansSteady && grid.HasReturns(turn))
       {
         ClassifyFan(grid, grid.GetRanges(turn), fanStep, found);
@@ -126,7 +111,8 @@ void lms3dRangeJoins::Find(
   tbb::parallel_for(0, turns,
     [&](int turn)
     {
-      TurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn] };
+      lms3dTurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn],
+        this->Creases[turn] };
       if (grid.HasReturns(turn))
       {
         ClassifyTurn(grid, lms3dTurnClassifier(grid, turn, turnStep, tilts), found);
@@ -139,8 +125,9 @@ void lms3dRangeJoins::Find(
   else
   {
     this->ResolveMeans(grid, { fanStep, turnStep, tilts });
+    this->JoinGrazed(grid, lms3dGrazedStrips(grid, this->Flags, depthStep, noise));
   }
-  this->ResolveRest(grid);
+  this->ResolveRest(grid, depthStep);
   if (mapGeometry && mapGeometry->GetDistanceFromAxis() > 0.0)
   {
     this->SeparateBeyondAxis(grid, *mapGeometry);
@@ -182,7 +169,8 @@ void lms3dRangeJoins::FindAlongSteadyFans(
     if (grid.HasReturns(turn))
     {
       fans.Fill(turn, ranges.data() + 2);
-      TurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn] };
+      lms3dTurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn],
+        this->Creases[turn] };
       ClassifyFan(grid, ranges.data() + 2, step, found);
       // Where a fan cannot be interpolated, its comb remains.
       for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
@@ -245,8 +233,8 @@ void lms3dRangeJoins::ResolveMeans(
   {
     const std::vector<lms3dUncertainJoin> uncertain = std::move(this->UncertainJoins[turn]);
     this->UncertainJoins[turn].clear();
-    TurnJoins found = { static_cast<int>(turn), this->Flags.GetRow(static_cast<int>(turn)),
-      this->UncertainJoins[turn] };
+    lms3dTurnJoins found = { static_cast<int>(turn), this->Flags.GetRow(static_cast<int>(turn)),
+      this->UncertainJoins[turn], this->Creases[turn] };
     for (std::size_t i = 0; i < uncertain.size(); ++i)
     {
       found.Add(uncertain[i].Beam, uncertain[i].Towards, relations[turn][i]);
@@ -254,12 +242,48 @@ void lms3dRangeJoins::ResolveMeans(
   }
 }
 
-void lms3dRangeJoins::ResolveRest(const lms3dRangeGrid& grid)
+// The flags are written after all strips are judged, as other threads read them.
+void lms3dRangeJoins::JoinGrazed(const lms3dRangeGrid& grid, const lms3dGrazedStrips& strips)
+{
+  std::vector<std::vector<int>> grazed(grid.GetNumberOfTurns());
+  tbb::parallel_for(0, grid.GetNumberOfTurns(),
+    [&](int turn)
+    {
+      const std::uint8_t* const flags = this->Flags.GetRow(turn);
+      const double* const ranges = grid.GetRanges(turn);
+      for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
+      {
+        if ((flags[beam] & AlongFan) == 0 && ranges[beam] > 0.0 && ranges[beam + 1] > 0.0 &&
+          strips.AreOneSurface(turn, beam))
+        {
+          grazed[turn].push_back(beam);
+        }
+      }
+    });
+  for (int turn = 0; turn < grid.GetNumberOfTurns(); ++turn)
+  {
+    for (int beam : grazed[turn])
+    {
+      this->Flags.GetRow(turn)[beam] |= AlongFan;
+    }
+  }
+}
+
+void lms3dRangeJoins::ResolveRest(const lms3dRangeGrid& grid, double depthStep)
 {
   std::vector<lms3dUncertainJoin> uncertain;
   for (const std::vector<lms3dUncertainJoin>& ofTurn : this->UncertainJoins)
   {
-    uncertain.insert(uncertain.end(), ofTurn.begin(), ofTurn.end());
+    std::copy_if(ofTurn.begin(), ofTurn.end(), std::back_inserter(uncertain),
+      [this](const lms3dUncertainJoin& join)
+      { return (this->Flags.GetRow(join.Turn)[join.Beam] & join.Towards) == 0; });
   }
-  lms3dJoinResolver(grid, this->Flags).JoinWhole(std::move(uncertain));
+  lms3dJoinResolver resolver(grid, this->Flags);
+  resolver.JoinWhole(std::move(uncertain));
+  std::vector<lms3dUncertainJoin> creases;
+  for (const std::vector<lms3dUncertainJoin>& ofTurn : this->Creases)
+  {
+    creases.insert(creases.end(), ofTurn.begin(), ofTurn.end());
+  }
+  resolver.SeparateBesideSteps(creases, depthStep);
 }

@@ -14,10 +14,13 @@
 #include <cstdint>
 #include <vector>
 
+class lms3dGrazedStrips;
+
 /**
  * Holds two flags for each beam of each turn, set if the beam lies on one surface with the next beam or
  * with the next turn (lms3dDepthStep). If that is uncertain, lms3dJoinResolver looks at the surface
- * around. The noise is estimated from the scan itself (lms3dScanNoise.h).
+ * around. lms3dGrazedStrips joins surfaces that beams graze. The noise is estimated from the scan itself
+ * (lms3dScanNoise.h).
  *
  * The entries of a pole are one vertex and not joined from turn to turn. Ranges count from where the beams
  * start. If the platform turns during a fan, neighbours in the fan are compared at one platform angle
@@ -46,13 +49,16 @@ private:
   void SeparateBeyondAxis(const lms3dRangeGrid& grid, const lms3dMapGeometry& geometry);
   void Separate(const lms3dRangeGrid& grid, int turn, int beam);
   void ResolveMeans(const lms3dRangeGrid& grid, const lms3dJoinResolver::Classifiers& classifiers);
-  void ResolveRest(const lms3dRangeGrid& grid);
+  void JoinGrazed(const lms3dRangeGrid& grid, const lms3dGrazedStrips& strips);
+  void ResolveRest(const lms3dRangeGrid& grid, double depthStep);
 
   lms3dPaddedGrid<std::uint8_t> Flags{ 0 };
   /// The joins along fans only, while others are found.
   lms3dPaddedGrid<std::uint8_t> Fans{ 0 };
   /// By turn.
   std::vector<std::vector<lms3dUncertainJoin>> UncertainJoins;
+  /// Pairs that are joined, by turn.
+  std::vector<std::vector<lms3dUncertainJoin>> Creases;
 };
 
 #endif

@@ -61,14 +61,22 @@ lms3dDepthStep::Relation Classify(
   return lms3dDepthStep(Tolerance, step, noise).Classify(six + 2);
 }
 
-/// The first beam of each pair of neighbours that is neither joined nor likely to be.
+/// The relation of the two middle ones of six ranges along a turn at elevation 0.
+lms3dDepthStep::Relation ClassifyTurn(const std::vector<double>& six, double step)
+{
+  return lms3dDepthStep(Tolerance, step)
+    .Classify(
+      lms3dDepthStep::GetSideBefore(six.data() + 2), lms3dDepthStep::GetSideBehind(six.data() + 2));
+}
+
+/// The first beam of each pair of neighbours that is not on one surface.
 std::vector<int> FindSteps(const std::vector<double>& ranges, double step)
 {
   std::vector<int> steps;
   for (int i = 0; i + 1 < static_cast<int>(ranges.size()); ++i)
   {
     const lms3dDepthStep::Relation relation = Classify(ranges, step, i);
-    if (relation != lms3dDepthStep::Joined && relation != lms3dDepthStep::Likely)
+    if (!lms3dDepthStep::IsOneSurface(relation))
     {
       steps.push_back(i);
     }
@@ -124,6 +132,32 @@ TEST(DepthStep, JoinsGapsUpToTwiceTheStepOnlyBesideALowStep)
   EXPECT_EQ(Classify(low, 0.5, 2), lms3dDepthStep::Joined);
   const std::vector<double> high = { 2.0, 2.0, 2.0, 2.25, 2.16, 2.08 };
   EXPECT_EQ(Classify(high, 0.5, 2), lms3dDepthStep::Separate);
+}
+
+// Hills: from the last return of the nearer side, the ground goes on less steeply than before and behind.
+TEST(DepthStep, JoinsGentleSlopesBehindACurve)
+{
+  const std::vector<double> curved = { 9.0, 9.4, 10.0, 10.4, 11.1, 12.0 };
+  EXPECT_EQ(Classify(curved, 1.0, 2), lms3dDepthStep::Likely);
+  const std::vector<double> straight = { 8.96, 9.45, 10.0, 10.4, 11.1, 12.0 };
+  EXPECT_EQ(Classify(straight, 1.0, 2), lms3dDepthStep::Separate);
+  const std::vector<double> steep = { 9.0, 9.4, 10.0, 10.5, 11.4, 12.5 };
+  EXPECT_EQ(Classify(steep, 1.0, 2), lms3dDepthStep::Separate);
+  // Along turns, hills end in front of other hills with such slopes.
+  EXPECT_EQ(ClassifyTurn(curved, 1.0), lms3dDepthStep::Separate);
+}
+
+// A round tower beside a wall, seen from 25 m: the ranges differ by less than two percent.
+TEST(DepthStep, JoinsCurvesWithinTheTolerance)
+{
+  const std::vector<double> curved = { 24.76, 24.57, 24.65, 25.07, 24.52, 23.83 };
+  EXPECT_EQ(ClassifyTurn(curved, 2.0), lms3dDepthStep::Joined);
+  // The plane of a wall that ends 40 cm in front of the tower.
+  const std::vector<double> straight = { 24.65, 24.635, 24.65, 25.07, 24.52, 23.83 };
+  EXPECT_EQ(ClassifyTurn(straight, 2.0), lms3dDepthStep::Separate);
+  // Both planes end by more than the tolerance before they would meet.
+  const std::vector<double> apart = { 26.6, 25.4, 24.65, 25.07, 24.0, 22.5 };
+  EXPECT_EQ(ClassifyTurn(apart, 2.0), lms3dDepthStep::Separate);
 }
 
 TEST(DepthStep, AllowsForNoise)

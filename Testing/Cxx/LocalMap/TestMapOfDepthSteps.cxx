@@ -9,8 +9,12 @@
 #include "LocalMap/MapFixtures.h"
 #include "LocalMap/TrueSteps.h"
 
+#include <vtkMath.h>
+#include <vtkTriangle.h>
+
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -56,6 +60,24 @@ int CountOpenRooms(double sigma, double bound)
   return open;
 }
 
+/// The area of the triangles whose corners are at a height, metres.
+double GetAreaAt(double height, vtkPolyData* map)
+{
+  double area = 0.0;
+  for (vtkIdType i = 0; i < map->GetNumberOfCells(); ++i)
+  {
+    double corners[3][3];
+    bool isAt = true;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      map->GetPoint(map->GetCell(i)->GetPointId(corner), corners[corner]);
+      isAt = isAt && std::abs(corners[corner][2] - height) < 0.001;
+    }
+    area += isAt ? vtkTriangle::TriangleArea(corners[0], corners[1], corners[2]) : 0.0;
+  }
+  return area;
+}
+
 #ifndef LMS3D_FEWER_BEAMS
 constexpr double DepthStep = 0.1;
 // The share that the filter adds for neighbours up to 2 degrees apart.
@@ -83,6 +105,24 @@ TEST(MapOfEmptyRooms, IsClosedInSpiteOfNoise)
   {
     EXPECT_EQ(CountOpenRooms(sigma, 4.0 * sigma), 0) << sigma;
   }
+}
+
+// Each fan has three returns on the top of the table, 0.4 and 0.6 m apart.
+TEST(MapOfGrazedSurfaces, ShowsTheTopOfATable)
+{
+  constexpr double Height = -0.1;
+  SceneBuilder room;
+  room.AddBox({ -4.0, -4.0, -1.0 }, { 4.0, 4.0, 1.5 });
+  room.AddBox({ 1.8, -0.8, -1.0 }, { 3.1, 0.8, Height });
+  MapScene scene = { room.GetSurface() };
+  scene.Position = { 0.0, 0.0, 0.0 };
+  scene.AlphaResolution = 361;
+  scene.BetaResolution = 360;
+  // From the first return on the top to the last one.
+  const double depth = -Height *
+    (1.0 / std::tan(vtkMath::RadiansFromDegrees(2.0)) -
+      1.0 / std::tan(vtkMath::RadiansFromDegrees(3.0)));
+  EXPECT_GT(GetAreaAt(Height, MakeMap(MakeScan(scene), 0.01)), 0.9 * 1.6 * depth);
 }
 
 #ifndef LMS3D_FEWER_BEAMS

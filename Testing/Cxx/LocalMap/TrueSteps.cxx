@@ -21,6 +21,8 @@ constexpr int NumberOfParts = 12;
 constexpr int MaximumHalvings = 20;
 // A change of range that is no jump, metres.
 constexpr double SmallChange = 0.01;
+// The largest jump of a map's surface that bridges a step, or closes a slope, as a share of it.
+constexpr double LargestShare = 0.25;
 // Radians by which a ray may pass outside of a triangle.
 constexpr double Margin = 1e-9;
 
@@ -129,6 +131,10 @@ void TrueSteps::AddIfStep(const TriangleTree& scene, const Beam& beam, const Bea
     {
       this->Steps.push_back({ beam, next, jump });
     }
+    else if (jump < SmallChange)
+    {
+      this->Slopes.push_back({ beam, next, std::abs(range - rangeOfNext) });
+    }
   }
 }
 
@@ -152,7 +158,15 @@ int TrueSteps::CountBridged(vtkPolyData* map) const
   const std::unique_ptr<TriangleTree> surface = this->MakeTree(map);
   return static_cast<int>(std::count_if(this->Steps.begin(), this->Steps.end(),
     [&](const Step& step)
-    { return !(this->GetJump(*surface, step.Beam, step.Next) > 0.25 * step.Jump); }));
+    { return !(this->GetJump(*surface, step.Beam, step.Next) > LargestShare * step.Jump); }));
+}
+
+int TrueSteps::CountOpen(vtkPolyData* map) const
+{
+  const std::unique_ptr<TriangleTree> surface = this->MakeTree(map);
+  return static_cast<int>(std::count_if(this->Slopes.begin(), this->Slopes.end(),
+    [&](const Step& slope)
+    { return this->GetJump(*surface, slope.Beam, slope.Next) > LargestShare * slope.Jump; }));
 }
 
 std::unique_ptr<TriangleTree> TrueSteps::MakeTree(vtkPolyData* triangles) const

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The depth steps that a scene has between the beams of a scan, and which of them a map bridges.
+ * @brief The depth steps and slopes that a scene has between the beams of a scan, and which of them a
+ * map bridges or leaves open.
  */
 #ifndef TrueSteps_h
 #define TrueSteps_h
@@ -34,8 +35,15 @@ public:
 
   const std::vector<Step>& GetSteps() const { return this->Steps; }
 
-  /// The number of steps at which the map has a surface from one beam to the other without a quarter of the jump.
+  /// Pairs whose ranges differ as much and between which the range does not jump, with that difference.
+  const std::vector<Step>& GetSlopes() const { return this->Slopes; }
+
+  /// The number of steps at which the map has a surface from one beam to the other without a quarter of
+  /// the jump.
   int CountBridged(vtkPolyData* map) const;
+  /// The number of slopes at which the map has no such surface, or one that jumps by a quarter of the
+  /// difference.
+  int CountOpen(vtkPolyData* map) const;
 
 private:
   void AddIfStep(const TriangleTree& scene, const ScanGrid::Beam& beam, const ScanGrid::Beam& next);
@@ -47,6 +55,7 @@ private:
   const double DepthStep;
   const double Share;
   std::vector<Step> Steps;
+  std::vector<Step> Slopes;
 };
 
 #endif
