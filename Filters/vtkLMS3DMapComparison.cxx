@@ -49,7 +49,8 @@ bool HasCells(vtkInformationVector* input)
   return data && data->GetNumberOfElements(vtkDataObject::CELL) > 0;
 }
 
-// The process with the map compares. Throws in all processes if more than one has a part of the scene.
+// The process with the map compares. Throws in all processes if more than one has a part of the
+// scene.
 bool ComparesHere(const lms3dProcesses& processes, vtkInformationVector** inputVector)
 {
   if (!processes.IsParallel())
@@ -118,7 +119,8 @@ int vtkLMS3DMapComparison::FillInputPortInformation(int port, vtkInformation* in
 int vtkLMS3DMapComparison::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // Any part of the map may be nearest to any part of the scene, so a process needs all that it has.
+  // Any part of the map may be nearest to any part of the scene, so a process needs all that it
+  // has.
   const lms3dProcesses processes(this->Internal->Controller);
   for (int port = 0; port < 3; ++port)
   {

@@ -39,7 +39,8 @@ struct vtkLMS3DMapFusion::Internals
   /// The map, new if there is none or if a property has changed.
   lms3dMapFusion& GetMap(const vtkLMS3DMapFusion* filter);
   void Reset();
-  /// Adds the scans of the connections that the map does not have. Returns false if the work was stopped.
+  /// Adds the scans of the connections that the map does not have. Returns false if the work was
+  /// stopped.
   bool AddInputs(vtkLMS3DMapFusion* filter, vtkInformationVector** inputVector);
   void Add(vtkLMS3DMapFusion* filter, const lms3dFusionInput& input, bool& isStopped);
 

@@ -4,62 +4,71 @@
  * @class   vtkLMS3DMapFusion
  * @brief   joins the local maps of many scans to one map that grows
  *
- * vtkLMS3DMapFusion takes scans and their local maps, which vtkLMS3DSurfaceReconstructionFilter makes with a
- * MaximumError above 0, and joins them to one surface of few triangles, in world coordinates.
+ * vtkLMS3DMapFusion takes scans and their local maps, which vtkLMS3DSurfaceReconstructionFilter
+ * makes with a MaximumError above 0, and joins them to one surface of few triangles, in world
+ * coordinates.
  *
  * Inputs, both optional and repeatable:
  * - 0, the local maps;
  * - 1, the scans from which these maps were made, in the same order.
  *
  * @par How scans are joined
- * The map is a set of planes. Each plane has a raster whose cells, a third of MaximumError wide, know where a local map
- * has surface, where returns lie, and where beams passed through. A planar patch of a local map joins the plane that
- * explains its returns, or becomes a plane. The surface of a plane ends between the returns and the beams that passed,
- * on borders of few corners; where two planes meet, both end on the line in which they intersect. Patches that are
- * curved, or have few returns, are replaced as soon as planes of other scans explain their returns. What no plane
- * explains is shown by the triangles of its local map, or by facets, small triangles around single returns.
+ * The map is a set of planes. Each plane has a raster whose cells, a third of MaximumError wide,
+ * know where a local map has surface, where returns lie, and where beams passed through. A planar
+ * patch of a local map joins the plane that explains its returns, or becomes a plane. The surface
+ * of a plane ends between the returns and the beams that passed, on borders of few corners; where
+ * two planes meet, both end on the line in which they intersect. Patches that are curved, or have
+ * few returns, are replaced as soon as planes of other scans explain their returns. What no plane
+ * explains is shown by the triangles of its local map, or by facets, small triangles around single
+ * returns.
  *
  * @par The bound
- * Each return that its local map explains lies within MaximumError of the map, also after more scans. (A local map
- * explains a return if the return's beam hits it within MaximumError.) For things that were moved, this holds with
- * ForgetSeenThrough for the returns since then.
+ * Each return that its local map explains lies within MaximumError of the map, also after more
+ * scans. (A local map explains a return if the return's beam hits it within MaximumError.) For
+ * things that were moved, this holds with ForgetSeenThrough for the returns since then.
  *
  * @par Free space
- * A beam passes through a plane if its return is farther than the plane by more than MaximumError, along the beam. There
- * the surface of other scans ends, so that beams without noise meet no triangle nearer than their return by more.
- * What lies between beams is a guess. A scan's guess far behind the planes of the returns around it is left out. Beyond
- * a crease, surface needs a return that it is joined to without a way across a crease.
+ * A beam passes through a plane if its return is farther than the plane by more than MaximumError,
+ * along the beam. There the surface of other scans ends, so that beams without noise meet no
+ * triangle nearer than their return by more. What lies between beams is a guess. A scan's guess far
+ * behind the planes of the returns around it is left out. Beyond a crease, surface needs a return
+ * that it is joined to without a way across a crease.
  *
  * @par Noise and errors of poses
- * With noise, the bound counts from the noisy returns. Poses are taken as they are. With errors well below MaximumError,
- * planes stay single. Larger errors double surfaces: each return stays within the bound where its scan reports it, and
- * beams of other scans take out parts of the surface in front.
+ * With noise, the bound counts from the noisy returns. Poses are taken as they are. With errors
+ * well below MaximumError, planes stay single. Larger errors double surfaces: each return stays
+ * within the bound where its scan reports it, and beams of other scans take out parts of the
+ * surface in front.
  *
  * @par Growing
- * If the inputs have time steps, each update at a new time adds the poses of this time, so playing a trajectory makes
- * the map grow. A scan that the map has already is not added twice. A change upstream begins a new map. Without time
- * steps the map is that of all connections. Programs that have data instead of a pipeline call AddScan for each pose;
- * the filter must then have no connections. Regions that explain a new scan keep their triangles. The result depends on
- * the order of the scans.
+ * If the inputs have time steps, each update at a new time adds the poses of this time, so playing
+ * a trajectory makes the map grow. A scan that the map has already is not added twice. A change
+ * upstream begins a new map. Without time steps the map is that of all connections. Programs that
+ * have data instead of a pipeline call AddScan for each pose; the filter must then have no
+ * connections. Regions that explain a new scan keep their triangles. The result depends on the
+ * order of the scans.
  *
- * The output is a vtkPolyData of triangles that face the sensors that saw them, metres, with the cell data
+ * The output is a vtkPolyData of triangles that face the sensors that saw them, metres, with the
+ * cell data
  * - `Normals` (float32): unit vectors towards the sensors;
- * - `BestScan` (int32): the scan, counted from 0 in the order in which scans were added, that saw the region of the
- *   triangle best;
+ * - `BestScan` (int32): the scan, counted from 0 in the order in which scans were added, that saw
+ *   the region of the triangle best;
  * - `ScanCount` (int32): the number of scans that saw it;
  * - `LastScan` (int32): the last of them;
  * - `RegionId` (int32): the region; a region is what changes at once;
- * - `Revision` (int32): the Revision in which the triangles of the region were last changed. BestScan, ScanCount and
- *   LastScan can change without it.
+ * - `Revision` (int32): the Revision in which the triangles of the region were last changed.
+ *   BestScan, ScanCount and LastScan can change without it.
  *
- * Its field data are `NumberOfScans` and `Revision` (int32), and `SensorPositions` (float64, three components,
- * metres), one for each scan.
+ * Its field data are `NumberOfScans` and `Revision` (int32), and `SensorPositions` (float64, three
+ * components, metres), one for each scan.
  *
- * Invalid input gives an error message that says what is expected, the error code vtkErrorCode::UserError, and an
- * empty output. Invalid are: maps without scans or scans without maps; a map without `PatchId`, or with a
- * `LargestDeviation` above MaximumError; a scan that vtkLMS3DSurfaceReconstructionFilter refuses; a pose that is not a
- * rotation and a translation. The filter reports an error once, until a property or an input changes. An abort leaves
- * the output empty, and the next update begins a new map. The output is the same to the bit for any NumberOfThreads.
+ * Invalid input gives an error message that says what is expected, the error code
+ * vtkErrorCode::UserError, and an empty output. Invalid are: maps without scans or scans without
+ * maps; a map without `PatchId`, or with a `LargestDeviation` above MaximumError; a scan that
+ * vtkLMS3DSurfaceReconstructionFilter refuses; a pose that is not a rotation and a translation. The
+ * filter reports an error once, until a property or an input changes. An abort leaves the output
+ * empty, and the next update begins a new map. The output is the same to the bit for any
+ * NumberOfThreads.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkLMS3DScanFilter
@@ -98,9 +107,9 @@ public:
   ///@}
 
   /**
-   * Adds the scan of one pose and its local map. Returns false, with an error, if they are invalid or if the filter
-   * has connections; the map is then as before. The data may be changed or deleted afterwards. The next
-   * update shows the map.
+   * Adds the scan of one pose and its local map. Returns false, with an error, if they are invalid
+   * or if the filter has connections; the map is then as before. The data may be changed or deleted
+   * afterwards. The next update shows the map.
    */
   bool AddScan(vtkPolyData* map, vtkPolyData* scan);
 
@@ -111,9 +120,9 @@ public:
 
   ///@{
   /**
-   * The error bound of the map, metres, above 0. Other values are an error. The local maps must have been made with
-   * this MaximumError or a smaller one. A change begins a new map; scans of AddScan have then to be
-   * added again. The default is 0.01.
+   * The error bound of the map, metres, above 0. Other values are an error. The local maps must
+   * have been made with this MaximumError or a smaller one. A change begins a new map; scans of
+   * AddScan have then to be added again. The default is 0.01.
    */
   vtkSetMacro(MaximumError, double);
   vtkGetMacro(MaximumError, double);
@@ -121,10 +130,10 @@ public:
 
   ///@{
   /**
-   * Whether the filter keeps the ranges of all scans, four bytes for each beam, so that what a later scan guesses
-   * between its returns is checked against the beams of earlier ones. Otherwise, about ten times as many beams of
-   * earlier scans are blocked, and the memory is that of the map and its
-   * rasters alone, about 5 kB for each block of 64 x 64 cells. On by default.
+   * Whether the filter keeps the ranges of all scans, four bytes for each beam, so that what a
+   * later scan guesses between its returns is checked against the beams of earlier ones. Otherwise,
+   * about ten times as many beams of earlier scans are blocked, and the memory is that of the map
+   * and its rasters alone, about 5 kB for each block of 64 x 64 cells. On by default.
    */
   vtkSetMacro(KeepReturns, bool);
   vtkGetMacro(KeepReturns, bool);
@@ -133,8 +142,8 @@ public:
 
   ///@{
   /**
-   * Whether surface with returns is taken out if beams of a later scan pass through it: things that were moved. Off,
-   * the default, is for static scenes.
+   * Whether surface with returns is taken out if beams of a later scan pass through it: things that
+   * were moved. Off, the default, is for static scenes.
    */
   vtkSetMacro(ForgetSeenThrough, bool);
   vtkGetMacro(ForgetSeenThrough, bool);
@@ -143,7 +152,8 @@ public:
 
   ///@{
   /**
-   * The number of threads, 0 to 1024. 0, the default, uses all cores. The output does not depend on it.
+   * The number of threads, 0 to 1024. 0, the default, uses all cores. The output does not depend on
+   * it.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
@@ -160,10 +170,11 @@ public:
   int GetRevision() const;
 
   /**
-   * Fills `delta` with the triangles of all regions that changed after a Revision, as the output has them, and with
-   * the field data `ChangedRegions` (int32), their RegionIds. A client that has the map of this Revision
-   * removes the triangles of these regions and adds the triangles of `delta`. Regions that have no triangles any more are
-   * in `ChangedRegions` alone. After a Reset, all regions of the map before it are among the changed ones.
+   * Fills `delta` with the triangles of all regions that changed after a Revision, as the output
+   * has them, and with the field data `ChangedRegions` (int32), their RegionIds. A client that has
+   * the map of this Revision removes the triangles of these regions and adds the triangles of
+   * `delta`. Regions that have no triangles any more are in `ChangedRegions` alone. After a Reset,
+   * all regions of the map before it are among the changed ones.
    */
   void GetChanges(int sinceRevision, vtkPolyData* delta);
 

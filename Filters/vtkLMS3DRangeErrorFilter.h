@@ -4,51 +4,53 @@
  * @class   vtkLMS3DRangeErrorFilter
  * @brief   changes the ranges of an ideal scan to the ranges that a real device reports
  *
- * vtkLMS3DScanFilter measures without errors. vtkLMS3DRangeErrorFilter takes such a scan and returns
- * the same scan with the errors of a device, so that both can be compared side by side. A range
- * passes three steps, in this order:
+ * vtkLMS3DScanFilter measures without errors. vtkLMS3DRangeErrorFilter takes such a scan and
+ * returns the same scan with the errors of a device, so that both can be compared side by side. A
+ * range passes three steps, in this order:
  *
  * 1. RangeBias is added: the systematic error of one device.
  * 2. A normally distributed error with the standard deviation RangeNoise is added.
  * 3. The result is rounded to the nearest multiple of RangeResolution.
  *
- * All errors act along the beam; starts and directions have no errors. By default all errors are off.
+ * All errors act along the beam; starts and directions have no errors. By default all errors are
+ * off.
  *
  * @par Input
  * A scan: the first output of vtkLMS3DScanFilter, with the point data `Range` and `BeamId`, and the
- * field data `AlphaAngles`, `BetaAngles` and `SensorToWorld`. Returns may have been removed. Each beam
- * may have at most one return.
+ * field data `AlphaAngles`, `BetaAngles` and `SensorToWorld`. Returns may have been removed. Each
+ * beam may have at most one return.
  *
  * @par Output 0, the scan
  * The input with reported ranges in `Range` (metres), and with points at these ranges on the beams:
- * where the beam starts, which is the sensor's position unless the scan has an AxisOffset, plus range times
- * direction, rounded as vtkLMS3DScanFilter rounds it. Beams belong to a resting sensor with the scan's
- * Mounting, AxisOffset and TurnRate. Points and ranges in single precision stay in single precision. All
- * other arrays are the input's. If all errors are off, the output is the input to the bit, and shares its
- * arrays.
+ * where the beam starts, which is the sensor's position unless the scan has an AxisOffset, plus
+ * range times direction, rounded as vtkLMS3DScanFilter rounds it. Beams belong to a resting sensor
+ * with the scan's Mounting, AxisOffset and TurnRate. Points and ranges in single precision stay in
+ * single precision. All other arrays are the input's. If all errors are off, the output is the
+ * input to the bit, and shares its arrays.
  *
  * @par Output 1, the range image
- * The range image of output 0, as in vtkLMS3DScanFilter: `Range` (float64, metres) for all beams, NaN
- * without a return. If the input has the field data `Status` (vtkLMS3DScanFilter::ComputeStatus), the
- * image has it as point data. vtkLMS3DScanFilter publishes the extent of the image before it scans. An
- * input without a published extent, such as a scan from a file, is updated already when a consumer
- * requests information.
+ * The range image of output 0, as in vtkLMS3DScanFilter: `Range` (float64, metres) for all beams,
+ * NaN without a return. If the input has the field data `Status`
+ * (vtkLMS3DScanFilter::ComputeStatus), the image has it as point data. vtkLMS3DScanFilter publishes
+ * the extent of the image before it scans. An input without a published extent, such as a scan from
+ * a file, is updated already when a consumer requests information.
  *
  * @par Beams without a return
  * A beam without a return stays without one. A device counts steps of distance, and 0 stands for no
- * measurement. So a beam gives no return if its reported range would be 0 or less (or would overflow):
- * it is removed from output 0 and NaN in output 1, and its `Status`, if there is one, is TOO_NEAR in
- * both outputs. The filter does not check the limits of ranges again. If returns are removed, output 0
- * has one new vertex for each remaining return, and no cell data.
+ * measurement. So a beam gives no return if its reported range would be 0 or less (or would
+ * overflow): it is removed from output 0 and NaN in output 1, and its `Status`, if there is one, is
+ * TOO_NEAR in both outputs. The filter does not check the limits of ranges again. If returns are
+ * removed, output 0 has one new vertex for each remaining return, and no cell data.
  *
  * @par Random numbers
- * An error depends only on NoiseSeed, the time of the scan, and the turn and number of the beam, so it
- * is the same to the bit for every NumberOfThreads, every number of processes, every order of the
- * returns, and whichever other beams have returns. (The generator is Threefry2x64 of the library
- * Random123, with the transform of Box and Muller, in double precision.) The time of the scan is
- * DATA_TIME_STEP of the input. Each time step of a trajectory so has errors of its own, and they are the
- * same each time that the step is shown. A scan without a time has the errors of time 0. To repeat
- * the scan of a sensor at rest, change NoiseSeed. RangeBias and RangeResolution draw no numbers.
+ * An error depends only on NoiseSeed, the time of the scan, and the turn and number of the beam, so
+ * it is the same to the bit for every NumberOfThreads, every number of processes, every order of
+ * the returns, and whichever other beams have returns. (The generator is Threefry2x64 of the
+ * library Random123, with the transform of Box and Muller, in double precision.) The time of the
+ * scan is DATA_TIME_STEP of the input. Each time step of a trajectory so has errors of its own, and
+ * they are the same each time that the step is shown. A scan without a time has the errors of time
+ * 0. To repeat the scan of a sensor at rest, change NoiseSeed. RangeBias and RangeResolution draw
+ * no numbers.
  *
  * @par Several processes
  * Returns stay on their process; a scan of vtkLMS3DScanFilter is on the first. Each process has its
@@ -56,11 +58,12 @@
  *
  * @par Errors
  * Bad input and bad properties give an error that says what to do, the error code
- * vtkErrorCode::UserError, and empty outputs: a property that is not finite; a negative RangeNoise or
- * RangeResolution; a missing array; a pose or angle that is not finite; a range that is not a finite
- * number above 0; a BeamId outside of the grid or of two returns of one process. The filter reports an error once,
- * until a property or the input changes. The outputs of a stopped update are empty, and the next
- * update runs again. A scan without returns gives a scan without returns and no error.
+ * vtkErrorCode::UserError, and empty outputs: a property that is not finite; a negative RangeNoise
+ * or RangeResolution; a missing array; a pose or angle that is not finite; a range that is not a
+ * finite number above 0; a BeamId outside of the grid or of two returns of one process. The filter
+ * reports an error once, until a property or the input changes. The outputs of a stopped update are
+ * empty, and the next update runs again. A scan without returns gives a scan without returns and no
+ * error.
  *
  * @sa
  * vtkLMS3DScanFilter vtkLMS3DSurfaceReconstructionFilter
@@ -102,11 +105,11 @@ public:
 
   ///@{
   /**
-   * SetDevice sets RangeBias, RangeNoise and RangeResolution to the values of one of Devices. Each can be
-   * changed afterwards. Another number is an error (vtkErrorMacro) and changes nothing. RangeBias is 0 for
-   * all devices, because it is the error of one unit. (vtkLMS3DScanFilter has the beams of the same
-   * devices.) GetDevice returns the first device that has the present values of these properties, -1 if
-   * there is none. The default is IDEAL.
+   * SetDevice sets RangeBias, RangeNoise and RangeResolution to the values of one of Devices. Each
+   * can be changed afterwards. Another number is an error (vtkErrorMacro) and changes nothing.
+   * RangeBias is 0 for all devices, because it is the error of one unit. (vtkLMS3DScanFilter has
+   * the beams of the same devices.) GetDevice returns the first device that has the present values
+   * of these properties, -1 if there is none. The default is IDEAL.
    */
   virtual void SetDevice(int device);
   int GetDevice() const;
@@ -118,10 +121,10 @@ public:
 
   ///@{
   /**
-   * For user interfaces that list all devices: their number; the name of a device ("Ideal", "LMS200-mm",
-   * "LMS200-cm", "LMS291"), null if there is none; and the value that a device gives to a property of
-   * vtkLMS3DScanFilter or vtkLMS3DRangeErrorFilter, NaN if there is no such device or if devices do not
-   * set this property.
+   * For user interfaces that list all devices: their number; the name of a device ("Ideal",
+   * "LMS200-mm", "LMS200-cm", "LMS291"), null if there is none; and the value that a device gives
+   * to a property of vtkLMS3DScanFilter or vtkLMS3DRangeErrorFilter, NaN if there is no such device
+   * or if devices do not set this property.
    */
   static int GetNumberOfDevices();
   static const char* GetDeviceName(int device);
@@ -130,8 +133,8 @@ public:
 
   ///@{
   /**
-   * The systematic error, metres: added to every range. Any finite number. The default is 0. (The data
-   * sheet of the LMS 200 allows -0.015 to 0.015 at 1 to 8 m.)
+   * The systematic error, metres: added to every range. Any finite number. The default is 0. (The
+   * data sheet of the LMS 200 allows -0.015 to 0.015 at 1 to 8 m.)
    */
   vtkSetMacro(RangeBias, double);
   vtkGetMacro(RangeBias, double);
@@ -140,8 +143,8 @@ public:
   ///@{
   /**
    * The statistical error, metres: one standard deviation (not a variance, and not two standard
-   * deviations) of the normally distributed error of each range. Finite, at least 0. The default is 0.
-   * (The data sheet of the LMS 200 says 0.005 up to 8 m.)
+   * deviations) of the normally distributed error of each range. Finite, at least 0. The default is
+   * 0. (The data sheet of the LMS 200 says 0.005 up to 8 m.)
    */
   vtkSetMacro(RangeNoise, double);
   vtkGetMacro(RangeNoise, double);
@@ -150,9 +153,9 @@ public:
   ///@{
   /**
    * The step of the reported ranges, metres: ranges are rounded to its nearest multiple. Half-way
-   * between two multiples, the even one is taken. Finite, at least 0; 0, the default, rounds nothing.
-   * (The LMS 200 reports multiples of 0.001 or 0.01.) If 1 / RangeResolution is a whole number, as for
-   * 0.001, a reported range is the double nearest to the decimal number.
+   * between two multiples, the even one is taken. Finite, at least 0; 0, the default, rounds
+   * nothing. (The LMS 200 reports multiples of 0.001 or 0.01.) If 1 / RangeResolution is a whole
+   * number, as for 0.001, a reported range is the double nearest to the decimal number.
    */
   vtkSetMacro(RangeResolution, double);
   vtkGetMacro(RangeResolution, double);
@@ -160,8 +163,8 @@ public:
 
   ///@{
   /**
-   * Selects the random numbers of RangeNoise. Any int. Two seeds give independent errors. The default
-   * is 0.
+   * Selects the random numbers of RangeNoise. Any int. Two seeds give independent errors. The
+   * default is 0.
    */
   vtkSetMacro(NoiseSeed, int);
   vtkGetMacro(NoiseSeed, int);
@@ -179,8 +182,8 @@ public:
   ///@{
   /**
    * The processes that work together. Null, or a controller of one process, stands for this process
-   * alone. The default is the global controller at the time of construction. All processes must update
-   * the filter, with the same properties.
+   * alone. The default is the global controller at the time of construction. All processes must
+   * update the filter, with the same properties.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
@@ -192,13 +195,14 @@ public:
   vtkImageData* GetRangeImage();
 
   /**
-   * Replaces the ranges of one turn of a scan by the ones that the device reports, without the pipeline: for
-   * a device in real time. The results equal the ranges of the filter's output for a scan with the
-   * DATA_TIME_STEP `time` (seconds). `turn` counts from 0. `ranges` are metres, above 0, or NaN without a
-   * return; a return that the errors remove becomes NaN. The error code does not change.
+   * Replaces the ranges of one turn of a scan by the ones that the device reports, without the
+   * pipeline: for a device in real time. The results equal the ranges of the filter's output for a
+   * scan with the DATA_TIME_STEP `time` (seconds). `turn` counts from 0. `ranges` are metres, above
+   * 0, or NaN without a return; a return that the errors remove becomes NaN. The error code does
+   * not change.
    *
-   * Returns false after an error (vtkErrorMacro): without `ranges`, for a `turn` below 0, or for bad
-   * properties. `ranges` then stay.
+   * Returns false after an error (vtkErrorMacro): without `ranges`, for a `turn` below 0, or for
+   * bad properties. `ranges` then stay.
    */
   bool AddErrors(double time, int turn, vtkDoubleArray* ranges);
 

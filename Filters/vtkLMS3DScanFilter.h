@@ -13,10 +13,10 @@
  *
  *     d(alpha, beta) = (cos(alpha) cos(beta), -cos(alpha) sin(beta), sin(alpha))
  *
- * (section 2.1 of the paper). Beta turns clockwise, seen from above. (See Mounting for other supports.)
- * By default the sensor is ideal: a beam has no width, every surface returns it, and the sensor rests
- * during a scan. Each effect of a real device is a property. (vtkLMS3DRangeErrorFilter adds the errors of
- * ranges.) Units are metres, degrees and seconds.
+ * (section 2.1 of the paper). Beta turns clockwise, seen from above. (See Mounting for other
+ * supports.) By default the sensor is ideal: a beam has no width, every surface returns it, and the
+ * sensor rests during a scan. Each effect of a real device is a property. (vtkLMS3DRangeErrorFilter
+ * adds the errors of ranges.) Units are metres, degrees and seconds.
  *
  * @par Input 0, the scene
  * A vtkPolyData, any other data set, or a composite of data sets. The filter scans polygons and
@@ -28,17 +28,17 @@
  * A vtkPolyData in world coordinates with one vertex for each return, ordered by turn, then by
  * beam. Its point data:
  * - `Range` (float64): the distance from the sensor, metres;
- * - `Alpha`, `Beta` (float32): the angles of the beam, degrees (with TurnRate, Beta is the angle that the
- *   platform has reached when the beam leaves);
+ * - `Alpha`, `Beta` (float32): the angles of the beam, degrees (with TurnRate, Beta is the angle
+ *   that the platform has reached when the beam leaves);
  * - `BeamId` (int32): turn * AlphaResolution + beam;
  * - `CellId` (vtkIdType): the cell of the input that the beam hit. If all cells have global ids
  *   (vtkDataSetAttributes::GetGlobalIds), it is the global id, otherwise the number of the cell.
  *   The cells of a composite are numbered consecutively over all leaves.
  * @par
  * Its field data: `AlphaAngles` and `BetaAngles` (float64, degrees) are the axes of the grid of
- * beams; `SensorToWorld` (16 float64) is the pose as a row-major matrix. `Mounting`, `AxisOffset` and
- * `TurnRate` (float64) are there if they differ from their defaults. `TurnToWorld` (16 float64 for each
- * turn) is there with MotionDuringScan and a trajectory. ComputeStatus adds `Status`.
+ * beams; `SensorToWorld` (16 float64) is the pose as a row-major matrix. `Mounting`, `AxisOffset`
+ * and `TurnRate` (float64) are there if they differ from their defaults. `TurnToWorld` (16 float64
+ * for each turn) is there with MotionDuringScan and a trajectory. ComputeStatus adds `Status`.
  *
  * @par Surface attributes
  * If SurfaceAttributes is on, the scan has more point data, in this order:
@@ -59,14 +59,14 @@
  * index of a return in it.
  *
  * @par What the device detects
- * RangeAtTenPercent removes returns of surfaces that are too dark, too oblique or too far. It comes after
- * MinimumRange and MaximumRange. A surface that the device does not detect hides what lies behind it.
- * ComputeStatus says why a beam gave no return.
+ * RangeAtTenPercent removes returns of surfaces that are too dark, too oblique or too far. It comes
+ * after MinimumRange and MaximumRange. A surface that the device does not detect hides what lies
+ * behind it. ComputeStatus says why a beam gave no return.
  *
  * @par Output 1, the range image
  * A vtkImageData of AlphaResolution x BetaResolution points with the array `Range` (float64,
- * metres), which is NaN if the beam gave no return, and, if ComputeStatus is on, `Status`. The axes of
- * the image are the angles in degrees.
+ * metres), which is NaN if the beam gave no return, and, if ComputeStatus is on, `Status`. The axes
+ * of the image are the angles in degrees.
  *
  * @par Input 1, the trajectory
  * Optional: a vtkPolyData whose points are the poses of a moving sensor, one for each time step.
@@ -97,11 +97,11 @@
  * of the scene, provided that no cell was cut and that all cells have global ids
  * (Documentation/parallel.md).
  * @par
- * Surface attributes, Incidence, Intensity and the reflectance come from the process whose triangle was
- * hit. Each process with triangles needs the ReflectanceArray. The first process has the field data
- * `Status`, and each process has its block of it in the range image. For SurfaceAttributes, a cell array
- * must exist on all processes that have returns, or, if there is no return, on all that have triangles.
- * Arrays of vtkIdType become arrays of vtkTypeInt64.
+ * Surface attributes, Incidence, Intensity and the reflectance come from the process whose triangle
+ * was hit. Each process with triangles needs the ReflectanceArray. The first process has the field
+ * data `Status`, and each process has its block of it in the range image. For SurfaceAttributes, a
+ * cell array must exist on all processes that have returns, or, if there is no return, on all that
+ * have triangles. Arrays of vtkIdType become arrays of vtkTypeInt64.
  * @par
  * The filter warns once if the global ids show that cells are missing.
  *
@@ -116,11 +116,11 @@
  * Bad input and bad properties give an error that says what to do, the error code
  * vtkErrorCode::UserError, and empty outputs. Errors are: an input without polygons; a range that
  * is empty or exceeds its limits; more than 2^31 - 1 beams; a trajectory without points, with
- * several lines, or with bad positions, quaternions or times; a ReflectanceArray that is used and that a
- * cell with a surface does not have, or has with a bad type or value. Cells with a point that is not finite
- * or exceeds 1e18 m are skipped. Polygons that cross themselves are filled with triangles that can
- * overlap or extend beyond them. One warning counts both. The filter reports an error once, however
- * often it is updated, until a property or an input changes.
+ * several lines, or with bad positions, quaternions or times; a ReflectanceArray that is used and
+ * that a cell with a surface does not have, or has with a bad type or value. Cells with a point
+ * that is not finite or exceeds 1e18 m are skipped. Polygons that cross themselves are filled with
+ * triangles that can overlap or extend beyond them. One warning counts both. The filter reports an
+ * error once, however often it is updated, until a property or an input changes.
  *
  * @par Robustness of EXACT
  * (See IntersectionMethods for the other methods.)
@@ -141,21 +141,21 @@
  *
  * @par Memory
  * In addition to the input and the outputs:
- * - kept for EXACT and FAST: 24 bytes for each point, 12 for each triangle (20 if some cells are not
- *   triangles), and Embree's structure;
+ * - kept for EXACT and FAST: 24 bytes for each point, 12 for each triangle (20 if some cells are
+ *   not triangles), and Embree's structure;
  * - kept for EXACT: the planes of 1,024 triangles for each thread, about 76 KB;
  * - while a changed scene is compared with the last one: its points and triangles again;
  * - during a scan: 4 bytes for each beam, and 20 more with several processes;
- * - during a scan whose beams have a width: 12 bytes for each ray, and 20 more with several processes, of at
- *   most 2 million rays (or of four turns, if these have more) at once;
- * - during a scan with EXACT: 64 bytes for each triangle if the sensor is inside the sphere around the
- *   scene and the scene has at most two triangles for 16 beams, and 36 more if tiles of beams are decided at
- *   once (at most 5,000 triangles);
+ * - during a scan whose beams have a width: 12 bytes for each ray, and 20 more with several
+ *   processes, of at most 2 million rays (or of four turns, if these have more) at once;
+ * - during a scan with EXACT: 64 bytes for each triangle if the sensor is inside the sphere around
+ *   the scene and the scene has at most two triangles for 16 beams, and 36 more if tiles of beams
+ *   are decided at once (at most 5,000 triangles);
  * - while SurfaceAttributes are filled: 28 bytes for each return, more with global ids; with
  *   ComputeIncidence or ComputeIntensity alone, 4 bytes;
  * - with RangeAtTenPercent: 1 byte for each beam;
- * - with ComputeStatus, if some beams have no return: as much again as for the scan, and 8 bytes for
- *   each beam;
+ * - with ComputeStatus, if some beams have no return: as much again as for the scan, and 8 bytes
+ *   for each beam;
  * - kept while a ReflectanceArray is used: 8 bytes for each triangle.
  * @par
  * The memory of outputs that were released is kept for the next scan.
@@ -264,13 +264,13 @@ public:
    * threads, and only ranges above 0 count.
    *
    * EXACT: Embree finds candidates. Tests in single and double precision with error bounds decide;
-   * if a bound leaves a sign open, exact arithmetic decides (Shewchuk 1997). The answer is exact for the
-   * vertices and Position as they are in double precision, and for the direction of the beam as it
-   * is rounded (its length is 1 to about 3e-16). Triangles are closed, so no beam passes between
-   * two triangles that share an edge or a vertex. A beam in the plane of a triangle does not hit
-   * it. A range is right to 3 units in its last place, however narrow the triangle is; in ordinary
-   * scenes it is the true range, rounded to double. (Where two surfaces are closer to one another
-   * than 1e-13 of their range, the range can be that of either surface.)
+   * if a bound leaves a sign open, exact arithmetic decides (Shewchuk 1997). The answer is exact
+   * for the vertices and Position as they are in double precision, and for the direction of the
+   * beam as it is rounded (its length is 1 to about 3e-16). Triangles are closed, so no beam passes
+   * between two triangles that share an edge or a vertex. A beam in the plane of a triangle does
+   * not hit it. A range is right to 3 units in its last place, however narrow the triangle is; in
+   * ordinary scenes it is the true range, rounded to double. (Where two surfaces are closer to one
+   * another than 1e-13 of their range, the range can be that of either surface.)
    *
    * FAST: Embree's single precision decides. The range is then computed in double precision in the
    * plane of the triangle that Embree found, to about 13 digits; at a grazing angle as many digits
@@ -365,23 +365,24 @@ public:
   ///@}
 
   /**
-   * How the fan is mounted, and which axis the platform turns (Wulf and Wagner, "Fast 3D scanning methods
-   * for laser measurement systems", 2003). x points forward, y to the left, z up. Beta turns the fan
-   * clockwise, seen from the tip of the axis.
+   * How the fan is mounted, and which axis the platform turns (Wulf and Wagner, "Fast 3D scanning
+   * methods for laser measurement systems", 2003). x points forward, y to the left, z up. Beta
+   * turns the fan clockwise, seen from the tip of the axis.
    *
-   * YAWING: the fan is vertical, the axis is z through both ends of the fan. While beta is 0, alpha is the
-   * elevation above x. A full circle of beta measures each direction once.
+   * YAWING: the fan is vertical, the axis is z through both ends of the fan. While beta is 0, alpha
+   * is the elevation above x. A full circle of beta measures each direction once.
    *
-   * YAWING_TOP: the fan is vertical, the axis is z through its middle: alpha 0 points up, and, while beta
-   * is 0, alpha 90 points along x. Beta from 0 to 180 measures the upper half space once.
+   * YAWING_TOP: the fan is vertical, the axis is z through its middle: alpha 0 points up, and,
+   * while beta is 0, alpha 90 points along x. Beta from 0 to 180 measures the upper half space
+   * once.
    *
-   * PITCHING: the fan is level while beta is 0, the axis is y through both ends: alpha 0 points along x,
-   * and alpha 90 along y. A positive beta lifts the fan. Beta from -90 to 90 measures the half space in
-   * front of the sensor once.
+   * PITCHING: the fan is level while beta is 0, the axis is y through both ends: alpha 0 points
+   * along x, and alpha 90 along y. A positive beta lifts the fan. Beta from -90 to 90 measures the
+   * half space in front of the sensor once.
    *
-   * ROLLING: the fan is level while beta is 0, the axis is x through its middle: alpha 0 points along x,
-   * and alpha 90 along y. A positive beta lowers the left end. Beta from 0 to 180 measures the half space
-   * in front of the sensor once.
+   * ROLLING: the fan is level while beta is 0, the axis is x through its middle: alpha 0 points
+   * along x, and alpha 90 along y. A positive beta lowers the left end. Beta from 0 to 180 measures
+   * the half space in front of the sensor once.
    */
   enum Mountings
   {
@@ -393,8 +394,8 @@ public:
 
   ///@{
   /**
-   * The mounting, one of Mountings. Another value is an error (vtkErrorMacro) and changes nothing. The
-   * default is YAWING, the mounting of the founding paper.
+   * The mounting, one of Mountings. Another value is an error (vtkErrorMacro) and changes nothing.
+   * The default is YAWING, the mounting of the founding paper.
    */
   virtual void SetMounting(int mounting);
   vtkGetMacro(Mounting, int);
@@ -406,15 +407,16 @@ public:
   ///@}
 
   /**
-   * The name of a mounting as in the setters above ("YawingTop"). Returns null if `mounting` is not one.
+   * The name of a mounting as in the setters above ("YawingTop"). Returns null if `mounting` is not
+   * one.
    */
   static const char* GetMountingName(int mounting);
 
   ///@{
   /**
-   * The centre of the mirror, where beams start, relative to the sensor's position: metres along the
-   * sensor's x, y and z axes while beta is 0. It turns with the platform. Finite, each coordinate from
-   * -1e18 to 1e18. The default is (0, 0, 0): the mirror is on the axis.
+   * The centre of the mirror, where beams start, relative to the sensor's position: metres along
+   * the sensor's x, y and z axes while beta is 0. It turns with the platform. Finite, each
+   * coordinate from -1e18 to 1e18. The default is (0, 0, 0): the mirror is on the axis.
    */
   vtkSetVector3Macro(AxisOffset, double);
   vtkGetVector3Macro(AxisOffset, double);
@@ -422,10 +424,10 @@ public:
 
   ///@{
   /**
-   * How fast the platform turns while the mirror sweeps a fan, degrees a second. A beam that leaves at
-   * the time t after the first of its fan has the platform angle of its turn plus TurnRate t. Any finite
-   * number. The default is 0: the platform stands still during each fan. (37.5 turns by 1 degree in a fan
-   * in steps of half a degree.)
+   * How fast the platform turns while the mirror sweeps a fan, degrees a second. A beam that leaves
+   * at the time t after the first of its fan has the platform angle of its turn plus TurnRate t.
+   * Any finite number. The default is 0: the platform stands still during each fan. (37.5 turns by
+   * 1 degree in a fan in steps of half a degree.)
    */
   vtkSetMacro(TurnRate, double);
   vtkGetMacro(TurnRate, double);
@@ -433,14 +435,14 @@ public:
 
   ///@{
   /**
-   * Whether the sensor moves along its trajectory during the scan. On: each beam leaves from the pose at
-   * its own time, which is the time of the scan plus that of the beam (ComputeTime). Positions are
-   * interpolated linearly, orientations by slerp; after the last time of the trajectory the sensor rests. If
-   * it rests during the whole scan, the scan is the same to the bit as without this property.
-   * Points and SensorToWorld stay as for a sensor that rests at the pose at the scan's time, which is
-   * what a device without odometry reports: the scan is skewed. The field data `TurnToWorld` has the pose
-   * at the start of each turn, and ComputePoses adds that of each beam. Without a trajectory it does
-   * nothing. The default is off.
+   * Whether the sensor moves along its trajectory during the scan. On: each beam leaves from the
+   * pose at its own time, which is the time of the scan plus that of the beam (ComputeTime).
+   * Positions are interpolated linearly, orientations by slerp; after the last time of the
+   * trajectory the sensor rests. If it rests during the whole scan, the scan is the same to the bit
+   * as without this property. Points and SensorToWorld stay as for a sensor that rests at the pose
+   * at the scan's time, which is what a device without odometry reports: the scan is skewed. The
+   * field data `TurnToWorld` has the pose at the start of each turn, and ComputePoses adds that of
+   * each beam. Without a trajectory it does nothing. The default is off.
    */
   vtkSetMacro(MotionDuringScan, bool);
   vtkGetMacro(MotionDuringScan, bool);
@@ -466,10 +468,11 @@ public:
   ///@{
   /**
    * SetDevice sets MaximumRange, BeamDiameter, BeamDivergence, BeamSamples, PulseLength and
-   * RangeAtTenPercent to the values of one of Devices. Each can be changed afterwards. Another number is an
-   * error (vtkErrorMacro) and changes nothing. Pose, angles and platform belong to the rig and stay.
-   * (vtkLMS3DRangeErrorFilter has the errors of ranges of the same devices.) GetDevice returns the first
-   * device that has the present values of these properties, -1 if there is none. The default is IDEAL.
+   * RangeAtTenPercent to the values of one of Devices. Each can be changed afterwards. Another
+   * number is an error (vtkErrorMacro) and changes nothing. Pose, angles and platform belong to the
+   * rig and stay. (vtkLMS3DRangeErrorFilter has the errors of ranges of the same devices.)
+   * GetDevice returns the first device that has the present values of these properties, -1 if there
+   * is none. The default is IDEAL.
    */
   virtual void SetDevice(int device);
   int GetDevice() const;
@@ -481,10 +484,10 @@ public:
 
   ///@{
   /**
-   * For user interfaces that list all devices: their number; the name of a device ("Ideal", "LMS200-mm",
-   * "LMS200-cm", "LMS291"), null if there is none; and the value that a device gives to a property of
-   * vtkLMS3DScanFilter or vtkLMS3DRangeErrorFilter, NaN if there is no such device or if devices do not
-   * set this property.
+   * For user interfaces that list all devices: their number; the name of a device ("Ideal",
+   * "LMS200-mm", "LMS200-cm", "LMS291"), null if there is none; and the value that a device gives
+   * to a property of vtkLMS3DScanFilter or vtkLMS3DRangeErrorFilter, NaN if there is no such device
+   * or if devices do not set this property.
    */
   static int GetNumberOfDevices();
   static const char* GetDeviceName(int device);
@@ -493,9 +496,9 @@ public:
 
   ///@{
   /**
-   * The diameter of the beam where it leaves the mirror, metres: its rays start within a disc of this
-   * diameter across the beam. Finite, at least 0. It has an effect only if BeamSamples exceeds 1. The default
-   * is 0. (LMS 200: 0.012, technical description page 114.)
+   * The diameter of the beam where it leaves the mirror, metres: its rays start within a disc of
+   * this diameter across the beam. Finite, at least 0. It has an effect only if BeamSamples exceeds
+   * 1. The default is 0. (LMS 200: 0.012, technical description page 114.)
    */
   vtkSetMacro(BeamDiameter, double);
   vtkGetMacro(BeamDiameter, double);
@@ -503,9 +506,10 @@ public:
 
   ///@{
   /**
-   * By how much the diameter of the beam grows, metres for each metre of range, so about radians. The beam
-   * is a cone: at the range r its disc has the diameter BeamDiameter + BeamDivergence r. From 0 to 1. It has
-   * an effect only if BeamSamples exceeds 1. The default is 0. (LMS 200: 0.0044.)
+   * By how much the diameter of the beam grows, metres for each metre of range, so about radians.
+   * The beam is a cone: at the range r its disc has the diameter BeamDiameter + BeamDivergence r.
+   * From 0 to 1. It has an effect only if BeamSamples exceeds 1. The default is 0. (LMS 200:
+   * 0.0044.)
    */
   vtkSetMacro(BeamDivergence, double);
   vtkGetMacro(BeamDivergence, double);
@@ -513,12 +517,12 @@ public:
 
   ///@{
   /**
-   * The number of rays that stand for a beam: one along its axis, the others in rings of 6, 12, 18 and so on
-   * within its cone, each for the same part of the area. From 1 to 1000. 7, 19, 37 and so on complete a
-   * ring; the share of n rays on one side of a straight edge is then that of the area within 0.55 / sqrt(n).
-   * The range of a ray is measured along the beam's axis, to about 13 digits, so a plane at right angles has
-   * the range of the axis. The default is 1: a beam without width. A scan takes about as long as one scan for
-   * each ray.
+   * The number of rays that stand for a beam: one along its axis, the others in rings of 6, 12, 18
+   * and so on within its cone, each for the same part of the area. From 1 to 1000. 7, 19, 37 and so
+   * on complete a ring; the share of n rays on one side of a straight edge is then that of the area
+   * within 0.55 / sqrt(n). The range of a ray is measured along the beam's axis, to about 13
+   * digits, so a plane at right angles has the range of the axis. The default is 1: a beam without
+   * width. A scan takes about as long as one scan for each ray.
    */
   vtkSetMacro(BeamSamples, int);
   vtkGetMacro(BeamSamples, int);
@@ -526,12 +530,13 @@ public:
 
   ///@{
   /**
-   * The length of the pulse, metres. Rays of a beam whose ranges exceed that of the nearest by at most this
-   * give one echo, whose range is their mean (a mixed pixel). Rays beyond form further echoes in the same
-   * way. Rays that meet nothing up to MaximumRange are no part of an echo. The beam has the range of the echo
-   * with the most rays; of equal ones, of the nearest. MinimumRange holds for this range. CellId and the
-   * surface attributes come from the echo's ray with the smallest number, which is nearest to the axis.
-   * Finite, at least 0. The default is 1 (LMS 200: about 1, technical description page 111).
+   * The length of the pulse, metres. Rays of a beam whose ranges exceed that of the nearest by at
+   * most this give one echo, whose range is their mean (a mixed pixel). Rays beyond form further
+   * echoes in the same way. Rays that meet nothing up to MaximumRange are no part of an echo. The
+   * beam has the range of the echo with the most rays; of equal ones, of the nearest. MinimumRange
+   * holds for this range. CellId and the surface attributes come from the echo's ray with the
+   * smallest number, which is nearest to the axis. Finite, at least 0. The default is 1 (LMS 200:
+   * about 1, technical description page 111).
    */
   vtkSetMacro(PulseLength, double);
   vtkGetMacro(PulseLength, double);
@@ -539,11 +544,11 @@ public:
 
   ///@{
   /**
-   * The range r up to which the device sees a surface that reflects 10 percent at right angles, metres. A
-   * beam gives no return if reflectance times the cosine of the incidence is below
-   * max(0.018, 0.1 (range / r)^2). The incidence is the angle to the normal of the triangle that was hit;
-   * both sides of it count. The range is the one before range errors. Finite, at least 0; 0, the default,
-   * sees every surface. (LMS 200: 10, technical description pages 7 and 33.)
+   * The range r up to which the device sees a surface that reflects 10 percent at right angles,
+   * metres. A beam gives no return if reflectance times the cosine of the incidence is below
+   * max(0.018, 0.1 (range / r)^2). The incidence is the angle to the normal of the triangle that
+   * was hit; both sides of it count. The range is the one before range errors. Finite, at least 0;
+   * 0, the default, sees every surface. (LMS 200: 10, technical description pages 7 and 33.)
    */
   vtkSetMacro(RangeAtTenPercent, double);
   vtkGetMacro(RangeAtTenPercent, double);
@@ -551,15 +556,16 @@ public:
 
   ///@{
   /**
-   * The name of the scene's cell array with the reflectance of each cell: one component of any number type,
-   * 0.1 for 10 percent; retroreflectors exceed 1. An array of three or four components of unsigned char, such
-   * as `Color` of a VRML scene, stands for its luminance, from 0 to 1:
-   * (0.2126 red + 0.7152 green + 0.0722 blue) / 255 (ITU-R BT.709). The colour is taken as the linear share of
-   * the light that the surface reflects, as the diffuse colour of VRML is; opacity does not count. The data
-   * sets of a composite may have arrays of different types. It is an error if a cell with a surface does not
-   * have the array, or has a reflectance that is negative or not finite. The default is none (null, or an
-   * empty name): every surface has the reflectance 1. It has an effect only with RangeAtTenPercent or
-   * ComputeIntensity. A change does not build the acceleration structure.
+   * The name of the scene's cell array with the reflectance of each cell: one component of any
+   * number type, 0.1 for 10 percent; retroreflectors exceed 1. An array of three or four components
+   * of unsigned char, such as `Color` of a VRML scene, stands for its luminance, from 0 to 1:
+   * (0.2126 red + 0.7152 green + 0.0722 blue) / 255 (ITU-R BT.709). The colour is taken as the
+   * linear share of the light that the surface reflects, as the diffuse colour of VRML is; opacity
+   * does not count. The data sets of a composite may have arrays of different types. It is an error
+   * if a cell with a surface does not have the array, or has a reflectance that is negative or not
+   * finite. The default is none (null, or an empty name): every surface has the reflectance 1. It
+   * has an effect only with RangeAtTenPercent or ComputeIntensity. A change does not build the
+   * acceleration structure.
    */
   vtkSetStringMacro(ReflectanceArray);
   vtkGetStringMacro(ReflectanceArray);
@@ -567,9 +573,9 @@ public:
 
   ///@{
   /**
-   * Whether the scan has the point array `Incidence` (float32, degrees): the angle between the beam and the
-   * normal of the triangle that was hit, 0 to 90. The default is off. (SurfaceAttributes adds the same array.
-   * If both are on, there is one.)
+   * Whether the scan has the point array `Incidence` (float32, degrees): the angle between the beam
+   * and the normal of the triangle that was hit, 0 to 90. The default is off. (SurfaceAttributes
+   * adds the same array. If both are on, there is one.)
    */
   vtkSetMacro(ComputeIncidence, bool);
   vtkGetMacro(ComputeIncidence, bool);
@@ -578,8 +584,9 @@ public:
 
   ///@{
   /**
-   * Whether the scan has the point array `Intensity` (float32), behind `Incidence`: reflectance (see
-   * ReflectanceArray) times the cosine of the incidence. It does not fall with the range. The default is off.
+   * Whether the scan has the point array `Intensity` (float32), behind `Incidence`: reflectance
+   * (see ReflectanceArray) times the cosine of the incidence. It does not fall with the range. The
+   * default is off.
    */
   vtkSetMacro(ComputeIntensity, bool);
   vtkGetMacro(ComputeIntensity, bool);
@@ -588,10 +595,10 @@ public:
 
   ///@{
   /**
-   * Whether the scan has the point array `Time` (float64, seconds): when the beam left. It starts at the
-   * time of the scan's pose, or at 0 without a trajectory. The mirror turns 75 times a second; a fan in
-   * steps of 1/n degree takes n turns of it, and its beams are interlaced (whole degrees first; SICK's
-   * telegram listing, pages 19 and 127). The default is off.
+   * Whether the scan has the point array `Time` (float64, seconds): when the beam left. It starts
+   * at the time of the scan's pose, or at 0 without a trajectory. The mirror turns 75 times a
+   * second; a fan in steps of 1/n degree takes n turns of it, and its beams are interlaced (whole
+   * degrees first; SICK's telegram listing, pages 19 and 127). The default is off.
    */
   vtkSetMacro(ComputeTime, bool);
   vtkGetMacro(ComputeTime, bool);
@@ -599,11 +606,11 @@ public:
   ///@}
 
   /**
-   * Why a beam gave a return, or none. NOTHING_MET: there is no surface along the beam at any range.
-   * BEYOND_RANGE: the nearest surface is beyond MaximumRange. TOO_WEAK: RangeAtTenPercent removed the return.
-   * TOO_NEAR: the nearest surface is nearer than MinimumRange. (vtkLMS3DRangeErrorFilter adds the returns
-   * whose ranges it cannot report.) For a beam with a width, the echo that it would report without limits
-   * decides between these.
+   * Why a beam gave a return, or none. NOTHING_MET: there is no surface along the beam at any
+   * range. BEYOND_RANGE: the nearest surface is beyond MaximumRange. TOO_WEAK: RangeAtTenPercent
+   * removed the return. TOO_NEAR: the nearest surface is nearer than MinimumRange.
+   * (vtkLMS3DRangeErrorFilter adds the returns whose ranges it cannot report.) For a beam with a
+   * width, the echo that it would report without limits decides between these.
    */
   enum BeamStatus
   {
@@ -616,10 +623,10 @@ public:
 
   ///@{
   /**
-   * Whether the outputs have the array `Status` (unsigned char, one of BeamStatus, for each beam of the
-   * grid, turn by turn): point data of the range image, and field data of the scan, in shared memory. The
-   * default is off. Returns are the same to the bit, on or off. If some beams have no return and the ranges
-   * have limits, the filter casts all beams a second time, without limits.
+   * Whether the outputs have the array `Status` (unsigned char, one of BeamStatus, for each beam of
+   * the grid, turn by turn): point data of the range image, and field data of the scan, in shared
+   * memory. The default is off. Returns are the same to the bit, on or off. If some beams have no
+   * return and the ranges have limits, the filter casts all beams a second time, without limits.
    */
   vtkSetMacro(ComputeStatus, bool);
   vtkGetMacro(ComputeStatus, bool);
@@ -628,9 +635,9 @@ public:
 
   ///@{
   /**
-   * Whether the scan has, for each return, the pose of the sensor when the beam left: the point arrays
-   * `SensorPosition` (float64, 3 components, metres) and `SensorOrientation` (float64, 4 components, a
-   * quaternion w x y z). The default is off.
+   * Whether the scan has, for each return, the pose of the sensor when the beam left: the point
+   * arrays `SensorPosition` (float64, 3 components, metres) and `SensorOrientation` (float64, 4
+   * components, a quaternion w x y z). The default is off.
    */
   vtkSetMacro(ComputePoses, bool);
   vtkGetMacro(ComputePoses, bool);
@@ -668,18 +675,18 @@ public:
   vtkImageData* GetRangeImage();
 
   /**
-   * Casts the fan at one platform angle `beta` (degrees, finite), without the pipeline: for a device in real
-   * time, where an update of a single fan would take most of its time in the pipeline. Fills `ranges` (metres,
-   * NaN without a return) with one value for each beam, and `status`, if it is not null, with one of
-   * BeamStatus. The values equal the range image of an update for `time` (seconds; for a trajectory) with
-   * BetaRange (beta, beta) and BetaResolution 1.
+   * Casts the fan at one platform angle `beta` (degrees, finite), without the pipeline: for a
+   * device in real time, where an update of a single fan would take most of its time in the
+   * pipeline. Fills `ranges` (metres, NaN without a return) with one value for each beam, and
+   * `status`, if it is not null, with one of BeamStatus. The values equal the range image of an
+   * update for `time` (seconds; for a trajectory) with BetaRange (beta, beta) and BetaResolution 1.
    *
-   * Uses the inputs as they are: their own filters are not updated. If the scene has changed, its acceleration
-   * structure is built first. The outputs and the error code do not change. It cannot be aborted. Do not call
-   * it during an update.
+   * Uses the inputs as they are: their own filters are not updated. If the scene has changed, its
+   * acceleration structure is built first. The outputs and the error code do not change. It cannot
+   * be aborted. Do not call it during an update.
    *
-   * Returns false after an error (vtkErrorMacro): for example without `ranges`, without a scene, or with a
-   * controller of several processes. The values in the arrays are then undefined.
+   * Returns false after an error (vtkErrorMacro): for example without `ranges`, without a scene, or
+   * with a controller of several processes. The values in the arrays are then undefined.
    */
   bool CastFan(double beta, double time, vtkDoubleArray* ranges, vtkUnsignedCharArray* status);
 

@@ -37,8 +37,8 @@ vtkStandardNewMacro(vtkLMS3DSurfaceReconstructionFilter);
 
 namespace
 {
-// The share of the time, for the progress bar, that building the grid takes, and that finding the joins of the plain
-// grid takes as well.
+// The share of the time, for the progress bar, that building the grid takes, and that finding the
+// joins of the plain grid takes as well.
 constexpr double GridShare = 0.2;
 constexpr double JoinsShare = 0.3;
 // The largest gap that is closed if the scan says why beams have no returns.
@@ -53,7 +53,8 @@ void CheckLength(const char* name, double value)
   }
 }
 
-// For each BeamId of the scan: whether there is nothing along the beam. Empty if the scan does not say it.
+// For each BeamId of the scan: whether there is nothing along the beam. Empty if the scan does not
+// say it.
 std::vector<bool> FindFreeBeams(vtkPolyData* scan, const lms3dScanGeometry& geometry)
 {
   vtkDataArray* status = scan->GetFieldData()->GetArray("Status");
@@ -81,9 +82,8 @@ std::vector<bool> FindFreeBeams(vtkPolyData* scan, const lms3dScanGeometry& geom
 /// Keeps memory and tables from run to run.
 struct vtkLMS3DSurfaceReconstructionFilter::Internals
 {
-  /// Fills an empty map. The scan must have returns. Lengths are metres. Uses the threads of the calling
-  /// TBB arena.
-  /// `isFree` is that of lms3dSurfaceGaps.
+  /// Fills an empty map. The scan must have returns. Lengths are metres. Uses the threads of the
+  /// calling TBB arena. `isFree` is that of lms3dSurfaceGaps.
   void MakeMap(const lms3dScanInput& scan, const lms3dGapSettings& settings, bool keepsSpeckles,
     const std::vector<bool>& isFree, const lms3dProgress& progress, vtkPolyData* map);
 

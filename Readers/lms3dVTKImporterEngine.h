@@ -12,8 +12,8 @@
 #include <functional>
 #include <string>
 
-/// `progress` receives the fraction done, 0 to 1. If it returns false, the reading stops and the shapes
-/// so far are returned. A malformed file can crash the process.
+/// `progress` receives the fraction done, 0 to 1. If it returns false, the reading stops and the
+/// shapes so far are returned. A malformed file can crash the process.
 lms3dScene lms3dReadWithVTKImporter(
   const std::string& fileName, const std::function<bool(double)>& progress);
 

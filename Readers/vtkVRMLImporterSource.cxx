@@ -208,9 +208,9 @@ int vtkVRMLImporterSource::RequestData(
   this->Internal->Messages = lms3dMessageList();
   vtkInformation* output = outputVector->GetInformationObject(0);
   this->Internal->Execute(output);
-  // 1 after an error, too. Otherwise VTK would add an error of its own and read the file again at each
-  // update. And with several processes only the first one reads: if its pipeline stopped here, the others
-  // would wait forever in the next filter that communicates.
+  // 1 after an error, too. Otherwise VTK would add an error of its own and read the file again at
+  // each update. And with several processes only the first one reads: if its pipeline stopped here,
+  // the others would wait forever in the next filter that communicates.
   return 1;
 }
 

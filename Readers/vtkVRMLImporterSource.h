@@ -4,8 +4,8 @@
  * @class   vtkVRMLImporterSource
  * @brief   reads the surfaces of a VRML 2.0 (VRML97) file as one vtkPolyData
  *
- * The output has the triangles of all shapes in world coordinates, in metres (VRML's unit), ready for
- * vtkLMS3DScanFilter. Triangles are counter-clockwise seen from the front.
+ * The output has the triangles of all shapes in world coordinates, in metres (VRML's unit), ready
+ * for vtkLMS3DScanFilter. Triangles are counter-clockwise seen from the front.
  *
  * Cell data:
  * - `ShapeId` (int32): the index of the shape in the scene, from 0.
@@ -18,23 +18,23 @@
  *
  * @par Supported nodes
  * The engine VRML97 reads every part of ISO/IEC 14772-1:1997 that makes surfaces:
- * - Box, Cone, Cylinder, ElevationGrid, Extrusion, IndexedFaceSet, Sphere. Faces can have any number
- *   of corners. They can be concave, also if `convex` is TRUE, and can have holes that a bridge joins
- *   to the outline.
- * - Transform, Group, Anchor, Billboard (not rotated), Collision (without its proxy), Switch, LOD (the
- *   first level).
+ * - Box, Cone, Cylinder, ElevationGrid, Extrusion, IndexedFaceSet, Sphere. Faces can have any
+ *   number of corners. They can be concave, also if `convex` is TRUE, and can have holes that a
+ *   bridge joins to the outline.
+ * - Transform, Group, Anchor, Billboard (not rotated), Collision (without its proxy), Switch, LOD
+ *   (the first level).
  * - Inline, DEF and USE, PROTO and EXTERNPROTO.
  *
- * Files can be packed by gzip and can have any line ending. The reader shows the initial state of the
- * scene: it runs no ROUTE, interpolator or Script. It ignores lines, points, text, lights, sounds and
- * textures.
+ * Files can be packed by gzip and can have any line ending. The reader shows the initial state of
+ * the scene: it runs no ROUTE, interpolator or Script. It ignores lines, points, text, lights,
+ * sounds and textures.
  *
  * @par Messages
- * The reader reports each fault of a file in a message with the file and the line, and reads the rest.
- * A message is an error if geometry is lost or misplaced, else a warning. If there are messages, the
- * reader calls vtkErrorMacro (if any message is an error) or vtkWarningMacro once. The text contains
- * the most severe message and the first 20 messages. The output then has the surfaces that could be
- * read, and the error code is NoError.
+ * The reader reports each fault of a file in a message with the file and the line, and reads the
+ * rest. A message is an error if geometry is lost or misplaced, else a warning. If there are
+ * messages, the reader calls vtkErrorMacro (if any message is an error) or vtkWarningMacro once.
+ * The text contains the most severe message and the first 20 messages. The output then has the
+ * surfaces that could be read, and the error code is NoError.
  *
  * @par Errors
  * After one of these errors the output is empty:
@@ -44,10 +44,11 @@
  * - UnrecognizedFileTypeError: the file is not a VRML 2.0 file. The error names VRML 1.0, X3D, Open
  *   Inventor and binary files.
  * - FileFormatError: the file has no surface that can be read.
- * - UserError: the reader runs out of memory or fails in another way. No exception leaves the reader.
+ * - UserError: the reader runs out of memory or fails in another way. No exception leaves the
+ *   reader.
  *
- * vtkErrorCode defines these codes. After an error the reader reads the file again only if the reader was
- * modified. After an abort the output is empty, without an error or a message.
+ * vtkErrorCode defines these codes. After an error the reader reads the file again only if the
+ * reader was modified. After an abort the output is empty, without an error or a message.
  *
  * @par Limits
  * A short text with nested USEs can stand for a huge scene. The default limits are about ten times
@@ -59,9 +60,10 @@
  *   translate.
  * - Box, Sphere, Cone and Cylinder of default size have half their size. Centres and the order of
  *   scales are lost. Faces with holes are lost. USE of a group has no effect.
- * - It ignores PROTO, EXTERNPROTO, Inline and ElevationGrid, and shows all children of Switch and LOD.
- * - Malformed files, and many correct ones, crash the process. So do two importers that exist at the
- *   same time. The importer is not thread safe.
+ * - It ignores PROTO, EXTERNPROTO, Inline and ElevationGrid, and shows all children of Switch and
+ *   LOD.
+ * - Malformed files, and many correct ones, crash the process. So do two importers that exist at
+ *   the same time. The importer is not thread safe.
  * - Messages have no line. Syntax errors appear on the terminal only. Shapes have no names.
  * - ChordError, SceneRoot and the limits have no effect.
  *
@@ -85,10 +87,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Returns 1 if the file can be opened and either begins as a VRML 2.0 file, packed by gzip or not, or
-   * its name ends with .wrl, .vrml or .wrz in any case. Otherwise returns 0. So an application that
-   * chooses its reader by this function, such as ParaView, shows this reader's error for a file that has
-   * only the name of a VRML file.
+   * Returns 1 if the file can be opened and either begins as a VRML 2.0 file, packed by gzip or
+   * not, or its name ends with .wrl, .vrml or .wrz in any case. Otherwise returns 0. So an
+   * application that chooses its reader by this function, such as ParaView, shows this reader's
+   * error for a file that has only the name of a VRML file.
    */
   static int CanReadFile(const char* fileName);
 
@@ -121,9 +123,9 @@ public:
 
   /**
    * The values of UpAxis. UP_AXIS_AS_IN_FILE leaves the coordinates unchanged. UP_AXIS_Y is for
-   * files whose y axis points up, which is the convention of VRML browsers and modellers. It rotates
-   * the scene by 90 degrees about x, so that z points up as in the sensor frame: (x, y, z) becomes
-   * (x, -z, y).
+   * files whose y axis points up, which is the convention of VRML browsers and modellers. It
+   * rotates the scene by 90 degrees about x, so that z points up as in the sensor frame: (x, y, z)
+   * becomes (x, -z, y).
    */
   enum UpAxes
   {
@@ -193,8 +195,8 @@ public:
   ///@{
   /**
    * The maximum memory for nodes, values, meshes and the output, in bytes; released memory counts
-   * too. The reader keeps the shapes before the limit; a file that exceeds it before its first shape is
-   * made gives no output. Minimum: 0. Default: 2,000,000,000 (2 GB).
+   * too. The reader keeps the shapes before the limit; a file that exceeds it before its first
+   * shape is made gives no output. Minimum: 0. Default: 2,000,000,000 (2 GB).
    */
   vtkSetClampMacro(MaximumMemory, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaximumMemory, vtkTypeInt64);

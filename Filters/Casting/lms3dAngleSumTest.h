@@ -17,9 +17,9 @@
 /// Tolerances of the test.
 struct lms3dAngleSumTolerances
 {
-  /// A point counts as inside if its sum of angles deviates from 2 pi by at most this, radians. The arc
-  /// cosine loses half its digits near pi, so that points on an edge deviate by about 1e-8. A larger
-  /// tolerance accepts points beside the triangle.
+  /// A point counts as inside if its sum of angles deviates from 2 pi by at most this, radians. The
+  /// arc cosine loses half its digits near pi, so that points on an edge deviate by about 1e-8. A
+  /// larger tolerance accepts points beside the triangle.
   double Angle = 1e-6;
 
   /// A point counts as inside if its distance from a corner is at most this share of its range,
@@ -28,11 +28,11 @@ struct lms3dAngleSumTolerances
 };
 
 /**
- * Source: the paper's section 2.4. The point where a beam meets the triangle's plane lies inside the
- * triangle if the angles between the directions to the three corners sum to 2 pi. Five errors of the
- * paper are corrected: the sign of the plane's equation; only ranges above 0 count; a beam parallel to
- * the plane misses; the sum is compared with a tolerance; and corners belong to the triangle, although
- * rounding determines the sum there.
+ * Source: the paper's section 2.4. The point where a beam meets the triangle's plane lies inside
+ * the triangle if the angles between the directions to the three corners sum to 2 pi. Five errors
+ * of the paper are corrected: the sign of the plane's equation; only ranges above 0 count; a beam
+ * parallel to the plane misses; the sum is compared with a tolerance; and corners belong to the
+ * triangle, although rounding determines the sum there.
  */
 class lms3dAngleSumTest
 {

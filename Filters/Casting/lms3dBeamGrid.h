@@ -21,14 +21,15 @@ struct lms3dBeamHits
   std::int32_t* Triangles;
 };
 
-/// The arrays belong to the caller. If there are FanAxes, the direction of a beam is the fan's axis in its
-/// turn times the cosine of its elevation, plus the upward axis times the sine. Otherwise the beams have
-/// any directions, neighbours similar ones, and only the numbers of turns and beams count.
+/// The arrays belong to the caller. If there are FanAxes, the direction of a beam is the fan's axis
+/// in its turn times the cosine of its elevation, plus the upward axis times the sine. Otherwise
+/// the beams have any directions, neighbours similar ones, and only the numbers of turns and beams
+/// count.
 struct lms3dBeamGrid
 {
-  /// A packet has this number of turns and beams, so that it is nearly square in angle at the horizon
-  /// and its beams traverse the same boxes of a tree. Beam Side * i + j of a packet belongs to its turn
-  /// i and its beam j.
+  /// A packet has this number of turns and beams, so that it is nearly square in angle at the
+  /// horizon and its beams traverse the same boxes of a tree. Beam Side * i + j of a packet belongs
+  /// to its turn i and its beam j.
   static constexpr int Side = 4;
 
   /// Returns how many packets cover a number of beams or turns.
@@ -42,8 +43,8 @@ struct lms3dBeamGrid
   int Turns;
   int Beams;
 
-  /// Null, or one value for each turn: unit vectors in world coordinates. They turn by TurnStep degrees,
-  /// not negative, from one to the next.
+  /// Null, or one value for each turn: unit vectors in world coordinates. They turn by TurnStep
+  /// degrees, not negative, from one to the next.
   const std::array<double, 3>* FanAxes = nullptr;
   double TurnStep = 0.0;
 

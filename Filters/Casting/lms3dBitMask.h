@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Sets of the beams of a packet, or of sixteen tiles, as masks: bit i stands for beam or tile i.
+ * @brief Sets of the beams of a packet, or of sixteen tiles, as masks: bit i stands for beam or
+ * tile i.
  */
 #ifndef lms3dBitMask_h
 #define lms3dBitMask_h

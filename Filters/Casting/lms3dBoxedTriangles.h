@@ -4,8 +4,9 @@
  * @file
  * @brief The triangles in each box of Embree's tree.
  *
- * The two halves of a square are often successive triangles, and their boxes are nearly the same: a beam
- * that meets one box meets the other. One box for both makes the tree half as large and quicker to build.
+ * The two halves of a square are often successive triangles, and their boxes are nearly the same: a
+ * beam that meets one box meets the other. One box for both makes the tree half as large and
+ * quicker to build.
  */
 #ifndef lms3dBoxedTriangles_h
 #define lms3dBoxedTriangles_h
@@ -27,8 +28,8 @@ public:
     std::uint32_t Count;
   };
 
-  /// Leaves out the `excluded` triangles, which are in increasing order, like the normalization. Mesh and
-  /// normalization must outlive this object.
+  /// Leaves out the `excluded` triangles, which are in increasing order, like the normalization.
+  /// Mesh and normalization must outlive this object.
   lms3dBoxedTriangles(const lms3dTriangleMesh& mesh, const lms3dNormalization& normalization,
     const std::vector<std::uint32_t>& excluded);
 
@@ -53,7 +54,8 @@ private:
   const lms3dTriangleMesh& Mesh;
   const lms3dNormalization& Normalization;
 
-  /// Twice the first triangle of each box, plus one for a pair. Empty if box i has triangle i alone.
+  /// Twice the first triangle of each box, plus one for a pair. Empty if box i has triangle i
+  /// alone.
   std::vector<std::uint32_t> Ranges;
   std::size_t Count;
 };

@@ -14,10 +14,10 @@
 #include "Geometry/lms3dVector.h"
 
 /**
- * `TestT` is constructed from a triangle in the sensor frame. Its method
- * double GetRange(const lms3dVector& direction) const returns the range of a beam in metres, or NaN or
- * a number that is not above 0 if the beam misses. Triangles without area, and triangles whose plane
- * contains the sensor, are skipped, because rounding would decide about them.
+ * `TestT` is constructed from a triangle in the sensor frame. Its method double GetRange(const
+ * lms3dVector& direction) const returns the range of a beam in metres, or NaN or a number that is
+ * not above 0 if the beam misses. Triangles without area, and triangles whose plane contains the
+ * sensor, are skipped, because rounding would decide about them.
  */
 template <typename TestT>
 class lms3dBruteForceCaster final : public lms3dRayCaster

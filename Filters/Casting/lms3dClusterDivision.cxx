@@ -16,7 +16,8 @@ namespace
 // Measured: a cluster is replaced by its parts within this number of its radii.
 constexpr float NearDistance = 4.0f;
 
-// A group of few triangles that can meet this many tiles of a block lies beside the sensor or around it.
+// A group of few triangles that can meet this many tiles of a block lies beside the sensor or
+// around it.
 constexpr std::uint32_t MaximumOfDivided = 16;
 constexpr int MinimumTilesOfDivided = 8;
 

@@ -4,7 +4,8 @@
  * @file
  * @brief Finds the tiles that few triangles of a large scene can meet, and those that none can.
  *
- * In open country the sky meets no cluster of triangles, and the ground beside the sensor meets few.
+ * In open country the sky meets no cluster of triangles, and the ground beside the sensor meets
+ * few.
  */
 #ifndef lms3dClusterDivision_h
 #define lms3dClusterDivision_h
@@ -24,14 +25,14 @@
 class lms3dClusterDivision
 {
 public:
-  /// The sensor of the classifier's view is within the normalization's bounding sphere. References must
-  /// outlive the object.
+  /// The sensor of the classifier's view is within the normalization's bounding sphere. References
+  /// must outlive the object.
   lms3dClusterDivision(const lms3dTriangleClusters& clusters,
     const lms3dNormalization& normalization, const lms3dTileClassifier& classifier,
     const lms3dTileGrid& grid);
 
-  /// Returns all blocks of the grid. Uses the threads of the calling TBB arena. Tiles with more candidates
-  /// than `maximum` are crowded.
+  /// Returns all blocks of the grid. Uses the threads of the calling TBB arena. Tiles with more
+  /// candidates than `maximum` are crowded.
   std::vector<lms3dTileBlock> Divide(std::size_t maximum) const;
 
 private:

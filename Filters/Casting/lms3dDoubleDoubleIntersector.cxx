@@ -9,7 +9,8 @@
 
 namespace
 {
-// Measured: where a packet has more triangles, it is faster to intersect each beam with its own plane.
+// Measured: where a packet has more triangles, it is faster to intersect each beam with its own
+// plane.
 constexpr int MaximumOneByOne = 2;
 
 void SetPlane(const lms3dDoubleDoublePlane& plane, int beam, lms3dPacketPlanes& planes)
@@ -101,7 +102,8 @@ std::uint32_t lms3dDoubleDoubleIntersector::RefineFirst(
   return this->Kernels.StoreRanges(ranges, triangle, maximumRange, packet);
 }
 
-// Refines `beams`, each with its own plane. Does nothing and returns false if a plane is near to the origin.
+// Refines `beams`, each with its own plane. Does nothing and returns false if a plane is near to
+// the origin.
 bool lms3dDoubleDoubleIntersector::RefineEach(
   std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet)
 {

@@ -26,8 +26,8 @@ public:
   /// Keeps the planes if the origin is the one of the last call.
   void SetOrigin(const double origin[3]);
 
-  /// Sets Range of all beams of a packet that have a Triangle. Removes a hit if the range is 0 or less, or
-  /// above the maximum.
+  /// Sets Range of all beams of a packet that have a Triangle. Removes a hit if the range is 0 or
+  /// less, or above the maximum.
   void Refine(double maximumRange, lms3dBeamPacket& packet);
 
   /// Does what lms3dRangeRefinement::FillTile does.

@@ -73,7 +73,8 @@ struct lms3dEmbreeCandidates::Internals
     rtcSetGeometryUserData(geometry.get(), this);
     rtcSetGeometryBoundsFunction(geometry.get(), &Internals::GetBox, nullptr);
     rtcSetGeometryIntersectFunction(geometry.get(), &Internals::TestCandidate);
-    // For boxes the fast builder gives trees that are as fast to traverse, in a third of the memory.
+    // For boxes the fast builder gives trees that are as fast to traverse, in a third of the
+    // memory.
     this->Tree.Build(geometry.get(), RTC_BUILD_QUALITY_LOW, progress);
   }
 

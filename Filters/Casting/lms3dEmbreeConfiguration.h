@@ -10,9 +10,9 @@
 #include "Kernels/lms3dPacketKernels.h"
 
 /**
- * Returns the configuration of Embree's devices for some kernels. With the processor's widest kernels
- * it is null, so that Embree chooses its instruction set. With narrower kernels it limits Embree to their
- * set, so that measurements are valid for a processor without the wider sets.
+ * Returns the configuration of Embree's devices for some kernels. With the processor's widest
+ * kernels it is null, so that Embree chooses its instruction set. With narrower kernels it limits
+ * Embree to their set, so that measurements are valid for a processor without the wider sets.
  */
 const char* lms3dGetEmbreeConfiguration(
   const lms3dPacketKernels& kernels = lms3dGetPacketKernels());

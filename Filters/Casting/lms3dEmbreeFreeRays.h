@@ -20,14 +20,13 @@ class lms3dEmbreeFreeRays
 public:
   lms3dEmbreeFreeRays(const lms3dEmbreeTree& tree, double maximumRange);
 
-  /// Prepares the rays of a packet, without hits. Returns the active beams that can hit the scene; if
-  /// there are none, Intersect must not be called.
-  /// Fills the packet's NarrowDirection.
+  /// Prepares the rays of a packet, without hits. Returns the active beams that can hit the scene;
+  /// if there are none, Intersect must not be called. Fills the packet's NarrowDirection.
   std::uint32_t Prepare(lms3dFreePacket& packet);
 
   ///@{
-  /// Ends the rays of some beams a little beyond the packet's Range: all rays of this packet, or a part
-  /// of them in Embree's own memory, which also get a geometry.
+  /// Ends the rays of some beams a little beyond the packet's Range: all rays of this packet, or a
+  /// part of them in Embree's own memory, which also get a geometry.
   void Clip(const lms3dFreePacket& packet, std::uint32_t beams);
   void Clip(const lms3dFreePacket& packet, std::uint32_t beams, unsigned int geometry,
     const lms3dRayRange& rays) const;

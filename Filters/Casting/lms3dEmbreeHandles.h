@@ -4,8 +4,8 @@
  * @file
  * @brief Owners of Embree's objects, and the check for Embree's errors.
  *
- * The only header that includes Embree. Only the sources named lms3dEmbree* and their tests may include
- * it.
+ * The only header that includes Embree. Only the sources named lms3dEmbree* and their tests may
+ * include it.
  */
 #ifndef lms3dEmbreeHandles_h
 #define lms3dEmbreeHandles_h

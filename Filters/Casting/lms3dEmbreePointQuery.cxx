@@ -6,8 +6,8 @@
 
 namespace
 {
-// How far the search goes beyond the nearest triangle so far, because point and scene are rounded to
-// single precision. The rounding of the point is relative to its distance.
+// How far the search goes beyond the nearest triangle so far, because point and scene are rounded
+// to single precision. The rounding of the point is relative to its distance.
 constexpr float SearchMargin = 4e-6f;
 constexpr float SearchFactor = 1.0f + 1e-6f;
 

@@ -24,9 +24,9 @@ using lms3dEmbreeContext = RTCIntersectContext;
 class lms3dEmbreeRayPacket
 {
 public:
-  /// In diagonals of the scene from its centre. A ray that can hit starts within two and a half; one that
-  /// points away from a far scene starts even farther away than the sensor, where single precision, and
-  /// Embree's assertions, end.
+  /// In diagonals of the scene from its centre. A ray that can hit starts within two and a half;
+  /// one that points away from a far scene starts even farther away than the sensor, where single
+  /// precision, and Embree's assertions, end.
   static constexpr double MaximumOriginDistance = 10.0;
 
   explicit lms3dEmbreeRayPacket(const lms3dEmbreeTree& tree);

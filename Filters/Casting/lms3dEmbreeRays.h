@@ -4,8 +4,8 @@
  * @file
  * @brief One packet of beams as Embree's rays.
  *
- * Rays are in the coordinates of the normalized scene. To keep single precision sufficient, a ray of
- * a far sensor does not start at the sensor but further along its beam, at the ray offset.
+ * Rays are in the coordinates of the normalized scene. To keep single precision sufficient, a ray
+ * of a far sensor does not start at the sensor but further along its beam, at the ray offset.
  */
 #ifndef lms3dEmbreeRays_h
 #define lms3dEmbreeRays_h
@@ -25,13 +25,13 @@ public:
   lms3dEmbreeRays(
     const lms3dEmbreeTree& tree, const lms3dRayOrigin& origin, const lms3dBeamPacket& packet);
 
-  /// Prepares the rays of a packet, without hits. Returns the active beams that can hit the scene; if
-  /// there are none, Intersect must not be called.
+  /// Prepares the rays of a packet, without hits. Returns the active beams that can hit the scene;
+  /// if there are none, Intersect must not be called.
   std::uint32_t Prepare(const lms3dBeamPacket& packet);
 
   ///@{
-  /// Ends the rays of some beams a little beyond their hits, in units of the scene's diagonal: all rays
-  /// of this packet, or a part of them in Embree's own memory, which also get a geometry.
+  /// Ends the rays of some beams a little beyond their hits, in units of the scene's diagonal: all
+  /// rays of this packet, or a part of them in Embree's own memory, which also get a geometry.
   void Clip(const lms3dNarrowHits& hits, std::uint32_t beams);
   void Clip(const lms3dNarrowHits& hits, std::uint32_t beams, unsigned int geometry,
     const lms3dRayRange& rays) const;

@@ -19,8 +19,8 @@ class lms3dEmbreeTriangles
 {
 public:
   /// Builds the tree of a mesh with at least one triangle, see lms3dEmbreeTree::Build. `indices`
-  /// replace the mesh's triangles, one for one. The mesh and the indices must outlive this object and
-  /// keep their addresses: Embree shares the indices.
+  /// replace the mesh's triangles, one for one. The mesh and the indices must outlive this object
+  /// and keep their addresses: Embree shares the indices.
   lms3dEmbreeTriangles(const lms3dTriangleMesh& mesh, const lms3dTriangleIndices& indices,
     const lms3dProgress& progress);
 
@@ -28,8 +28,8 @@ public:
   lms3dEmbreeTriangles(const lms3dEmbreeTriangles&) = delete;
   lms3dEmbreeTriangles& operator=(const lms3dEmbreeTriangles&) = delete;
 
-  /// Sets Triangle of the active beams of `count` packets, at least one; Range becomes NoRange. Several
-  /// threads may call this at once.
+  /// Sets Triangle of the active beams of `count` packets, at least one; Range becomes NoRange.
+  /// Several threads may call this at once.
   void Cast(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
 
   /// The same for beams that start at points of their own.

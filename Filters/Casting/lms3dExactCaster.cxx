@@ -17,7 +17,8 @@
 
 namespace
 {
-// Measured: with more triangles per packet, it is faster to compute narrow triangles where beams need them.
+// Measured: with more triangles per packet, it is faster to compute narrow triangles where beams
+// need them.
 constexpr std::size_t MaximumTrianglesPerPacket = 1;
 
 // Measured: in larger scenes, clusters hardly help. They take about 10 bytes for each triangle.
@@ -161,8 +162,8 @@ private:
   std::unique_ptr<lms3dTileSearch> Tiles;
 };
 
-/// Embree finds candidates, lms3dExactView decides. Once the nearest triangle is known, its range is
-/// computed again with more digits.
+/// Embree finds candidates, lms3dExactView decides. Once the nearest triangle is known, its range
+/// is computed again with more digits.
 class ExactCaster final : public lms3dRayCaster
 {
 public:

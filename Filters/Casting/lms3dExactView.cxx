@@ -134,8 +134,8 @@ std::uint32_t lms3dExactView::Update(const lms3dCorners& corners,
   return changed;
 }
 
-// Updates `beams` with more digits than double precision gives. The beams in `needInsideTest` also need
-// the exact test.
+// Updates `beams` with more digits than double precision gives. The beams in `needInsideTest` also
+// need the exact test.
 std::uint32_t lms3dExactView::UpdateUncertain(const lms3dCorners& corners, std::int32_t triangle,
   std::uint32_t beams, std::uint32_t needInsideTest, lms3dBeamPacket& packet) const
 {

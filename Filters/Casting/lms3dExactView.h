@@ -4,10 +4,10 @@
  * @file
  * @brief A mesh seen from one origin, and the test of its triangles against packets of beams.
  *
- * Each beam gets the nearest triangle that it hits within the maximum range; of equally near ones, the
- * one with the smallest index. Single precision decides wherever its error bounds allow. Double
- * precision with an error bound decides on most other beams. Exact arithmetic decides on the rest. All
- * three find the same triangles, so the results do not depend on the order of the tests.
+ * Each beam gets the nearest triangle that it hits within the maximum range; of equally near ones,
+ * the one with the smallest index. Single precision decides wherever its error bounds allow. Double
+ * precision with an error bound decides on most other beams. Exact arithmetic decides on the rest.
+ * All three find the same triangles, so the results do not depend on the order of the tests.
  */
 #ifndef lms3dExactView_h
 #define lms3dExactView_h
@@ -22,7 +22,8 @@
 #include <cstdint>
 #include <memory>
 
-/// The narrow triangles that one thread used last, 256 KiB: neighbouring packets meet the same ones.
+/// The narrow triangles that one thread used last, 256 KiB: neighbouring packets meet the same
+/// ones.
 using lms3dNarrowCache = lms3dPlaneCache<lms3dNarrowTriangle, 4096>;
 
 /// A packet while its nearest hits are searched. The packet's Triangle is always up to date.
@@ -47,8 +48,9 @@ public:
   /// `unit` is a length of the size of the scene, metres. The mesh must outlive this object.
   lms3dExactView(const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, double unit);
 
-  /// Computes what single precision needs, 64 bytes for each triangle, with the threads of the calling
-  /// TBB arena. Without this call, they are computed for each test, or kept by KeepNarrowTriangles.
+  /// Computes what single precision needs, 64 bytes for each triangle, with the threads of the
+  /// calling TBB arena. Without this call, they are computed for each test, or kept by
+  /// KeepNarrowTriangles.
   void MakeNarrowTriangles();
 
   /// Keeps the narrow triangles that each thread used last. Pays for many packets.
@@ -60,11 +62,12 @@ public:
   /// Begins the search of a packet whose directions are set.
   void Begin(lms3dBeamPacket& packet, lms3dPacketSearch& search) const;
 
-  /// Tests one triangle for some active beams. Returns the beams that have their nearest hit there now.
+  /// Tests one triangle for some active beams. Returns the beams that have their nearest hit there
+  /// now.
   std::uint32_t Test(std::uint32_t triangle, std::uint32_t beams, lms3dPacketSearch& search) const;
 
-  /// Sets Range of all beams that have a triangle to the range by which triangles are compared, metres,
-  /// with about 13 digits; NoRange for beams without one.
+  /// Sets Range of all beams that have a triangle to the range by which triangles are compared,
+  /// metres, with about 13 digits; NoRange for beams without one.
   void ComputeRanges(lms3dBeamPacket& packet) const;
 
   const lms3dTriangleMesh& GetMesh() const { return this->Mesh; }
@@ -73,8 +76,8 @@ public:
   /// The inverse of the maximum range in units, rounded up.
   float GetMinimumInverse() const { return this->MinimumInverse; }
 
-  /// Returns a narrow triangle, which stays valid until the next call. `kept` is GetKept, and may be null
-  /// only after MakeNarrowTriangles.
+  /// Returns a narrow triangle, which stays valid until the next call. `kept` is GetKept, and may
+  /// be null only after MakeNarrowTriangles.
   const lms3dNarrowTriangle& GetNarrowTriangle(std::int32_t triangle, lms3dNarrowCache* kept) const
   {
     return this->NarrowTriangles

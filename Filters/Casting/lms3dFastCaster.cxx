@@ -14,8 +14,8 @@
 
 namespace
 {
-/// Embree decides in single precision which triangle each beam hits. The range is the distance to the
-/// plane of that triangle in double precision.
+/// Embree decides in single precision which triangle each beam hits. The range is the distance to
+/// the plane of that triangle in double precision.
 class FastCaster final : public lms3dRayCaster
 {
 public:

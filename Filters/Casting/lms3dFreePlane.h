@@ -15,8 +15,8 @@
 /// Computes the plane of a triangle in world coordinates, metres.
 lms3dFreePlane lms3dMakeFreePlane(const lms3dCorners& corners);
 
-/// Computes the ranges of some beams of a packet in a plane, metres, with all digits of a double. The
-/// ranges of the other beams are undefined.
+/// Computes the ranges of some beams of a packet in a plane, metres, with all digits of a double.
+/// The ranges of the other beams are undefined.
 void lms3dIntersectFreePlane(const lms3dCorners& corners, const lms3dFreePlane& plane,
   std::uint32_t beams, const lms3dFreePacket& packet, double* ranges);
 

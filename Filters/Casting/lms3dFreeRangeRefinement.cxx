@@ -38,8 +38,8 @@ private:
   lms3dPlaneCache<lms3dFreePlane, EntriesOfCall> Planes;
 };
 
-/// The same in double precision. If that cannot represent the plane of a beam well, the plane is computed
-/// with more digits and rounded.
+/// The same in double precision. If that cannot represent the plane of a beam well, the plane is
+/// computed with more digits and rounded.
 class DoubleIntersector
 {
 public:

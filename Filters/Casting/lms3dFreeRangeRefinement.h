@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Computes the range of beams whose triangle is known, and which start at points of their own.
+ * @brief Computes the range of beams whose triangle is known, and which start at points of their
+ * own.
  */
 #ifndef lms3dFreeRangeRefinement_h
 #define lms3dFreeRangeRefinement_h
@@ -11,8 +12,8 @@
 #include "Kernels/lms3dBeamPacket.h"
 
 ///@{
-/// Each beam gets what lms3dRefineRangesInDouble and lms3dRangeRefinement give for its start. The second
-/// function has no maximum range.
+/// Each beam gets what lms3dRefineRangesInDouble and lms3dRangeRefinement give for its start. The
+/// second function has no maximum range.
 void lms3dRefineFreeRangesInDouble(
   const lms3dTriangleMesh& mesh, double maximumRange, lms3dFreePacket* packets, int count);
 void lms3dRefineFreeRanges(const lms3dTriangleMesh& mesh, lms3dFreePacket* packets, int count);

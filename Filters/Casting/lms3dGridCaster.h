@@ -25,15 +25,15 @@ struct lms3dPacketRectangle
 class lms3dGridCaster
 {
 public:
-  /// No rectangle has more packets. Enough for the preparations of a call to cost little, and few enough
-  /// for the cache.
+  /// No rectangle has more packets. Enough for the preparations of a call to cost little, and few
+  /// enough for the cache.
   static constexpr int MaximumPackets = 64;
 
   virtual ~lms3dGridCaster() = default;
 
   ///@{
-  /// The rows and columns of the rectangles into which the grid is to be divided, from turn 0 and beam 0
-  /// on. Those at the grid's end can be smaller.
+  /// The rows and columns of the rectangles into which the grid is to be divided, from turn 0 and
+  /// beam 0 on. Those at the grid's end can be smaller.
   virtual int GetRows() const = 0;
   virtual int GetColumns() const = 0;
   ///@}
@@ -41,9 +41,10 @@ public:
   /// The columns of the parts of a rectangle that CastAtOnce takes.
   virtual int GetColumnsAtOnce() const { return MaximumPackets; }
 
-  /// Stores the final hits of a part of a rectangle if all its beams hit one triangle at ranges that count,
-  /// or none: what FindNearest, lms3dRayCaster::RefineRanges and the minimum range give. Otherwise returns
-  /// false, and the hits of these beams are undefined. Several threads may call this at once.
+  /// Stores the final hits of a part of a rectangle if all its beams hit one triangle at ranges
+  /// that count, or none: what FindNearest, lms3dRayCaster::RefineRanges and the minimum range
+  /// give. Otherwise returns false, and the hits of these beams are undefined. Several threads may
+  /// call this at once.
   virtual bool CastAtOnce(
     const lms3dPacketRectangle&, double /*minimumRange*/, const lms3dBeamHits&) const
   {
@@ -53,8 +54,8 @@ public:
   /// Returns true only if no beam of a rectangle hits a triangle. Such rectangles need not be cast.
   virtual bool IsEmpty(const lms3dPacketRectangle&) const { return false; }
 
-  /// Does what lms3dRayCaster::FindNearest does for the packets of one rectangle. Several threads may
-  /// call this at once.
+  /// Does what lms3dRayCaster::FindNearest does for the packets of one rectangle. Several threads
+  /// may call this at once.
   virtual void FindNearest(
     const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const = 0;
 };

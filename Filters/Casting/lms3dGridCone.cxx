@@ -19,8 +19,8 @@ bool lms3dIsOutside(
   constexpr int Side = lms3dBeamGrid::Side;
   const int endTurn = std::min(rectangle.FirstTurn + rectangle.Rows * Side, grid.Turns);
   const int endBeam = std::min(rectangle.FirstBeam + rectangle.Columns * Side, grid.Beams);
-  // Cosines of elevations are not negative, so each beam is nearest to the cone's axis in the turn whose
-  // fan is.
+  // Cosines of elevations are not negative, so each beam is nearest to the cone's axis in the turn
+  // whose fan is.
   double fan = Dot(cone.Axis, grid.FanAxes[rectangle.FirstTurn]);
   for (int turn = rectangle.FirstTurn + 1; turn < endTurn; ++turn)
   {

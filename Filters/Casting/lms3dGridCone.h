@@ -11,8 +11,8 @@
 #include "Casting/lms3dGridCaster.h"
 #include "Kernels/lms3dPacketKernels.h"
 
-/// Returns whether all beams of a rectangle lie outside the cone. Looks at each turn and each beam, but
-/// not at each pair of them.
+/// Returns whether all beams of a rectangle lie outside the cone. Looks at each turn and each beam,
+/// but not at each pair of them.
 bool lms3dIsOutside(
   const lms3dCone& cone, const lms3dBeamGrid& grid, const lms3dPacketRectangle& rectangle);
 

@@ -12,9 +12,9 @@
 
 #include <cstdint>
 
-/// The method Intersect(std::int32_t triangle, const PacketT& packet, double* ranges) of `intersector`
-/// computes the ranges of the beams that hit a triangle, metres. A hit is removed if its range is 0 or
-/// less, or above the maximum.
+/// The method Intersect(std::int32_t triangle, const PacketT& packet, double* ranges) of
+/// `intersector` computes the ranges of the beams that hit a triangle, metres. A hit is removed if
+/// its range is 0 or less, or above the maximum.
 template <typename Intersector, typename PacketT>
 void lms3dStoreHitRanges(Intersector& intersector, double maximumRange, PacketT* packets, int count)
 {

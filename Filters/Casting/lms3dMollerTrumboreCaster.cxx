@@ -5,7 +5,8 @@
 
 namespace
 {
-/// Source: T. Moeller, B. Trumbore, "Fast, minimum storage ray/triangle intersection", JGT 2(1), 1997.
+/// Source: T. Moeller, B. Trumbore, "Fast, minimum storage ray/triangle intersection", JGT 2(1),
+/// 1997.
 class MollerTrumboreTest
 {
 public:

@@ -29,8 +29,8 @@ lms3dNormalizedBox lms3dJoin(const lms3dNormalizedBox& a, const lms3dNormalizedB
 class lms3dNormalization
 {
 public:
-  /// Takes the bounds of the mesh without the `excluded` triangles, which are in increasing order. At
-  /// least one triangle must remain.
+  /// Takes the bounds of the mesh without the `excluded` triangles, which are in increasing order.
+  /// At least one triangle must remain.
   explicit lms3dNormalization(
     const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& excluded = {});
 
@@ -40,8 +40,9 @@ public:
     return (point[axis] - this->Center[axis]) / this->Diagonal;
   }
 
-  /// Returns a box around a triangle, larger by more than the rounding of single precision: of vertices,
-  /// ray origins and directions, and in traversal, as long as rays start within a few diagonals.
+  /// Returns a box around a triangle, larger by more than the rounding of single precision: of
+  /// vertices, ray origins and directions, and in traversal, as long as rays start within a few
+  /// diagonals.
   lms3dNormalizedBox GetBox(const lms3dCorners& corners) const;
 
   double GetCenter(int axis) const { return this->Center[axis]; }
@@ -50,11 +51,12 @@ public:
   /// Returns a normalized length.
   double NormalizeLength(double length) const { return length / this->Diagonal; }
 
-  /// Returns how far along its beam a ray may start without passing the scene: 0 near the scene. Rays
-  /// that can hit then start within two and a half diagonals of the centre.
+  /// Returns how far along its beam a ray may start without passing the scene: 0 near the scene.
+  /// Rays that can hit then start within two and a half diagonals of the centre.
   double GetRayOffset(const double origin[3]) const;
 
-  /// Returns a cone that contains the scene's bounding sphere; from inside that sphere, all directions.
+  /// Returns a cone that contains the scene's bounding sphere; from inside that sphere, all
+  /// directions.
   lms3dCone GetCone(const double origin[3]) const;
 
 private:

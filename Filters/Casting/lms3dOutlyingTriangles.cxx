@@ -57,8 +57,8 @@ double GetExtent(
   return extent;
 }
 
-/// Returns the triangles with the largest extents, the largest first: one more than the maximum number
-/// of outliers.
+/// Returns the triangles with the largest extents, the largest first: one more than the maximum
+/// number of outliers.
 std::vector<Extent> FindFarthest(const lms3dTriangleMesh& mesh)
 {
   const std::array<double, 3> median = GetMedian(mesh);

@@ -14,14 +14,16 @@
 
 /**
  * Returns at most 16 triangles, in increasing order, without which the scene is a hundred times
- * smaller: an endless floor, a backdrop, a stray vertex. Returns none if there are no such triangles.
+ * smaller: an endless floor, a backdrop, a stray vertex. Returns none if there are no such
+ * triangles.
  *
- * Single precision resolves a fixed share of the scene's size. If the caller tests the outliers one by
- * one, single precision resolves the rest a hundred times better.
+ * Single precision resolves a fixed share of the scene's size. If the caller tests the outliers one
+ * by one, single precision resolves the rest a hundred times better.
  */
 std::vector<std::uint32_t> lms3dFindOutlyingTriangles(const lms3dTriangleMesh& mesh);
 
-/// Returns all triangles but the outliers, which are in increasing order; an empty list if there are none.
+/// Returns all triangles but the outliers, which are in increasing order; an empty list if there
+/// are none.
 std::vector<std::uint32_t> lms3dFindOtherTriangles(
   const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& outliers);
 

@@ -23,8 +23,8 @@ inline lms3dVector lms3dGetOrigin(const lms3dFreePacket& packet, int beam)
   return { packet.Origin[0][beam], packet.Origin[1][beam], packet.Origin[2][beam] };
 }
 
-/// Returns whether a triangle at a range would be the nearest hit of a beam. Of two triangles at the same
-/// range, the one with the smaller index is.
+/// Returns whether a triangle at a range would be the nearest hit of a beam. Of two triangles at
+/// the same range, the one with the smaller index is.
 inline bool lms3dIsNearerHit(
   double range, std::int32_t triangle, const lms3dBeamPacket& packet, int beam)
 {
@@ -44,7 +44,8 @@ inline std::uint32_t lms3dFindBeams(
   return found;
 }
 
-/// Sets Triangle of all beams to one triangle or to lms3dBeamPacket::NoTriangle, and Range to NoRange.
+/// Sets Triangle of all beams to one triangle or to lms3dBeamPacket::NoTriangle, and Range to
+/// NoRange.
 inline void lms3dSetTriangle(std::int32_t triangle, lms3dBeamPacket& packet)
 {
   std::fill_n(packet.Range, lms3dBeamPacket::Size, lms3dBeamPacket::NoRange);

@@ -15,8 +15,8 @@ namespace
 // Enough for the packets of one call.
 constexpr int EntriesOfCall = 64;
 
-/// Intersects beams with planes in double precision. Planes that double precision cannot represent well
-/// are computed with more digits and rounded.
+/// Intersects beams with planes in double precision. Planes that double precision cannot represent
+/// well are computed with more digits and rounded.
 class DoubleIntersector
 {
 public:

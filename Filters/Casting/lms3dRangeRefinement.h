@@ -15,19 +15,19 @@
 #include <memory>
 
 /**
- * Sets Range of all beams of some packets that have a Triangle, metres: the distance to the plane of
- * that triangle. Removes a hit if the range is 0 or less, or above the maximum. Triangles are indices
- * into the mesh.
+ * Sets Range of all beams of some packets that have a Triangle, metres: the distance to the plane
+ * of that triangle. Removes a hit if the range is 0 or less, or above the maximum. Triangles are
+ * indices into the mesh.
  *
- * Gives about 13 digits. At grazing incidence it gives fewer: each zero after the decimal point of the
- * cosine of incidence costs one.
+ * Gives about 13 digits. At grazing incidence it gives fewer: each zero after the decimal point of
+ * the cosine of incidence costs one.
  */
 void lms3dRefineRangesInDouble(
   const lms3dTriangleMesh& mesh, const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count);
 
 /**
- * The same with all digits of a double. Each thread keeps the planes of recent triangles from call to
- * call, as long as the origin stays the same. The results do not depend on earlier calls.
+ * The same with all digits of a double. Each thread keeps the planes of recent triangles from call
+ * to call, as long as the origin stays the same. The results do not depend on earlier calls.
  */
 class lms3dRangeRefinement
 {
@@ -39,9 +39,9 @@ public:
   /// Several threads may call this at once, with any origins.
   void Refine(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
 
-  /// Computes the ranges of beams that all have one triangle, `stride` ranges from one turn to the next.
-  /// Returns false, and the ranges are undefined, if a range is not above 0 or not in an interval, or if
-  /// the triangle's plane passes too near to the origin.
+  /// Computes the ranges of beams that all have one triangle, `stride` ranges from one turn to the
+  /// next. Returns false, and the ranges are undefined, if a range is not above 0 or not in an
+  /// interval, or if the triangle's plane passes too near to the origin.
   bool FillTile(const lms3dRayOrigin& origin, std::int32_t triangle, const lms3dBeamsOfTile& beams,
     const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride) const;
 

@@ -59,7 +59,8 @@ private:
   const lms3dRayOrigin Origin;
 };
 
-/// Calls `cast` with a packet of one active beam for each active beam of a packet, and keeps the results.
+/// Calls `cast` with a packet of one active beam for each active beam of a packet, and keeps the
+/// results.
 template <typename Function>
 void CastOneByOne(double maximumRange, lms3dFreePacket& packet, const Function& cast)
 {

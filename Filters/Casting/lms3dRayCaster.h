@@ -5,10 +5,10 @@
  * @brief Finds the nearest triangle along each beam of a packet.
  *
  * Each method is a source file with one function that makes its caster. To add a method, add that
- * file to CMakeLists.txt, an enumerator to lms3dRayCaster::Method, a declaration of the function and a
- * row of the table to lms3dRayCaster.cxx, an enumerator with its setter to vtkLMS3DScanFilter.h, and an
- * entry to LMS3DFilters.xml. The filter, the command line and the benchmark read the table; tests
- * compare the header and the XML with it.
+ * file to CMakeLists.txt, an enumerator to lms3dRayCaster::Method, a declaration of the function
+ * and a row of the table to lms3dRayCaster.cxx, an enumerator with its setter to
+ * vtkLMS3DScanFilter.h, and an entry to LMS3DFilters.xml. The filter, the command line and the
+ * benchmark read the table; tests compare the header and the XML with it.
  */
 #ifndef lms3dRayCaster_h
 #define lms3dRayCaster_h
@@ -55,8 +55,8 @@ public:
   lms3dRayCaster& operator=(const lms3dRayCaster&) = delete;
 
   /**
-   * Casts the active beams of some packets. Fills Range and Triangle with the nearest hit at a range
-   * above 0 and up to the maximum. Several threads may call this at once.
+   * Casts the active beams of some packets. Fills Range and Triangle with the nearest hit at a
+   * range above 0 and up to the maximum. Several threads may call this at once.
    */
   void Cast(const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const
   {
@@ -66,11 +66,12 @@ public:
 
   ///@{
   /**
-   * The two steps of Cast. FindNearest finds the nearest triangle of each beam: FAST by ranges in single
-   * precision, the other methods by ranges of about 13 digits. EXACT, ANGLE_SUM and MOLLER_TRUMBORE
-   * take, of triangles at the same range, the one with the smallest index. RefineRanges computes the
-   * ranges of these triangles with all digits; methods whose first ranges are final do nothing. Between
-   * the two, Range of a beam with a triangle is undefined until ComputeRanges.
+   * The two steps of Cast. FindNearest finds the nearest triangle of each beam: FAST by ranges in
+   * single precision, the other methods by ranges of about 13 digits. EXACT, ANGLE_SUM and
+   * MOLLER_TRUMBORE take, of triangles at the same range, the one with the smallest index.
+   * RefineRanges computes the ranges of these triangles with all digits; methods whose first ranges
+   * are final do nothing. Between the two, Range of a beam with a triangle is undefined until
+   * ComputeRanges.
    */
   virtual void FindNearest(
     const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const = 0;
@@ -84,10 +85,10 @@ public:
     const lms3dRayOrigin& origin, lms3dBeamPacket* packets, int count) const;
 
   /**
-   * Casts the active beams of some packets whose beams start at points of their own. Fills Range and
-   * Triangle like Cast, which gives each beam the same result at its own start. Several threads may call
-   * this at once. FAST may choose another triangle than Cast does where single precision does not tell two
-   * apart.
+   * Casts the active beams of some packets whose beams start at points of their own. Fills Range
+   * and Triangle like Cast, which gives each beam the same result at its own start. Several threads
+   * may call this at once. FAST may choose another triangle than Cast does where single precision
+   * does not tell two apart.
    */
   void CastFree(double maximumRange, lms3dFreePacket* packets, int count) const
   {
@@ -98,16 +99,18 @@ public:
   ///@{
   /**
    * The two steps of CastFree. FindNearestFree needs Origin, Direction and Active alone, and
-   * overwrites NarrowDirection. It sets Range to the range by which it compared, NoRange for beams without a
-   * hit. RefineRangesFree computes the ranges of the triangles with all digits, as RefineRanges does; no
-   * range is then above the maximum of the first step. By default both treat each beam on its own.
+   * overwrites NarrowDirection. It sets Range to the range by which it compared, NoRange for beams
+   * without a hit. RefineRangesFree computes the ranges of the triangles with all digits, as
+   * RefineRanges does; no range is then above the maximum of the first step. By default both treat
+   * each beam on its own.
    */
   virtual void FindNearestFree(double maximumRange, lms3dFreePacket* packets, int count) const;
   virtual void RefineRangesFree(lms3dFreePacket* packets, int count) const;
   ///@}
 
-  /// Returns an object whose FindNearest serves one scan, and gives the same results as this one's. The
-  /// caster and the arrays of the grid must outlive it. Uses the threads of the calling TBB arena.
+  /// Returns an object whose FindNearest serves one scan, and gives the same results as this one's.
+  /// The caster and the arrays of the grid must outlive it. Uses the threads of the calling TBB
+  /// arena.
   virtual std::unique_ptr<lms3dGridCaster> NewGridCaster(
     const lms3dRayOrigin& origin, const lms3dBeamGrid& grid) const;
 

@@ -21,7 +21,8 @@ struct lms3dTileBlock
     this->First[tile + 1] = static_cast<std::uint32_t>(this->Candidates.size());
   }
 
-  /// The triangles that a tile can meet, one tile after the other, and where the list of each tile begins.
+  /// The triangles that a tile can meet, one tile after the other, and where the list of each tile
+  /// begins.
   lms3dTileCandidates Candidates;
   std::array<std::uint32_t, lms3dTiles::Size + 1> First = {};
 

@@ -67,8 +67,8 @@ public:
     return cover == NoCover ? lms3dBeamPacket::NoTriangle : this->Triangles[cover].Number;
   }
 
-  /// Appends the candidates of a tile to a list. The nearest one that covers the tile comes first, so that
-  /// the next division drops at once what lies behind it.
+  /// Appends the candidates of a tile to a list. The nearest one that covers the tile comes first,
+  /// so that the next division drops at once what lies behind it.
   void AppendCandidates(int tile, lms3dTileCandidates& candidates) const
   {
     const int cover = this->Covers[tile];

@@ -24,8 +24,8 @@ public:
   {
   }
 
-  /// Computes the directions of all corners at once, with the threads of the calling TBB arena. Otherwise
-  /// they are computed where they are needed.
+  /// Computes the directions of all corners at once, with the threads of the calling TBB arena.
+  /// Otherwise they are computed where they are needed.
   void MakeCorners();
 
   /// `kept` is the view's GetKept. `present` has the parts that the grid has.

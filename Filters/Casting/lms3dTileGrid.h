@@ -23,8 +23,8 @@ public:
   static_assert(PartsPerSide * PartsPerSide == lms3dTiles::Size);
   ///@}
 
-  /// A square part of the grid, cut off at the grid's end. The level is 0 for a block, 1 for a tile and
-  /// 2 for a packet.
+  /// A square part of the grid, cut off at the grid's end. The level is 0 for a block, 1 for a tile
+  /// and 2 for a packet.
   struct Area
   {
     int Level;
@@ -49,15 +49,16 @@ public:
   /// The arrays of the grid must outlive this object.
   explicit lms3dTileGrid(const lms3dBeamGrid& grid);
 
-  /// Returns whether the turns of each block span 90 degrees at most. Wider blocks decide too little.
+  /// Returns whether the turns of each block span 90 degrees at most. Wider blocks decide too
+  /// little.
   static bool CanDivide(const lms3dBeamGrid& grid);
 
   const lms3dBeamGrid& GetBeams() const { return this->Grid; }
   int GetNumberOfBlocks() const { return this->NumberOfBlocks; }
 
   ///@{
-  /// Returns a block, the number of the block that has a beam, and the number of the block's tile that
-  /// has it. Blocks and tiles are numbered by turn, then by beam.
+  /// Returns a block, the number of the block that has a beam, and the number of the block's tile
+  /// that has it. Blocks and tiles are numbered by turn, then by beam.
   Area GetBlock(int block) const;
   int FindBlock(int turn, int beam) const;
   static int FindPart(int turn, int beam)
@@ -66,13 +67,14 @@ public:
   }
   ///@}
 
-  /// Sets the input of FillTileCorners for tile `i`, from 0 to 15, to an area. An area that reaches beyond
-  /// the grid ends with the grid's last turn or beam; one that lies beyond it is this turn or beam alone.
+  /// Sets the input of FillTileCorners for tile `i`, from 0 to 15, to an area. An area that reaches
+  /// beyond the grid ends with the grid's last turn or beam; one that lies beyond it is this turn
+  /// or beam alone.
   void FillTile(const Area& area, int i, lms3dTiles& tiles) const;
 
   ///@{
-  /// Fills all parts of an area, or a group of sixteen successive blocks, with their corners and sides.
-  /// Returns the parts or blocks that the grid has.
+  /// Fills all parts of an area, or a group of sixteen successive blocks, with their corners and
+  /// sides. Returns the parts or blocks that the grid has.
   std::uint32_t FillParts(const Area& area, lms3dTiles& tiles) const;
   std::uint32_t FillGroup(int group, lms3dTiles& tiles) const;
   ///@}

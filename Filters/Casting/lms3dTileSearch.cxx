@@ -22,8 +22,8 @@ constexpr std::size_t MaximumCandidatesOfTile = 64;
 /// The packets of one tile, in an array that has the packets of several tiles side by side.
 struct lms3dTileSearch::PacketsOfTile
 {
-  // Calls `function` with the number of the part that a packet is, and the packet. Opens the packets for
-  // which it returns false.
+  // Calls `function` with the number of the part that a packet is, and the packet. Opens the
+  // packets for which it returns false.
   template <typename Function>
   void ForEach(const Function& function) const
   {

@@ -6,13 +6,13 @@
  *
  * Source of the idea: J. Warnock, "A hidden surface algorithm for computer generated halftone
  * pictures", 1969. The grid of beams is divided three times: into blocks of 64 x 64 beams, tiles of
- * 16 x 16, and packets of 4 x 4. Each step decides for 16 parts at once which triangles they can meet.
- * A triangle that covers a part hides all that lies behind it there. If nothing else is left, the part
- * is decided, without a look at its beams.
+ * 16 x 16, and packets of 4 x 4. Each step decides for 16 parts at once which triangles they can
+ * meet. A triangle that covers a part hides all that lies behind it there. If nothing else is left,
+ * the part is decided, without a look at its beams.
  *
  * In scenes too large for this, the first two divisions take clusters of triangles, see
- * lms3dClusterDivision. Tiles that few triangles can meet are then divided into packets likewise. All
- * others are left to Embree.
+ * lms3dClusterDivision. Tiles that few triangles can meet are then divided into packets likewise.
+ * All others are left to Embree.
  */
 #ifndef lms3dTileSearch_h
 #define lms3dTileSearch_h
@@ -38,33 +38,33 @@ public:
   static constexpr int PacketsPerSide = lms3dTileGrid::TileSide / lms3dBeamGrid::Side;
 
   ///@{
-  /// Returns whether the search can divide a grid, and whether that can pay for a number of triangles or
-  /// clusters. The answer does not depend on the machine.
+  /// Returns whether the search can divide a grid, and whether that can pay for a number of
+  /// triangles or clusters. The answer does not depend on the machine.
   static bool IsSuitable(const lms3dBeamGrid& grid, std::size_t triangles);
   static bool IsSuitable(const lms3dBeamGrid& grid, const lms3dTriangleClusters& clusters);
   ///@}
 
   /**
    * Divides the grid into tiles, with the threads of the calling TBB arena. The view must have its
-   * narrow triangles. Returns null if too many triangles remain for this to pay. View and the arrays of
-   * the grid must outlive the object.
+   * narrow triangles. Returns null if too many triangles remain for this to pay. View and the
+   * arrays of the grid must outlive the object.
    */
   static std::unique_ptr<lms3dTileSearch> New(
     const lms3dExactView& view, const lms3dBeamGrid& grid);
 
-  /// Divides a scene that is too large for that, by its clusters. The view must keep or have its narrow
-  /// triangles. The sensor is within the normalization's bounding sphere.
+  /// Divides a scene that is too large for that, by its clusters. The view must keep or have its
+  /// narrow triangles. The sensor is within the normalization's bounding sphere.
   static std::unique_ptr<lms3dTileSearch> New(const lms3dExactView& view, const lms3dBeamGrid& grid,
     const lms3dTriangleClusters& clusters, const lms3dNormalization& normalization);
 
   /// Sets Triangle of the packets of some tiles side by side, except for those that it returns. The
-  /// rectangle begins where a tile begins, and has at most PacketsPerSide rows. Several threads may call
-  /// this at once.
+  /// rectangle begins where a tile begins, and has at most PacketsPerSide rows. Several threads may
+  /// call this at once.
   lms3dPacketMask FindNearest(
     const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const;
 
-  /// Returns whether all beams of the tile that begins at a turn and beam hit one triangle, or none, and sets
-  /// this triangle or lms3dBeamPacket::NoTriangle.
+  /// Returns whether all beams of the tile that begins at a turn and beam hit one triangle, or
+  /// none, and sets this triangle or lms3dBeamPacket::NoTriangle.
   bool IsDecided(int turn, int beam, std::int32_t& triangle) const;
 
   /// Returns true only if no beam of such a rectangle hits a triangle.

@@ -5,8 +5,9 @@
  * @brief A triangle in the sensor frame, and exact tests of whether beams hit it.
  *
  * With the corners a, b, c relative to the sensor, a beam along d passes inside the triangle if the
- * three edge functions d.(b x c), d.(c x a), d.(a x b) have the same sign. Two triangles that share an
- * edge compute the same number for that edge, except for its sign, so no beam passes between them.
+ * three edge functions d.(b x c), d.(c x a), d.(a x b) have the same sign. Two triangles that share
+ * an edge compute the same number for that edge, except for its sign, so no beam passes between
+ * them.
  *
  * A triangle is closed (an edge or a corner counts as a hit) and has two sides. A beam in its plane
  * never hits it, and a triangle without area is never hit.
@@ -35,8 +36,8 @@ inline lms3dSensorFrameTriangle lms3dToSensorFrame(
   return triangle;
 }
 
-/// Returns whether a beam passes inside, by exact arithmetic. For the beams that double precision leaves
-/// undecided.
+/// Returns whether a beam passes inside, by exact arithmetic. For the beams that double precision
+/// leaves undecided.
 bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3]);
 
 /// Returns the directions of the corners, rounded to single precision.
@@ -45,8 +46,9 @@ lms3dCornerDirections lms3dGetCornerDirections(const lms3dSensorFrameTriangle& t
 /// Returns whether the corners do not lie on one line, with exact arithmetic.
 bool lms3dHasArea(const lms3dCorners& corners);
 
-/// Returns 1 if the corners are counter-clockwise as the sensor sees them and -1 if they are clockwise,
-/// with exact arithmetic. Returns 0 if the triangle has no area or its plane contains the sensor.
+/// Returns 1 if the corners are counter-clockwise as the sensor sees them and -1 if they are
+/// clockwise, with exact arithmetic. Returns 0 if the triangle has no area or its plane contains
+/// the sensor.
 int lms3dGetSide(const lms3dCorners& corners, const double origin[3]);
 
 /// Returns whether lms3dGetSide is 0. No beam hits such a triangle.
@@ -55,8 +57,8 @@ inline bool lms3dIsEdgeOn(const lms3dCorners& corners, const double origin[3])
   return lms3dGetSide(corners, origin) == 0;
 }
 
-/// Returns whether the sensor is so near to the triangle's plane that the 31 digits of `plane` are not
-/// enough for a range.
+/// Returns whether the sensor is so near to the triangle's plane that the 31 digits of `plane` are
+/// not enough for a range.
 bool lms3dIsNearPlane(
   const lms3dCorners& corners, const double origin[3], const lms3dDoubleDoublePlane& plane);
 

@@ -14,14 +14,14 @@ class vtkFieldData;
 class lms3dClosedBeams
 {
 public:
-  /// Reads the field data `ClosedBeamIds` of a local map, and `AlphaAngles` and `BetaAngles` of its scan. Without
-  /// them, there are no closed beams.
+  /// Reads the field data `ClosedBeamIds` of a local map, and `AlphaAngles` and `BetaAngles` of its
+  /// scan. Without them, there are no closed beams.
   lms3dClosedBeams(vtkFieldData* map, vtkFieldData* scan);
 
   bool IsEmpty() const { return this->IsClosed.empty(); }
 
-  /// Whether one of the four beams around a place is closed. A closed gap reaches up to the beams around it.
-  /// Degrees.
+  /// Whether one of the four beams around a place is closed. A closed gap reaches up to the beams
+  /// around it. Degrees.
   bool AreBeside(double alpha, double beta) const;
 
 private:

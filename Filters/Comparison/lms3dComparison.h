@@ -33,7 +33,8 @@ struct lms3dComparison
    * Fills both outputs, and sets the results. `map` and `scene` are the triangles of both surfaces,
    * at least one in each, all with an area. Returns false, and leaves outputs and results as they
    * are, if `progress` stops the work. Throws std::runtime_error with a message for the user if the
-   * pose is missing or the sensor sees nothing of the scene. Uses the threads of the calling TBB arena.
+   * pose is missing or the sensor sees nothing of the scene. Uses the threads of the calling TBB
+   * arena.
    */
   bool Run(lms3dTriangleMesh map, lms3dTriangleMesh scene, const lms3dProgress& progress,
     vtkPolyData* mapWithErrors, vtkPolyData* scenePoints, lms3dComparisonResults& results) const;

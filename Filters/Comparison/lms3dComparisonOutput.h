@@ -17,8 +17,8 @@ class vtkFieldData;
 class vtkPolyData;
 
 /**
- * Adds the errors of vertices and cells to `output`, a shallow copy of the map. `vertexErrors` holds
- * one distance for each point of the map, metres, NaN for a point that is not finite.
+ * Adds the errors of vertices and cells to `output`, a shallow copy of the map. `vertexErrors`
+ * holds one distance for each point of the map, metres, NaN for a point that is not finite.
  */
 void lms3dAddErrors(const lms3dTriangleMesh& map, const lms3dMapErrors& errors,
   const std::vector<double>& vertexErrors, vtkPolyData* output);

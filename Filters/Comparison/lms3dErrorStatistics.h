@@ -15,8 +15,8 @@ struct lms3dErrorStatistics
 {
   lms3dErrorStatistics() = default;
 
-  /// The errors are 0 or more. They are added in the given order, so that the same list always gives
-  /// the same bits.
+  /// The errors are 0 or more. They are added in the given order, so that the same list always
+  /// gives the same bits.
   explicit lms3dErrorStatistics(std::vector<double> errors);
 
   double Mean = std::numeric_limits<double>::quiet_NaN();

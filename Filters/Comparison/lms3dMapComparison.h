@@ -33,13 +33,15 @@ struct lms3dMapErrors
 
   /**
    * For each sample the angle between the planes of its triangle and of the nearest triangle of the
-   * scene, degrees, 0 to 90. If the map's triangle faces away from the sensor, 180 minus this angle.
+   * scene, degrees, 0 to 90. If the map's triangle faces away from the sensor, 180 minus this
+   * angle.
    */
   std::vector<double> Angles;
 
   /// The share of samples in space that the sensor has seen to be empty: the view covers them, they
-  /// are farther than the tolerance from the scene, and they are nearer to the sensor than the scene
-  /// along their beam by more than the tolerance. Samples in closed gaps have a share of their own.
+  /// are farther than the tolerance from the scene, and they are nearer to the sensor than the
+  /// scene along their beam by more than the tolerance. Samples in closed gaps have a share of
+  /// their own.
   double ShareInFreeSpace;
   double ShareOfClosedGapsInFreeSpace;
 };

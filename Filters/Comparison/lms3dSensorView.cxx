@@ -91,8 +91,8 @@ lms3dSensorView::lms3dSensorView(vtkFieldData* data, const lms3dRangeLimits& lim
   this->TurnedByDegree = turnedByMirrorTurn / FullCircle;
 }
 
-// On the level of the platform, a beam runs at the distance Offset[1] beside the axis. It passes the point
-// either before or behind its nearest place to the axis.
+// On the level of the platform, a beam runs at the distance Offset[1] beside the axis. It passes
+// the point either before or behind its nearest place to the axis.
 lms3dSensorView::Beam lms3dSensorView::FindBeam(const lms3dVector& point, int way) const
 {
   const lms3dVector to = lms3dSubtract(point, this->Position);
@@ -158,8 +158,8 @@ bool lms3dSensorView::Covers(const lms3dVector& point, int way) const
     return this->CoversAngles(
       lms3dDegreesPerRadian * std::atan2(beam.Along, beam.Forward), beam.Beta);
   }
-  // The half of the fan on the other side of the axis reaches the same point half a circle later. Beams
-  // of the axis itself belong to both halves.
+  // The half of the fan on the other side of the axis reaches the same point half a circle later.
+  // Beams of the axis itself belong to both halves.
   const double alpha = lms3dDegreesPerRadian * std::atan2(beam.Forward, beam.Along);
   return this->CoversAngles(alpha, beam.Beta) ||
     (this->IsCentred && this->CoversAngles(-alpha, beam.Beta + 0.5 * FullCircle));

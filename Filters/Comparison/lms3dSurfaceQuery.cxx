@@ -74,8 +74,8 @@ private:
   lms3dNearest Nearest;
 };
 
-// Fills a packet with beams from `origin` towards the points. Returns the mask of the active beams: a
-// beam is inactive if its point is at the origin or not finite.
+// Fills a packet with beams from `origin` towards the points. Returns the mask of the active beams:
+// a beam is inactive if its point is at the origin or not finite.
 std::uint32_t AimAtPoints(
   const lms3dVector& origin, const lms3dVector* points, int count, lms3dBeamPacket& packet)
 {
@@ -125,7 +125,8 @@ std::vector<lms3dNearest> lms3dSurfaceQuery::FindNearest(
   return nearest;
 }
 
-// The distance to `guess` bounds the search, so a triangle near a neighbouring point is a good guess.
+// The distance to `guess` bounds the search, so a triangle near a neighbouring point is a good
+// guess.
 lms3dNearest lms3dSurfaceQuery::FindNearest(const lms3dVector& point, std::uint32_t guess) const
 {
   NearestTriangle test(this->Mesh, point);

@@ -25,8 +25,8 @@ struct lms3dNearest
   std::uint32_t Triangle = 0;
 };
 
-/// Both queries use the threads of the calling TBB arena. The results do not depend on the number of
-/// threads. The queries and the constructor throw lms3dBuildStopped if `progress` stopped them.
+/// Both queries use the threads of the calling TBB arena. The results do not depend on the number
+/// of threads. The queries and the constructor throw lms3dBuildStopped if `progress` stopped them.
 class lms3dSurfaceQuery
 {
 public:

@@ -22,8 +22,8 @@ void lms3dDropTrianglesWithoutArea(lms3dTriangleMesh& mesh);
 struct lms3dSurfaceSamples
 {
   /**
-   * Divides the area into `count` equal shares, triangle after triangle, and puts one point into the
-   * triangle at the middle of each share. Within a triangle the points follow a low-discrepancy
+   * Divides the area into `count` equal shares, triangle after triangle, and puts one point into
+   * the triangle at the middle of each share. Within a triangle the points follow a low-discrepancy
    * sequence (Roberts 2018, the generalised golden ratio). The same mesh gives the same samples.
    * Requires an area above 0.
    */

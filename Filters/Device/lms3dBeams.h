@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Where the beams of a resting sensor start and point, in world coordinates, for any platform.
+ * @brief Where the beams of a resting sensor start and point, in world coordinates, for any
+ * platform.
  */
 #ifndef lms3dBeams_h
 #define lms3dBeams_h
@@ -12,7 +13,8 @@
 #include "Device/lms3dTurnFrame.h"
 #include "Geometry/lms3dVector.h"
 
-/// For a platform that is centred and stepped, directions equal the ones of lms3dBeamDirections to the bit.
+/// For a platform that is centred and stepped, directions equal the ones of lms3dBeamDirections to
+/// the bit.
 class lms3dBeams
 {
 public:

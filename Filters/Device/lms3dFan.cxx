@@ -11,8 +11,8 @@ namespace
 // The largest deviation of 1 / step from a whole number that is attributed to rounding.
 constexpr double StepTolerance = 1e-6;
 
-// Turns a vector of the frame at angle 0 to the frame that the platform has reached, and returns its
-// components in the frame at angle 0.
+// Turns a vector of the frame at angle 0 to the frame that the platform has reached, and returns
+// its components in the frame at angle 0.
 lms3dVector Turn(const lms3dVector& v, double sine, double cosine)
 {
   return { cosine * v[0] + sine * v[1], cosine * v[1] - sine * v[0], v[2] };

@@ -4,8 +4,8 @@
  * @file
  * @brief How the platform carries the fan, and how it turns.
  *
- * A turn has a frame of three axes: F is perpendicular to the platform's axis, A is the axis, and
- * S = A x F. For the platform angle beta the axes F and S are turned about A, clockwise seen from its
+ * A turn has a frame of three axes: F is perpendicular to the platform's axis, A is the axis, and S
+ * = A x F. For the platform angle beta the axes F and S are turned about A, clockwise seen from its
  * tip:
  *
  *     F(beta) = cos(beta) F(0) - sin(beta) S(0),    S(beta) = sin(beta) F(0) + cos(beta) S(0).
@@ -42,8 +42,8 @@ struct lms3dPlatform
 {
   lms3dMounting Mounting = lms3dMounting::Yawing;
 
-  /// The position of the mirror's centre, metres, in the sensor's axes while beta is 0. It turns with
-  /// the platform.
+  /// The position of the mirror's centre, metres, in the sensor's axes while beta is 0. It turns
+  /// with the platform.
   lms3dVector AxisOffset = { 0.0, 0.0, 0.0 };
 
   /// How fast the platform turns while the mirror sweeps a fan, degrees a second.

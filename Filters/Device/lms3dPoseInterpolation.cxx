@@ -35,7 +35,8 @@ lms3dQuaternion Combine(
 
 lms3dQuaternion lms3dToQuaternion(const std::array<std::array<double, 3>, 3>& axes)
 {
-  // The largest of the four components is found first; the others are quotients by it (Shepperd 1978).
+  // The largest of the four components is found first; the others are quotients by it (Shepperd
+  // 1978).
   const auto& [x, y, z] = axes;
   const lms3dQuaternion squares = { 1.0 + x[0] + y[1] + z[2], 1.0 + x[0] - y[1] - z[2],
     1.0 - x[0] + y[1] - z[2], 1.0 - x[0] - y[1] + z[2] };

@@ -17,8 +17,8 @@ using lms3dQuaternion = std::array<double, 4>;
 /// Returns the rotation from the sensor frame to the world, of length 1, with w not negative.
 lms3dQuaternion lms3dToQuaternion(const std::array<std::array<double, 3>, 3>& axes);
 
-/// Returns the columns of the rotation matrix of a quaternion of any length other than 0. Its squares
-/// must be finite.
+/// Returns the columns of the rotation matrix of a quaternion of any length other than 0. Its
+/// squares must be finite.
 std::array<std::array<double, 3>, 3> lms3dToAxes(const lms3dQuaternion& quaternion);
 
 /// The way from one pose to another. Computes once what all poses between the two share.
@@ -27,9 +27,9 @@ class lms3dPoseSegment
 public:
   lms3dPoseSegment(const lms3dPose& from, const lms3dPose& to);
 
-  /// Returns the pose at a share of the way, 0 to 1: the position on the straight line, the orientation
-  /// by slerp (Shoemake 1985) on the shorter way. Both ends, coordinates that they have in common, and a
-  /// common orientation are kept to the bit.
+  /// Returns the pose at a share of the way, 0 to 1: the position on the straight line, the
+  /// orientation by slerp (Shoemake 1985) on the shorter way. Both ends, coordinates that they have
+  /// in common, and a common orientation are kept to the bit.
   lms3dPose Interpolate(double share) const;
 
 private:

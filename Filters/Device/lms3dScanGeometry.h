@@ -96,15 +96,15 @@ public:
   /// Returns whether the turn after the last would repeat the first.
   bool IsClosed() const;
 
-  /// Returns whether exactly one of alpha and beta decreases, so that the grid is a mirror image. Not for
-  /// fans along the axis: their two halves are mirror images of one another.
+  /// Returns whether exactly one of alpha and beta decreases, so that the grid is a mirror image.
+  /// Not for fans along the axis: their two halves are mirror images of one another.
   bool IsMirrored() const;
 
   /// Returns whether the beam lies on the platform's axis, so that it is the same in every turn.
   bool IsPole(int beam) const;
 
-  /// Sine and cosine of the elevation above the platform's plane (lms3dPlatform.h), one value for each
-  /// beam.
+  /// Sine and cosine of the elevation above the platform's plane (lms3dPlatform.h), one value for
+  /// each beam.
   const std::vector<double>& GetAlphaSines() const { return this->AlphaSines; }
   const std::vector<double>& GetAlphaCosines() const { return this->AlphaCosines; }
 
@@ -126,9 +126,10 @@ private:
 };
 
 /**
- * The directions of a sensor's beams in world coordinates, of length 1 up to rounding, for a platform
- * that stands still during each fan. A direction is the axis F of the turn's frame (lms3dPlatform.h)
- * times the cosine of the elevation, plus the platform's axis A, "up", times its sine.
+ * The directions of a sensor's beams in world coordinates, of length 1 up to rounding, for a
+ * platform that stands still during each fan. A direction is the axis F of the turn's frame
+ * (lms3dPlatform.h) times the cosine of the elevation, plus the platform's axis A, "up", times its
+ * sine.
  */
 class lms3dBeamDirections
 {

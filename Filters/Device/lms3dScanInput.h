@@ -55,7 +55,8 @@ public:
 
   lms3dPose GetPose() const;
 
-  /// Returns whether the angles and the platform of the scan and of `geometry` are equal to the bit.
+  /// Returns whether the angles and the platform of the scan and of `geometry` are equal to the
+  /// bit.
   bool HasAngles(const lms3dScanGeometry& geometry) const;
 
   /// World coordinates, metres.

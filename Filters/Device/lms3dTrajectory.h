@@ -34,8 +34,9 @@ public:
 
   const lms3dPose& GetPose(int step) const { return this->Poses[step]; }
 
-  /// Returns the pose at any time: positions are interpolated linearly, orientations by slerp (Shoemake
-  /// 1985) on the shorter way. Before the first time and after the last it is the first and the last pose.
+  /// Returns the pose at any time: positions are interpolated linearly, orientations by slerp
+  /// (Shoemake 1985) on the shorter way. Before the first time and after the last it is the first
+  /// and the last pose.
   lms3dPose Interpolate(double time) const;
 
 private:

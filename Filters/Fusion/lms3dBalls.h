@@ -41,11 +41,12 @@ public:
 
   bool IsEmpty() const { return this->HasNone; }
 
-  /// The distance along the longer axis of the cell nearest to a cell of the block, at most Margin. The distance to the
-  /// cell itself is 0.
+  /// The distance along the longer axis of the cell nearest to a cell of the block, at most Margin.
+  /// The distance to the cell itself is 0.
   int GetDistance(int u, int v) const;
 
-  /// The cells of the block that have a cell of the window at most LargestRadius away along both axes.
+  /// The cells of the block that have a cell of the window at most LargestRadius away along both
+  /// axes.
   lms3dBits GetCellsNear() const;
 
 private:
@@ -59,16 +60,16 @@ private:
   bool HasNone = true;
 };
 
-/// The balls around the cells of a block that are nearer to them than to any cell of a window. Cells farther
-/// than 15 cells are in no ball.
+/// The balls around the cells of a block that are nearer to them than to any cell of a window.
+/// Cells farther than 15 cells are in no ball.
 class lms3dBalls
 {
 public:
   /// The balls around the cells of `centres`.
   lms3dBalls(const lms3dBits& centres, const lms3dBlockWindow& others);
 
-  /// Calls `visit` with each row from -16 to 79 that has cells, and with the words of the blocks on the left, in the
-  /// middle and on the right.
+  /// Calls `visit` with each row from -16 to 79 that has cells, and with the words of the blocks on
+  /// the left, in the middle and on the right.
   template <typename Visitor>
   void ForRows(const Visitor& visit) const
   {

@@ -87,8 +87,8 @@ public:
   /// Sets or clears a bit of the cells of a strip that lie in blocks.
   void Set(BitsOf bits, const lms3dCellStrip& strip, bool value);
 
-  /// Sets or clears a bit of cells of a row. Blocks are made if `makesBlocks`; other cells without a block stay.
-  /// Calls `touch` with the number of each block in which a bit changed.
+  /// Sets or clears a bit of cells of a row. Blocks are made if `makesBlocks`; other cells without
+  /// a block stay. Calls `touch` with the number of each block in which a bit changed.
   template <typename Visitor>
   void SetRow(BitsOf bits, std::int32_t row, std::int32_t first, std::int32_t last, bool value,
     bool makesBlocks, const Visitor& touch)

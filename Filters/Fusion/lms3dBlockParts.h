@@ -12,7 +12,8 @@
 #include <cstdint>
 #include <vector>
 
-/// Cells that share a side are connected. Parts are counted from 0, in the order of their first cells.
+/// Cells that share a side are connected. Parts are counted from 0, in the order of their first
+/// cells.
 class lms3dBlockParts
 {
 public:

@@ -58,7 +58,8 @@ public:
     this->Places[place] = this->Places[bucket.First + bucket.Count];
   }
 
-  /// Whether `predicate` holds for the points and numbers of all corners in a triangle. It is also asked about others.
+  /// Whether `predicate` holds for the points and numbers of all corners in a triangle. It is also
+  /// asked about others.
   template <typename Predicate>
   bool AllOf(const std::array<lms3dPoint2, 3>& triangle, const Predicate& predicate) const
   {

@@ -12,7 +12,8 @@
 #include <utility>
 #include <vector>
 
-/// A part of the line in which two planes meet, from `first` to `second` along the line's direction.
+/// A part of the line in which two planes meet, from `first` to `second` along the line's
+/// direction.
 using lms3dCreaseParts = std::vector<std::pair<double, double>>;
 
 /// A line, and the parts of it at which the other plane ends. Coordinates are cells.

@@ -25,7 +25,8 @@ public:
     lms3dBits Near = {};
   };
 
-  /// Draws a crease on the blocks of a raster. Blocks with new cells are marked as dirty, and count them.
+  /// Draws a crease on the blocks of a raster. Blocks with new cells are marked as dirty, and count
+  /// them.
   void Draw(const lms3dCreaseLine& crease, lms3dRaster& raster);
 
   /// Returns nullptr for a block without cells.

@@ -6,7 +6,8 @@
 
 namespace
 {
-// Cells: how far a corner may be from a crease, from the end of its part, and from a meeting point of creases.
+// Cells: how far a corner may be from a crease, from the end of its part, and from a meeting point
+// of creases.
 constexpr double Reach = 8.0;
 constexpr double ReachAlong = 8.0;
 constexpr double ReachOfMeeting = 12.0;

@@ -13,8 +13,8 @@
 #include <optional>
 #include <vector>
 
-/// Returns the point of the nearest crease for a corner near it, or the point in which the two nearest meet. A corner on
-/// a side of the tile stays on it. Returns none if no crease is near.
+/// Returns the point of the nearest crease for a corner near it, or the point in which the two
+/// nearest meet. A corner on a side of the tile stays on it. Returns none if no crease is near.
 std::optional<lms3dPoint2> lms3dFindPlaceOnCrease(const lms3dPoint2& point,
   const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile);
 

@@ -12,8 +12,8 @@
 
 #include <vector>
 
-/// Adds the edges between patches of a local map to the creases of their planes. `planeOfPatch` has the plane of each
-/// patch, -1 for none.
+/// Adds the edges between patches of a local map to the creases of their planes. `planeOfPatch` has
+/// the plane of each patch, -1 for none.
 void lms3dAddCreases(
   const lms3dLocalMap& local, const std::vector<int>& planeOfPatch, lms3dFusedPlanes& planes);
 

@@ -27,8 +27,8 @@ struct lms3dFusedPlane
   {
   }
 
-  /// Returns whether a return lies within `bound`, metres, of the plane, and the plane is not nearer than the
-  /// return by more, along the beam.
+  /// Returns whether a return lies within `bound`, metres, of the plane, and the plane is not
+  /// nearer than the return by more, along the beam.
   bool Explains(const lms3dVector& point, const lms3dVector& direction, double bound) const
   {
     const double height = this->Frame.GetHeight(point);
@@ -90,12 +90,14 @@ struct lms3dFusedPlane
   lms3dRaster Raster;
   /// Whether the surface is curved.
   bool IsCurved = false;
-  /// Whether few returns support the plane, so that a better view may take its place. Its returns are then kept.
+  /// Whether few returns support the plane, so that a better view may take its place. Its returns
+  /// are then kept.
   bool IsWeak = false;
   std::vector<lms3dMappedReturn> Returns;
   /// The creases with other planes, by their numbers, metres.
   std::map<int, lms3dCreaseParts> Creases;
-  /// The triangle of a local map, if the region is nothing else. It need not lie exactly in the plane.
+  /// The triangle of a local map, if the region is nothing else. It need not lie exactly in the
+  /// plane.
   std::vector<std::array<lms3dVector, 3>> Verbatim;
 
   lms3dRegionShape Shape;

@@ -40,8 +40,8 @@ public:
   void GrowBox(int number, const lms3dLocalMap& local, int triangle);
 
   ///@{
-  /// Threads may call these for different planes at the same time.
-  /// Lets a plane have surface where a triangle of a local map is. The cells get Guess until AcceptGuesses().
+  /// Threads may call these for different planes at the same time. Lets a plane have surface where
+  /// a triangle of a local map is. The cells get Guess until AcceptGuesses().
   void GuessTriangle(int number, const lms3dLocalMap& local, int triangle);
 
   /// Lets a plane have surface where Guess says so.

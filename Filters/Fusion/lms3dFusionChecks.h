@@ -9,7 +9,8 @@
 
 class vtkPolyData;
 
-/// Throws std::runtime_error, with a text for the user. `maximumError` is that of the fused map, metres.
+/// Throws std::runtime_error, with a text for the user. `maximumError` is that of the fused map,
+/// metres.
 void lms3dCheckFusionInput(vtkPolyData* map, vtkPolyData* scan, double maximumError);
 
 #endif

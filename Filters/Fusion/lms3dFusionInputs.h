@@ -24,16 +24,16 @@ struct lms3dFusionInput
   vtkPolyData* Scan;
 };
 
-/// Returns the inputs of ports 0 and 1. Throws std::runtime_error, with a text for the user, if the ports have
-/// different numbers of connections.
+/// Returns the inputs of ports 0 and 1. Throws std::runtime_error, with a text for the user, if the
+/// ports have different numbers of connections.
 std::vector<lms3dFusionInput> lms3dGetFusionInputs(vtkInformationVector** inputVector);
 
 /// Knows a scan by its ranges and its pose.
 class lms3dFusionInputs
 {
 public:
-  /// Returns whether the map of the scans so far is not a part of the map of these inputs: something upstream was
-  /// modified, or, without time steps, a connection was removed.
+  /// Returns whether the map of the scans so far is not a part of the map of these inputs:
+  /// something upstream was modified, or, without time steps, a connection was removed.
   bool BeginNewMap(vtkAlgorithm* filter, const std::vector<lms3dFusionInput>& inputs);
 
   bool Has(const lms3dFusionInput& input) const;

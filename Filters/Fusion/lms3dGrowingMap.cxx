@@ -82,7 +82,8 @@ bool lms3dGrowingMap::Add(
   return this->Renew(lms3dGetStepProgress(progress, TimeOfMarking, 1.0));
 }
 
-// The threads divide planes, then tiles. A tile depends on its plane and on the frames of other planes alone.
+// The threads divide planes, then tiles. A tile depends on its plane and on the frames of other
+// planes alone.
 bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
 {
   std::vector<int> changed;

@@ -12,7 +12,8 @@ namespace
 {
 // The sine of the smallest angle at which a plane can hide another.
 constexpr double SmallestSine = 0.17;
-// As a share of the bound: how far a guess may lie behind a plane. Less would fray the borders at creases.
+// As a share of the bound: how far a guess may lie behind a plane. Less would fray the borders at
+// creases.
 constexpr double BehindShare = 4.0;
 // Metres: how far behind the returns around it a guess is looked for.
 constexpr double LargestOvershoot = 5.0;

@@ -14,9 +14,10 @@
 #include <vector>
 
 /**
- * A patch of a local map may end anywhere between two beams. At grazing incidence this is metres behind the surface
- * that the next beam meets. Therefore a guess between four beams goes where it lies far behind the plane of one of their
- * returns, unless the patch of the guess has a return around them that lies behind this plane, too.
+ * A patch of a local map may end anywhere between two beams. At grazing incidence this is metres
+ * behind the surface that the next beam meets. Therefore a guess between four beams goes where it
+ * lies far behind the plane of one of their returns, unless the patch of the guess has a return
+ * around them that lies behind this plane, too.
  *
  * Clears bits of Guess alone. `planeOfPatch` has -1 for a patch without a plane.
  */

@@ -30,8 +30,8 @@ struct lms3dMappedReturn
 
 struct lms3dLocalMap
 {
-  /// Casts the beams of the scan at its map, with the threads of the calling TBB arena. Both must be valid, and
-  /// the map must have triangles.
+  /// Casts the beams of the scan at its map, with the threads of the calling TBB arena. Both must
+  /// be valid, and the map must have triangles.
   lms3dLocalMap(vtkPolyData* map, const lms3dScanInput& scan, const lms3dSeenRanges& ranges,
     double maximumError);
 

@@ -10,7 +10,8 @@
 
 namespace
 {
-// As a share of the bound: how far the returns of a single triangle may be from the plane that it joins.
+// As a share of the bound: how far the returns of a single triangle may be from the plane that it
+// joins.
 constexpr double JoinShare = 0.9;
 // The cosine of the largest angle between a triangle and the plane that it joins.
 constexpr double SmallestCosine = 0.9;

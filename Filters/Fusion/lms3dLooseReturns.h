@@ -13,7 +13,8 @@
 #include <array>
 #include <vector>
 
-/// Keeps references. `isExplained` has a number for each return of the local map, 0 if no plane explains it.
+/// Keeps references. `isExplained` has a number for each return of the local map, 0 if no plane
+/// explains it.
 class lms3dLooseReturns
 {
 public:
@@ -26,7 +27,8 @@ public:
   /// Adds each of some returns of a patch to the plane that is nearest to it.
   void AddToNearest(const std::vector<int>& returns, int ownPlane, std::vector<char>& isExplained);
 
-  /// Adds all returns that are not explained. `planeOfPatch` has the plane of each patch, -1 for none.
+  /// Adds all returns that are not explained. `planeOfPatch` has the plane of each patch, -1 for
+  /// none.
   void AddRest(const std::vector<char>& isExplained, const std::vector<int>& planeOfPatch);
 
 private:

@@ -38,11 +38,12 @@ public:
   lms3dMapFusion(const lms3dMapFusion&) = delete;
   lms3dMapFusion& operator=(const lms3dMapFusion&) = delete;
 
-  /// Throws std::runtime_error, with a text for the user, if the scan or its map is invalid. Nothing changes then.
+  /// Throws std::runtime_error, with a text for the user, if the scan or its map is invalid.
+  /// Nothing changes then.
   void Check(vtkPolyData* map, vtkPolyData* scan) const;
 
-  /// Adds a scan that was checked. Returns false, with a map that is not of use any more, if `progress` stopped the
-  /// work. Uses the threads of the calling TBB arena.
+  /// Adds a scan that was checked. Returns false, with a map that is not of use any more, if
+  /// `progress` stopped the work. Uses the threads of the calling TBB arena.
   bool Add(vtkPolyData* map, vtkPolyData* scan, const lms3dProgress& progress);
 
   int GetNumberOfScans() const;

@@ -88,7 +88,8 @@ void lms3dOutlineSimplifier::Link(const std::vector<lms3dLoop>& loops)
   this->IsGone.assign(this->Points.size(), false);
 }
 
-// The square of the largest distance of a corner, and of those that went beside it, from the line that would take their place.
+// The square of the largest distance of a corner, and of those that went beside it, from the line
+// that would take their place.
 double lms3dOutlineSimplifier::GetCost(Corner corner) const
 {
   const Corner from = this->Previous[corner];
@@ -182,7 +183,8 @@ void lms3dOutlineSimplifier::Remove(Corner corner)
   this->Queue(next);
 }
 
-// Takes the next candidate out of the first ones, which are sorted, or out of those that came later.
+// Takes the next candidate out of the first ones, which are sorted, or out of those that came
+// later.
 lms3dOutlineSimplifier::Candidate lms3dOutlineSimplifier::TakeNext()
 {
   const bool isFirst = this->NextOfFirst < this->First.size() &&

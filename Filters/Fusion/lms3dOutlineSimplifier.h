@@ -18,17 +18,18 @@
 #include <vector>
 
 /**
- * A corner goes if the straight line between its neighbours passes all corners that went before within a tolerance,
- * and if the triangle between corner and line holds no other corner, so outlines never cross. If the region loses
- * the triangle, no cell of Must may have its centre there; if the region gains it, no cell of Passed may touch
- * it, and all its cells must lie in blocks. The corners that cost least go first (M. Visvalingam and J. Whyatt 1993,
- * "Line generalisation by repeated elimination of points").
+ * A corner goes if the straight line between its neighbours passes all corners that went before
+ * within a tolerance, and if the triangle between corner and line holds no other corner, so
+ * outlines never cross. If the region loses the triangle, no cell of Must may have its centre
+ * there; if the region gains it, no cell of Passed may touch it, and all its cells must lie in
+ * blocks. The corners that cost least go first (M. Visvalingam and J. Whyatt 1993, "Line
+ * generalisation by repeated elimination of points").
  */
 class lms3dOutlineSimplifier
 {
 public:
-  /// `region` is that of lms3dMakeRegion. The tolerance is in cells. Corners of `isFixed`, in the order of the loops,
-  /// go only if they lie on a straight line.
+  /// `region` is that of lms3dMakeRegion. The tolerance is in cells. Corners of `isFixed`, in the
+  /// order of the loops, go only if they lie on a straight line.
   lms3dOutlineSimplifier(const lms3dRegion& region, const std::vector<lms3dLoop>& loops,
     const std::vector<bool>& isFixed, double tolerance);
 

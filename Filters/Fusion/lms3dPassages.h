@@ -30,8 +30,8 @@ public:
   {
   }
 
-  /// Finds all beams that passed through the blocks of a plane from `firstBlock` on, and some that passed
-  /// beside them. Keeps references.
+  /// Finds all beams that passed through the blocks of a plane from `firstBlock` on, and some that
+  /// passed beside them. Keeps references.
   void Find(const lms3dSeenRanges& ranges, const lms3dFusedPlane& plane, int firstBlock);
 
   std::size_t GetSize() const { return this->Beams.size(); }

@@ -20,15 +20,17 @@ struct lms3dFittedPlane
   lms3dVector Normal;
   /// The root mean square of the returns' distances, metres.
   double Deviation;
-  /// The correlation of the distances of successive returns: near 0 for noise, near 1 for a curved surface.
+  /// The correlation of the distances of successive returns: near 0 for noise, near 1 for a curved
+  /// surface.
   double Correlation = 0.0;
 };
 
 /// Returns the numbers of the returns of each patch.
 std::vector<std::vector<int>> lms3dGetReturnsOfPatches(const lms3dLocalMap& map);
 
-/// Fits a plane to returns, then again without those that are far from it, since a patch can have returns of what
-/// lies beside it. Returns none if they are too few, or too near to a line, for a plane. `smallestWidth` is in metres.
+/// Fits a plane to returns, then again without those that are far from it, since a patch can have
+/// returns of what lies beside it. Returns none if they are too few, or too near to a line, for a
+/// plane. `smallestWidth` is in metres.
 std::optional<lms3dFittedPlane> lms3dFitPlane(
   const lms3dLocalMap& map, const std::vector<int>& returns, double smallestWidth);
 

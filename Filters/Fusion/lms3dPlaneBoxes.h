@@ -15,8 +15,8 @@
 #include <unordered_map>
 #include <vector>
 
-/// A search costs time by what is near, not by the number of planes: each plane is listed in the cubes that its
-/// box meets, or, if it is large, in one list that each search goes through.
+/// A search costs time by what is near, not by the number of planes: each plane is listed in the
+/// cubes that its box meets, or, if it is large, in one list that each search goes through.
 class lms3dPlaneBoxes
 {
 public:
@@ -34,7 +34,8 @@ public:
   /// Lets the box of a plane grow to a point.
   void Grow(std::size_t plane, const lms3dVector& point);
 
-  /// Returns the planes before `end` whose boxes are nearer to a box than a distance along each axis, in order. Metres.
+  /// Returns the planes before `end` whose boxes are nearer to a box than a distance along each
+  /// axis, in order. Metres.
   std::vector<int> Find(const lms3dWorldBox& box, double distance, std::size_t end) const;
 
 private:

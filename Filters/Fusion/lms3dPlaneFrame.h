@@ -15,8 +15,8 @@
 class lms3dPlaneFrame
 {
 public:
-  /// A plane through a point with a normal of length 1. `cell` is the size of a cell, metres. Walls have horizontal
-  /// rows, so the raster follows the edges of most rooms.
+  /// A plane through a point with a normal of length 1. `cell` is the size of a cell, metres. Walls
+  /// have horizontal rows, so the raster follows the edges of most rooms.
   lms3dPlaneFrame(const lms3dVector& point, const lms3dVector& normal, double cell)
     : Offset(lms3dDot(normal, point))
     , Cell(cell)

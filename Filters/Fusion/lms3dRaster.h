@@ -20,7 +20,8 @@ struct lms3dRasterBlock : lms3dRegionBlock
   lms3dBits Guess = {};
   /// Here is a place between beams that all passed, without a return among them.
   lms3dBits Open = {};
-  /// The region covers the cell, before its borders are straightened: now, and when the mesh was made.
+  /// The region covers the cell, before its borders are straightened: now, and when the mesh was
+  /// made.
   lms3dBits Shape = {};
   lms3dBits Meshed = {};
 
@@ -65,7 +66,8 @@ public:
   /// The same, but marks the blocks in which a cell of the shape changes as dirty.
   void SetAndMark(BitsOf bits, const lms3dCellStrip& strip, bool value);
 
-  /// Sets Guess of the cells of a strip. Makes the blocks that do not exist, and marks them as guessed.
+  /// Sets Guess of the cells of a strip. Makes the blocks that do not exist, and marks them as
+  /// guessed.
   void SetGuess(const lms3dCellStrip& strip);
 
   /// Adds a mark to a block.

@@ -14,8 +14,8 @@
 
 using lms3dLoop = std::vector<lms3dPoint2>;
 
-/// Returns the outlines of the cells with the bit May: counter-clockwise around cells, clockwise around holes. Their
-/// corners are corners of cells. Cells that touch at a corner only are apart.
+/// Returns the outlines of the cells with the bit May: counter-clockwise around cells, clockwise
+/// around holes. Their corners are corners of cells. Cells that touch at a corner only are apart.
 std::vector<lms3dLoop> lms3dTraceOutlines(const lms3dRegion& raster);
 
 #endif

@@ -75,8 +75,9 @@ lms3dBits GetBoth(const lms3dRasterBlock& block, lms3dRaster::BitsOf a, lms3dRas
   return both;
 }
 
-/// Calls `visit` with a number of a block of the region, a row and bits, for the balls around the cells that `getCentres`
-/// returns for a block. The balls keep away from the cells with the bit `others`.
+/// Calls `visit` with a number of a block of the region, a row and bits, for the balls around the
+/// cells that `getCentres` returns for a block. The balls keep away from the cells with the bit
+/// `others`.
 template <typename Getter, typename Visitor>
 void ForBalls(const lms3dRaster& raster, const std::vector<int>& blocks, const Getter& getCentres,
   lms3dRaster::BitsOf others, const lms3dRegion& region, const Visitor& visit)

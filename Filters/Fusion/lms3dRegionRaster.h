@@ -17,9 +17,10 @@ std::vector<int> lms3dFindBlocksAround(const lms3dRaster& raster, const std::vec
 /// Returns the blocks whose shape may have changed, in order.
 std::vector<int> lms3dFindDirtyBlocks(const lms3dRaster& raster);
 
-/// Returns a raster of some of the blocks, in their order. `May` are the cells of the region: where a local map has
-/// surface and no beam passed, and where returns lie. `Must` are the returns that no border may cut off: those without a
-/// beam that passed beside them. `Passed` are the cells where a beam passed. A block depends on its eight neighbours alone.
+/// Returns a raster of some of the blocks, in their order. `May` are the cells of the region: where
+/// a local map has surface and no beam passed, and where returns lie. `Must` are the returns that
+/// no border may cut off: those without a beam that passed beside them. `Passed` are the cells
+/// where a beam passed. A block depends on its eight neighbours alone.
 lms3dRegion lms3dMakeRegion(const lms3dRaster& raster, const std::vector<int>& blocks);
 
 /// The same with the bits Must and Passed alone.

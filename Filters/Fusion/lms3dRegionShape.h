@@ -17,18 +17,19 @@
 #include <vector>
 
 /**
- * The shape are the cells of lms3dMakeRegion() that are joined to a return without a way across a crease: a scan from
- * afar guesses surface beyond the crease, and a scan from nearby sees that the surface ends there. Returns keep their
- * cells, and a few cells beyond the crease stay, from which corners move to the crease.
+ * The shape are the cells of lms3dMakeRegion() that are joined to a return without a way across a
+ * crease: a scan from afar guesses surface beyond the crease, and a scan from nearby sees that the
+ * surface ends there. Returns keep their cells, and a few cells beyond the crease stay, from which
+ * corners move to the crease.
  *
- * Only blocks that changed are made anew. For the others, the parts into which creases and borders divide a block are
- * kept, and how they touch the sides of the block.
+ * Only blocks that changed are made anew. For the others, the parts into which creases and borders
+ * divide a block are kept, and how they touch the sides of the block.
  */
 class lms3dRegionShape
 {
 public:
-  /// Makes the Shape of the blocks that are marked as dirty, and of those that depend on them. Returns the
-  /// blocks whose Shape changed, or at which creases are longer than before, in order.
+  /// Makes the Shape of the blocks that are marked as dirty, and of those that depend on them.
+  /// Returns the blocks whose Shape changed, or at which creases are longer than before, in order.
   std::vector<int> Update(const std::vector<lms3dCreaseLine>& creases, lms3dRaster& raster);
 
 private:

@@ -8,7 +8,8 @@
 
 namespace
 {
-/// The block nearest to a place in which a return lies, nullptr if there is none. The place is in blocks.
+/// The block nearest to a place in which a return lies, nullptr if there is none. The place is in
+/// blocks.
 template <typename Numbers>
 const lms3dRasterBlock* FindNearest(
   const lms3dRaster& raster, const Numbers& numbers, const lms3dPoint2& place)

@@ -17,18 +17,20 @@
 
 namespace
 {
-// As a share of the bound: how far the returns of a patch, apart from their noise, may be from a plane that the patch joins.
+// As a share of the bound: how far the returns of a patch, apart from their noise, may be from a
+// plane that the patch joins.
 constexpr double MatchShare = 0.4;
 constexpr double NoiseFactor = 4.0;
-// A patch is curved if the root mean square of the distances of its returns exceeds this share of the bound, and if
-// successive distances are correlated.
+// A patch is curved if the root mean square of the distances of its returns exceeds this share of
+// the bound, and if successive distances are correlated.
 constexpr double CurvedShare = 0.05;
 constexpr double SmallestCorrelation = 0.5;
 // If other planes explain this share of a patch, it needs no plane of its own.
 constexpr double ExplainedShare = 0.7;
 // The share of a patch's returns that need not fit the plane.
 constexpr double MisfitShare = 0.05;
-// As a share of the bound: returns farther from the plane of their patch may lie on another plane beside it.
+// As a share of the bound: returns farther from the plane of their patch may lie on another plane
+// beside it.
 constexpr double LooseShare = 0.2;
 // The cosine of the largest angle between a patch and the plane that it joins.
 constexpr double SmallestCosine = 0.9;

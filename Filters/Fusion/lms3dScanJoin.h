@@ -14,8 +14,9 @@
 #include <map>
 #include <vector>
 
-/// Patches join planes that explain them, or become planes. Curved patches that the map explains already are left out.
-/// The triangles of other patches become regions of their own if the map does not explain their returns.
+/// Patches join planes that explain them, or become planes. Curved patches that the map explains
+/// already are left out. The triangles of other patches become regions of their own if the map does
+/// not explain their returns.
 class lms3dScanJoin
 {
 public:

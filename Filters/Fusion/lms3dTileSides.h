@@ -10,9 +10,9 @@
 #include "Fusion/lms3dFusedTile.h"
 #include "Fusion/lms3dRaster.h"
 
-/// A ragged border near a side would leave many islands beyond the side, which no straight border could join. Therefore
-/// gaps in the cells along a side get May, if they are small and no beam passed there. `region` has all blocks of the
-/// tile.
+/// A ragged border near a side would leave many islands beyond the side, which no straight border
+/// could join. Therefore gaps in the cells along a side get May, if they are small and no beam
+/// passed there. `region` has all blocks of the tile.
 void lms3dCloseGapsAlongSides(const lms3dFusedTile& tile, lms3dRegion& region);
 
 #endif

@@ -56,7 +56,8 @@ std::vector<WeakPlane> JudgeAll(const lms3dFusedPlanes& planes)
 }
 } // namespace
 
-// What was judged at once holds as long as none of the other planes has gone, and no return has been added.
+// What was judged at once holds as long as none of the other planes has gone, and no return has
+// been added.
 void lms3dDissolveWeakPlanes(lms3dFusedPlanes& planes)
 {
   const std::size_t end = planes.GetSize();

@@ -9,8 +9,8 @@
 
 #include "Fusion/lms3dFusedPlanes.h"
 
-/// A weak plane that the last scan changed goes if other planes explain nearly all of its returns. The rest of them get
-/// facets.
+/// A weak plane that the last scan changed goes if other planes explain nearly all of its returns.
+/// The rest of them get facets.
 void lms3dDissolveWeakPlanes(lms3dFusedPlanes& planes);
 
 #endif

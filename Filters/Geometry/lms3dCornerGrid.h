@@ -15,8 +15,8 @@
 
 /**
  * Finds the points near a rectangle. The grid has about two points in each cell, and 1,024 x 1,024
- * cells at most. It stores the indices of points, not their coordinates. It reuses its memory for the
- * next Build().
+ * cells at most. It stores the indices of points, not their coordinates. It reuses its memory for
+ * the next Build().
  */
 class lms3dCornerGrid
 {
@@ -26,8 +26,8 @@ public:
   /// Inserts the points with the indices `chosen`. The cells cover the bounds of all points.
   void Build(const std::vector<Point>& points, const std::vector<std::int32_t>& chosen);
 
-  /// Removes an index, if it is in the grid. `point` must be the same as in Build(). Returns the work:
-  /// the number of indices in the cell.
+  /// Removes an index, if it is in the grid. `point` must be the same as in Build(). Returns the
+  /// work: the number of indices in the cell.
   std::size_t Remove(std::int32_t index, const Point& point);
 
   /// Returns whether a test holds for all indices in the cells that the rectangle touches. Stops at

@@ -21,13 +21,14 @@ class lms3dFlatPolygon
 public:
   using Point = std::array<double, 2>;
 
-  /// Replaces the polygon. Requires three corners or more, with finite coordinates whose products are
-  /// finite. Returns false if all corners are on a line.
+  /// Replaces the polygon. Requires three corners or more, with finite coordinates whose products
+  /// are finite. Returns false if all corners are on a line.
   bool Project(const std::vector<lms3dVector>& corners);
 
   const std::vector<Point>& GetPoints() const { return this->Points; }
 
-  /// Returns twice the signed area of a triangle of corners, positive if it turns counter-clockwise.
+  /// Returns twice the signed area of a triangle of corners, positive if it turns
+  /// counter-clockwise.
   double GetTurn(std::int32_t a, std::int32_t b, std::int32_t c) const
   {
     const Point& p = this->Points[a];

@@ -5,8 +5,8 @@
  * @brief An allocator that requests huge pages on Linux.
  *
  * Beams read the corners of a large mesh in an irregular order. With pages of 4 KiB most of these
- * reads also miss the processor's cache of page addresses. Pages of 2 MiB avoid that. On other systems,
- * and for small vectors, the allocator is the usual one.
+ * reads also miss the processor's cache of page addresses. Pages of 2 MiB avoid that. On other
+ * systems, and for small vectors, the allocator is the usual one.
  */
 #ifndef lms3dHugePages_h
 #define lms3dHugePages_h

@@ -160,8 +160,8 @@ bool lms3dTriangulator::ClipEars(const KeepGoing& keepGoing)
       this->Clip(corner);
       --left;
       requirement = this->IsExhausted() ? requirement : NO_CORNER_TOUCHES;
-      // Clipping every other corner gives compact triangles. Next to a clipped corner the turns have
-      // changed: if ears are rare, the next one is there.
+      // Clipping every other corner gives compact triangles. Next to a clipped corner the turns
+      // have changed: if ears are rare, the next one is there.
       stepsBack = failures > LongWalk || (stepsBack && failures <= 1);
       corner = stepsBack ? this->Previous[corner] : this->Next[this->Next[corner]];
       failures = 0;
@@ -220,7 +220,8 @@ void lms3dTriangulator::Clip(std::int32_t corner)
   }
 }
 
-// Corners at the same point as a corner of the ear do not count: they are ends of a bridge to a hole.
+// Corners at the same point as a corner of the ear do not count: they are ends of a bridge to a
+// hole.
 bool lms3dTriangulator::IsFree(std::int32_t corner, bool mayTouch)
 {
   const std::int32_t a = this->Previous[corner];

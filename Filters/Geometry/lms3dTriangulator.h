@@ -18,13 +18,13 @@
 #include <vector>
 
 /**
- * Triangulates a polygon in space, as lms3dFlatPolygon projects it. The result depends on the corners
- * only.
+ * Triangulates a polygon in space, as lms3dFlatPolygon projects it. The result depends on the
+ * corners only.
  *
- * A convex polygon of n corners becomes a fan, in a time proportional to n. Any other polygon is cut
- * by ear clipping. The corners that can be inside an ear are found in a grid. The time is almost
- * proportional to n for usual polygons. For any polygon it is bounded by about 2,000 n + 1,000,000
- * tests of a corner.
+ * A convex polygon of n corners becomes a fan, in a time proportional to n. Any other polygon is
+ * cut by ear clipping. The corners that can be inside an ear are found in a grid. The time is
+ * almost proportional to n for usual polygons. For any polygon it is bounded by about 2,000 n +
+ * 1,000,000 tests of a corner.
  *
  * One triangulator can cut many polygons. It reuses its memory.
  */
@@ -37,8 +37,8 @@ public:
   using KeepGoing = std::function<bool()>;
 
   /// The corner that all triangles of a convex polygon share. It decides the surface of a
-  /// quadrilateral whose corners are not in one plane. If a neighbour of this corner is straight, the
-  /// next corner without a straight neighbour takes its place.
+  /// quadrilateral whose corners are not in one plane. If a neighbour of this corner is straight,
+  /// the next corner without a straight neighbour takes its place.
   enum FanCorners
   {
     FIRST_CORNER, ///< cuts a quadrilateral from corner 0 to corner 2
@@ -52,8 +52,8 @@ public:
 
   /**
    * Triangulates the polygon. All coordinates must be finite, and so small that the product of two
-   * is finite. The last corner is not a copy of the first. Concave polygons, and holes that a bridge
-   * joins to the outline (keyholes), are cut exactly.
+   * is finite. The last corner is not a copy of the first. Concave polygons, and holes that a
+   * bridge joins to the outline (keyholes), are cut exactly.
    *
    * Returns true if the triangles cover the polygon exactly once. Returns false if the polygon
    * crosses itself or takes too much work: the triangles then cover the polygon, but can overlap or
@@ -77,7 +77,8 @@ private:
   /// Returns false after every 100,000 units of work if `keepGoing` returns false.
   bool MayContinue(const KeepGoing& keepGoing);
 
-  /// The requirements on an ear, from the strictest on. If no corner meets one, the next one counts.
+  /// The requirements on an ear, from the strictest on. If no corner meets one, the next one
+  /// counts.
   enum Requirements
   {
     NO_CORNER_TOUCHES, ///< no corner is in the ear or on its outline

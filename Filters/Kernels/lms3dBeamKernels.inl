@@ -14,8 +14,8 @@
 
 namespace
 {
-// Embree loses coherent packets with a tiny negative direction component: it sorts the packet by the
-// component's sign, but replaces reciprocals of components below 1e-18 by a positive number.
+// Embree loses coherent packets with a tiny negative direction component: it sorts the packet by
+// the component's sign, but replaces reciprocals of components below 1e-18 by a positive number.
 constexpr double MinimumComponent = 1e-15;
 
 // Rounds a component of a direction to single precision.
@@ -49,8 +49,8 @@ std::uint32_t FindInCone(const lms3dCone& cone, const lms3dBeamPacket& packet)
   return within.GetBits();
 }
 
-// Returns one coordinate of where a ray starts. Far from the scene, the origin and the ray offset nearly
-// cancel; twice the digits of a double keep the difference.
+// Returns one coordinate of where a ray starts. Far from the scene, the origin and the ray offset
+// nearly cancel; twice the digits of a double keep the difference.
 [[gnu::always_inline]] inline double ShiftOrigin(const lms3dShiftedOrigin& origin, double direction)
 {
   const Pair fromCenter = lms3dTwoDifference(origin.Origin, origin.Center);
@@ -92,7 +92,8 @@ void EndRays(const lms3dNarrowHits& hits, std::uint32_t changed, float rayOffset
   }
 }
 
-// Vector instructions need arrays of a fixed length that overlap nothing else, so the rays are copied.
+// Vector instructions need arrays of a fixed length that overlap nothing else, so the rays are
+// copied.
 [[gnu::always_inline]] inline void ClipPart(const lms3dNarrowHits& hits, std::uint32_t changed,
   float rayOffset, unsigned int geometry, const lms3dRayRange& rays, std::size_t count)
 {
@@ -105,8 +106,8 @@ void EndRays(const lms3dNarrowHits& hits, std::uint32_t changed, float rayOffset
   __builtin_memcpy(rays.Geometry, geometries + rays.First, count * sizeof(unsigned int));
 }
 
-// The error bound of a hit is larger than all rounding here, and than what Embree loses by the single
-// precision of tfar. So no hit hides another triangle at the same range.
+// The error bound of a hit is larger than all rounding here, and than what Embree loses by the
+// single precision of tfar. So no hit hides another triangle at the same range.
 void ClipRays(const lms3dNarrowHits& hits, std::uint32_t changed, float rayOffset,
   unsigned int geometry, const lms3dRayRange& rays)
 {

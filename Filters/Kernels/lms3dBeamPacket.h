@@ -44,8 +44,8 @@ struct lms3dFreePacket : lms3dBeamPacket
   alignas(64) double Origin[3][Size];
 };
 
-/// Where the beams of a scan start, in world coordinates, and the largest range that counts, both in
-/// metres. MaximumRange is above 0 and may be infinite.
+/// Where the beams of a scan start, in world coordinates, and the largest range that counts, both
+/// in metres. MaximumRange is above 0 and may be infinite.
 struct lms3dRayOrigin
 {
   double Position[3];

@@ -61,9 +61,9 @@ void NarrowDirections(lms3dBeamPacket& packet)
   }
 }
 
-// A beam passes by a sphere of the radius r around the centre if its start p is outside and it leads
-// away, or if its nearest point to the centre is outside: (p.d)^2 < p^2 - r^2. If the unit is so small
-// that its inverse overflows, no beam is certain.
+// A beam passes by a sphere of the radius r around the centre if its start p is outside and it
+// leads away, or if its nearest point to the centre is outside: (p.d)^2 < p^2 - r^2. If the unit is
+// so small that its inverse overflows, no beam is certain.
 lms3dFreeStarts LocateStarts(
   const lms3dSceneFrame& frame, const lms3dFreePacket& packet, float* const* starts)
 {

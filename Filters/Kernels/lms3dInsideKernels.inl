@@ -4,9 +4,9 @@
  * @file
  * @brief Kernels that find the beams inside a triangle and keep the nearest hits.
  *
- * With corners a, b, c in the sensor frame, a beam along d passes inside if the three edge functions
- * d.(b x c), d.(c x a), d.(a x b) have the same sign. Their rounding errors are bounded; where a sign
- * is not certain, the caller decides with exact arithmetic.
+ * With corners a, b, c in the sensor frame, a beam along d passes inside if the three edge
+ * functions d.(b x c), d.(c x a), d.(a x b) have the same sign. Their rounding errors are bounded;
+ * where a sign is not certain, the caller decides with exact arithmetic.
  */
 #ifndef lms3dInsideKernels_inl
 #define lms3dInsideKernels_inl
@@ -38,8 +38,8 @@ struct Edge
   Real Error;
 };
 
-// Swapping p and q changes the sign of the edge function and no other bit. So two triangles that share
-// an edge always agree on which side of it a beam passes, and no beam slips between them.
+// Swapping p and q changes the sign of the edge function and no other bit. So two triangles that
+// share an edge always agree on which side of it a beam passes, and no beam slips between them.
 template <typename Real>
 Edge<Real> MakeEdge(const Real* p, const Real* q, Real error)
 {
@@ -52,8 +52,8 @@ double SumOfMagnitudes(const double* p)
   return Magnitude(p[0]) + Magnitude(p[1]) + Magnitude(p[2]);
 }
 
-/// Bounds of the three edge functions: the smallest and the largest of the lower bounds (value minus
-/// error), and of the upper bounds (value plus error).
+/// Bounds of the three edge functions: the smallest and the largest of the lower bounds (value
+/// minus error), and of the upper bounds (value plus error).
 template <typename Real>
 struct Limits
 {
@@ -91,8 +91,8 @@ bool IsMiss(const Limits<Real>& limits)
 }
 
 // Returns true if single precision proves that all beams in `beams` pass outside. This rejects most
-// candidates at half the cost. One error bound serves all three edges: the 1-norms of both corners of an
-// edge are at most 3 times the largest component of all corners.
+// candidates at half the cost. One error bound serves all three edges: the 1-norms of both corners
+// of an edge are at most 3 times the largest component of all corners.
 bool AllMiss(
   const lms3dSensorFrameTriangle& triangle, std::uint32_t beams, const lms3dBeamPacket& packet)
 {
@@ -171,8 +171,8 @@ lms3dDoublePlane MakeDoublePlane(const lms3dSensorFrameTriangle& triangle)
   return MakePlane(triangle);
 }
 
-/// RefineRanges computes the final range with more digits. Within its error of the maximum range, those
-/// digits already decide whether the hit counts.
+/// RefineRanges computes the final range with more digits. Within its error of the maximum range,
+/// those digits already decide whether the hit counts.
 struct RangeLimits
 {
   explicit RangeLimits(double maximumRange)

@@ -14,7 +14,8 @@
 
 namespace
 {
-// The least product of a plane and a corner, relative to the 1-norms of the corner and of two edges of the triangle.
+// The least product of a plane and a corner, relative to the 1-norms of the corner and of two edges
+// of the triangle.
 constexpr double NarrowConditioned = 1e-6;
 
 // Below this number, in cubic metres, products have underflowed.
@@ -34,8 +35,8 @@ constexpr double MaximumInverse = 1e30;
 // The least 1-norm of an edge's vector b x c, relative to the 1-norms of b and c.
 constexpr double NarrowEdge = 1e-6;
 
-// The arithmetic of one triangle stands in variables, not in arrays: compilers turn loops over three axes
-// into vector instructions whose operands have to be gathered first, which is slower.
+// The arithmetic of one triangle stands in variables, not in arrays: compilers turn loops over
+// three axes into vector instructions whose operands have to be gathered first, which is slower.
 struct Point
 {
   double X;
@@ -84,8 +85,8 @@ struct NarrowCorners
   return { a, b, c, GetLength(a), GetLength(b), GetLength(c) };
 }
 
-// Sets an edge, the cross product of two corners, scaled to the 1-norm 1. Returns whether single precision
-// can represent it.
+// Sets an edge, the cross product of two corners, scaled to the 1-norm 1. Returns whether single
+// precision can represent it.
 [[gnu::always_inline]] inline bool SetNarrowEdge(
   const Point& p, const Point& q, double lengths, double sign, float (&edge)[3])
 {
@@ -192,8 +193,8 @@ lms3dNarrowMasks UpdateNarrow(const lms3dNarrowTriangle& triangle, std::int32_t 
                     : KeepNearer(triangle, number, beams, isInside, packet, hits);
 }
 
-// Without the side of the triangle on which the sensor stands, which only the plane gives: products of one
-// sign mean inside, or in the opposite direction, where the plane gives no range above 0.
+// Without the side of the triangle on which the sensor stands, which only the plane gives: products
+// of one sign mean inside, or in the opposite direction, where the plane gives no range above 0.
 lms3dNarrowMasks UpdateFromCorners(const lms3dCornerPoints& points, std::int32_t number,
   std::uint32_t beams, lms3dBeamPacket& packet, lms3dNarrowHits& hits)
 {

@@ -4,31 +4,31 @@
  * @file
  * @brief A triangle in single precision, seen from the sensor, with error bounds.
  *
- * Let a, b, c be the corners in the sensor frame, |.| the 1-norm, and u = 6e-8 the rounding of single
- * precision. A direction d of length 1 passes inside if d.(b x c), d.(c x a), d.(a x b) have the sign
- * of a.(b x c). It then meets the plane with the normal n = (b - a) x (c - a) at the range
- * n.a / n.d. So the products of d with four vectors decide: three edges (b x c) / |b x c| and so on,
- * turned so that directions inside have positive products, and the plane (n / n.a) times a unit of
- * length, whose product is the inverse range.
+ * Let a, b, c be the corners in the sensor frame, |.| the 1-norm, and u = 6e-8 the rounding of
+ * single precision. A direction d of length 1 passes inside if d.(b x c), d.(c x a), d.(a x b) have
+ * the sign of a.(b x c). It then meets the plane with the normal n = (b - a) x (c - a) at the range
+ * n.a / n.d. So the products of d with four vectors decide: three edges (b x c) / |b x c| and so
+ * on, turned so that directions inside have positive products, and the plane (n / n.a) times a unit
+ * of length, whose product is the inverse range.
  *
  * The 1-norm of an edge is 1, and no component of d exceeds 1. So the products of a dot product,
- * and its sums, are at most 1 together. Rounding the edge to single precision, rounding d, and rounding
- * the products err by at most u each, and so does each of the two sums: 5 u = 3e-7 together. The error
- * of a plane's product is the same share of the plane's 1-norm.
+ * and its sums, are at most 1 together. Rounding the edge to single precision, rounding d, and
+ * rounding the products err by at most u each, and so does each of the two sums: 5 u = 3e-7
+ * together. The error of a plane's product is the same share of the plane's 1-norm.
  *
- * The vectors are computed in double precision, from corners that are rounded once. This changes b x c by
- * less than 1e-15 |b| |c|: two roundings of corners, two of products and one of a difference are 6e-16. As
- * long as |b x c| > 1e-6 |b| |c|, the edge's product changes by less than 1e-9. For directions that
- * meet the triangle the plane's product, too, changes by less than 1e-9 as long as
+ * The vectors are computed in double precision, from corners that are rounded once. This changes b
+ * x c by less than 1e-15 |b| |c|: two roundings of corners, two of products and one of a difference
+ * are 6e-16. As long as |b x c| > 1e-6 |b| |c|, the edge's product changes by less than 1e-9. For
+ * directions that meet the triangle the plane's product, too, changes by less than 1e-9 as long as
  * |n.a| > 1e-6 |b - a| |c - a| |a|: there, rounding moves a corner, and with it the hit, by at most
- * 1e-16 |a| / 1e-6. Beside a small, far triangle the plane can err by more. This is harmless: the plane
- * decides only for beams inside the edges, or for whole tiles. Its product is linear, so what holds at a
- * tile's corners holds wherever the triangle lies in the tile.
+ * 1e-16 |a| / 1e-6. Beside a small, far triangle the plane can err by more. This is harmless: the
+ * plane decides only for beams inside the edges, or for whole tiles. Its product is linear, so what
+ * holds at a tile's corners holds wherever the triangle lies in the tile.
  *
- * The sign of n.a, which turns the edges, is certain. Since a x b = a x (b - a), the first condition also
- * gives |b - a| > 1e-6 |b| and > 1e-6 |a|. So rounding of the corners changes b - a by less than
- * 3e-10 |b - a|, c - a likewise, and thus n.a by less than 1e-9 |b - a| |c - a| |a|, far below the second
- * condition.
+ * The sign of n.a, which turns the edges, is certain. Since a x b = a x (b - a), the first
+ * condition also gives |b - a| > 1e-6 |b| and > 1e-6 |a|. So rounding of the corners changes b - a
+ * by less than 3e-10 |b - a|, c - a likewise, and thus n.a by less than 1e-9 |b - a| |c - a| |a|,
+ * far below the second condition.
  */
 #ifndef lms3dNarrowTriangle_h
 #define lms3dNarrowTriangle_h
@@ -37,8 +37,8 @@
 
 #include <cstdint>
 
-/// The bound of an edge's product, and of a plane's product relative to the plane's 1-norm. Six times
-/// what the derivation above needs: tiles add the rounding of their corners.
+/// The bound of an edge's product, and of a plane's product relative to the plane's 1-norm. Six
+/// times what the derivation above needs: tiles add the rounding of their corners.
 constexpr float lms3dNarrowError = 2e-6f;
 
 /// One cache line. All values are without unit.
@@ -65,7 +65,8 @@ struct lms3dCornerPoints
   double Unit;
 };
 
-/// The nearest hits of a packet in single precision: unit / range, 0 at infinity, with error bounds.
+/// The nearest hits of a packet in single precision: unit / range, 0 at infinity, with error
+/// bounds.
 struct lms3dNarrowHits
 {
   alignas(64) float InverseRange[lms3dBeamPacket::Size];

@@ -43,8 +43,8 @@ void SetWeights(Strip& strip)
   }
 }
 
-// The normal of the triangle at corner i of a cell is the cross product of the cell's two sides at that
-// corner. Triangles at opposite corners share the other two corners.
+// The normal of the triangle at corner i of a cell is the cross product of the cell's two sides at
+// that corner. Triangles at opposite corners share the other two corners.
 template <int Axis>
 void AddTriangles(Strip& strip)
 {

@@ -37,14 +37,16 @@ struct lms3dNormalStrip
   /// For each corner of a cell: 1 if the cell has a triangle there, otherwise 0.
   Row<double> Weight[4];
 
-  /// The sums that each cell adds to its four points: at its first and its last beam, in both turns.
+  /// The sums that each cell adds to its four points: at its first and its last beam, in both
+  /// turns.
   Row<double> HereBegin[3];
   Row<double> HereEnd[3];
   Row<double> NextBegin[3];
   Row<double> NextEnd[3];
 
-  /// Output of AddStrip for the points between two cells of this turn: the sum of the normals of the
-  /// point's triangles, each as long as twice the triangle's area, and 1 / the length of that sum.
+  /// Output of AddStrip for the points between two cells of this turn: the sum of the normals of
+  /// the point's triangles, each as long as twice the triangle's area, and 1 / the length of that
+  /// sum.
   Row<double> Sum[3];
   Row<double> Scale;
 };

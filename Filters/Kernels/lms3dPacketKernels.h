@@ -6,8 +6,8 @@
  *
  * It is compiled for several instruction sets; the widest one of the processor is chosen at run
  * time. All give the same bits: they do the same operations in the same order, and the compiler may
- * not contract a product and a sum. (Exception: below 1e-290 m, thus in scenes smaller than 1e-90 m,
- * the last bits of a range may differ, because products underflow.)
+ * not contract a product and a sum. (Exception: below 1e-290 m, thus in scenes smaller than 1e-90
+ * m, the last bits of a range may differ, because products underflow.)
  *
  * Lengths are in metres. "Sensor frame" means coordinates relative to the sensor's position, with
  * the axes of the world. A set of beams is a mask: bit i stands for beam i of the packet.
@@ -36,8 +36,8 @@ struct lms3dElevations
   alignas(64) double Sine[lms3dBeamPacket::Size];
 };
 
-/// The fan's horizontal axis for each beam of a packet, and the upward axis for all; unit vectors in
-/// world coordinates.
+/// The fan's horizontal axis for each beam of a packet, and the upward axis for all; unit vectors
+/// in world coordinates.
 struct lms3dFanAxes
 {
   alignas(64) double Horizontal[3][lms3dBeamPacket::Size];
@@ -67,9 +67,9 @@ struct lms3dCone
   double Minimum;
 };
 
-/// One coordinate of where rays start: `RayOffset` along each beam from `Origin` (world coordinates).
-/// The result is relative to `Center`, in units of `Unit` metres. Beams whose result exceeds
-/// `MaximumDistance` units are not cast.
+/// One coordinate of where rays start: `RayOffset` along each beam from `Origin` (world
+/// coordinates). The result is relative to `Center`, in units of `Unit` metres. Beams whose result
+/// exceeds `MaximumDistance` units are not cast.
 struct lms3dShiftedOrigin
 {
   double Origin;
@@ -79,8 +79,8 @@ struct lms3dShiftedOrigin
   double MaximumDistance;
 };
 
-/// The rays of beams First to First + Count - 1 as Embree holds them. The arrays belong to Embree or
-/// the caller.
+/// The rays of beams First to First + Count - 1 as Embree holds them. The arrays belong to Embree
+/// or the caller.
 struct lms3dRayRange
 {
   int First;
@@ -117,21 +117,23 @@ struct lms3dPacketKernels
   /**
    * Stores the hits of the beams in `hits` that are nearer than the packet's present ones and not
    * beyond a maximum range. Of two triangles at the same range the one with the smaller index wins.
-   * Ranges have about 13 digits. Beams whose range would have fewer digits stay as they were and are
-   * added to `uncertain`. Returns the beams that changed.
+   * Ranges have about 13 digits. Beams whose range would have fewer digits stay as they were and
+   * are added to `uncertain`. Returns the beams that changed.
    */
   std::uint32_t (*UpdateNearest)(const lms3dSensorFrameTriangle& corners, std::int32_t triangle,
     std::uint32_t hits, double maximumRange, lms3dBeamPacket& packet, std::uint32_t& uncertain);
 
-  /// Computes what single precision needs of a triangle. `unit`, metres, is the range whose inverse is 1.
+  /// Computes what single precision needs of a triangle. `unit`, metres, is the range whose inverse
+  /// is 1.
   lms3dNarrowTriangle (*MakeNarrowTriangle)(const lms3dSensorFrameTriangle& triangle, double unit);
 
-  /// Stores the hits of some beams that are certainly nearer than the present ones, in `hits` and in the
-  /// packet's Triangle. PlaneError must not be negative. Does not use the packet's Range.
+  /// Stores the hits of some beams that are certainly nearer than the present ones, in `hits` and
+  /// in the packet's Triangle. PlaneError must not be negative. Does not use the packet's Range.
   lms3dNarrowMasks (*UpdateNarrow)(const lms3dNarrowTriangle& triangle, std::int32_t number,
     std::uint32_t beams, lms3dBeamPacket& packet, lms3dNarrowHits& hits);
 
-  /// The same for a triangle without its narrow form, which is computed as far as the beams need it.
+  /// The same for a triangle without its narrow form, which is computed as far as the beams need
+  /// it.
   lms3dNarrowMasks (*UpdateFromCorners)(const lms3dCornerPoints& points, std::int32_t number,
     std::uint32_t beams, lms3dBeamPacket& packet, lms3dNarrowHits& hits);
 
@@ -139,8 +141,8 @@ struct lms3dPacketKernels
   void (*NarrowRanges)(
     const lms3dBeamPacket& packet, std::uint32_t changed, double unit, lms3dNarrowHits& hits);
 
-  /// Ends the rays of changed beams a little beyond their hits, and sets their geometry. `rayOffset` is
-  /// in the units of the hits.
+  /// Ends the rays of changed beams a little beyond their hits, and sets their geometry.
+  /// `rayOffset` is in the units of the hits.
   void (*ClipRays)(const lms3dNarrowHits& hits, std::uint32_t changed, float rayOffset,
     unsigned int geometry, const lms3dRayRange& rays);
 
@@ -148,9 +150,9 @@ struct lms3dPacketKernels
   void (*FillTileCorners)(lms3dTiles& tiles);
 
   /**
-   * Decides what a triangle does to tiles, and updates their cover. On input, Met has the tiles to test;
-   * Covered equals Met if the triangle is known to cover them, otherwise 0. `minimumInverse` is the
-   * inverse of the maximum range, rounded up.
+   * Decides what a triangle does to tiles, and updates their cover. On input, Met has the tiles to
+   * test; Covered equals Met if the triangle is known to cover them, otherwise 0. `minimumInverse`
+   * is the inverse of the maximum range, rounded up.
    */
   lms3dTileMasks (*ClassifyTiles)(const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle,
     const lms3dCornerDirections& corners, lms3dTileMasks masks, float minimumInverse,
@@ -178,8 +180,8 @@ struct lms3dPacketKernels
   void (*IntersectDoubleDoublePlane)(
     const lms3dDoubleDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges);
 
-  /// The same for the beams of a tile, `stride` ranges from one turn to the next. Returns whether all ranges
-  /// are above 0 and in an interval.
+  /// The same for the beams of a tile, `stride` ranges from one turn to the next. Returns whether
+  /// all ranges are above 0 and in an interval.
   bool (*IntersectTile)(const lms3dDoubleDoublePlane& plane, const lms3dBeamsOfTile& beams,
     const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride);
 
@@ -216,15 +218,16 @@ struct lms3dPacketKernels
   /// Copies the numbers of triangles.
   void (*WidenTriangles)(const std::int32_t* triangles, int count, long long* cells);
 
-  /// Adds the normals of the triangles between the strip's two turns, completes the sums of the first
-  /// turn and makes the second turn the first one.
+  /// Adds the normals of the triangles between the strip's two turns, completes the sums of the
+  /// first turn and makes the second turn the first one.
   void (*AddStrip)(lms3dNormalStrip& strip);
 
-  /// Fills 2 * `pairs` independent normal deviates (mean 0, variance 1), one for each beam of the turn.
+  /// Fills 2 * `pairs` independent normal deviates (mean 0, variance 1), one for each beam of the
+  /// turn.
   void (*DrawNormals)(const lms3dDrawKey& key, int pairs, double* deviates);
 
-  /// Replaces ranges (metres) by the reported ones: NaN where a range is NaN, or would not be above 0
-  /// and finite.
+  /// Replaces ranges (metres) by the reported ones: NaN where a range is NaN, or would not be above
+  /// 0 and finite.
   void (*ReportRanges)(
     const lms3dRangeErrorModel& model, const double* deviates, int count, double* ranges);
 

@@ -5,8 +5,8 @@
  * @brief All packet kernels. The source of each instruction set includes this file once.
  *
  * The kernels are plain loops over arrays, which compilers turn into vector instructions. They must
- * not use inline functions with external linkage: the linker keeps only one copy of such a function,
- * perhaps the copy with instructions that the processor does not have.
+ * not use inline functions with external linkage: the linker keeps only one copy of such a
+ * function, perhaps the copy with instructions that the processor does not have.
  */
 #ifndef lms3dPacketKernels_inl
 #define lms3dPacketKernels_inl

@@ -4,8 +4,8 @@
  * @file
  * @brief Kernels of range errors: normal deviates, and the ranges that a device reports.
  *
- * The logarithm, sine and cosine are series of our own: the functions of the C library differ in the
- * last bit between processors and versions, and compilers do not vectorize them.
+ * The logarithm, sine and cosine are series of our own: the functions of the C library differ in
+ * the last bit between processors and versions, and compilers do not vectorize them.
  */
 #ifndef lms3dRangeErrorKernels_inl
 #define lms3dRangeErrorKernels_inl
@@ -118,8 +118,8 @@ void DrawNormals(const lms3dDrawKey& key, int pairs, double* deviates)
   }
 }
 
-// Beyond 2^51 steps a double cannot be nearer to a multiple than it is. Below, the sum with 1.5 * 2^52
-// has no digits after the point.
+// Beyond 2^51 steps a double cannot be nearer to a multiple than it is. Below, the sum with 1.5 *
+// 2^52 has no digits after the point.
 double RoundToStep(double range, const lms3dRangeErrorModel& model)
 {
   const double steps = range * model.StepDenominator / model.StepNumerator;

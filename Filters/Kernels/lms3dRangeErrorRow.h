@@ -9,8 +9,8 @@
 
 #include <cstdint>
 
-/// The effects that draw random numbers. Each effect has its own numbers, so switching one effect on
-/// changes no number of another. A value must never change: results depend on it.
+/// The effects that draw random numbers. Each effect has its own numbers, so switching one effect
+/// on changes no number of another. A value must never change: results depend on it.
 enum class lms3dEffect : std::uint32_t
 {
   RANGE_NOISE = 1

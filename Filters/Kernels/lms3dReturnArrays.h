@@ -24,8 +24,8 @@ struct lms3dReturnsOfTurn
   const double* Position;
 };
 
-/// The returns of neighbouring beams of one turn. All arrays belong to the caller. None of the outputs
-/// overlaps another array.
+/// The returns of neighbouring beams of one turn. All arrays belong to the caller. None of the
+/// outputs overlaps another array.
 struct lms3dReturnRunArrays
 {
   int Count;

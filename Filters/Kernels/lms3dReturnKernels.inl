@@ -12,7 +12,8 @@
 
 namespace
 {
-// In all functions, the outputs must not overlap the input, so that the compiler can vectorize the loops.
+// In all functions, the outputs must not overlap the input, so that the compiler can vectorize the
+// loops.
 
 void FillNumbers(std::int32_t first, int count, std::int32_t* __restrict numbers)
 {

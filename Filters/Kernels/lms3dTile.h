@@ -4,17 +4,18 @@
  * @file
  * @brief Sixteen tiles of a scan's grid, and what a triangle does to each.
  *
- * A tile is a range of turns and beams: a block, a tile or a packet of lms3dTileGrid. All its beams lie
- * in the cone of four directions, its corners: the sides along turns are great circles. A side along beams is not: between two corners at the
- * elevation alpha, the great circle lies farther from the horizon than the beams. So a corner on the
- * side towards the horizon has the elevation atan(tan(alpha) cos(h)) instead, where h is half the angle
- * between the tile's turns; in the middle, the great circle then touches the beams.
+ * A tile is a range of turns and beams: a block, a tile or a packet of lms3dTileGrid. All its beams
+ * lie in the cone of four directions, its corners: the sides along turns are great circles. A side
+ * along beams is not: between two corners at the elevation alpha, the great circle lies farther
+ * from the horizon than the beams. So a corner on the side towards the horizon has the elevation
+ * atan(tan(alpha) cos(h)) instead, where h is half the angle between the tile's turns; in the
+ * middle, the great circle then touches the beams.
  *
- * Each direction in a tile is a sum of its corners with factors that are not negative and add up to 1
- * or more, since corners are not longer than 1. (Exception: a tile from pole to pole, or from one side of
- * the sensor to the other, is no cone. Its corners then lie on both sides of any plane through its middle,
- * so that no product decides.) So a product that exceeds a positive bound at all four
- * corners exceeds it in the whole tile.
+ * Each direction in a tile is a sum of its corners with factors that are not negative and add up to
+ * 1 or more, since corners are not longer than 1. (Exception: a tile from pole to pole, or from one
+ * side of the sensor to the other, is no cone. Its corners then lie on both sides of any plane
+ * through its middle, so that no product decides.) So a product that exceeds a positive bound at
+ * all four corners exceeds it in the whole tile.
  */
 #ifndef lms3dTile_h
 #define lms3dTile_h
@@ -61,8 +62,8 @@ struct lms3dCornerDirections
   float Corner[3][3];
 };
 
-/// A box relative to the sensor, in any unit: all points whose distance from the centre is at most half
-/// the size along each axis.
+/// A box relative to the sensor, in any unit: all points whose distance from the centre is at most
+/// half the size along each axis.
 struct lms3dTileBox
 {
   float Center[3];
@@ -74,8 +75,8 @@ struct lms3dTileMasks
   /// Tiles in which the triangle may be the nearest for a beam.
   std::uint32_t Met;
 
-  /// Those tiles that the triangle covers for certain, in front of the sensor and within its maximum
-  /// range.
+  /// Those tiles that the triangle covers for certain, in front of the sensor and within its
+  /// maximum range.
   std::uint32_t Covered;
 
   /// Those covered tiles in which the triangle is nearer than the last cover, which it replaces.

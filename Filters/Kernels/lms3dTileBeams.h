@@ -9,7 +9,8 @@
 
 #include <array>
 
-/// Some turns and up to lms3dBeamPacket::Size beams of a scan's grid. The arrays belong to the caller.
+/// Some turns and up to lms3dBeamPacket::Size beams of a scan's grid. The arrays belong to the
+/// caller.
 struct lms3dBeamsOfTile
 {
   /// Cosine and sine of the elevation of each beam.

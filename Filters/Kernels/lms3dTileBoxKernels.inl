@@ -11,10 +11,10 @@
 
 namespace
 {
-// In a direction, the point of a box that lies farthest has the product center.side + halfSize.|side|.
-// The 1-norm of a point of the box is at most that of the centre and of half the size together, N. So the
-// bound is SideError N: the product errs by 18 u N for the side, u N for the six products and 5 u N for
-// their sums, which with the 87 u above is 111 u N.
+// In a direction, the point of a box that lies farthest has the product center.side +
+// halfSize.|side|. The 1-norm of a point of the box is at most that of the centre and of half the
+// size together, N. So the bound is SideError N: the product errs by 18 u N for the side, u N for
+// the six products and 5 u N for their sums, which with the 87 u above is 111 u N.
 std::uint32_t FindTilesOfBox(const lms3dTiles& tiles, const lms3dTileBox& box)
 {
   float norm = 0.0f;

@@ -17,23 +17,25 @@ namespace
 // The bound of a product of a tile's side and a corner of a triangle: 134 u, where u = 6e-8 is one
 // rounding. The numbers below are lengths of error vectors.
 //
-// Corner of a tile, 8 u: the cosine, the fan's axis and their product (3), the sine, its product with the
-// half cosine, the upward axis and the last product (4), and the sum (1). lms3dTileGrid has a margin for
-// the rounding of the half cosine.
-// Side, 18.5 u: its two corners (16), and the products (1.5) and the difference (1) of the cross product.
-// In each component these are 18 u.
-// Product with a triangle's corner, whose 1-norm is 1, 22 u: the side (18), the rounding of the triangle's
-// corner (1), the products (1) and the sums (2).
+// Corner of a tile, 8 u: the cosine, the fan's axis and their product (3), the sine, its product
+// with the half cosine, the upward axis and the last product (4), and the sum (1). lms3dTileGrid
+// has a margin for the rounding of the half cosine. Side, 18.5 u: its two corners (16), and the
+// products (1.5) and the difference (1) of the cross product. In each component these are 18 u.
+// Product with a triangle's corner, whose 1-norm is 1, 22 u: the side (18), the rounding of the
+// triangle's corner (1), the products (1) and the sums (2).
 //
-// If a tile is very thin, rounding can turn a side outwards. The product of the side and `inside`, the sum
-// of the two other corners, then is at most 18.5 l + 24 u, where l is the length of `inside`: the side's
-// error times l, twice a corner's error and the sum (18), and the roundings of the product (6). The same
-// holds for the sum of the products with these two corners. A direction in the tile is a sum of corners.
-// - Side at the first or last turn: the two other corners are an angle s apart, l is 2 cos(s / 2), and no
-//   factor exceeds 1 / l. So a direction lies at most 18.5 + 24 / l u outside: 86 u if l is at least 0.36.
+// If a tile is very thin, rounding can turn a side outwards. The product of the side and `inside`,
+// the sum of the two other corners, then is at most 18.5 l + 24 u, where l is the length of
+// `inside`: the side's error times l, twice a corner's error and the sum (18), and the roundings of
+// the product (6). The same holds for the sum of the products with these two corners. A direction
+// in the tile is a sum of corners.
+// - Side at the first or last turn: the two other corners are an angle s apart, l is 2 cos(s / 2),
+//   and no factor exceeds 1 / l. So a direction lies at most 18.5 + 24 / l u outside: 86 u if l is
+//   at least 0.36.
 // - Side at the first or last beam: both other corners have the same product, at most 30.5 u. Their
-//   factors together are at most 1.42 / sin(s), where s is the angle between the middles of this side and
-//   of the opposite one, since the tile's turns span up to 90 degrees: 87 u if s is at most 150 degrees.
+//   factors together are at most 1.42 / sin(s), where s is the angle between the middles of this
+//   side and of the opposite one, since the tile's turns span up to 90 degrees: 87 u if s is at
+//   most 150 degrees.
 // Altogether 109 u. A side for which l or s is beyond these limits is 0 and separates nothing.
 constexpr float SideError = 4.0f * lms3dNarrowError;
 
@@ -55,8 +57,8 @@ void FillTileCorner(
   }
 }
 
-// Returns the factor that turns a side inwards, or 0 for a side that rounding may turn. `along` is the sum
-// of the side's corners, `inside` that of the two others.
+// Returns the factor that turns a side inwards, or 0 for a side that rounding may turn. `along` is
+// the sum of the side's corners, `inside` that of the two others.
 float GetSign(const float (&along)[3], const float (&inside)[3], float product)
 {
   const float facing = along[0] * inside[0] + along[1] * inside[1] + along[2] * inside[2];

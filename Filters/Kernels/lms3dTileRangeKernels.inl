@@ -21,8 +21,8 @@ struct TileElevations
   alignas(64) double Sine[Size];
 };
 
-// Intersects the beams of one turn. Directions have the bits that GenerateDirections gives. `ranges` must
-// not overlap the input, so that the compiler can vectorize the loop.
+// Intersects the beams of one turn. Directions have the bits that GenerateDirections gives.
+// `ranges` must not overlap the input, so that the compiler can vectorize the loop.
 [[gnu::always_inline]] inline bool IntersectTurn(const lms3dDoubleDoublePlane& plane,
   const TileElevations& elevations, const double* fan, const double* up,
   const lms3dRangeInterval& within, double* __restrict ranges)

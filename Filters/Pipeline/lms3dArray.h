@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief VTK arrays of a given size, hidden field data, and the offsets of cells that all have the same size.
+ * @brief VTK arrays of a given size, hidden field data, and the offsets of cells that all have the
+ * same size.
  */
 #ifndef lms3dArray_h
 #define lms3dArray_h

@@ -17,15 +17,16 @@ class vtkInformationVector;
 /**
  * The error of a filter's last run that failed.
  *
- * An application such as ParaView updates a filter several times for one change: for each output, each
- * view, each time step. The same error is reported again only if a property or anything upstream has
- * changed since.
+ * An application such as ParaView updates a filter several times for one change: for each output,
+ * each view, each time step. The same error is reported again only if a property or anything
+ * upstream has changed since.
  */
 class lms3dErrorReport
 {
 public:
-  /// Empties the outputs, and reports the error if it is new. Returns what RequestData has to return:
-  /// 1, because after 0 VTK would add an error of its own, and run the filter again at each update.
+  /// Empties the outputs, and reports the error if it is new. Returns what RequestData has to
+  /// return: 1, because after 0 VTK would add an error of its own, and run the filter again at each
+  /// update.
   int Report(vtkAlgorithm* filter, const std::string& error, vtkInformationVector* outputVector);
 
 private:

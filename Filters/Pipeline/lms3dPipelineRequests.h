@@ -28,8 +28,8 @@ std::optional<double> lms3dGetRequestedTime(vtkInformation* output);
 /// extent of this piece.
 void lms3dRequestPiece(int piece, int pieces, vtkInformation* input);
 
-/// Updates a piece of an input, by default all of it, during RequestInformation, before the pipeline
-/// requests data. The port must have a connection.
+/// Updates a piece of an input, by default all of it, during RequestInformation, before the
+/// pipeline requests data. The port must have a connection.
 void lms3dUpdateInput(vtkAlgorithm* filter, int port, int piece = 0, int pieces = 1);
 
 /// Sets TIME_STEPS and TIME_RANGE of an output. The times must increase, and there must be at least

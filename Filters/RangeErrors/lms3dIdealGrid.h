@@ -9,9 +9,9 @@
 
 #include "Device/lms3dScanInput.h"
 
-/// Fills the grid (turn by turn, metres) with the ranges of the returns, and NaN for all other beams.
-/// Throws std::runtime_error, with a text for the user, if a return is bad. Uses the threads of the
-/// calling TBB arena.
+/// Fills the grid (turn by turn, metres) with the ranges of the returns, and NaN for all other
+/// beams. Throws std::runtime_error, with a text for the user, if a return is bad. Uses the threads
+/// of the calling TBB arena.
 void lms3dFillGrid(const lms3dScanInput& scan, const lms3dScanGeometry& geometry, double* grid);
 
 #endif

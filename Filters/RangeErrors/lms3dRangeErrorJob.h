@@ -51,8 +51,8 @@ public:
    */
   bool Run(const lms3dRangeErrorJobRequest& request);
 
-  /// Returns the grid of the scan, which is valid until the next call, or null if no process has one.
-  /// Collective.
+  /// Returns the grid of the scan, which is valid until the next call, or null if no process has
+  /// one. Collective.
   const lms3dScanGeometry* GetGeometry(vtkPolyData* scan, vtkMultiProcessController* controller);
 
 private:

@@ -13,10 +13,10 @@
 class vtkPolyData;
 
 /**
- * Fills an empty `output` with the returns of `input` at the ranges of a grid. `scan` has the arrays
- * of `input`. The points and the array Range change, and all other arrays are shared. Returns whose
- * range is NaN in the grid are removed. New arrays take their memory from `pool`. Uses the threads of
- * the calling TBB arena.
+ * Fills an empty `output` with the returns of `input` at the ranges of a grid. `scan` has the
+ * arrays of `input`. The points and the array Range change, and all other arrays are shared.
+ * Returns whose range is NaN in the grid are removed. New arrays take their memory from `pool`.
+ * Uses the threads of the calling TBB arena.
  */
 void lms3dFillReportedScan(const lms3dScanInput& scan, const lms3dScanGeometry& geometry,
   const double* grid, lms3dMemoryPool& pool, vtkPolyData* input, vtkPolyData* output);

@@ -21,16 +21,17 @@ class vtkPolyData;
 class lms3dReportedStatus
 {
 public:
-  /// Takes the array Status from the field data of a scan, if it has one value for each of the `beams`
-  /// beams of the grid. Returns that are NaN in the grid of reported ranges become TOO_NEAR. One process
-  /// without the array does nothing. A null controller stands for this process alone.
+  /// Takes the array Status from the field data of a scan, if it has one value for each of the
+  /// `beams` beams of the grid. Returns that are NaN in the grid of reported ranges become
+  /// TOO_NEAR. One process without the array does nothing. A null controller stands for this
+  /// process alone.
   lms3dReportedStatus(const lms3dScanInput& scan, vtkPolyData* input, const double* grid,
     vtkIdType beams, vtkMultiProcessController* controller);
 
   /**
-   * Returns the statuses of all processes: the input's own array if errors removed no return. Returns null
-   * if no process has the array. A scan that has the array gets the returned one in its field data, which
-   * is copied. Collective.
+   * Returns the statuses of all processes: the input's own array if errors removed no return.
+   * Returns null if no process has the array. A scan that has the array gets the returned one in
+   * its field data, which is copied. Collective.
    */
   vtkSmartPointer<vtkUnsignedCharArray> Merge(
     vtkMultiProcessController* controller, vtkIdType beams, vtkPolyData* output) const;

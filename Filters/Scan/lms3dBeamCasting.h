@@ -22,8 +22,8 @@ class lms3dRayCaster;
 /// References and pointers must outlive the cast.
 struct lms3dBeamCastRequest
 {
-  /// Casts against this process's part of the scene. Null if the part has no triangles; not null if there is
-  /// one process.
+  /// Casts against this process's part of the scene. Null if the part has no triangles; not null if
+  /// there is one process.
   const lms3dRayCaster* Caster;
 
   /// The number of the part's first cell.

@@ -87,8 +87,8 @@ bool lms3dDetection::Run(const lms3dDetectionRequest& request, lms3dScanOutput& 
   return true;
 }
 
-// A second cast, rather than one cast without limits whose far ranges are removed: close to the limits, the
-// first one decides by them, so its returns stay the same to the bit.
+// A second cast, rather than one cast without limits whose far ranges are removed: close to the
+// limits, the first one decides by them, so its returns stay the same to the bit.
 bool lms3dDetection::FindUnlimited(
   const lms3dDetectionRequest& request, const lms3dScanOutput& output)
 {

@@ -49,28 +49,30 @@ struct lms3dDetectionRequest
 class lms3dDetection
 {
 public:
-  /// Reads the reflectances of the scene's triangles, if the settings use them and if the scene or the
-  /// name of the array changed. Throws std::runtime_error, with a text for the user, if the array is bad.
+  /// Reads the reflectances of the scene's triangles, if the settings use them and if the scene or
+  /// the name of the array changed. Throws std::runtime_error, with a text for the user, if the
+  /// array is bad.
   void ReadReflectances(
     const lms3dScanSettings& settings, const lms3dBuiltScene& built, vtkDataObject* scene);
 
   /// Returns the reflectance of each triangle; empty if all are 1.
   const std::vector<double>& GetReflectances() const { return this->Reflectances; }
 
-  /// Returns the progress of the first cast. Run needs the rest of the scan's progress, which must outlive
-  /// the result.
+  /// Returns the progress of the first cast. Run needs the rest of the scan's progress, which must
+  /// outlive the result.
   static lms3dProgress GetCastProgress(
     const lms3dProgress& scan, const lms3dScanSettings& settings);
 
   /**
    * Removes the weak returns from `output`, which has been cast (and reduced to the nearest of all
-   * processes), and finds the status of all beams if the settings ask for it. Does nothing with default
-   * settings. Returns false, in all processes, if `Progress` stopped it in one of them. Collective.
+   * processes), and finds the status of all beams if the settings ask for it. Does nothing with
+   * default settings. Returns false, in all processes, if `Progress` stopped it in one of them.
+   * Collective.
    */
   bool Run(const lms3dDetectionRequest& request, lms3dScanOutput& output);
 
-  /// Adds the array Status, if there is one, to the point data of the range image, and to the field data of
-  /// `scan`, if it is not null.
+  /// Adds the array Status, if there is one, to the point data of the range image, and to the field
+  /// data of `scan`, if it is not null.
   void AddStatus(const lms3dScanGeometry& geometry, vtkPolyData* scan, vtkImageData* image) const;
 
   /// Copies the status of each beam, if there is one.
@@ -96,7 +98,8 @@ private:
   ///@}
 
   ///@{
-  /// For one scan: what the beams meet without limits, whether this is needed, and what is too weak.
+  /// For one scan: what the beams meet without limits, whether this is needed, and what is too
+  /// weak.
   lms3dScanOutput Unlimited;
   bool HasUnlimited = false;
   std::vector<unsigned char> IsWeak;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The properties that make a scan that of a real device, as vtkLMS3DScanFilter documents them.
+ * @brief The properties that make a scan that of a real device, as vtkLMS3DScanFilter documents
+ * them.
  */
 #ifndef lms3dDeviceSettings_h
 #define lms3dDeviceSettings_h

@@ -20,9 +20,9 @@ struct lms3dEcho
 };
 
 /**
- * Rays whose ranges exceed that of the nearest ray by at most the length of the pulse form one echo. The
- * rays beyond form further echoes in the same way. The device reports the mean range of the echo with the
- * most rays; of equal ones, of the nearest.
+ * Rays whose ranges exceed that of the nearest ray by at most the length of the pulse form one
+ * echo. The rays beyond form further echoes in the same way. The device reports the mean range of
+ * the echo with the most rays; of equal ones, of the nearest.
  */
 class lms3dEchoes
 {
@@ -33,8 +33,8 @@ public:
   {
   }
 
-  /// Takes the ranges of all rays of a beam, metres, NaN without a return. An echo of equal ranges has
-  /// this range to the bit.
+  /// Takes the ranges of all rays of a beam, metres, NaN without a return. An echo of equal ranges
+  /// has this range to the bit.
   lms3dEcho FindReported(const std::vector<double>& ranges);
 
 private:

@@ -11,9 +11,9 @@
 
 class vtkDataSetAttributes;
 
-/// In all processes but the first, adds an empty array for each array of the first process's `data`:
-/// with the same name, type, components and role (scalars, normals). Without these arrays, a filter
-/// that appends the pieces could drop them. Collective.
+/// In all processes but the first, adds an empty array for each array of the first process's
+/// `data`: with the same name, type, components and role (scalars, normals). Without these arrays,
+/// a filter that appends the pieces could drop them. Collective.
 void lms3dAddEmptyArrays(const lms3dProcesses& processes, vtkDataSetAttributes* data);
 
 #endif

@@ -17,9 +17,9 @@
 class lms3dMovingBeams
 {
 public:
-  /// `motion` is null if the sensor rests at `pose`; otherwise each beam leaves from the pose at its own
-  /// time, `startTime` (seconds) plus the time since the scan's first beam. Geometry and motion must outlive
-  /// the object.
+  /// `motion` is null if the sensor rests at `pose`; otherwise each beam leaves from the pose at
+  /// its own time, `startTime` (seconds) plus the time since the scan's first beam. Geometry and
+  /// motion must outlive the object.
   lms3dMovingBeams(const lms3dScanGeometry& geometry, const lms3dPose& pose,
     const lms3dMotion* motion = nullptr, double startTime = 0.0);
 

@@ -17,8 +17,8 @@
 class lms3dPacketFrames
 {
 public:
-  /// Fills the frames of the packet at a turn and beam. Beyond the end of the fan, and of the turns up to
-  /// `endTurn`, it repeats the last frame.
+  /// Fills the frames of the packet at a turn and beam. Beyond the end of the fan, and of the turns
+  /// up to `endTurn`, it repeats the last frame.
   void Fill(const lms3dMovingBeams& beams, int firstTurn, int endTurn, int firstBeam);
 
   ///@{

@@ -15,8 +15,8 @@
 #include <cstdint>
 #include <cstring>
 
-/// Beam Side * i + j of a packet belongs to its turn i and elevation j. Beyond the end of the grid a
-/// packet repeats the last turn or beam, inactive, so that it stays coherent.
+/// Beam Side * i + j of a packet belongs to its turn i and elevation j. Beyond the end of the grid
+/// a packet repeats the last turn or beam, inactive, so that it stays coherent.
 struct lms3dPacketGrid
 {
   static constexpr int Side = lms3dBeamGrid::Side;

@@ -25,8 +25,8 @@ public:
   /// Makes room. Sets no hit for any ray.
   void Allocate(std::size_t rays);
 
-  /// Returns where to store the hits that a caster found before it refined their ranges and before limits
-  /// applied; null without room.
+  /// Returns where to store the hits that a caster found before it refined their ranges and before
+  /// limits applied; null without room.
   lms3dBeamHits GetNearest()
   {
     return this->Ranges.empty() ? lms3dBeamHits{ nullptr, nullptr }
@@ -34,10 +34,11 @@ public:
   }
 
   /**
-   * Replaces `ranges` (metres, NaN without a return) by the ranges of the nearest hits of all processes, and
-   * `triangles` by 0 where there is a return, lms3dBeamPacket::NoTriangle where there is none. Removes the
-   * hits of this process that gave no return. Its triangles belong to cells that are numbered from
-   * `firstCell`. `caster` is null if the part has no triangles. Collective.
+   * Replaces `ranges` (metres, NaN without a return) by the ranges of the nearest hits of all
+   * processes, and `triangles` by 0 where there is a return, lms3dBeamPacket::NoTriangle where
+   * there is none. Removes the hits of this process that gave no return. Its triangles belong to
+   * cells that are numbered from `firstCell`. `caster` is null if the part has no triangles.
+   * Collective.
    */
   void ReduceToNearest(const lms3dProcesses& processes, const lms3dRayCaster* caster,
     std::int64_t firstCell, double* ranges, std::int32_t* triangles);

@@ -13,8 +13,8 @@
 class vtkPolyData;
 
 /// Adds the wanted ones among the point arrays Time, SensorPosition and SensorOrientation, and, if
-/// `hasTurnPoses`, the field data TurnToWorld, as vtkLMS3DScanFilter documents them, to a scan with the
-/// array BeamId. Uses the threads of the calling TBB arena.
+/// `hasTurnPoses`, the field data TurnToWorld, as vtkLMS3DScanFilter documents them, to a scan with
+/// the array BeamId. Uses the threads of the calling TBB arena.
 void lms3dAddPoseArrays(const lms3dMovingBeams& beams, const lms3dExtraArrays& wanted,
   bool hasTurnPoses, vtkPolyData* scan);
 

@@ -12,8 +12,8 @@ namespace
 {
 constexpr double FullCircle = 360.0;
 
-// Measured: of several turns of the rings, this one has the smallest errors at straight edges in the fan's
-// plane and across it.
+// Measured: of several turns of the rings, this one has the smallest errors at straight edges in
+// the fan's plane and across it.
 constexpr double TurnPerRing = 1.0 / 3.0;
 
 void AddRing(int ring, int points, int count, std::vector<lms3dDiscPoint>& disc)

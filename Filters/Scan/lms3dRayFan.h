@@ -23,12 +23,13 @@ struct lms3dDiscPoint
 };
 
 /**
- * Returns points that stand for equal parts of the unit disc: the centre, then rings of 6, 12, 18 and so
- * on points. The last ring can have fewer. The circles between the rings enclose as many parts of the
- * area as they enclose points, and a ring is at the root mean square of the radii of its two circles.
+ * Returns points that stand for equal parts of the unit disc: the centre, then rings of 6, 12, 18
+ * and so on points. The last ring can have fewer. The circles between the rings enclose as many
+ * parts of the area as they enclose points, and a ring is at the root mean square of the radii of
+ * its two circles.
  *
- * Ring k is turned by k / 3 of the angle between its points. Then the share of the points beyond a straight
- * edge differs from the area by at most 0.55 / sqrt(count), if the last ring is complete.
+ * Ring k is turned by k / 3 of the angle between its points. Then the share of the points beyond a
+ * straight edge differs from the area by at most 0.55 / sqrt(count), if the last ring is complete.
  */
 std::vector<lms3dDiscPoint> lms3dGetDiscPoints(int count);
 

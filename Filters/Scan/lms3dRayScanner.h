@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Casts the beams of a scan, or several rays for each of them, wherever they start and point.
+ * @brief Casts the beams of a scan, or several rays for each of them, wherever they start and
+ * point.
  */
 #ifndef lms3dRayScanner_h
 #define lms3dRayScanner_h
@@ -34,12 +35,13 @@ struct lms3dRayScanRequest
   int Turns;
   ///@}
 
-  /// The same as in lms3dScanRequest, for these turns alone: first all beams with the first ray, then all with
-  /// the second, and so on. Ranges are along the rays.
+  /// The same as in lms3dScanRequest, for these turns alone: first all beams with the first ray,
+  /// then all with the second, and so on. Ranges are along the rays.
   lms3dBeamHits Returns;
   lms3dBeamHits NearestHits = { nullptr, nullptr };
 
-  /// Whether ranges have all digits. Otherwise rays with a start of their own have about 13, which takes less time.
+  /// Whether ranges have all digits. Otherwise rays with a start of their own have about 13, which
+  /// takes less time.
   bool HasAllDigits = true;
 };
 

@@ -4,7 +4,8 @@
  * @file
  * @brief Which beams of a turn gave a return, as a list or as runs of neighbours.
  *
- * `triangles` has one value for each beam of the turn, lms3dBeamPacket::NoTriangle if it gave no return.
+ * `triangles` has one value for each beam of the turn, lms3dBeamPacket::NoTriangle if it gave no
+ * return.
  */
 #ifndef lms3dReturnRuns_h
 #define lms3dReturnRuns_h

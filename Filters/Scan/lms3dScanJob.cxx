@@ -53,8 +53,8 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
   return isDone;
 }
 
-// Finds the start and the tables of angles, and builds the scene. Returns false, in all processes, if the
-// build was stopped in one of them.
+// Finds the start and the tables of angles, and builds the scene. Returns false, in all processes,
+// if the build was stopped in one of them.
 bool lms3dScanJob::Prepare(
   const lms3dScanJobRequest& request, const lms3dProcesses& processes, lms3dScanStart& start)
 {

@@ -71,9 +71,9 @@ public:
   bool Run(const lms3dScanJobRequest& request);
 
   /**
-   * Fills `ranges`, and `status` if the settings want it, with the values of the range image that Run
-   * gives. The request's controller must be null, and its outputs are not used. Throws and returns as Run
-   * does.
+   * Fills `ranges`, and `status` if the settings want it, with the values of the range image that
+   * Run gives. The request's controller must be null, and its outputs are not used. Throws and
+   * returns as Run does.
    */
   bool CastRanges(
     const lms3dScanJobRequest& request, vtkDoubleArray* ranges, vtkUnsignedCharArray* status);

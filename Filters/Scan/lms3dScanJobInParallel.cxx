@@ -13,8 +13,8 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
-// In the following functions, collective calls stay outside of Threads.Run: MPI need not allow calls from
-// other threads.
+// In the following functions, collective calls stay outside of Threads.Run: MPI need not allow
+// calls from other threads.
 bool lms3dScanJob::CastInParallel(const Scan& scan)
 {
   const lms3dProcesses& processes = scan.Processes;

@@ -24,8 +24,8 @@
 
 namespace
 {
-// Beams whose returns are filled together: enough for long streams of memory, few enough to share the work
-// among threads.
+// Beams whose returns are filled together: enough for long streams of memory, few enough to share
+// the work among threads.
 constexpr int BeamsToFill = 8192;
 } // namespace
 

@@ -48,7 +48,8 @@ public:
   bool CastPart(const lms3dRayCaster* caster, const lms3dScanGeometry& geometry,
     const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress);
 
-  /// Does what Cast does, or, if `isPart`, what CastPart does, for beams that start and point anywhere.
+  /// Does what Cast does, or, if `isPart`, what CastPart does, for beams that start and point
+  /// anywhere.
   bool CastRays(const lms3dRayCaster* caster, const lms3dMovingBeams& beams,
     const lms3dRangeLimits& limits, bool isPart, const lms3dProgress& progress);
 
@@ -60,14 +61,15 @@ public:
   void ReduceToNearest(
     const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell);
 
-  /// Returns for each beam with a return the triangle that gave it, lms3dBeamPacket::NoTriangle for all
-  /// other beams, and for beams that hit another process's part. Valid until Discard.
+  /// Returns for each beam with a return the triangle that gave it, lms3dBeamPacket::NoTriangle for
+  /// all other beams, and for beams that hit another process's part. Valid until Discard.
   const std::vector<std::int32_t>& GetOwnTriangles() const
   {
     return this->Part.Triangles.empty() ? this->Triangles : this->Part.Triangles;
   }
 
-  /// Returns the range of each beam, metres, NaN without a return. Valid until FillRangeImage or Discard.
+  /// Returns the range of each beam, metres, NaN without a return. Valid until FillRangeImage or
+  /// Discard.
   const double* GetRanges() const { return this->Ranges->GetPointer(0); }
 
   /// Copies the range of each beam. Valid until FillRangeImage or Discard.

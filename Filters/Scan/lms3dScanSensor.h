@@ -21,8 +21,8 @@
 
 class vtkPolyData;
 
-/// Keeps the tables of angles and the trajectory from update to update. References to them are valid
-/// until the next call with other arguments.
+/// Keeps the tables of angles and the trajectory from update to update. References to them are
+/// valid until the next call with other arguments.
 class lms3dScanSensor
 {
 public:
@@ -32,9 +32,9 @@ public:
   /// without one) changed. Throws std::runtime_error, with a text for the user, if they are bad.
   const lms3dTrajectory& GetTrajectory(vtkPolyData* poses, const lms3dVector& orientation);
 
-  /// Returns the pose of the settings if `trajectory` is null; otherwise the trajectory's pose at `time`
-  /// (seconds), or the first if there is no time, with the time of that pose, and with the motion from
-  /// there, if the settings want it and the sensor does not rest.
+  /// Returns the pose of the settings if `trajectory` is null; otherwise the trajectory's pose at
+  /// `time` (seconds), or the first if there is no time, with the time of that pose, and with the
+  /// motion from there, if the settings want it and the sensor does not rest.
   lms3dScanStart GetStart(
     const lms3dScanSettings& settings, vtkPolyData* trajectory, std::optional<double> time);
 

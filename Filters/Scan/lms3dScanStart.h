@@ -34,7 +34,8 @@ struct lms3dScanStart
   /// Sets DATA_TIME_STEP of an output if there is a trajectory.
   void SetDataTime(vtkDataObject* output) const;
 
-  /// Returns whether all beams start at the sensor's position, have no width, and a fan does not move.
+  /// Returns whether all beams start at the sensor's position, have no width, and a fan does not
+  /// move.
   bool HasPlainBeams(const lms3dDeviceSettings& device) const;
 
   /// Returns whether the scan has the poses of its turns.
@@ -43,8 +44,8 @@ struct lms3dScanStart
     return device.MotionDuringScan && !std::isnan(this->Time);
   }
 
-  /// Returns the beams of a scan that starts here; null if nothing in the settings needs them, as by
-  /// default. Geometry and this object must outlive them.
+  /// Returns the beams of a scan that starts here; null if nothing in the settings needs them, as
+  /// by default. Geometry and this object must outlive them.
   std::unique_ptr<const lms3dMovingBeams> MakeBeams(
     const lms3dScanSettings& settings, const lms3dScanGeometry& geometry) const;
 };

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Casts all beams of a scan whose beams start at one point and form a product of turns and elevations.
+ * @brief Casts all beams of a scan whose beams start at one point and form a product of turns and
+ * elevations.
  */
 #ifndef lms3dScanner_h
 #define lms3dScanner_h
@@ -34,9 +35,9 @@ struct lms3dScanRequest
 };
 
 /**
- * Casts all beams of a scan. The platform must be centred and stepped (lms3dPlatform.h). Uses the threads of the calling TBB arena; the results do not depend on
- * their number. Returns false if `progress`, which must not be empty, stopped the scan; the results
- * are then undefined.
+ * Casts all beams of a scan. The platform must be centred and stepped (lms3dPlatform.h). Uses the
+ * threads of the calling TBB arena; the results do not depend on their number. Returns false if
+ * `progress`, which must not be empty, stopped the scan; the results are then undefined.
  */
 bool lms3dScan(const lms3dScanRequest& request, const lms3dProgress& progress);
 

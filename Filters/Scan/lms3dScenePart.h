@@ -30,8 +30,8 @@ struct lms3dScenePart
 };
 
 /// Returns a warning for the user if the global ids of a whole scene show that cells are missing:
-/// ids go up to N, but there are fewer than N + 1 cells (fewer than N if no cell has the id 0, because
-/// some file formats number from 1). Otherwise returns an empty string.
+/// ids go up to N, but there are fewer than N + 1 cells (fewer than N if no cell has the id 0,
+/// because some file formats number from 1). Otherwise returns an empty string.
 std::string lms3dDescribeMissingCells(const lms3dScenePart& scene);
 
 /// Throws std::runtime_error, with a text for the user, if a whole scene has no triangles.

@@ -65,16 +65,16 @@ struct lms3dSurfaceArrays
   const bool Intensity;
 };
 
-/// Adds the wanted ones of Normals, Incidence, Intensity and the cell arrays of the scene to `data`, in
-/// this order, one tuple for each beam with a triangle. `hasGlobalIds` says whether the cells of the mesh
-/// are global ids. Uses the threads of the calling TBB arena.
+/// Adds the wanted ones of Normals, Incidence, Intensity and the cell arrays of the scene to
+/// `data`, in this order, one tuple for each beam with a triangle. `hasGlobalIds` says whether the
+/// cells of the mesh are global ids. Uses the threads of the calling TBB arena.
 void lms3dAddSurfaceAttributes(const lms3dSurfaceHits& hits, const lms3dSurfaceArrays& wanted,
   vtkDataObject* scene, bool hasGlobalIds, vtkFieldData* data);
 
-/// Adds the attributes of all processes to the first process's `scan`. In each process, `attributes`
-/// has a tuple for each beam with a triangle in `triangles`. If a beam has a triangle in several
-/// processes, the lowest rank wins. A cell array must exist in all processes with returns, or, if none
-/// has any, in all with triangles. May change `attributes`. Collective.
+/// Adds the attributes of all processes to the first process's `scan`. In each process,
+/// `attributes` has a tuple for each beam with a triangle in `triangles`. If a beam has a triangle
+/// in several processes, the lowest rank wins. A cell array must exist in all processes with
+/// returns, or, if none has any, in all with triangles. May change `attributes`. Collective.
 void lms3dGatherSurfaceAttributes(const lms3dProcesses& processes,
   const lms3dHitTriangles& triangles, vtkFieldData* attributes, vtkPolyData* scan);
 

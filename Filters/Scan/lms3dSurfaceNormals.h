@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <vector>
 
-/// Computes unit normals, and keeps recent ones, because neighbouring beams hit the same triangles. For
-/// one thread.
+/// Computes unit normals, and keeps recent ones, because neighbouring beams hit the same triangles.
+/// For one thread.
 class lms3dSurfaceNormals
 {
 public:
@@ -24,8 +24,8 @@ public:
   /// Returns the normal on the side from which the corners are counter-clockwise.
   const lms3dVector& Get(std::int32_t triangle);
 
-  /// Returns the normal towards a position, world coordinates, metres. If the triangle's plane contains
-  /// the position, this is the same as Get.
+  /// Returns the normal towards a position, world coordinates, metres. If the triangle's plane
+  /// contains the position, this is the same as Get.
   lms3dVector GetFacing(std::int32_t triangle, const lms3dVector& position);
 
 private:

@@ -37,7 +37,8 @@ void Widen(const std::int32_t* triangles, int count, Id* cells)
   std::copy_n(triangles, count, cells);
 }
 
-/// Fills the arrays of one scan. In the methods, `beamOf` maps a return of a piece to its beam in the turn.
+/// Fills the arrays of one scan. In the methods, `beamOf` maps a return of a piece to its beam in
+/// the turn.
 class Filler
 {
 public:
@@ -145,7 +146,8 @@ private:
       this->Returns.Range + piece.Slot, piece.Count, [&](int i) { return ranges[beamOf(i)]; });
   }
 
-  // The choice between the three sources stands outside the loops, so that the compiler can vectorize them.
+  // The choice between the three sources stands outside the loops, so that the compiler can
+  // vectorize them.
   template <typename BeamOf>
   void FillCells(const Piece& piece, const BeamOf& beamOf) const
   {

@@ -19,13 +19,14 @@
 #include <cstdint>
 #include <vector>
 
-/// The hits of a scan. Pointers and references must outlive it. Ranges, Triangles and Cells have one value
-/// for each beam, ordered by turn, then by beam.
+/// The hits of a scan. Pointers and references must outlive it. Ranges, Triangles and Cells have
+/// one value for each beam, ordered by turn, then by beam.
 struct lms3dTurnReturns
 {
-  /// Fills the slots of the returns of the turns from `begin` up to, but not including, `end`, in the arrays
-  /// and in `cellIds`. `slots` has the slot of the first return of each turn of the scan, and the number of
-  /// returns at the end. Several turns in one call take less time than one by one.
+  /// Fills the slots of the returns of the turns from `begin` up to, but not including, `end`, in
+  /// the arrays and in `cellIds`. `slots` has the slot of the first return of each turn of the
+  /// scan, and the number of returns at the end. Several turns in one call take less time than one
+  /// by one.
   void Fill(int begin, int end, const std::vector<std::size_t>& slots, const lms3dReturns& returns,
     vtkIdType* cellIds) const;
 

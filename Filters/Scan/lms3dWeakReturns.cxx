@@ -14,8 +14,8 @@
 
 namespace
 {
-// SICK LMS 200 technical description 8008970/06-2003, pages 7 and 33: the device sees 10 percent up to a
-// range of its own, less light the nearer the surface is, and never less than 1.8 percent.
+// SICK LMS 200 technical description 8008970/06-2003, pages 7 and 33: the device sees 10 percent up
+// to a range of its own, less light the nearer the surface is, and never less than 1.8 percent.
 constexpr double ReferenceReflectance = 0.1;
 constexpr double MinimumReflectance = 0.018;
 
@@ -70,8 +70,8 @@ public:
   }
 
 private:
-  // For a run of beams that hit the same triangle. The loop has no calls that keep the compiler from
-  // vectorizing it.
+  // For a run of beams that hit the same triangle. The loop has no calls that keep the compiler
+  // from vectorizing it.
   void FillIntensities(std::int32_t triangle, int first, int last)
   {
     double* intensities = this->Intensities.data();

@@ -36,7 +36,8 @@ struct lms3dMixedBeams
   ///@}
 };
 
-/// Works block by block, to limit its memory: Cast, then ReduceToNearest in several processes, then Mix.
+/// Works block by block, to limit its memory: Cast, then ReduceToNearest in several processes, then
+/// Mix.
 class lms3dWideBeams
 {
 public:
@@ -46,12 +47,13 @@ public:
 
   int GetNumberOfBlocks() const;
 
-  /// Casts the rays of a block of turns against the whole scene, or, if `isPart`, against this process's
-  /// part; `caster` is null if the part has no triangles. Uses the threads of the calling TBB arena. Returns
-  /// false if `progress` stopped it.
+  /// Casts the rays of a block of turns against the whole scene, or, if `isPart`, against this
+  /// process's part; `caster` is null if the part has no triangles. Uses the threads of the calling
+  /// TBB arena. Returns false if `progress` stopped it.
   bool Cast(int block, const lms3dRayCaster* caster, bool isPart, const lms3dProgress& progress);
 
-  /// Replaces the results of Cast by the nearest hits of all processes, see lms3dPartHits. Collective.
+  /// Replaces the results of Cast by the nearest hits of all processes, see lms3dPartHits.
+  /// Collective.
   void ReduceToNearest(
     const lms3dProcesses& processes, const lms3dRayCaster* caster, std::int64_t firstCell);
 

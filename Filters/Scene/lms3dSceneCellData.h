@@ -16,8 +16,8 @@ class vtkDataSet;
 class vtkFieldData;
 
 /**
- * Adds the cell arrays of a scene to `data`, with one tuple for each of `cells`. The numbers of cells
- * are those that lms3dCollectTriangles gives: global ids if `hasGlobalIds`.
+ * Adds the cell arrays of a scene to `data`, with one tuple for each of `cells`. The numbers of
+ * cells are those that lms3dCollectTriangles gives: global ids if `hasGlobalIds`.
  *
  * An array counts if all leaves with cells have it with the same type and number of components.
  * Skips vtkGhostType, the global ids, and names that `data` has already.
@@ -25,8 +25,8 @@ class vtkFieldData;
 void lms3dCopyCellData(
   vtkDataObject* scene, bool hasGlobalIds, std::vector<vtkIdType> cells, vtkFieldData* data);
 
-/// Replaces global ids by the consecutive numbers of the cells over all `leaves`, which have cells and
-/// global ids. If several cells have an id, the first one counts.
+/// Replaces global ids by the consecutive numbers of the cells over all `leaves`, which have cells
+/// and global ids. If several cells have an id, the first one counts.
 void lms3dReplaceGlobalIds(const std::vector<vtkDataSet*>& leaves, std::vector<vtkIdType>& cells);
 
 #endif

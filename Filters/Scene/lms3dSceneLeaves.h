@@ -12,8 +12,8 @@
 class vtkDataObject;
 class vtkDataSet;
 
-/// Returns all leaves of a composite in the order in which their cells are numbered, or the data set
-/// itself. Leaves that are not data sets are null.
+/// Returns all leaves of a composite in the order in which their cells are numbered, or the data
+/// set itself. Leaves that are not data sets are null.
 std::vector<vtkDataSet*> lms3dGetLeaves(vtkDataObject* scene);
 
 /// Returns the leaves that have cells, in the same order.

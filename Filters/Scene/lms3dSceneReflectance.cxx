@@ -20,8 +20,8 @@
 
 namespace
 {
-// Luminance of linear red, green and blue (ITU-R BT.709-6, item 3.2), times 10000. Whole numbers give
-// white exactly 1, and grey exactly its component / 255.
+// Luminance of linear red, green and blue (ITU-R BT.709-6, item 3.2), times 10000. Whole numbers
+// give white exactly 1, and grey exactly its component / 255.
 constexpr int LuminanceWeights[] = { 2126, 7152, 722 };
 constexpr double White = 10000.0 * 255.0;
 

@@ -15,13 +15,13 @@
 class vtkDataObject;
 
 /**
- * Returns the reflectance of each triangle of a scene's mesh, from the cell array `name`. One component
- * of any number type is the reflectance itself. Three or four components of unsigned char are a colour:
- * its reflectance is the luminance of red, green and blue, from 0 to 1. `hasGlobalIds` says whether the
- * cells of the mesh are global ids.
+ * Returns the reflectance of each triangle of a scene's mesh, from the cell array `name`. One
+ * component of any number type is the reflectance itself. Three or four components of unsigned char
+ * are a colour: its reflectance is the luminance of red, green and blue, from 0 to 1.
+ * `hasGlobalIds` says whether the cells of the mesh are global ids.
  *
- * Only cells with triangles count. Throws std::runtime_error, with a text for the user, if one of them
- * has no such array, or if its reflectance is negative or not finite.
+ * Only cells with triangles count. Throws std::runtime_error, with a text for the user, if one of
+ * them has no such array, or if its reflectance is negative or not finite.
  */
 std::vector<double> lms3dGetReflectances(
   vtkDataObject* scene, const std::string& name, bool hasGlobalIds, const lms3dTriangleMesh& mesh);

@@ -9,8 +9,8 @@ namespace
 {
 constexpr const int (&Next)[3] = lms3dLinkedTriangles::Next;
 constexpr const int (&Previous)[3] = lms3dLinkedTriangles::Previous;
-// The size of the super-triangle, in sizes of the points' bounding box. It is far enough away not to
-// change the triangles of the points.
+// The size of the super-triangle, in sizes of the points' bounding box. It is far enough away not
+// to change the triangles of the points.
 constexpr double SuperTriangleSize = 64.0;
 } // namespace
 
@@ -41,8 +41,8 @@ std::vector<lms3dPoint2> lms3dDelaunay::AddSuperTriangle(std::vector<lms3dPoint2
   return points;
 }
 
-// Walks towards the point, across edges behind which it lies. Constrained edges can make such a walk go in
-// circles; then the location has no triangle.
+// Walks towards the point, across edges behind which it lies. Constrained edges can make such a
+// walk go in circles; then the location has no triangle.
 lms3dDelaunay::Location lms3dDelaunay::Locate(const lms3dPoint2& point, int near) const
 {
   Location location = { near };
@@ -64,8 +64,8 @@ lms3dDelaunay::Location lms3dDelaunay::Locate(const lms3dPoint2& point, int near
   return { None };
 }
 
-// Returns an edge behind which a point lies. If there is none, returns None and sets where in the triangle
-// the point lies. The edge to the triangle `from`, where the walk came from, is skipped.
+// Returns an edge behind which a point lies. If there is none, returns None and sets where in the
+// triangle the point lies. The edge to the triangle `from`, where the walk came from, is skipped.
 int lms3dDelaunay::FindExitEdge(
   const lms3dPoint2& point, int triangle, int from, Location& location) const
 {

@@ -15,12 +15,12 @@
 #include <vector>
 
 /**
- * Incremental construction with edge flips (Lawson 1977, "Software for C1 surface interpolation"): each
- * point splits the triangle in which it lies, then illegal edges are flipped, except constrained ones. A
- * super-triangle around all points is there from the beginning.
+ * Incremental construction with edge flips (Lawson 1977, "Software for C1 surface interpolation"):
+ * each point splits the triangle in which it lies, then illegal edges are flipped, except
+ * constrained ones. A super-triangle around all points is there from the beginning.
  *
- * Points are numbered in the order given; the corners of the super-triangle follow, then added points.
- * Coordinates have any unit.
+ * Points are numbered in the order given; the corners of the super-triangle follow, then added
+ * points. Coordinates have any unit.
  */
 class lms3dDelaunay
 {
@@ -37,12 +37,12 @@ public:
     return point >= this->FirstOfSuperTriangle && point < this->FirstOfSuperTriangle + 3;
   }
 
-  /// Inserts one of the points. The search for its triangle starts at triangle `near`. Returns false if
-  /// the point coincides with another one or lies on a constrained edge.
+  /// Inserts one of the points. The search for its triangle starts at triangle `near`. Returns
+  /// false if the point coincides with another one or lies on a constrained edge.
   bool Insert(std::int32_t point, int near);
 
-  /// Adds a point and inserts it, if it lies in a triangle that is inside. Returns its number, or None as
-  /// Insert() returns false.
+  /// Adds a point and inserts it, if it lies in a triangle that is inside. Returns its number, or
+  /// None as Insert() returns false.
   std::int32_t InsertInside(const lms3dPoint2& point, int near);
 
   /// 1 if point c lies left of the line from a to b, -1 if right, 0 if on it. Exact.
@@ -51,8 +51,8 @@ public:
     return lms3dGetOrientation(this->Points[a], this->Points[b], this->Points[c]);
   }
 
-  /// The triangle to the left of the edge from a to b, which must exist. `edge` receives its number in
-  /// the triangle.
+  /// The triangle to the left of the edge from a to b, which must exist. `edge` receives its number
+  /// in the triangle.
   int FindTriangle(std::int32_t a, std::int32_t b, int& edge) const;
 
   /// Whether the two triangles at an edge form a strictly convex quadrilateral.
@@ -61,7 +61,8 @@ public:
   /// Queues the edge of a triangle opposite to one of its corners for LegalizeEdges().
   void QueueEdge(int triangle, std::int32_t apex) { this->Pending.push_back({ triangle, apex }); }
 
-  /// Flips all queued edges that violate the Delaunay criterion, and the edges that become illegal by it.
+  /// Flips all queued edges that violate the Delaunay criterion, and the edges that become illegal
+  /// by it.
   void LegalizeEdges();
 
 private:

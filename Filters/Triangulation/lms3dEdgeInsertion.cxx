@@ -27,8 +27,8 @@ bool lms3dEdgeInsertion::Insert(std::int32_t a, std::int32_t b)
   return isPresent;
 }
 
-// Calls visit(triangle, corner) for the triangles around a vertex and their corners there, counter-clockwise. Stops
-// when a visit returns true, and returns true then.
+// Calls visit(triangle, corner) for the triangles around a vertex and their corners there,
+// counter-clockwise. Stops when a visit returns true, and returns true then.
 template <typename Visitor>
 bool lms3dEdgeInsertion::FindAround(std::int32_t vertex, const Visitor& visit) const
 {
@@ -61,7 +61,8 @@ bool lms3dEdgeInsertion::ConstrainIfPresent(std::int32_t a, std::int32_t b)
     });
 }
 
-// Finds a triangle at a and its edge that the line from a to b crosses. Returns false if there is none.
+// Finds a triangle at a and its edge that the line from a to b crosses. Returns false if there is
+// none.
 bool lms3dEdgeInsertion::FindFirstCrossed(
   std::int32_t a, std::int32_t b, int& crossed, int& edge) const
 {
@@ -76,8 +77,8 @@ bool lms3dEdgeInsertion::FindFirstCrossed(
     });
 }
 
-// Finds the edges that cross the line from a to b. Returns false if one is constrained, or if a point lies
-// on the line.
+// Finds the edges that cross the line from a to b. Returns false if one is constrained, or if a
+// point lies on the line.
 bool lms3dEdgeInsertion::FindCrossedEdges(
   std::int32_t a, std::int32_t b, int triangle, int edge, std::deque<Edge>& crossed) const
 {
@@ -126,8 +127,8 @@ bool lms3dEdgeInsertion::FlipCrossedEdges(std::int32_t a, std::int32_t b, int tr
   return true;
 }
 
-// Flips an edge that crosses the line from a to b. Returns whether it still crosses. An edge that cannot be
-// flipped yet has to wait; there always is one that can.
+// Flips an edge that crosses the line from a to b. Returns whether it still crosses. An edge that
+// cannot be flipped yet has to wait; there always is one that can.
 bool lms3dEdgeInsertion::Flip(std::int32_t a, std::int32_t b, Edge& crossing)
 {
   int side;

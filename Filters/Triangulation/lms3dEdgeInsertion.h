@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <deque>
 
-/// Flips the edges that cross the new edge (Sloan 1993, "A fast algorithm for generating constrained
-/// Delaunay triangulations").
+/// Flips the edges that cross the new edge (Sloan 1993, "A fast algorithm for generating
+/// constrained Delaunay triangulations").
 class lms3dEdgeInsertion
 {
 public:
@@ -25,8 +25,8 @@ public:
   {
   }
 
-  /// Inserts the edge between two inserted points and constrains it. Returns false if a constrained edge
-  /// or a point is in the way, or if the points are the same.
+  /// Inserts the edge between two inserted points and constrains it. Returns false if a constrained
+  /// edge or a point is in the way, or if the points are the same.
   bool Insert(std::int32_t a, std::int32_t b);
 
 private:

@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <vector>
 
-/// Holds the topology only: which points the triangles have, not the points' coordinates. Corners and
-/// edges of a triangle have the numbers 0 to 2; edge i runs from corner i to the next one.
+/// Holds the topology only: which points the triangles have, not the points' coordinates. Corners
+/// and edges of a triangle have the numbers 0 to 2; edge i runs from corner i to the next one.
 class lms3dLinkedTriangles
 {
 public:

@@ -16,8 +16,8 @@ using lms3dPoint2 = std::array<double, 2>;
 /// coordinates whose products neither overflow nor underflow.
 int lms3dGetOrientation(const lms3dPoint2& a, const lms3dPoint2& b, const lms3dPoint2& c);
 
-/// Whether d lies inside the circle through a, b and c (counter-clockwise) by more than a rounding error.
-/// Therefore, of the two diagonals of four points, at most one is ever preferred.
+/// Whether d lies inside the circle through a, b and c (counter-clockwise) by more than a rounding
+/// error. Therefore, of the two diagonals of four points, at most one is ever preferred.
 bool lms3dIsInCircle(
   const lms3dPoint2& a, const lms3dPoint2& b, const lms3dPoint2& c, const lms3dPoint2& d);
 

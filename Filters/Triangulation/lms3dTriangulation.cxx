@@ -57,8 +57,8 @@ bool lms3dTriangulation::InsertLoops(const Numbers& loops, const Numbers& loopEn
     loops, loopEnds, [&](std::int32_t a, std::int32_t b) { return insertion.Insert(a, b); });
 }
 
-// Floods the triangles from the left sides of the loops. The loops are valid only if the flood reaches
-// neither a right side nor the super-triangle.
+// Floods the triangles from the left sides of the loops. The loops are valid only if the flood
+// reaches neither a right side nor the super-triangle.
 bool lms3dTriangulation::MarkInside(const Numbers& loops, const Numbers& loopEnds)
 {
   std::vector<int> stack;

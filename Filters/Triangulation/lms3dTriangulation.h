@@ -14,9 +14,9 @@
 #include <vector>
 
 /**
- * Inserts all points, then the edges of the outline, then marks the triangles inside. More points may be
- * inserted inside afterwards. Orientation tests are exact, so triangles never overlap. The in-circle test
- * is not, so shapes may differ from the Delaunay triangulation by a rounding error.
+ * Inserts all points, then the edges of the outline, then marks the triangles inside. More points
+ * may be inserted inside afterwards. Orientation tests are exact, so triangles never overlap. The
+ * in-circle test is not, so shapes may differ from the Delaunay triangulation by a rounding error.
  *
  * Coordinates have any unit. Points are numbered as in lms3dDelaunay.
  */
@@ -26,9 +26,9 @@ public:
   static constexpr std::int32_t None = lms3dDelaunay::None;
 
   /**
-   * `loops` holds the numbers of the outline's points, loop after loop: counter-clockwise loops around
-   * the polygon, clockwise loops around its holes. `loopEnds` holds the end of each loop in `loops`.
-   * Loops may touch at points only. There must be a point, and no two points may coincide.
+   * `loops` holds the numbers of the outline's points, loop after loop: counter-clockwise loops
+   * around the polygon, clockwise loops around its holes. `loopEnds` holds the end of each loop in
+   * `loops`. Loops may touch at points only. There must be a point, and no two points may coincide.
    */
   lms3dTriangulation(std::vector<lms3dPoint2> points, const std::vector<std::int32_t>& loops,
     const std::vector<std::int32_t>& loopEnds);
@@ -50,9 +50,10 @@ public:
   }
 
   /**
-   * Adds a point inside the polygon. The search for it starts at triangle `near`. Returns its number,
-   * which follows the given points, the three corners of the super-triangle and points added before.
-   * Returns None if the point lies outside, or if there is a point or an edge of the outline already.
+   * Adds a point inside the polygon. The search for it starts at triangle `near`. Returns its
+   * number, which follows the given points, the three corners of the super-triangle and points
+   * added before. Returns None if the point lies outside, or if there is a point or an edge of the
+   * outline already.
    */
   std::int32_t Insert(const lms3dPoint2& point, int near)
   {

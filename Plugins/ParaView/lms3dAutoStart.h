@@ -4,8 +4,8 @@
  * @class lms3dAutoStart
  * @brief base of the objects that start with the plugin and listen to ParaView
  *
- * ParaView creates an object of each subclass that CMakeLists.txt lists, calls startup() when it loads the
- * plugin, and shutdown() when it ends.
+ * ParaView creates an object of each subclass that CMakeLists.txt lists, calls startup() when it
+ * loads the plugin, and shutdown() when it ends.
  */
 
 #ifndef lms3dAutoStart_h

@@ -12,9 +12,9 @@ class QWidget;
 class vtkSMProxy;
 
 /**
- * Hides the controls that fit a box to its input. Puts the labels, with units, above the number fields,
- * so that the three fields fit into a panel of the default width, with signs. A field shows the beginning
- * of a longer number.
+ * Hides the controls that fit a box to its input. Puts the labels, with units, above the number
+ * fields, so that the three fields fit into a panel of the default width, with signs. A field shows
+ * the beginning of a longer number.
  */
 void lms3dArrangePoseControls(QWidget* panel);
 

@@ -4,10 +4,11 @@
  * @class lms3dPoseDrag
  * @brief keeps a sensor that the mouse drags at its height and its tilt
  *
- * Works on VTK's box widget before ParaView reads the pose of the box. Left button: turns the sensor
- * about the vertical axis, by half a degree for each pixel to the right. Middle button, or left button
- * with Ctrl: moves the sensor in the horizontal plane, under the mouse. While Shift is down, the
- * box widget's own motion holds: a turn about any axis, and a move in the plane of the view.
+ * Works on VTK's box widget before ParaView reads the pose of the box. Left button: turns the
+ * sensor about the vertical axis, by half a degree for each pixel to the right. Middle button, or
+ * left button with Ctrl: moves the sensor in the horizontal plane, under the mouse. While Shift is
+ * down, the box widget's own motion holds: a turn about any axis, and a move in the plane of the
+ * view.
  */
 
 #ifndef lms3dPoseDrag_h

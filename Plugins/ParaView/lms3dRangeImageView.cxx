@@ -32,7 +32,8 @@ bool AreEqual(const lms3dCamera& one, const lms3dCamera& other)
     one.ViewUp == other.ViewUp;
 }
 
-// Whether the camera is the one of standUpright(), which the user may have moved in the image's plane.
+// Whether the camera is the one of standUpright(), which the user may have moved in the image's
+// plane.
 bool IsUpright(const lms3dCamera& camera)
 {
   constexpr double tolerance = 1e-6;
@@ -58,7 +59,8 @@ lms3dRangeImageView::lms3dRangeImageView(pqRenderView* view)
 }
 
 //------------------------------------------------------------------------------
-// Listens to the property, because the signal of the view comes after ParaView has changed the camera.
+// Listens to the property, because the signal of the view comes after ParaView has changed the
+// camera.
 void lms3dRangeImageView::watch(pqRepresentation* added)
 {
   if (lms3dIsRangeImage(added->getProxy()))

@@ -4,11 +4,12 @@
  * @class lms3dRangeImageView
  * @brief lets a range image stand upright while a render view shows it alone
  *
- * The platform angle increases to the right, the elevation upwards, and the mouse moves the image in its
- * plane. When the image is hidden or deleted, the view has its former camera and interaction mode back.
+ * The platform angle increases to the right, the elevation upwards, and the mouse moves the image
+ * in its plane. When the image is hidden or deleted, the view has its former camera and interaction
+ * mode back.
  *
- * The image stays as it is if a script sets the camera right after it shows the image. The former camera
- * does not come back if the user or a script has turned the camera meanwhile.
+ * The image stays as it is if a script sets the camera right after it shows the image. The former
+ * camera does not come back if the user or a script has turned the camera meanwhile.
  */
 
 #ifndef lms3dRangeImageView_h

@@ -4,9 +4,9 @@
  * @class lms3dSensorAxes
  * @brief draws the axes of the sensor in a view
  *
- * The axes have the colours of ParaView's axes in the corner of the view. They are drawn on top of the
- * scene, so that a ceiling does not hide them. They belong to the widgets of the view, which the
- * client draws even if a server renders.
+ * The axes have the colours of ParaView's axes in the corner of the view. They are drawn on top of
+ * the scene, so that a ceiling does not hide them. They belong to the widgets of the view, which
+ * the client draws even if a server renders.
  */
 
 #ifndef lms3dSensorAxes_h

@@ -19,14 +19,15 @@ vtkBoundingBox lms3dGetSceneBounds(vtkSMProxy* scan);
 /// The trajectory of a scan. Null for a sensor without this property, such as LMS3D Remote's.
 vtkSMProxy* lms3dGetTrajectory(vtkSMProxy* sensor);
 
-/// Half the width of the sensor's box, metres: large enough to be dragged in a hall, small enough not to
-/// hide a room.
+/// Half the width of the sensor's box, metres: large enough to be dragged in a hall, small enough
+/// not to hide a room.
 double lms3dGetHandleHalfWidth(vtkSMProxy* scan);
 
 /// The pose in the properties Position and Rotation of a box widget.
 void lms3dGetPoseOfBox(vtkSMProxy* box, vtkTransform* pose);
 
-/// The pose in the field data of the last scan. Fails if there is no scan yet, and if a server scans.
+/// The pose in the field data of the last scan. Fails if there is no scan yet, and if a server
+/// scans.
 bool lms3dGetPoseOfScan(vtkSMProxy* scan, vtkTransform* pose);
 
 #endif

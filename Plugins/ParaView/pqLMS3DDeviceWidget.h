@@ -4,13 +4,13 @@
  * @class pqLMS3DDeviceWidget
  * @brief a choice of devices, above the properties that describe a device
  *
- * The choice sets all properties of its filter that vtkLMS3DScanFilter::GetDeviceValue has a value for,
- * also those outside of this group. They change as if the user had typed the values: Apply takes them and
- * Reset takes them back, Undo, states and traces hold them. The choice itself is not stored. It shows the
- * device that has the present values, or "Custom" if there is none.
+ * The choice sets all properties of its filter that vtkLMS3DScanFilter::GetDeviceValue has a value
+ * for, also those outside of this group. They change as if the user had typed the values: Apply
+ * takes them and Reset takes them back, Undo, states and traces hold them. The choice itself is not
+ * stored. It shows the device that has the present values, or "Custom" if there is none.
  *
- * Below are the usual widgets of the group's properties. Advanced ones are hidden as in other groups.
- * In XML: `<PropertyGroup panel_widget="LMS3DDevice">`.
+ * Below are the usual widgets of the group's properties. Advanced ones are hidden as in other
+ * groups. In XML: `<PropertyGroup panel_widget="LMS3DDevice">`.
  */
 
 #ifndef pqLMS3DDeviceWidget_h

@@ -4,8 +4,8 @@
  * @class pqLMS3DEmptyScans
  * @brief warns in Output Messages if no beam of a scan returned
  *
- * Without the warning a user sees an empty view. Warns once, and again only after a scan with returns, so
- * that a sensor that is dragged through empty space does not fill the messages.
+ * Without the warning a user sees an empty view. Warns once, and again only after a scan with
+ * returns, so that a sensor that is dragged through empty space does not fill the messages.
  */
 
 #ifndef pqLMS3DEmptyScans_h

@@ -4,8 +4,8 @@
  * @class pqLMS3DLegendUnits
  * @brief adds the unit to the legends of ranges, errors and angles
  *
- * Changes the title of a new legend that an output of LMS3D uses, such as Range to Range (m). A legend
- * that a state, undo or redo restores keeps its title.
+ * Changes the title of a new legend that an output of LMS3D uses, such as Range to Range (m). A
+ * legend that a state, undo or redo restores keeps its title.
  */
 
 #ifndef pqLMS3DLegendUnits_h

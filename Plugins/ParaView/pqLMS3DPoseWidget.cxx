@@ -209,7 +209,8 @@ void pqLMS3DPoseWidget::hideEvent(QHideEvent* event)
 }
 
 //------------------------------------------------------------------------------
-// Also while the scan is not selected if the view shows its trajectory, so that one sees the sensor move.
+// Also while the scan is not selected if the view shows its trajectory, so that one sees the sensor
+// move.
 bool pqLMS3DPoseWidget::areAxesShown() const
 {
   const vtkSMProxy* trajectory = lms3dGetTrajectory(this->proxy());

@@ -4,20 +4,21 @@
  * @class pqLMS3DPoseWidget
  * @brief moves and turns the sensor, with the mouse in the view or by numbers
  *
- * Shows ParaView's box widget around the sensor, on top of the scene. The box is centred at the sensor, so
- * that turning the box does not move the sensor. Its width is 4 % of the scene's diagonal. The sensor's
- * axes are drawn in the box, in the colours of ParaView's axes: x is the direction of the first turn, z
- * the platform's axis. The group has the functions of the box widget: Position (metres) and Rotation
- * (degrees, applied in the order z, x, y).
+ * Shows ParaView's box widget around the sensor, on top of the scene. The box is centred at the
+ * sensor, so that turning the box does not move the sensor. Its width is 4 % of the scene's
+ * diagonal. The sensor's axes are drawn in the box, in the colours of ParaView's axes: x is the
+ * direction of the first turn, z the platform's axis. The group has the functions of the box
+ * widget: Position (metres) and Rotation (degrees, applied in the order z, x, y).
  *
- * The mouse keeps the sensor's height and tilt unless Shift is down (lms3dPoseDrag). P moves the sensor
- * above the point under the mouse, at its height; Shift+P moves it to this point. With ParaView's Auto
- * Apply the scan follows the mouse, otherwise it follows on Apply. A drag is one step of undo.
+ * The mouse keeps the sensor's height and tilt unless Shift is down (lms3dPoseDrag). P moves the
+ * sensor above the point under the mouse, at its height; Shift+P moves it to this point. With
+ * ParaView's Auto Apply the scan follows the mouse, otherwise it follows on Apply. A drag is one
+ * step of undo.
  *
- * While the scan has a trajectory, the sensor is not at Position. The box is hidden then, and the axes
- * show the pose of the present time. If the active view shows the trajectory, the axes stay while other
- * filters are selected. A view of a range image shows neither box nor axes.
- * In XML: `<PropertyGroup panel_widget="LMS3DPose">`.
+ * While the scan has a trajectory, the sensor is not at Position. The box is hidden then, and the
+ * axes show the pose of the present time. If the active view shows the trajectory, the axes stay
+ * while other filters are selected. A view of a range image shows neither box nor axes. In XML:
+ * `<PropertyGroup panel_widget="LMS3DPose">`.
  */
 
 #ifndef pqLMS3DPoseWidget_h

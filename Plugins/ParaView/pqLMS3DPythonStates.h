@@ -4,9 +4,10 @@
  * @class pqLMS3DPythonStates
  * @brief makes Python states of ParaView's window load the plugin
  *
- * ParaView's Python states do not load plugins. Once the pipeline has a reader or a filter of LMS3D, this
- * class runs Python/lms3d_states.py, which adds the missing line to each state that is saved later. Does
- * nothing if ParaView has no Python. If the script cannot start, the next reader or filter starts it.
+ * ParaView's Python states do not load plugins. Once the pipeline has a reader or a filter of
+ * LMS3D, this class runs Python/lms3d_states.py, which adds the missing line to each state that is
+ * saved later. Does nothing if ParaView has no Python. If the script cannot start, the next reader
+ * or filter starts it.
  */
 
 #ifndef pqLMS3DPythonStates_h

@@ -26,8 +26,9 @@ void pqLMS3DQuickSearch::startup()
 }
 
 //------------------------------------------------------------------------------
-// Before ParaView 5.13 the search copies the texts right after this call. The menus have their own texts
-// back before the user can see them. Newer searches read the filters' short help, which has the words.
+// Before ParaView 5.13 the search copies the texts right after this call. The menus have their own
+// texts back before the user can see them. Newer searches read the filters' short help, which has
+// the words.
 void pqLMS3DQuickSearch::addWords()
 {
   for (const char* name : Filters)

@@ -4,8 +4,8 @@
  * @class pqLMS3DQuickSearch
  * @brief finds LMS3D's filters by the words lidar, laser and range in ParaView's quick search
  *
- * The quick search (Ctrl+Space) searches the texts of the menu entries alone. This class adds the words to
- * the entries while the search collects them.
+ * The quick search (Ctrl+Space) searches the texts of the menu entries alone. This class adds the
+ * words to the entries while the search collects them.
  */
 
 #ifndef pqLMS3DQuickSearch_h

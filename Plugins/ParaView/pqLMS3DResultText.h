@@ -5,8 +5,8 @@
  * @brief writes the results of a map comparison into the views that show it
  *
  * A view that shows the first output of LMS3D Map Comparison has a text with its correctness,
- * completeness and distances at the top left. Saved pictures contain this text. If a view shows several
- * comparisons, the text is that of the last one.
+ * completeness and distances at the top left. Saved pictures contain this text. If a view shows
+ * several comparisons, the text is that of the last one.
  */
 
 #ifndef pqLMS3DResultText_h

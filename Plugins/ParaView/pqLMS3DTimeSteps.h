@@ -4,8 +4,9 @@
  * @class pqLMS3DTimeSteps
  * @brief updates ParaView's animation when a scan gets a trajectory or when the trajectory changes
  *
- * ParaView requests the time steps of a filter only when the filter is new. A trajectory is connected
- * later, in the properties of the scan. Without this class the animation would not include its times.
+ * ParaView requests the time steps of a filter only when the filter is new. A trajectory is
+ * connected later, in the properties of the scan. Without this class the animation would not
+ * include its times.
  */
 
 #ifndef pqLMS3DTimeSteps_h

@@ -18,8 +18,8 @@
 class lms3dVRMLContext;
 
 /**
- * Opens files below SceneRoot only. Owns the documents: pointers to them and to their prototypes are
- * valid as long as the cache exists. The context must outlive it.
+ * Opens files below SceneRoot only. Owns the documents: pointers to them and to their prototypes
+ * are valid as long as the cache exists. The context must outlive it.
  */
 class lms3dVRMLDocumentCache
 {
@@ -29,13 +29,13 @@ public:
   {
   }
 
-  /// Parses the file of the scene. Call first, since it sets the root folder. Returns null, and adds a
-  /// message, if the file cannot be read.
+  /// Parses the file of the scene. Call first, since it sets the root folder. Returns null, and
+  /// adds a message, if the file cannot be read.
   const lms3dVRMLDocument* ReadScene(const std::string& fileName);
 
   /// Returns the document of the first URL of an Inline that can be read. Relative URLs refer to
-  /// `from`, the document that contains them. Returns null, and adds a message about `inlineNode`, if
-  /// no URL can be read.
+  /// `from`, the document that contains them. Returns null, and adds a message about `inlineNode`,
+  /// if no URL can be read.
   const lms3dVRMLDocument* FindInline(
     const lms3dVRMLStrings& urls, const lms3dVRMLDocument& from, const lms3dVRMLNode& inlineNode);
 

@@ -23,8 +23,8 @@ lms3dVRMLNodeInContext lms3dVRMLEvaluator::Expand(lms3dVRMLNodeInContext node)
   return node;
 }
 
-// Nested instances of one prototype are legal (a Joint in a Joint). Recursion is endless only if the
-// same node is met again within its own instance.
+// Nested instances of one prototype are legal (a Joint in a Joint). Recursion is endless only if
+// the same node is met again within its own instance.
 bool lms3dVRMLEvaluator::IsInside(const lms3dVRMLNodeInContext& node) const
 {
   for (const lms3dVRMLInstance* outer = node.Instance; outer; outer = outer->Outer)

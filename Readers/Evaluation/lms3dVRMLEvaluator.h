@@ -38,8 +38,8 @@ struct lms3dVRMLInstance
   int Depth;
 };
 
-/// A node in the context of an instance, which is null outside all prototypes. Node is null if there
-/// is no node. Owns neither.
+/// A node in the context of an instance, which is null outside all prototypes. Node is null if
+/// there is no node. Owns neither.
 struct lms3dVRMLNodeInContext
 {
   const lms3dVRMLNode* Node = nullptr;
@@ -60,11 +60,11 @@ struct lms3dVRMLNodeInContextHash
 };
 
 /**
- * Owns the instances; pointers to them are valid as long as it exists. The context and the cache must
- * outlive it.
+ * Owns the instances; pointers to them are valid as long as it exists. The context and the cache
+ * must outlive it.
  *
- * The implementation is in three files: instances are in lms3dVRMLEvaluator.cxx, values of fields in
- * lms3dVRMLFieldValues.cxx, and nodes in fields in lms3dVRMLFieldNodes.cxx.
+ * The implementation is in three files: instances are in lms3dVRMLEvaluator.cxx, values of fields
+ * in lms3dVRMLFieldValues.cxx, and nodes in fields in lms3dVRMLFieldNodes.cxx.
  */
 class lms3dVRMLEvaluator
 {
@@ -75,8 +75,8 @@ public:
   {
   }
 
-  /// Replaces an instance by the first node of its body, repeatedly until the node is not an instance.
-  /// Returns no node, and adds a message, if that is not possible.
+  /// Replaces an instance by the first node of its body, repeatedly until the node is not an
+  /// instance. Returns no node, and adds a message, if that is not possible.
   lms3dVRMLNodeInContext Expand(lms3dVRMLNodeInContext node);
 
   /// Returns whether the values of the node, or of its child nodes, can differ between instances.
@@ -112,8 +112,8 @@ public:
     const lms3dVRMLNodeInContext& node, std::string_view name);
   ///@}
 
-  /// Returns one node of a list, counted from 0, or no node if the index is out of range. Faster than
-  /// GetNodes for long lists.
+  /// Returns one node of a list, counted from 0, or no node if the index is out of range. Faster
+  /// than GetNodes for long lists.
   lms3dVRMLNodeInContext GetNodeAt(
     const lms3dVRMLNodeInContext& node, std::string_view name, double index);
 

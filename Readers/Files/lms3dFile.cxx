@@ -39,8 +39,8 @@ public:
 
   std::string Text;
 
-  /// Appends to Text until it has `maximumBytes` bytes. Returns false at the end of the packed file,
-  /// at a fault in it, or if Text is full.
+  /// Appends to Text until it has `maximumBytes` bytes. Returns false at the end of the packed
+  /// file, at a fault in it, or if Text is full.
   bool Unpack(const std::string& bytes, std::size_t maximumBytes)
   {
     this->Stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));

@@ -32,8 +32,8 @@ public:
   const lms3dVRMLOptions& Options;
   lms3dMessages Messages;
 
-  /// Reports the fraction of a file that is done, 0 to 1. The reported progress never decreases: while
-  /// an Inline is parsed, it mostly stands still. Returns false after the user's abort.
+  /// Reports the fraction of a file that is done, 0 to 1. The reported progress never decreases:
+  /// while an Inline is parsed, it mostly stands still. Returns false after the user's abort.
   bool Report(double fraction);
 
   ///@{
@@ -48,12 +48,13 @@ public:
 
   /// Counts the triangles that a geometry node could have, before its mesh is made. Without this, a
   /// scene of many degenerate faces could cost unlimited time, because it has no triangles to
-  /// count. The limit is MaximumNumberOfTriangles plus one million. The triangles must also fit into
-  /// the memory that is left, which does not change. Returns as the functions above.
+  /// count. The limit is MaximumNumberOfTriangles plus one million. The triangles must also fit
+  /// into the memory that is left, which does not change. Returns as the functions above.
   bool CountWork(std::size_t count, const std::string& file, std::size_t line);
 
   ///@{
-  /// Return how many bytes of files may still be read, and how many bytes may still be made of them.
+  /// Return how many bytes of files may still be read, and how many bytes may still be made of
+  /// them.
   std::int64_t GetBytesLeft() const { return this->Options.MaximumFileSize - this->Bytes; }
   std::uint64_t GetMemoryLeft() const
   {
@@ -63,8 +64,8 @@ public:
   void CountBytes(std::size_t count) { this->Bytes += static_cast<std::int64_t>(count); }
 
 private:
-  /// Returns `isWithin`. Reports the first time that a limit is exceeded. `option` is its name on the
-  /// command line.
+  /// Returns `isWithin`. Reports the first time that a limit is exceeded. `option` is its name on
+  /// the command line.
   bool CheckLimit(bool isWithin, const char* limit, const char* option, const std::string& file,
     std::size_t line);
   /// Returns whether so much can still be made.

@@ -25,8 +25,8 @@ struct lms3dVRMLToken
   };
 
   Kinds Kind = END;
-  /// The characters of the file; for a string, those between the quotes. A view into the text of the
-  /// lexer.
+  /// The characters of the file; for a string, those between the quotes. A view into the text of
+  /// the lexer.
   std::string_view Text;
   /// Counted from 1.
   std::size_t Line = 1;

@@ -39,8 +39,8 @@ using lms3dVRMLReals = std::vector<double>;
 using lms3dVRMLStrings = std::vector<std::string>;
 using lms3dVRMLNodes = std::vector<const lms3dVRMLNode*>;
 
-/// Numbers are lms3dVRMLIntegers if all of them are integers. "[]" and NULL are empty lists of nodes.
-/// A node that cannot be parsed is a null pointer in its list. Events have std::monostate.
+/// Numbers are lms3dVRMLIntegers if all of them are integers. "[]" and NULL are empty lists of
+/// nodes. A node that cannot be parsed is a null pointer in its list. Events have std::monostate.
 using lms3dVRMLValue = std::variant<std::monostate, bool, lms3dVRMLIntegers, lms3dVRMLReals,
   lms3dVRMLStrings, lms3dVRMLNodes, lms3dVRMLReference>;
 

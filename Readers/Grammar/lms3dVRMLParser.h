@@ -22,8 +22,8 @@ class lms3dVRMLScope;
  * continues behind the error. The text, the document and the context must outlive the parser.
  *
  * The implementation is in five files: statements are in lms3dVRMLParser.cxx, nodes in
- * lms3dVRMLNodeParser.cxx, fields in lms3dVRMLFieldParser.cxx, values in lms3dVRMLValueParser.cxx and
- * prototypes in lms3dVRMLPrototypeParser.cxx.
+ * lms3dVRMLNodeParser.cxx, fields in lms3dVRMLFieldParser.cxx, values in lms3dVRMLValueParser.cxx
+ * and prototypes in lms3dVRMLPrototypeParser.cxx.
  */
 class lms3dVRMLParser
 {
@@ -34,12 +34,12 @@ public:
   void Parse();
 
 private:
-  // Each Parse function begins at the current token. It ends behind the construct of its name, or at
-  // the token where the construct cannot continue. Functions named Is... do not advance.
+  // Each Parse function begins at the current token. It ends behind the construct of its name, or
+  // at the token where the construct cannot continue. Functions named Is... do not advance.
 
   ///@{
-  /// Parses up to the closing } of the enclosing construct, or the end. Appends null for a node that
-  /// cannot be parsed.
+  /// Parses up to the closing } of the enclosing construct, or the end. Appends null for a node
+  /// that cannot be parsed.
   void ParseStatements(lms3dVRMLNodes& nodes);
   /// Parses PROTO, EXTERNPROTO or ROUTE. Returns false, and does nothing, at any other token.
   bool ParseDeclaringStatement();

@@ -163,8 +163,8 @@ void lms3dVRMLParser::ParseNumbers(lms3dVRMLValue& value)
 }
 
 // Reserves memory for a long list from the density so far and the distance to its end. Otherwise
-// the list would be copied, and exist twice, whenever it grows. If the estimate was bad, because the
-// closing mark is missing, the memory is returned.
+// the list would be copied, and exist twice, whenever it grows. If the estimate was bad, because
+// the closing mark is missing, the memory is returned.
 template <typename List>
 void lms3dVRMLParser::ParseRun(List& numbers)
 {

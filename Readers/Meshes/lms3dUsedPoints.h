@@ -11,9 +11,10 @@
 
 #include <vector>
 
-/// Copies the points that the triangles use to mesh.Points. Many shapes can share one Coordinate node,
-/// and each uses a few of its points. On entry, mesh.Points is empty and the triangles are indices
-/// into `coordinates` (x, y, z of each point). On return, they are indices into mesh.Points.
+/// Copies the points that the triangles use to mesh.Points. Many shapes can share one Coordinate
+/// node, and each uses a few of its points. On entry, mesh.Points is empty and the triangles are
+/// indices into `coordinates` (x, y, z of each point). On return, they are indices into
+/// mesh.Points.
 void lms3dCopyUsedPoints(const std::vector<double>& coordinates, lms3dMesh& mesh);
 
 #endif

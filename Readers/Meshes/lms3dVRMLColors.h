@@ -28,8 +28,8 @@ public:
   bool AreGiven() const { return this->Values && this->Values->size() >= 3; }
   bool ArePerVertex() const { return this->PerVertex; }
 
-  /// Returns the colour with this index, for a whole face. If the index is out of range, returns the
-  /// default diffuse colour of a Material and adds one message for the node.
+  /// Returns the colour with this index, for a whole face. If the index is out of range, returns
+  /// the default diffuse colour of a Material and adds one message for the node.
   lms3dColor Get(std::int64_t color);
 
   /// Returns the mean of three colours, one for each corner of a triangle.

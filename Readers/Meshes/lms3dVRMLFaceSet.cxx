@@ -169,7 +169,8 @@ private:
     }
   }
 
-  // Without colorIndex, coordIndex selects the colour of a corner, and the number of a face its colour.
+  // Without colorIndex, coordIndex selects the colour of a corner, and the number of a face its
+  // colour.
   lms3dColor GetColor(
     std::size_t begin, const lms3dTriangulator::Triangle& corners, std::int64_t face)
   {

@@ -12,14 +12,16 @@
 
 #include <memory>
 
-/// Returns the number of sides of the regular polygons that approximate the circles of a Sphere, Cone
-/// or Cylinder. No triangle is farther from the true surface than `tolerance` (local units), unless
-/// the maximum of 2,048 sides is too small; then adds a message. Returns 0 for all other nodes.
+/// Returns the number of sides of the regular polygons that approximate the circles of a Sphere,
+/// Cone or Cylinder. No triangle is farther from the true surface than `tolerance` (local units),
+/// unless the maximum of 2,048 sides is too small; then adds a message. Returns 0 for all other
+/// nodes.
 int lms3dCountSides(
   lms3dVRMLEvaluator& evaluator, const lms3dVRMLNodeInContext& geometry, double tolerance);
 
-/// Makes the mesh of a geometry node that was expanded. `sides` comes from lms3dCountSides(). Returns
-/// an empty mesh for nodes without surfaces. Adds a message for each face that cannot be made.
+/// Makes the mesh of a geometry node that was expanded. `sides` comes from lms3dCountSides().
+/// Returns an empty mesh for nodes without surfaces. Adds a message for each face that cannot be
+/// made.
 lms3dMesh lms3dMakeMesh(
   lms3dVRMLEvaluator& evaluator, const lms3dVRMLNodeInContext& geometry, int sides);
 
@@ -45,7 +47,8 @@ void lms3dAddQuadrilateral(const std::array<std::int32_t, 4>& corners, lms3dMesh
 /// Reverses the orientation of all triangles.
 void lms3dFlip(lms3dMesh& mesh);
 
-/// Returns the largest absolute coordinate of the mesh, or infinity if any coordinate is not finite.
+/// Returns the largest absolute coordinate of the mesh, or infinity if any coordinate is not
+/// finite.
 double lms3dGetLargestCoordinate(const lms3dMesh& mesh);
 
 #endif

@@ -59,7 +59,8 @@ private:
     return i < this->Last ? i + 1 : this->IsClosed ? 1 : this->Last;
   }
 
-  // Replaces each zero vector by its predecessor, and leading zero vectors by the first nonzero one.
+  // Replaces each zero vector by its predecessor, and leading zero vectors by the first nonzero
+  // one.
   static void FillZeros(std::vector<lms3dVector>& vectors)
   {
     const auto first = std::find_if_not(vectors.begin(), vectors.end(), IsZero);

@@ -32,8 +32,8 @@ public:
   /// Returns the first error, or else the first warning, or else an empty string.
   std::string GetMostSevere() const;
 
-  /// Returns the most severe message and, if there are several, the first 20 of all messages, one on
-  /// each line.
+  /// Returns the most severe message and, if there are several, the first 20 of all messages, one
+  /// on each line.
   std::string Summarize() const;
 
 private:

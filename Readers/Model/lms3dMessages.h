@@ -16,9 +16,9 @@
 #include <vector>
 
 /**
- * Stores each message once, also if a shared part of the scene is visited often. If the same message
- * is added as a warning and as an error, the error remains. Stores 1,000 messages at most; one more
- * then counts the omitted ones. Longer texts than 1,000 bytes are truncated.
+ * Stores each message once, also if a shared part of the scene is visited often. If the same
+ * message is added as a warning and as an error, the error remains. Stores 1,000 messages at most;
+ * one more then counts the omitted ones. Longer texts than 1,000 bytes are truncated.
  */
 class lms3dMessages
 {

@@ -24,8 +24,8 @@ class lms3dVRMLContext;
 class lms3dVRMLDocumentCache;
 
 /**
- * Visits the nodes depth first, in the order of the file. The stack of open groups is a container, not
- * the call stack, so that deep scenes are safe.
+ * Visits the nodes depth first, in the order of the file. The stack of open groups is a container,
+ * not the call stack, so that deep scenes are safe.
  *
  * The traversal of nodes is in lms3dVRMLTraversal.cxx, of shapes in lms3dVRMLShapes.cxx.
  */
@@ -74,8 +74,8 @@ private:
   void VisitLOD(const lms3dVRMLNodeInContext& lod, const InheritedState& state);
   void VisitInline(const lms3dVRMLNodeInContext& inlineNode, InheritedState state);
   void VisitShape(const lms3dVRMLNodeInContext& shapeNode, const InheritedState& state);
-  /// Returns whether the geometry of a Shape can have triangles. Adds a message if it is not a geometry
-  /// node.
+  /// Returns whether the geometry of a Shape can have triangles. Adds a message if it is not a
+  /// geometry node.
   bool HasSurface(const lms3dVRMLNodeInContext& geometry);
 
   /// Triangles is never null. LargestCoordinate is in local coordinates.

@@ -38,7 +38,8 @@ double GetBoundOfRivals(double noise)
   return noise > 0.0 ? 0.02 : 0.01;
 }
 
-// The bounds of the maps to which the best rival is compared. With noise of 5 mm the map within 5 mm is the grid.
+// The bounds of the maps to which the best rival is compared. With noise of 5 mm the map within 5
+// mm is the grid.
 std::array<double, 3> GetBoundsOfQuadrics(double noise)
 {
   return { noise > 0.0 ? 0.01 : 0.001, GetBoundOfRivals(noise), 0.05 };

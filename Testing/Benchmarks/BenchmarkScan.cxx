@@ -84,8 +84,8 @@ void TimeRound(std::vector<ScanContender>& contenders, bool withSlow)
   }
 }
 
-// ScanContenders take turns, so that another program disturbs all of them alike. While another process
-// has one of the cores, only waiting helps.
+// ScanContenders take turns, so that another program disturbs all of them alike. While another
+// process has one of the cores, only waiting helps.
 void TimeScans(std::vector<ScanContender>& contenders, bool isQuick)
 {
   const int minimumRounds = isQuick ? 3 : 12;

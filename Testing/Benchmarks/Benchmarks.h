@@ -22,8 +22,8 @@ struct BenchmarkOptions
   bool IsQuick = false;
 };
 
-/// What share of the beams each method misses, invents or measures wrongly, in each situation of the
-/// stability suite.
+/// What share of the beams each method misses, invents or measures wrongly, in each situation of
+/// the stability suite.
 void RunStabilityBenchmark(const BenchmarkOptions& options);
 
 /// The time of a beam and the error of its range, by every method and by what else casts beams.
@@ -38,8 +38,8 @@ void RunScanBenchmark(const BenchmarkOptions& options);
 /// The first scan, building included, beside Embree's own build.
 void RunFirstBenchmark(const BenchmarkOptions& options);
 
-/// A journey of 200 poses through the building with 1 and 2 threads: time of scan, map and fusion for
-/// each pose, triangles, completeness, and bytes of what changed.
+/// A journey of 200 poses through the building with 1 and 2 threads: time of scan, map and fusion
+/// for each pose, triangles, completeness, and bytes of what changed.
 void RunFusionBenchmark(const BenchmarkOptions& options);
 
 /// Reading a scene as a VRML97 file, beside the bare cost of its numbers.
@@ -50,9 +50,9 @@ void RunReadBenchmark(const BenchmarkOptions& options);
 /// CompareDamagedScans makes; its file has "-damage" in its name.
 void RunMapBenchmark(const BenchmarkOptions& options);
 
-/// Local maps of scans of the room with beams lost, stray returns, noise and steps, with gaps left open
-/// and closed. Each time is the best of the runs within a budget (ms). Without a file name, the table is
-/// only printed.
+/// Local maps of scans of the room with beams lost, stray returns, noise and steps, with gaps left
+/// open and closed. Each time is the best of the runs within a budget (ms). Without a file name,
+/// the table is only printed.
 void CompareDamagedScans(const std::string& csvFile, double budget);
 
 #endif

@@ -33,8 +33,8 @@ struct CastingContender
   std::function<CastingScan()> Build;
 };
 
-/// The methods of vtkLMS3DScanFilter, and the rivals of the stability suite. The scene has to outlive
-/// them.
+/// The methods of vtkLMS3DScanFilter, and the rivals of the stability suite. The scene has to
+/// outlive them.
 std::vector<CastingContender> MakeCastingContenders(const BenchmarkScene& scene);
 
 #endif

@@ -20,13 +20,13 @@ struct Quantiles
   double Worst;
 };
 
-/// Starts this program `count` times with `arguments`, which must make it call RunClient(). Returns the
-/// milliseconds of all calls of all clients. Throws std::runtime_error if a client fails.
+/// Starts this program `count` times with `arguments`, which must make it call RunClient(). Returns
+/// the milliseconds of all calls of all clients. Throws std::runtime_error if a client fails.
 std::vector<double> RunClients(
   int count, const std::vector<std::string>& arguments, double seconds);
 
-/// For these processes: repeats `call` for `seconds` from the common start time on, and prints the time
-/// of each call.
+/// For these processes: repeats `call` for `seconds` from the common start time on, and prints the
+/// time of each call.
 void RunClient(
   const std::string& start, const std::string& seconds, const std::function<void()>& call);
 

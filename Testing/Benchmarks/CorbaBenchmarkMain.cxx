@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief lms3dCorbaBenchmark: the time of the paper's fetch(), and how its clients slow down the scanner.
+ * @brief lms3dCorbaBenchmark: the time of the paper's fetch(), and how its clients slow down the
+ * scanner.
  */
 #include "ClientLoad.h"
 #include "Punctuality.h"

@@ -18,8 +18,9 @@ using Cores = std::set<int>;
 Cores ParseCores(const std::string& list);
 
 /// Chooses some of the allowed cores, from the highest number down, because interrupts prefer low
-/// numbers. `getSiblings` returns the logical cores that share a core's hardware. Two of them are chosen
-/// only if there are not enough others. `count` is at least 1; 0 stands for all allowed cores.
+/// numbers. `getSiblings` returns the logical cores that share a core's hardware. Two of them are
+/// chosen only if there are not enough others. `count` is at least 1; 0 stands for all allowed
+/// cores.
 Cores ChooseCores(
   const Cores& allowed, const std::function<Cores(int core)>& getSiblings, int count);
 

@@ -34,8 +34,8 @@ struct FusionSizes
   /// The share of what some of the poses see that is within 1 cm of the map.
   double Completeness;
   double CompletenessOfAllMaps;
-  /// What the CORBA server sends to a client that has the map before the last pose, and to a new client: 12
-  /// bytes for each point and each triangle, and for each region that changed.
+  /// What the CORBA server sends to a client that has the map before the last pose, and to a new
+  /// client: 12 bytes for each point and each triangle, and for each region that changed.
   double ChangedBytes;
   double Bytes;
 };

@@ -19,8 +19,8 @@ struct GrowthLimits
 {
   /// Milliseconds for which a work is repeated.
   double Budget;
-  /// Milliseconds: a default scan that takes longer is one of fewer beams, and what takes longer than
-  /// the other is left out.
+  /// Milliseconds: a default scan that takes longer is one of fewer beams, and what takes longer
+  /// than the other is left out.
   double LongScan;
   double LongWork;
 };
@@ -44,7 +44,8 @@ struct GrowthWork
 {
   std::string Name;
   std::string Contender;
-  /// To be done in a process of its own: gives the beams, milliseconds, and megabytes held and taken.
+  /// To be done in a process of its own: gives the beams, milliseconds, and megabytes held and
+  /// taken.
   std::function<std::vector<double>(const GrowthSetting&, const GrowthLimits&)> Do;
 };
 

@@ -10,9 +10,10 @@
 #include <vtkPolyData.h>
 
 /**
- * A patch with v vertices in its outlines, h holes and i vertices inside has v + 2 h + 2 i - 2 triangles. So each
- * vertex of an outline costs one triangle in each of its patches, and each vertex inside a patch costs two. The
- * numbers of triangles by cause have the sum of all triangles, if each patch is connected.
+ * A patch with v vertices in its outlines, h holes and i vertices inside has v + 2 h + 2 i - 2
+ * triangles. So each vertex of an outline costs one triangle in each of its patches, and each
+ * vertex inside a patch costs two. The numbers of triangles by cause have the sum of all triangles,
+ * if each patch is connected.
  */
 struct MapCauses
 {
@@ -33,7 +34,8 @@ struct MapCauses
   vtkIdType OnSmallPatches = 0;
 };
 
-/// Counts the causes in the output of vtkLMS3DSurfaceReconstructionFilter with a MaximumError above 0.
+/// Counts the causes in the output of vtkLMS3DSurfaceReconstructionFilter with a MaximumError above
+/// 0.
 MapCauses CountMapCauses(vtkPolyData* map);
 
 #endif

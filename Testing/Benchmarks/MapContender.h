@@ -23,7 +23,8 @@ struct MapContender
 /// The scan as a sensor with Gaussian noise along its beams would have it, the same each time.
 vtkSmartPointer<vtkPolyData> AddRangeNoise(vtkPolyData* scan, double sigma);
 
-/// The time of each is the best of the runs within a budget (ms), or that of the first and only one.
+/// The time of each is the best of the runs within a budget (ms), or that of the first and only
+/// one.
 
 /// MaximumGapSize and MaximumSpeckleSize of vtkLMS3DSurfaceReconstructionFilter.
 struct MapGaps

@@ -29,9 +29,10 @@ public:
   double GetScansPerSecond() const;
 
   /**
-   * Milliseconds between the due time of each scan and its begin. A scan is due one period after the due
-   * time of the scan before. As in the server, a scan that begins a whole period late is a new start. The
-   * earliest scan, relative to its due time, counts as punctual. `rate` is in scans per second.
+   * Milliseconds between the due time of each scan and its begin. A scan is due one period after
+   * the due time of the scan before. As in the server, a scan that begins a whole period late is a
+   * new start. The earliest scan, relative to its due time, counts as punctual. `rate` is in scans
+   * per second.
    */
   std::vector<double> GetLateness(double rate) const;
 

@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-/// Answers each byte of a client with `answerSize` bytes from memory, in a thread per client like the
-/// CORBA server.
+/// Answers each byte of a client with `answerSize` bytes from memory, in a thread per client like
+/// the CORBA server.
 class RawServer
 {
 public:

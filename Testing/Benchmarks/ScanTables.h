@@ -20,8 +20,8 @@ class ScanTables
 public:
   ScanTables();
 
-  /// Adds and prints a scene's rows. The first contender is the raw packets. `shareOfOthers` is that of
-  /// LoadMeter while the scans were timed.
+  /// Adds and prints a scene's rows. The first contender is the raw packets. `shareOfOthers` is
+  /// that of LoadMeter while the scans were timed.
   void AddScene(
     const BenchmarkScene& scene, std::vector<ScanContender>& contenders, double shareOfOthers);
 

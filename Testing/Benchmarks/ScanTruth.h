@@ -16,8 +16,8 @@ struct ScanErrors
 {
   int Misses = 0;
   int FalseHits = 0;
-  /// Relative errors of the ranges where both hit; not a number where none did. Of a thousand one is
-  /// above the second.
+  /// Relative errors of the ranges where both hit; not a number where none did. Of a thousand one
+  /// is above the second.
   double Median;
   double Percentile999;
   double Worst;
@@ -35,8 +35,8 @@ public:
   int GetNumberOfBeams() const { return static_cast<int>(this->Ranges.size()); }
   int GetNumberOfHits() const;
 
-  /// Compares with the ranges of all beams of a default scan, infinite or not a number where there is
-  /// no return.
+  /// Compares with the ranges of all beams of a default scan, infinite or not a number where there
+  /// is no return.
   ScanErrors GetErrors(const double* ranges) const;
 
   /// The range of each beam of a default scan, infinite where there is no return, and not a number

@@ -19,9 +19,9 @@ struct SeparateResult
 };
 
 /**
- * Runs work in a process of its own, which is killed after the given number of seconds. Its output is
- * lost. Must be called before this process starts threads, because the new process inherits locks.
- * Throws std::runtime_error where there can be no other process.
+ * Runs work in a process of its own, which is killed after the given number of seconds. Its output
+ * is lost. Must be called before this process starts threads, because the new process inherits
+ * locks. Throws std::runtime_error where there can be no other process.
  */
 SeparateResult RunSeparately(
   const std::function<std::vector<double>()>& work, unsigned int maximumSeconds);

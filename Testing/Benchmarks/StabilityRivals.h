@@ -11,8 +11,8 @@
 
 #include <vector>
 
-/// Embree's triangles in single precision, coordinates narrowed as they are: single rays, in a plain
-/// and in a robust scene, and coherent packets of 16 in a robust one.
+/// Embree's triangles in single precision, coordinates narrowed as they are: single rays, in a
+/// plain and in a robust scene, and coherent packets of 16 in a robust one.
 std::vector<StabilityMethod> GetEmbreeMethods();
 
 /// VTK's locators.

@@ -18,9 +18,10 @@ struct BenchmarkScene;
 class vtkLMS3DScanFilter;
 
 /**
- * With stride n, each n-th elevation of each n-th turn of the default grid; without the zenith if n is
- * above 1, so that the grid consists of whole packets of 4 x 4 beams, which casters cast at once. Its
- * steps are exact in double precision, so that directions equal the whole grid's to the bit.
+ * With stride n, each n-th elevation of each n-th turn of the default grid; without the zenith if n
+ * is above 1, so that the grid consists of whole packets of 4 x 4 beams, which casters cast at
+ * once. Its steps are exact in double precision, so that directions equal the whole grid's to the
+ * bit.
  */
 class ThinnedGrid
 {

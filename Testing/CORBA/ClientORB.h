@@ -15,8 +15,8 @@ CORBA::ORB_ptr GetClientORB();
 
 LMS3D::LaserScanner_var Connect(const std::string& reference);
 
-/// Waits for the newest scan of a generation, by default any, with a number above `after`. Fails the
-/// test if none comes within a minute.
+/// Waits for the newest scan of a generation, by default any, with a number above `after`. Fails
+/// the test if none comes within a minute.
 LMS3D::ScanHeader WaitFor(
   LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong generation = 0, CORBA::ULongLong after = 0);
 

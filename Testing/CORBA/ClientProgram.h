@@ -12,7 +12,8 @@
 #include <string>
 #include <vector>
 
-/// An example client. Its arguments are the scanner's reference, a command and the command's values.
+/// An example client. Its arguments are the scanner's reference, a command and the command's
+/// values.
 struct Client
 {
   std::vector<std::string> Program;

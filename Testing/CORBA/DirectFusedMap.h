@@ -18,12 +18,13 @@ class vtkPolyData;
 /// RegionId, and the coordinates of the three corners.
 using FusedTriangle = std::array<double, 10>;
 
-/// The triangles of a map, sorted. If there is an origin, coordinates are rounded to floats relative to it,
-/// as the interface sends them.
+/// The triangles of a map, sorted. If there is an origin, coordinates are rounded to floats
+/// relative to it, as the interface sends them.
 std::vector<FusedTriangle> GetFusedTriangles(
   vtkPolyData* map, const LMS3D::Vector3* origin = nullptr);
 
-/// The map of scans from `poses` within the mapError of `configuration`. Shares no code with the server.
+/// The map of scans from `poses` within the mapError of `configuration`. Shares no code with the
+/// server.
 std::vector<FusedTriangle> MakeFusedTriangles(const std::string& scene,
   const LMS3D::Configuration& configuration, const std::vector<LMS3D::Pose>& poses);
 

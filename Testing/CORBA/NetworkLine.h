@@ -35,7 +35,8 @@ public:
   void BreakAt(const std::string& word);
   bool IsBroken() const;
 
-  /// Writes `other` in place of `word`, which is as long, in each message to the server from now on.
+  /// Writes `other` in place of `word`, which is as long, in each message to the server from now
+  /// on.
   void Replace(const std::string& word, const std::string& other);
 
 private:

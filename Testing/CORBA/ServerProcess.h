@@ -25,8 +25,8 @@ constexpr int FilterThreads = 0;
 class ServerProcess
 {
 public:
-  /// Starts the server with Data/room.wrl, unless `arguments` name another scene, and waits until it
-  /// is ready. Fails the test if it does not become ready.
+  /// Starts the server with Data/room.wrl, unless `arguments` name another scene, and waits until
+  /// it is ready. Fails the test if it does not become ready.
   explicit ServerProcess(const std::vector<std::string>& arguments = {});
   ~ServerProcess();
   ServerProcess(const ServerProcess&) = delete;

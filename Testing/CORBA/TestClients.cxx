@@ -134,8 +134,8 @@ TEST_P(ScannerClient, ReportsThatItMayNotMoveTheSensor)
 
 TEST_P(ScannerClient, PrintsNoScanFromWhereAnotherClientMovedTheSensor)
 {
-  // Another client sends hundreds of poses during each scan. Seldom a scan begins between the client's
-  // pose and the next one of the other client.
+  // Another client sends hundreds of poses during each scan. Seldom a scan begins between the
+  // client's pose and the next one of the other client.
   ServerProcess server;
   const LMS3D::LaserScanner_var scanner = Connect(server.GetCorbaloc());
   const LMS3D::Configuration configuration = GetCoarseGrid();
@@ -253,7 +253,8 @@ import sys, lms3d_scanner_client as client
 client.wait_for_scan(client.connect(sys.argv[1]), after=1000000)
 )";
 
-// A client that reconnects to a restarted server, whose numbers begin at 1 again, has such a number.
+// A client that reconnects to a restarted server, whose numbers begin at 1 again, has such a
+// number.
 TEST(OmniORBpyClient, DoesNotWaitForANumberThatAServerWillNotReach)
 {
   ServerProcess server;

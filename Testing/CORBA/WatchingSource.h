@@ -34,8 +34,8 @@ public:
   /// The x coordinate of the scan's sensor, metres.
   double GetSensorX() const;
 
-  /// Updates whenever there is something new, until the condition holds. Returns false if it does not
-  /// hold within `seconds`.
+  /// Updates whenever there is something new, until the condition holds. Returns false if it does
+  /// not hold within `seconds`.
   bool UpdateUntil(const std::function<bool()>& condition, int seconds = 60);
 
   /// Updates, and fails the test unless scan and map are empty.

@@ -11,8 +11,8 @@
 #include <filesystem>
 
 /**
- * A folder that the object creates and removes. It contains the scene input.wrl, and library.wrl for
- * Inline and EXTERNPROTO. The reader opens no other file.
+ * A folder that the object creates and removes. It contains the scene input.wrl, and library.wrl
+ * for Inline and EXTERNPROTO. The reader opens no other file.
  */
 class lms3dFuzzFolder
 {

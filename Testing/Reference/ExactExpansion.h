@@ -16,8 +16,8 @@
 #include <cstddef>
 #include <vector>
 
-/// A number as a sum of doubles that do not overlap, from the smallest to the largest. Sums and products
-/// are exact unless they overflow or underflow.
+/// A number as a sum of doubles that do not overlap, from the smallest to the largest. Sums and
+/// products are exact unless they overflow or underflow.
 class ExactExpansion
 {
 public:

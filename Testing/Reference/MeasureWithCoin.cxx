@@ -4,9 +4,9 @@
  * @file
  * @brief measureWithCoin FILE: what another VRML reader, Coin, makes of a scene
  *
- * Prints one line: the number of triangles, their area, and their bounds as xmin ymin zmin xmax ymax
- * zmax. A program of its own, since Coin may crash on what it reads. Exit code 1: Coin rejects it.
- * Without a file it prints Coin's version.
+ * Prints one line: the number of triangles, their area, and their bounds as xmin ymin zmin xmax
+ * ymax zmax. A program of its own, since Coin may crash on what it reads. Exit code 1: Coin rejects
+ * it. Without a file it prints Coin's version.
  */
 #include <Inventor/SbMatrix.h>
 #include <Inventor/SbVec3d.h>

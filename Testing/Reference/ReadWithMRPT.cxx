@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads scans of an LMS 200 with MRPT's driver, and prints them: a line for each scan, with the word
-// "scan" and the ranges in metres, "-" for ranges that the driver calls invalid. (The driver prints
-// lines of its own when it tries again.) Arguments: the port, the rate, 1 for
-// millimetres or 0, the angle, the resolution in hundredths of a degree, and the number of scans.
+// Reads scans of an LMS 200 with MRPT's driver, and prints them: a line for each scan, with the
+// word "scan" and the ranges in metres, "-" for ranges that the driver calls invalid. (The driver
+// prints lines of its own when it tries again.) Arguments: the port, the rate, 1 for millimetres or
+// 0, the angle, the resolution in hundredths of a degree, and the number of scans.
 
 #include <mrpt/hwdrivers/CSickLaserSerial.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>

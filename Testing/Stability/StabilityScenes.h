@@ -50,8 +50,8 @@ StabilityCase AimAtTJunction(Random& random, std::size_t shots);
 StabilityCase AimOnGrid(const lms3dTriangleMesh& mesh, int reach, double spacing, int finer,
   Random& random, std::size_t shots);
 
-/// Shots at a wall of triangles that are `aspect` times longer than wide: at their sides and within,
-/// away from the wall's border.
+/// Shots at a wall of triangles that are `aspect` times longer than wide: at their sides and
+/// within, away from the wall's border.
 StabilityCase AimAtNeedles(double aspect, Random& random, std::size_t shots);
 
 /// Shots from a height in metres above the middle of a square of 4 m x 4 m.

@@ -7,8 +7,8 @@
 
 namespace
 {
-// Relative. Coarser than what single precision rounds away but at a grazing angle, and finer than any
-// distance between two surfaces of the situations.
+// Relative. Coarser than what single precision rounds away but at a grazing angle, and finer than
+// any distance between two surfaces of the situations.
 constexpr double LargestError = 1e-6;
 
 // Below, products of coordinates leave the numbers that the reference takes.

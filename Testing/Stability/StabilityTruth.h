@@ -38,7 +38,8 @@ struct StabilityTally
 class StabilityTruth
 {
 public:
-  /// Casts with the exact reference, in this thread alone. Triangles that are not finite are skipped.
+  /// Casts with the exact reference, in this thread alone. Triangles that are not finite are
+  /// skipped.
   explicit StabilityTruth(const StabilityCase& scene);
 
   /// Judges the ranges of all beams, in the order of the shots.

@@ -14,9 +14,10 @@
 #include <vector>
 
 /**
- * A chain is a sequence of edges (see the figure in lms3dBorderGates.h) from one junction to the next,
- * or all around a patch. At creases and offsets, both patches share one chain, made of the edges of
- * one side; the twins are its other side. At depth steps, each side has a chain of its own.
+ * A chain is a sequence of edges (see the figure in lms3dBorderGates.h) from one junction to the
+ * next, or all around a patch. At creases and offsets, both patches share one chain, made of the
+ * edges of one side; the twins are its other side. At depth steps, each side has a chain of its
+ * own.
  */
 class lms3dBorderChains
 {

@@ -9,8 +9,8 @@
 
 namespace
 {
-// If the cosine between two beams is below this, borders stay near the middle of their gate. A patch
-// could reach behind the sensor otherwise.
+// If the cosine between two beams is below this, borders stay near the middle of their gate. A
+// patch could reach behind the sensor otherwise.
 constexpr double WideCosine = 0.6;
 constexpr double WideMargin = 0.45;
 // Two planes count as parallel if their difference changes by less than this share of the limit.
@@ -104,8 +104,9 @@ lms3dBorderGates::Gate lms3dBorderGates::MakeGate(GridIndex index, int side) con
   return gate;
 }
 
-// Along the chord of a gate, the inverse ranges of both planes are linear, and so is their difference.
-// The gate is a crease if the difference is within the tolerance somewhere. It is best where it is 0.
+// Along the chord of a gate, the inverse ranges of both planes are linear, and so is their
+// difference. The gate is a crease if the difference is within the tolerance somewhere. It is best
+// where it is 0.
 void lms3dBorderGates::Classify(Gate& gate) const
 {
   std::array<double, 2> differences;
@@ -170,8 +171,9 @@ int lms3dBorderGates::GetEdge(GridIndex index, int side) const
   return gate == NoGate ? NoGate : 2 * gate + (isSecond ? 1 : 0);
 }
 
-// With the patch to its left, the border on the upper side of a beam heads left, the border on the left
-// side heads down, and so on. In the next cell, it turns around the first beam that is not in the patch.
+// With the patch to its left, the border on the upper side of a beam heads left, the border on the
+// left side heads down, and so on. In the next cell, it turns around the first beam that is not in
+// the patch.
 int lms3dBorderGates::FindNext(int edge) const
 {
   const int side = this->GetSide(edge);
@@ -210,7 +212,8 @@ lms3dBorderGates::Cell lms3dBorderGates::GetEndCell(int edge, int& corner) const
 {
   const int side = this->GetSide(edge);
   GridIndex index = this->GetOwner(edge);
-  // The edge ends in the cell to the upper left of its owner, or upper right, lower right, lower left.
+  // The edge ends in the cell to the upper left of its owner, or upper right, lower right, lower
+  // left.
   corner = (side + 3) % 4;
   if (corner == 1 || corner == 2)
   {

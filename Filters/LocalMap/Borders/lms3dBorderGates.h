@@ -17,17 +17,18 @@
  *        o-----------o-----------o-----------o
  *        C           C           C           C
  *
- * - **Gate**: the arc between two neighbouring beams that belong to different patches, or that lie on
- *   both sides of a depth step. A border passes through the gate between its two ends and never
+ * - **Gate**: the arc between two neighbouring beams that belong to different patches, or that lie
+ *   on both sides of a depth step. A border passes through the gate between its two ends and never
  *   touches a beam. Therefore straightening a border never changes on which side of it a beam lies.
  * - **Edge**: one side of a gate, as a half-edge of a polygon mesh. Each gate has two edges, twins,
- *   one for the beam at each end (the edge's owner). An edge runs with its owner's patch to the left:
- *   in the figure, edge e of A runs up, its twin t of B runs down. The edge of an owner without a
- *   patch is void.
- * - **Cell**: the quadrilateral between four neighbouring beams. Inside a cell, a border runs straight
- *   from gate to gate. The corners of a cell are numbered clockwise from the lower left one.
- * - **Junction**: the point inside a cell at which borders end, because more than two patches or more
- *   than one kind of gate meet there.
+ *   one for the beam at each end (the edge's owner). An edge runs with its owner's patch to the
+ *   left: in the figure, edge e of A runs up, its twin t of B runs down. The edge of an owner
+ *   without a patch is void.
+ * - **Cell**: the quadrilateral between four neighbouring beams. Inside a cell, a border runs
+ *   straight from gate to gate. The corners of a cell are numbered clockwise from the lower left
+ *   one.
+ * - **Junction**: the point inside a cell at which borders end, because more than two patches or
+ *   more than one kind of gate meet there.
  * - **Chain** (lms3dBorderChains): the edges of a border from junction to junction, or all around.
  */
 #ifndef lms3dBorderGates_h
@@ -52,8 +53,8 @@ public:
     DepthStep,
     /// One surface, and the planes of both patches meet in the gate. Both sides share one border.
     Crease,
-    /// One surface, but the planes do not meet in the gate. Each side has a border of its own, and a
-    /// strip of triangles joins the two (lms3dOffsetStrips).
+    /// One surface, but the planes do not meet in the gate. Each side has a border of its own, and
+    /// a strip of triangles joins the two (lms3dOffsetStrips).
     Offset
   };
 
@@ -79,9 +80,9 @@ public:
   static constexpr int NoGate = -1;
 
   /**
-   * `tolerance` is the largest difference between the two planes of a crease, metres along the beam;
-   * it is above 0. Keeps references to the sphere and the patches, which must not change afterwards. Uses the threads of
-   * the calling TBB arena.
+   * `tolerance` is the largest difference between the two planes of a crease, metres along the
+   * beam; it is above 0. Keeps references to the sphere and the patches, which must not change
+   * afterwards. Uses the threads of the calling TBB arena.
    */
   lms3dBorderGates(const lms3dBeamSphere& sphere, const lms3dPatches& patches, double tolerance);
 

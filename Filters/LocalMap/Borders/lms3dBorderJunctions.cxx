@@ -31,7 +31,8 @@ lms3dBorderJunctions::Junction lms3dBorderJunctions::GetEndJunction(int edge) co
   return { cell.LowerLeft, this->GetGroup(cell, corner) };
 }
 
-// The corners of a cell that neither a depth step nor an offset separates from one of them, as bits.
+// The corners of a cell that neither a depth step nor an offset separates from one of them, as
+// bits.
 std::uint8_t lms3dBorderJunctions::GetGroup(const Cell& cell, int own) const
 {
   const auto isApart = [&](int corner)
@@ -159,8 +160,8 @@ bool lms3dBorderJunctions::IsEndOfSlit(std::size_t chain, int end) const
     this->Junctions[this->Ends[chain][2 * end]].Corners == AllCorners;
 }
 
-// Beyond a slit, another patch can have both junctions, too. If that patch has an edge between them,
-// this patch must not have the same edge.
+// Beyond a slit, another patch can have both junctions, too. If that patch has an edge between
+// them, this patch must not have the same edge.
 bool lms3dBorderJunctions::NeedsBendAtSlit(std::size_t chain) const
 {
   if (this->Chains.GetKind(chain) != Gates::DepthStep)

@@ -47,13 +47,14 @@ public:
     return static_cast<std::int32_t>(this->Junctions.size());
   }
 
-  /// Locates all junctions if `vertices` is empty, otherwise again the junctions of cells with a fallback. Then the
-  /// vertices are the vertices of all junctions, in order. Uses the threads of the calling TBB arena.
+  /// Locates all junctions if `vertices` is empty, otherwise again the junctions of cells with a
+  /// fallback. Then the vertices are the vertices of all junctions, in order. Uses the threads of
+  /// the calling TBB arena.
   void Locate(std::vector<lms3dMapVertex>& vertices) const;
 
   ///@{
-  /// The junction at the start or end of a chain that is not closed. `side` is 0 for the chain's own
-  /// side, 1 for its other side. Only along offsets do the two differ.
+  /// The junction at the start or end of a chain that is not closed. `side` is 0 for the chain's
+  /// own side, 1 for its other side. Only along offsets do the two differ.
   std::int32_t GetStart(std::size_t chain, int side) const { return this->Ends[chain][side]; }
   std::int32_t GetEnd(std::size_t chain, int side) const { return this->Ends[chain][2 + side]; }
   ///@}

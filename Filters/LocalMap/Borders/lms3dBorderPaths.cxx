@@ -13,8 +13,8 @@ using Gates = lms3dBorderGates;
 constexpr double HalfStrip = 0.04;
 // How far a border may reach into a gate if it must not meet the border beyond a depth step.
 constexpr double MaximumAtSlit = 0.42;
-// How far a border may reach into a gate in any case. A part of the gate without width would bend the border in each
-// gate.
+// How far a border may reach into a gate in any case. A part of the gate without width would bend
+// the border in each gate.
 constexpr double MinimumExtension = 0.05;
 // A depth step of at least this many tolerances cannot be bridged, however much both surfaces tilt.
 constexpr double SafeStep = 6.0;
@@ -51,8 +51,9 @@ std::vector<lms3dMinimumLinkPath::Gate> lms3dBorderPaths::GetPathGates(const Cha
   return gates;
 }
 
-// At a depth step, a surface extends no farther than its returns support. It also ends before the middle
-// of the gate if it could meet the surface beyond: both may tilt towards each other or belong to one patch.
+// At a depth step, a surface extends no farther than its returns support. It also ends before the
+// middle of the gate if it could meet the surface beyond: both may tilt towards each other or
+// belong to one patch.
 void lms3dBorderPaths::LimitExtension(int edge, Path::Gate& gate) const
 {
   const double own = this->Sphere.GetRange(this->Gates.GetOwner(edge));

@@ -34,9 +34,9 @@ public:
   {
   }
 
-  /// The vertices of a chain between its junctions, in order. Along an offset, each bend has two: one
-  /// for the chain's own side, then one for the other side. `vertices` starts with the vertices of
-  /// all junctions. May be called for several chains at a time.
+  /// The vertices of a chain between its junctions, in order. Along an offset, each bend has two:
+  /// one for the chain's own side, then one for the other side. `vertices` starts with the vertices
+  /// of all junctions. May be called for several chains at a time.
   std::vector<lms3dMapVertex> Straighten(
     std::size_t chain, const std::vector<lms3dMapVertex>& vertices) const;
 

@@ -159,7 +159,8 @@ lms3dMapVertex lms3dBorderRanges::GetVertexInCell(
   }
   lms3dRangeInterval interval =
     this->Support.GetIntervalInCell(cell, corners, isContinuous, point.Unit);
-  // Beside a depth step, a vertex on the planes and nearer to the returns is better than one off them.
+  // Beside a depth step, a vertex on the planes and nearer to the returns is better than one off
+  // them.
   for (int step = 1; !isContinuous && step < StepsInCell && !interval.Contains(point.Best); ++step)
   {
     point = this->GetPointInCell(
@@ -169,8 +170,8 @@ lms3dMapVertex lms3dBorderRanges::GetVertexInCell(
   return { point.Unit, interval.Clamp(point.Best) };
 }
 
-// The direction of a corner. Beside a depth step, corners without the junction's patches count at the range
-// of one with them.
+// The direction of a corner. Beside a depth step, corners without the junction's patches count at
+// the range of one with them.
 lms3dVector lms3dBorderRanges::GetDirectionInCell(const Cell& cell, int corners, int corner) const
 {
   if ((corners >> corner & 1) || this->Sphere.IsRegular() || this->Gates.IsContinuous(cell))

@@ -24,8 +24,8 @@ struct lms3dMapVertex
 
 /**
  * Gives border vertices their ranges. A border lies in the planes of its patches, within the ranges
- * that returns support (lms3dRangeSupport). Where two patches of few returns meet and their planes do
- * not, the surface runs straight from return to return.
+ * that returns support (lms3dRangeSupport). Where two patches of few returns meet and their planes
+ * do not, the surface runs straight from return to return.
  *
  * See lms3dBorderGates for gates, edges and cells.
  */
@@ -41,12 +41,12 @@ public:
   lms3dBorderRanges(
     const lms3dBeamSphere& sphere, const lms3dPatches& patches, const lms3dBorderGates& gates);
 
-  /// How far the surface may extend from an edge's owner into the gate of a depth step: a share of the
-  /// way to the other end, at most `maximum`.
+  /// How far the surface may extend from an edge's owner into the gate of a depth step: a share of
+  /// the way to the other end, at most `maximum`.
   double GetExtension(int edge, double maximum) const;
 
-  /// The direction of the other end of an edge's gate. At a depth step, the other end counts at the range
-  /// of the edge's owner.
+  /// The direction of the other end of an edge's gate. At a depth step, the other end counts at the
+  /// range of the edge's owner.
   lms3dVector GetDirectionBeyond(int edge) const;
 
   /// The vertex in the gate of an edge, for the edge's patch. `at` is the share of the way from the
@@ -65,7 +65,8 @@ private:
     lms3dVector Unit;
     double Minimum = std::numeric_limits<double>::infinity();
     double Maximum = -std::numeric_limits<double>::infinity();
-    /// The mean of all planes or, if they do not meet there, the plane of the patch of most returns.
+    /// The mean of all planes or, if they do not meet there, the plane of the patch of most
+    /// returns.
     double Best = 0.0;
   };
 

@@ -13,8 +13,8 @@
 
 /**
  * Finds the least-squares intersection of up to four creases in a cell of lms3dBorderGates, by the
- * Gauss-Newton method. Between the corners of the cell, the difference of two planes' inverse ranges is
- * bilinear; a crease is where it is 0. The search starts in the middle of the cell.
+ * Gauss-Newton method. Between the corners of the cell, the difference of two planes' inverse
+ * ranges is bilinear; a crease is where it is 0. The search starts in the middle of the cell.
  *
  * Coordinates in the cell are 0 to 1, x to the right and y upwards. The point keeps a margin of
  * 0.1 from the cell's sides. Corners are numbered clockwise from the lower left.
@@ -22,7 +22,8 @@
 class lms3dCreaseIntersection
 {
 public:
-  /// Takes the difference of two planes' inverse ranges at each corner, 1/metre. At most four calls.
+  /// Takes the difference of two planes' inverse ranges at each corner, 1/metre. At most four
+  /// calls.
   void AddCrease(const std::array<double, 4>& differences)
   {
     this->Creases[this->Count++] = differences;
@@ -31,8 +32,8 @@ public:
   /// Moves the point by an offset, in cell coordinates.
   void Move(const lms3dPoint2& offset);
 
-  /// Moves the point to the nearest point on all creases, or as near to them as it can come. Without a
-  /// crease, the point stays.
+  /// Moves the point to the nearest point on all creases, or as near to them as it can come.
+  /// Without a crease, the point stays.
   void Solve();
 
   /// The bilinear weights of the corners at the point.

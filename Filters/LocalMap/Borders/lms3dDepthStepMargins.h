@@ -27,12 +27,12 @@ public:
   {
   }
 
-  /// The margin at the gate on a side of a return, an lms3dBeamSphere::Side. The margins of both sides of a depth
-  /// step leave half of the step open, for any tolerance.
+  /// The margin at the gate on a side of a return, an lms3dBeamSphere::Side. The margins of both
+  /// sides of a depth step leave half of the step open, for any tolerance.
   double GetMargin(GridIndex own, int side) const;
 
-  /// The change of range from the neighbour behind a return to the return, along the way to a side. 0 if
-  /// the neighbour is not joined or not in the patch.
+  /// The change of range from the neighbour behind a return to the return, along the way to a side.
+  /// 0 if the neighbour is not joined or not in the patch.
   double GetSlope(GridIndex index, int side) const;
 
   /// The same change as the patch's plane predicts it. 0 if the plane rests on few returns.

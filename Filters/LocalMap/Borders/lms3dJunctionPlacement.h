@@ -13,10 +13,10 @@
 #include <array>
 
 /**
- * Moves a junction (see the figure in lms3dBorderGates.h) from the middle of its cell to the nearest
- * point at which the creases of the cell meet (lms3dCreaseIntersection). If offsets divide a cell into
- * several junctions, all of them move together, so that the strips between them do not flip; they stand
- * apart by a fixed share of the cell.
+ * Moves a junction (see the figure in lms3dBorderGates.h) from the middle of its cell to the
+ * nearest point at which the creases of the cell meet (lms3dCreaseIntersection). If offsets divide
+ * a cell into several junctions, all of them move together, so that the strips between them do not
+ * flip; they stand apart by a fixed share of the cell.
  */
 class lms3dJunctionPlacement
 {

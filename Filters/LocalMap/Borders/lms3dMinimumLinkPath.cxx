@@ -13,7 +13,8 @@ constexpr double MinimumCosine = 0.5;
 // How far a vertex in the middle moves towards the left end of its gate.
 constexpr double LeftOfMiddle = 0.25;
 
-// The positions in the reachable part of a gate, beside the preferred one, from which a vertex can start.
+// The positions in the reachable part of a gate, beside the preferred one, from which a vertex can
+// start.
 constexpr double Candidates[] = { 0.02, 0.98 };
 
 // Positive where c lies left of the arc from a to b, as the sensor sees it.
@@ -30,8 +31,8 @@ bool IsFar(const lms3dVector& a, const lms3dVector& b)
 }
 } // namespace
 
-/// The directions from an apex that pass all gates so far: between a point to the left and a point to
-/// the right.
+/// The directions from an apex that pass all gates so far: between a point to the left and a point
+/// to the right.
 struct lms3dMinimumLinkPath::Wedge
 {
   lms3dVector Apex;
@@ -102,7 +103,8 @@ struct lms3dMinimumLinkPath::Rest
 /// How far one arc reaches.
 struct lms3dMinimumLinkPath::Reach
 {
-  /// The number of the last gate that the arc passes, or the number of all gates if it reaches the end.
+  /// The number of the last gate that the arc passes, or the number of all gates if it reaches the
+  /// end.
   int Gate;
   /// The part of this gate that arcs from the apex reach.
   lms3dMinimumLinkPath::Gate Part;

@@ -12,11 +12,12 @@
 #include <vector>
 
 /**
- * Finds a path of few great arcs on the sphere of directions that passes a sequence of gates in order.
- * From each vertex, the path follows the wedge of directions that passes all gates so far; the next
- * vertex lies in the last gate before the wedge closes (Guibas, Hershberger, Mitchell and Snoeyink
- * 1993, "Approximating polygons and subdivisions with minimum-link paths"; here vertices lie in
- * gates). Neighbouring gates are sides of one convex cell, so the path meets nothing between them.
+ * Finds a path of few great arcs on the sphere of directions that passes a sequence of gates in
+ * order. From each vertex, the path follows the wedge of directions that passes all gates so far;
+ * the next vertex lies in the last gate before the wedge closes (Guibas, Hershberger, Mitchell and
+ * Snoeyink 1993, "Approximating polygons and subdivisions with minimum-link paths"; here vertices
+ * lie in gates). Neighbouring gates are sides of one convex cell, so the path meets nothing between
+ * them.
  *
  * Directions are in the sensor frame. Left and right are as the sensor sees the path from its start
  * to its end.
@@ -56,17 +57,17 @@ public:
   {
   }
 
-  /// The vertices between two directions, which lie in the cells before the first and behind the last
-  /// gate. They may have any length. The path bends in the first or last gate in any case if the flags
-  /// say so.
+  /// The vertices between two directions, which lie in the cells before the first and behind the
+  /// last gate. They may have any length. The path bends in the first or last gate in any case if
+  /// the flags say so.
   std::vector<Vertex> Straighten(const lms3dVector& start, const lms3dVector& end,
     bool bendsInFirst = false, bool bendsInLast = false) const;
 
   /// A vertex for a path that has none: in the middle gate, left of the straight line.
   Vertex GetMiddle(const lms3dVector& start, const lms3dVector& end) const;
 
-  /// The vertices of a path whose last gate is followed by the first one. At least three if there are
-  /// as many gates.
+  /// The vertices of a path whose last gate is followed by the first one. At least three if there
+  /// are as many gates.
   std::vector<Vertex> StraightenClosed() const;
 
 private:

@@ -30,7 +30,8 @@ void lms3dOffsetStrips::FillHole(const std::vector<std::int32_t>& hole)
   }
 }
 
-// Splits a counter-clockwise quadrilateral along the diagonal that lets both triangles face the sensor.
+// Splits a counter-clockwise quadrilateral along the diagonal that lets both triangles face the
+// sensor.
 void lms3dOffsetStrips::AddQuad(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d)
 {
   if (a == b || c == d || (this->IsFacing(a, b, c) && this->IsFacing(a, c, d)))

@@ -14,8 +14,9 @@
 #include <vector>
 
 /**
- * Along an offset (see lms3dBorderGates), each side has its own border. The two lie so close together
- * that no beam passes between them. A strip of triangles joins them, so that the surface has no gap.
+ * Along an offset (see lms3dBorderGates), each side has its own border. The two lie so close
+ * together that no beam passes between them. A strip of triangles joins them, so that the surface
+ * has no gap.
  */
 class lms3dOffsetStrips
 {
@@ -34,8 +35,8 @@ public:
   /// strip is flipped there.
   bool AddStrip(const std::vector<std::int32_t>& own, const std::vector<std::int32_t>& other);
 
-  /// Closes the hole of three or four vertices, counter-clockwise, that strips leave in a cell where
-  /// they meet. Smaller holes need no triangle.
+  /// Closes the hole of three or four vertices, counter-clockwise, that strips leave in a cell
+  /// where they meet. Smaller holes need no triangle.
   void FillHole(const std::vector<std::int32_t>& hole);
 
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }

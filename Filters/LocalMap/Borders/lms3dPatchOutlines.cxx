@@ -90,8 +90,8 @@ void lms3dPatchOutlines::MakeLoops()
   }
 }
 
-// Appends the side of a chain that begins with an edge. `next` receives the edge that begins the next
-// side.
+// Appends the side of a chain that begins with an edge. `next` receives the edge that begins the
+// next side.
 void lms3dPatchOutlines::AppendSide(int edge, Outline& outline, int& next) const
 {
   const std::int32_t side = this->Chains.GetChainOf(edge);

@@ -14,9 +14,9 @@
 #include <vector>
 
 /**
- * Puts the borders of all patches together, so that the patches' meshes fit without cracks and without
- * T-junctions. If a strip along an offset would face away from the sensor, the borders near it are made
- * again under tighter rules (lms3dBorderJunctions::FallbackLevel).
+ * Puts the borders of all patches together, so that the patches' meshes fit without cracks and
+ * without T-junctions. If a strip along an offset would face away from the sensor, the borders near
+ * it are made again under tighter rules (lms3dBorderJunctions::FallbackLevel).
  *
  * Vertices are numbered for the whole map, the junctions first. See lms3dBorderGates for the words.
  */
@@ -41,14 +41,15 @@ public:
   /// Empty for a patch without returns.
   const Outline& GetOutline(int patch) const { return this->Outlines[patch]; }
 
-  /// The triangles of all strips along offsets (lms3dOffsetStrips). They face the sensor, except where
-  /// GetPatchesAtFlippedStrips() says otherwise.
+  /// The triangles of all strips along offsets (lms3dOffsetStrips). They face the sensor, except
+  /// where GetPatchesAtFlippedStrips() says otherwise.
   const std::vector<std::array<std::int32_t, 3>>& GetStripTriangles() const
   {
     return this->StripTriangles;
   }
 
-  /// The patches on both sides of strips that face away from the sensor even at the last fallback level.
+  /// The patches on both sides of strips that face away from the sensor even at the last fallback
+  /// level.
   const std::vector<std::int32_t>& GetPatchesAtFlippedStrips() const
   {
     return this->PatchesAtFlippedStrips;
@@ -63,8 +64,8 @@ public:
 private:
   using Chain = lms3dBorderChains::Chain;
 
-  /// The numbers of a chain's vertices between its junctions, for its own side and for its other side
-  /// in the same order. Only along offsets do the two differ.
+  /// The numbers of a chain's vertices between its junctions, for its own side and for its other
+  /// side in the same order. Only along offsets do the two differ.
   struct Line
   {
     std::vector<std::int32_t> Own;

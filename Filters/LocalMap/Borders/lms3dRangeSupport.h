@@ -32,8 +32,8 @@ struct lms3dRangeInterval
     return inverseRange * this->Nearest <= 1.0 && inverseRange * this->Farthest >= 1.0;
   }
 
-  /// Moves a range into the interval. Takes and returns 1 / range, 1/metre. A plane that does not meet
-  /// the beam has an inverse range below 0 and moves to the far end.
+  /// Moves a range into the interval. Takes and returns 1 / range, 1/metre. A plane that does not
+  /// meet the beam has an inverse range below 0 and moves to the far end.
   double Clamp(double inverseRange) const
   {
     return std::min(std::max(inverseRange, 1.0 / this->Farthest), 1.0 / this->Nearest);
@@ -41,14 +41,14 @@ struct lms3dRangeInterval
 };
 
 /**
- * A border lies up to one cell beyond the last returns of its patch. There the range may differ from
- * the range of the last return by no more than
+ * A border lies up to one cell beyond the last returns of its patch. There the range may differ
+ * from the range of the last return by no more than
  *
  * - a share of the range's last change, from the return before the last to the last one, and
  * - the tolerance of lms3dBorderGates or, at a depth step, a quarter of the step if that is less.
  *
- * Beside a beam without a return, nothing else is near that an inclined plane could hit, so the change
- * of range that the patch's plane predicts counts as well.
+ * Beside a beam without a return, nothing else is near that an inclined plane could hit, so the
+ * change of range that the patch's plane predicts counts as well.
  *
  * Directions are unit vectors in the sensor frame; see lms3dBorderGates for gates, edges and cells.
  */
@@ -71,8 +71,8 @@ public:
   /// Metres by which the range may differ from its edge's owner at a depth step.
   double GetMarginAtDepthStep(int edge) const;
 
-  /// The range of a return plus or minus `margin`, metres. The far end also contains the plane through
-  /// the return that faces the sensor. `cosine` is of the angle to the return's beam.
+  /// The range of a return plus or minus `margin`, metres. The far end also contains the plane
+  /// through the return that faces the sensor. `cosine` is of the angle to the return's beam.
   static lms3dRangeInterval GetInterval(double range, double margin, double cosine);
 
   ///@{
@@ -82,8 +82,8 @@ public:
   lms3dRangeInterval GetIntervalAtOffset(int edge, const lms3dVector& unit) const;
   ///@}
 
-  /// The interval in direction `unit` inside a cell, supported by some of its corners, given as bits.
-  /// `isContinuous` means that no depth step passes the cell. The corners have returns.
+  /// The interval in direction `unit` inside a cell, supported by some of its corners, given as
+  /// bits. `isContinuous` means that no depth step passes the cell. The corners have returns.
   lms3dRangeInterval GetIntervalInCell(
     const Cell& cell, int corners, bool isContinuous, const lms3dVector& unit) const;
 

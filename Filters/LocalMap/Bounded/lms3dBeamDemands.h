@@ -18,16 +18,19 @@ class lms3dBeamDemands
 public:
   using GridIndex = lms3dBeamSphere::GridIndex;
 
-  /// What the returns of consecutive rows of a column demand of the surface on their beams, from one row on.
+  /// What the returns of consecutive rows of a column demand of the surface on their beams, from
+  /// one row on.
   struct Demands
   {
-    /// The smallest and the largest inverse range within the bound; -inf and inf if the beam demands nothing.
+    /// The smallest and the largest inverse range within the bound; -inf and inf if the beam
+    /// demands nothing.
     const double* Minimum;
     const double* Maximum;
   };
 
-  /// Keeps a reference to the sphere, whose beams must be regular. `maximumError` is the bound, metres. Returns
-  /// without a patch demand nothing; filled beams demand the same as returns. Uses the threads of the calling TBB arena.
+  /// Keeps a reference to the sphere, whose beams must be regular. `maximumError` is the bound,
+  /// metres. Returns without a patch demand nothing; filled beams demand the same as returns. Uses
+  /// the threads of the calling TBB arena.
   lms3dBeamDemands(const lms3dBeamSphere& sphere, const lms3dPatches& patches, double maximumError);
 
   const lms3dBeamSphere& GetSphere() const { return this->Sphere; }
@@ -42,9 +45,9 @@ private:
   void FillColumn(const lms3dPatches& patches, double maximumError, int column);
 
   const lms3dBeamSphere& Sphere;
-  /// The minima of all entries, then their maxima. Not a vector, which would initialize all
-  /// of it at first. In one piece, because the C library gives many smaller pieces back to the system and gets them
-  /// again in each run, page by page.
+  /// The minima of all entries, then their maxima. Not a vector, which would initialize all of it
+  /// at first. In one piece, because the C library gives many smaller pieces back to the system and
+  /// gets them again in each run, page by page.
   std::unique_ptr<double[]> Numbers;
 };
 

@@ -18,8 +18,8 @@ constexpr double Rounding = 1e-9;
 // The longest part of a border and the widest column, radians.
 constexpr double MaximumAngle = 1.5;
 constexpr double MaximumColumn = 0.5;
-// The arc of a great circle between two columns has larger tangents than its ends: by at most this share of their
-// tangents, over the square of the columns' distance.
+// The arc of a great circle between two columns has larger tangents than its ends: by at most this
+// share of their tangents, over the square of the columns' distance.
 constexpr double BulgeShare = 0.3;
 // Room for the gates of most parts of a border.
 constexpr std::size_t UsualGates = 16;
@@ -87,7 +87,8 @@ bool lms3dBorderShortcuts::AreBeamsBetween(
   return !triangle.ForEachColumnWhile([](int, int, int) { return false; });
 }
 
-// Appends the gates that an arc of the border passes or touches. Returns false if they are not certain.
+// Appends the gates that an arc of the border passes or touches. Returns false if they are not
+// certain.
 bool lms3dBorderShortcuts::FindGates(
   const Vertex& from, const Vertex& to, std::vector<Gate>& gates) const
 {
@@ -150,7 +151,8 @@ bool lms3dBorderShortcuts::FindGates(
   }
 }
 
-// Appends the gates between a column and the next one that an arc passes. There, its tangents lie between two.
+// Appends the gates between a column and the next one that an arc passes. There, its tangents lie
+// between two.
 void lms3dBorderShortcuts::AppendGatesOfRows(
   const Arc& arc, int column, double width, double low, double high, std::vector<Gate>& gates) const
 {

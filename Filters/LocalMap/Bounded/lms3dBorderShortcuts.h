@@ -13,9 +13,9 @@
 #include <vector>
 
 /**
- * A border may run straight from one vertex to the next but one if it passes at least the same gates (lms3dBorderGates), in the
- * ranges that the returns support there (lms3dRangeSupport), and if no beam lies between the old border and the new
- * one. Beams must be regular.
+ * A border may run straight from one vertex to the next but one if it passes at least the same
+ * gates (lms3dBorderGates), in the ranges that the returns support there (lms3dRangeSupport), and
+ * if no beam lies between the old border and the new one. Beams must be regular.
  */
 class lms3dBorderShortcuts
 {
@@ -26,7 +26,8 @@ public:
   lms3dBorderShortcuts(
     const lms3dBeamSphere& sphere, const lms3dPatches& patches, double tolerance);
 
-  /// Whether the border from `last` over `middle` to `next`, with the surface to the left, may leave out `middle`.
+  /// Whether the border from `last` over `middle` to `next`, with the surface to the left, may
+  /// leave out `middle`.
   bool IsAllowed(const Vertex& last, const Vertex& middle, const Vertex& next) const;
 
   /// Whether it may do so if the surface goes on at the border, so that any range is supported.

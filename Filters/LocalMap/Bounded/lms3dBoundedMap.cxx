@@ -11,8 +11,8 @@
 
 namespace
 {
-// The radius of a facet, as a share of the angle to the nearest neighbour, and the largest such angle,
-// radians.
+// The radius of a facet, as a share of the angle to the nearest neighbour, and the largest such
+// angle, radians.
 constexpr double FacetShare = 0.25;
 constexpr double MaximumAngle = 0.2;
 // The largest share of its length that a vector along the axis has beside it.

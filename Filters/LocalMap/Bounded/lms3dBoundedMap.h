@@ -15,7 +15,8 @@
 
 struct lms3dBoundedMap
 {
-  /// The patch of triangles that join patches along an offset, and of the triangles of the plain grid.
+  /// The patch of triangles that join patches along an offset, and of the triangles of the plain
+  /// grid.
   static constexpr std::int32_t NoPatch = -1;
 
   /// In the sensor frame, metres.
@@ -33,14 +34,15 @@ struct lms3dBoundedMap
   std::int64_t ReturnsOnFacets = 0;
   std::int64_t ReturnsOnSpeckles = 0;
   ///@}
-  /// The filled beams (lms3dRangeGrid) behind which the surface goes on: turn * number of beams + beam, sorted.
+  /// The filled beams (lms3dRangeGrid) behind which the surface goes on: turn * number of beams +
+  /// beam, sorted.
   std::vector<int> FilledBeams;
   /// The largest distance, metres, from a return to the triangle that its beam hits.
   double LargestDeviation = 0.0;
 
   /**
-   * Adds a facet: a small triangle around the point of a beam at `range` metres. It faces the sensor, is
-   * too small to be hit by any other beam, and is a patch of its own.
+   * Adds a facet: a small triangle around the point of a beam at `range` metres. It faces the
+   * sensor, is too small to be hit by any other beam, and is a patch of its own.
    */
   void AddFacet(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range);
 
@@ -48,12 +50,12 @@ struct lms3dBoundedMap
   void AddFacetOnBeam(
     const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, double range);
 
-  /// The same around a point that is not the origin. `angle`, radians, is that to the nearest neighbour as
-  /// the sensor sees it.
+  /// The same around a point that is not the origin. `angle`, radians, is that to the nearest
+  /// neighbour as the sensor sees it.
   void AddFacet(const lms3dVector& point, double angle);
 
-  /// The distance, metres, from a point to the nearest triangle that the beam through the point hits;
-  /// infinite if it hits none. Looks at all triangles.
+  /// The distance, metres, from a point to the nearest triangle that the beam through the point
+  /// hits; infinite if it hits none. Looks at all triangles.
   double GetDeviation(const lms3dVector& point) const;
 
   /// The triangles that a beam hits.

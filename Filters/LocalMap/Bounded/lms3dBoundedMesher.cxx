@@ -24,17 +24,18 @@ namespace
 // surfaces: this share of the bound, or this number of standard deviations of the noise.
 constexpr double GrowingShare = 0.3;
 constexpr double GrowingDeviations = 4.0;
-// The largest bound of patches: a share of the mean range, but at least this number of standard deviations of the
-// noise. Above, planes would cut the corners of a room, and the patches would fail the proof.
+// The largest bound of patches: a share of the mean range, but at least this number of standard
+// deviations of the noise. Above, planes would cut the corners of a room, and the patches would
+// fail the proof.
 constexpr double MaximumShareOfRange = 0.1;
 constexpr double PatchDeviations = 8.0;
 // More than a few operations round.
 constexpr double Rounding = 1.0 + 1e-12;
 // The standard deviation of the noise, as a share of the bound, above which the plain grid is made.
 constexpr double MaximumNoise = 0.75;
-// The number of patches above which the plain grid is made: a share of the returns, and a number that
-// scans of few returns may have. Up to that share, the map of hills has at most nine tenths of the plain
-// grid's triangles.
+// The number of patches above which the plain grid is made: a share of the returns, and a number
+// that scans of few returns may have. Up to that share, the map of hills has at most nine tenths of
+// the plain grid's triangles.
 constexpr double MaximumPatchShare = 0.2;
 constexpr double SmallScan = 256.0;
 // The share of the time that finding patches takes.
@@ -45,8 +46,8 @@ constexpr int MinimumReturnsToSimplify = 5000;
 constexpr int ReleasingAttempts = 8;
 // The same if beams are not regular: faults have more causes there.
 constexpr int ReleasingAttemptsOnRays = 16;
-// The size of a facet beyond the axis, where neighbours are close together: as if a neighbour were that far
-// away, radians.
+// The size of a facet beyond the axis, where neighbours are close together: as if a neighbour were
+// that far away, radians.
 constexpr double AngleBeyondAxis = 1e-3;
 
 // A share of the mean range, or `length` if it is smaller.
@@ -54,7 +55,8 @@ double LimitToShareOfMeanRange(const lms3dBeamSphere& sphere, double share, doub
 {
   double sum = 0.0;
   std::int64_t count = 0;
-  // A part of the returns is often enough: the mean of all is at least their sum by the number of all entries.
+  // A part of the returns is often enough: the mean of all is at least their sum by the number of
+  // all entries.
   const double enough = length / share * sphere.GetSize() * Rounding;
   for (lms3dBeamSphere::GridIndex index = 0; index < sphere.GetSize(); ++index)
   {
@@ -71,8 +73,8 @@ double LimitToShareOfMeanRange(const lms3dBeamSphere& sphere, double share, doub
   return std::min(length, count > 0 ? share * (sum / static_cast<double>(count)) : 0.0);
 }
 
-// The column of each turn, or the row of each beam. `getNumber` is the turn of a column or the beam of a row; below 0 in
-// the halo.
+// The column of each turn, or the row of each beam. `getNumber` is the turn of a column or the beam
+// of a row; below 0 in the halo.
 template <typename Function>
 std::vector<int> FindPlaces(int numbers, int places, const Function& getNumber)
 {

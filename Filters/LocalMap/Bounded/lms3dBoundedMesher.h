@@ -21,27 +21,27 @@
  * triangulates them. The map contains only what has been checked: each beam with a return hits a
  * triangle, and the hit is within the bound of the return along the beam.
  *
- * What fails the check falls back step by step: to patches that give up a few returns, to quarters of
- * patches, to the patch of a neighbour, to a facet for each return. At last, lms3dMapSimplifier removes vertices. The plain grid and facets (lms3dFacetedGrid) take the place of
- * all patches if patches would have fewer than twenty returns on average, or if the noise of the ranges
- * exceeds three quarters of the bound. If beams are not regular, only the returns beside a fault leave their
- * patch (lms3dPatchSplitter).
+ * What fails the check falls back step by step: to patches that give up a few returns, to quarters
+ * of patches, to the patch of a neighbour, to a facet for each return. At last, lms3dMapSimplifier
+ * removes vertices. The plain grid and facets (lms3dFacetedGrid) take the place of all patches if
+ * patches would have fewer than twenty returns on average, or if the noise of the ranges exceeds
+ * three quarters of the bound. If beams are not regular, only the returns beside a fault leave
+ * their patch (lms3dPatchSplitter).
  *
- * Filled beams (lms3dRangeGrid) belong to patches, but to nothing else: if a filled beam loses its patch, the beam has
- * no range any more.
+ * Filled beams (lms3dRangeGrid) belong to patches, but to nothing else: if a filled beam loses its
+ * patch, the beam has no range any more.
  */
 class lms3dBoundedMesher
 {
 public:
   /// Keeps references to the grid, which must have at least one return, and to its joins.
-  /// `maximumError` is the bound, metres, above 0. Without a `geometry`, beams are regular. Throws std::runtime_error
-  /// as lms3dBeamSphere does.
-  /// Uses the threads of the calling TBB arena.
+  /// `maximumError` is the bound, metres, above 0. Without a `geometry`, beams are regular. Throws
+  /// std::runtime_error as lms3dBeamSphere does. Uses the threads of the calling TBB arena.
   lms3dBoundedMesher(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, double maximumError,
     const lms3dMapGeometry* geometry = nullptr);
 
-  /// Makes the map. To be called once. There is none if `progress` returned false, or if NeedsUnfilledGrid().
-  /// Uses the threads of the calling TBB arena.
+  /// Makes the map. To be called once. There is none if `progress` returned false, or if
+  /// NeedsUnfilledGrid(). Uses the threads of the calling TBB arena.
   std::optional<lms3dBoundedMap> MakeMap(const lms3dProgress& progress);
 
   /// Whether the map must be the plain grid, but the grid has filled beams.

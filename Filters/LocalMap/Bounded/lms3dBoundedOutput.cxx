@@ -74,8 +74,8 @@ void FillTriangles(const lms3dBoundedMap& bounded, vtkPolyData* map)
   map->GetCellData()->AddArray(patches);
 }
 
-// Fills the normals of triangles. Normals of points would blur the shading of large triangles across
-// creases.
+// Fills the normals of triangles. Normals of points would blur the shading of large triangles
+// across creases.
 void FillNormals(const lms3dBoundedMap& bounded, const double* matrix, vtkPolyData* map)
 {
   const auto normals = lms3dMakeArray<vtkFloatArray>("Normals", bounded.Triangles.size(), 3);

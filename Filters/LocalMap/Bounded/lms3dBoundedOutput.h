@@ -12,8 +12,8 @@
 class lms3dMapScan;
 class vtkPolyData;
 
-/// Fills the arrays that the public header of vtkLMS3DSurfaceReconstructionFilter lists for a bounded map.
-/// Points are in world coordinates, metres. `map` must be empty.
+/// Fills the arrays that the public header of vtkLMS3DSurfaceReconstructionFilter lists for a
+/// bounded map. Points are in world coordinates, metres. `map` must be empty.
 void lms3dFillBoundedOutput(
   const lms3dMapScan& scan, const lms3dBoundedMap& bounded, vtkPolyData* map);
 

@@ -63,7 +63,8 @@ lms3dVector lms3dCollapsibleEdges::GetBestPlace(const lms3dVertexStars& stars, c
   return GetPlace(stars, edge, GetQuadric(stars, edge));
 }
 
-// Both ends of an edge have a triangle on its left side, so each edge is found from its end with the smaller number.
+// Both ends of an edge have a triangle on its left side, so each edge is found from its end with
+// the smaller number.
 void lms3dCollapsibleEdges::AppendEdges(std::int32_t number, std::vector<Edge>& edges) const
 {
   const lms3dVertexStars::Triangle& triangle = this->Stars.GetTriangles()[number];

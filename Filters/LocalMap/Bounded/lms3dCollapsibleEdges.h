@@ -14,8 +14,9 @@
 #include <vector>
 
 /**
- * Keeps the edges with a free end that are not rigid. The cost of an edge is the smallest value of the quadrics of its
- * ends (lms3dQuadric). After edges collapsed, only the costs of edges near them are computed again.
+ * Keeps the edges with a free end that are not rigid. The cost of an edge is the smallest value of
+ * the quadrics of its ends (lms3dQuadric). After edges collapsed, only the costs of edges near them
+ * are computed again.
  */
 class lms3dCollapsibleEdges
 {
@@ -26,7 +27,8 @@ public:
     double Cost;
     std::int32_t From;
     std::int32_t To;
-    /// Three times the triangle on the left side of the edge, plus its corner where the edge starts.
+    /// Three times the triangle on the left side of the edge, plus its corner where the edge
+    /// starts.
     std::int32_t Side;
   };
 
@@ -39,8 +41,8 @@ public:
   /// Where the vertex that replaces an edge fits the triangles around both ends best.
   static lms3dVector GetBestPlace(const lms3dVertexStars& stars, const Edge& edge);
 
-  /// Takes changes into account: the stars of these vertices, into which edges collapsed. `gone` are the vertices that
-  /// these edges removed. Uses the threads of the calling TBB arena.
+  /// Takes changes into account: the stars of these vertices, into which edges collapsed. `gone`
+  /// are the vertices that these edges removed. Uses the threads of the calling TBB arena.
   void Update(const std::vector<std::int32_t>& changed, const std::vector<std::int32_t>& gone);
 
 private:
@@ -56,8 +58,8 @@ private:
   std::vector<Edge> Sorted;
   /// Memory for what will be Sorted.
   std::vector<Edge> Merged;
-  /// By vertex and by triangle: whether it is among those whose edges are computed again. Not vector<bool>, which is
-  /// slower.
+  /// By vertex and by triangle: whether it is among those whose edges are computed again. Not
+  /// vector<bool>, which is slower.
   std::vector<std::uint8_t> IsChanged;
   std::vector<std::uint8_t> IsFound;
   /// By vertex: the number of the selection that used it last.

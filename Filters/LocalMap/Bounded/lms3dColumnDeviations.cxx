@@ -13,7 +13,8 @@ constexpr int Lanes = 4;
 constexpr double Rounding = 1e-12;
 } // namespace
 
-// Without branches, and with a maximum for each lane, so that the compiler makes it a loop over vectors.
+// Without branches, and with a maximum for each lane, so that the compiler makes it a loop over
+// vectors.
 lms3dColumnDeviations::lms3dColumnDeviations(const lms3dBeamSphere& sphere,
   const lms3dColumnPlane& plane, int column, int firstRow, int lastRow, double limit)
 {

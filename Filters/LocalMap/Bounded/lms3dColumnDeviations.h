@@ -12,13 +12,13 @@
 #include <cstdint>
 
 /**
- * The deviation of a return is the distance along its beam, metres, to the plane of a triangle. At a pole, half of the
- * spread of its returns (lms3dBeamSphere::GetPoleHalfSpread) is added.
+ * The deviation of a return is the distance along its beam, metres, to the plane of a triangle. At
+ * a pole, half of the spread of its returns (lms3dBeamSphere::GetPoleHalfSpread) is added.
  */
 struct lms3dColumnDeviations
 {
-  /// Measures the returns of a column from one row to another, both included. Entries without a return count as returns
-  /// at range 0. Beams must be regular.
+  /// Measures the returns of a column from one row to another, both included. Entries without a
+  /// return count as returns at range 0. Beams must be regular.
   lms3dColumnDeviations(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane, int column,
     int firstRow, int lastRow, double limit);
 
@@ -26,7 +26,8 @@ struct lms3dColumnDeviations
   static double GetLargestOfReturns(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane,
     int column, int firstRow, int lastRow);
 
-  /// Returns true only if all deviations are within the limit. Takes no division; rounding can make it return false.
+  /// Returns true only if all deviations are within the limit. Takes no division; rounding can make
+  /// it return false.
   static bool AreWithin(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane, int column,
     int firstRow, int lastRow, double limit);
 

@@ -68,7 +68,8 @@ double lms3dDeviationMeter::GetLargestAbove(const Part& part, double threshold)
   return largest;
 }
 
-// The returns that are farther than the threshold from a triangle along their beams, and their distances from it.
+// The returns that are farther than the threshold from a triangle along their beams, and their
+// distances from it.
 lms3dDeviationMeter::Distances lms3dDeviationMeter::FindDistances(
   const Part& part, double threshold) const
 {
@@ -90,7 +91,8 @@ lms3dDeviationMeter::Distances lms3dDeviationMeter::FindDistances(
   return distances;
 }
 
-// Marks the beams that hit a triangle within the threshold, at least in the columns of some returns.
+// Marks the beams that hit a triangle within the threshold, at least in the columns of some
+// returns.
 void lms3dDeviationMeter::MarkNear(const Part& part, double threshold, const Distances& distances)
 {
   ++this->Pass;

@@ -31,7 +31,8 @@ public:
   /// The triangles of one patch.
   struct Part
   {
-    /// Or AllPatches: then the returns of all patches count, and the triangles make up the whole map.
+    /// Or AllPatches: then the returns of all patches count, and the triangles make up the whole
+    /// map.
     std::int32_t Patch;
     /// The numbers of the patch's triangles in the map, from First to before End.
     std::size_t First;
@@ -55,8 +56,9 @@ public:
     }
   }
 
-  /// The largest deviation of all returns of the patches, except the returns of poles. Measures only
-  /// the few returns whose deviation can be the largest. Uses the threads of the calling TBB arena.
+  /// The largest deviation of all returns of the patches, except the returns of poles. Measures
+  /// only the few returns whose deviation can be the largest. Uses the threads of the calling TBB
+  /// arena.
   double GetLargest(std::vector<Part> parts);
 
 private:
@@ -74,7 +76,8 @@ private:
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;
   const lms3dBoundedMap& Map;
-  /// The number of the pass over triangles in which a beam last hit one within the threshold, by grid index.
+  /// The number of the pass over triangles in which a beam last hit one within the threshold, by
+  /// grid index.
   std::vector<std::atomic<std::int32_t>> Near;
   std::int32_t Pass = 0;
   /// The points of the map.

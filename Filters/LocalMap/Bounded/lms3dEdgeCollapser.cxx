@@ -15,15 +15,15 @@ namespace
 constexpr double MinimumCosine = 0.7;
 // The smallest height of a new triangle as the sensor sees it, as a share of its longest edge.
 constexpr double MinimumHeight = 0.02;
-// Large maps end with the first round in which fewer of its edges collapse: many more rounds would follow, and hardly
-// any triangle would go.
+// Large maps end with the first round in which fewer of its edges collapse: many more rounds would
+// follow, and hardly any triangle would go.
 constexpr double MinimumShare = 0.1;
 constexpr std::size_t LargeRound = 100;
 // The number of edges that a thread tries at least.
 constexpr std::size_t EdgesOfTask = 4;
 
-// Calls visit(next, last) for each triangle that an edge leaves when it collapses. Stops when a visit returns false,
-// and returns false then.
+// Calls visit(next, last) for each triangle that an edge leaves when it collapses. Stops when a
+// visit returns false, and returns false then.
 template <typename Visitor>
 bool ForEachSide(
   const lms3dVertexStars& stars, std::int32_t from, std::int32_t to, const Visitor& visit)
@@ -38,7 +38,8 @@ bool ForEachSide(
 }
 } // namespace
 
-// Whether the vertex that replaces an edge sees all sides of the star, and no new triangle is a sliver or very large.
+// Whether the vertex that replaces an edge sees all sides of the star, and no new triangle is a
+// sliver or very large.
 bool lms3dEdgeCollapser::HasSoundShape(
   const lms3dVertexStars& stars, const Edge& edge, const lms3dTriangleCorner& corner)
 {
@@ -121,7 +122,8 @@ bool lms3dEdgeCollapser::Run(const lms3dBeamDemands& demands, lms3dVertexStars& 
   }
 }
 
-// Collapses an edge if it can, and returns whether it has. Otherwise it is not tried again until its star changes.
+// Collapses an edge if it can, and returns whether it has. Otherwise it is not tried again until
+// its star changes.
 bool lms3dEdgeCollapser::Collapse(
   const lms3dBeamDemands& demands, const Edge& edge, lms3dVertexStars& stars)
 {

@@ -12,15 +12,17 @@
 #include "LocalMap/Bounded/lms3dVertexStars.h"
 
 /**
- * Edges collapse in rounds, the cheapest first (lms3dCollapsibleEdges). The stars of one round's edges have no vertex
- * in common. A collapse changes only its stars, and it reads nothing that another collapse changes. So the threads
- * divide the edges, and the result does not depend on the number of threads.
+ * Edges collapse in rounds, the cheapest first (lms3dCollapsibleEdges). The stars of one round's
+ * edges have no vertex in common. A collapse changes only its stars, and it reads nothing that
+ * another collapse changes. So the threads divide the edges, and the result does not depend on the
+ * number of threads.
  */
 class lms3dEdgeCollapser
 {
 public:
-  /// Collapses edges until no edge with a free end can collapse within the bound, or, in large maps, until hardly any
-  /// can. Returns false if none can. Uses the threads of the calling TBB arena.
+  /// Collapses edges until no edge with a free end can collapse within the bound, or, in large
+  /// maps, until hardly any can. Returns false if none can. Uses the threads of the calling TBB
+  /// arena.
   static bool Run(const lms3dBeamDemands& demands, lms3dVertexStars& stars);
 
 private:

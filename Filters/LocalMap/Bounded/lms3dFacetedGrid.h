@@ -11,8 +11,8 @@
 #include "LocalMap/Grid/lms3dRangeJoins.h"
 
 /**
- * Makes the triangles of the plain grid, with each return as a vertex, and a facet for each return that
- * belongs to no triangle. The deviation of every return is 0, except at poles.
+ * Makes the triangles of the plain grid, with each return as a vertex, and a facet for each return
+ * that belongs to no triangle. The deviation of every return is 0, except at poles.
  */
 class lms3dFacetedGrid
 {

@@ -33,8 +33,8 @@ std::int32_t FindPatchBeside(
   return best;
 }
 
-// Moves returns that have just lost their patch to the patch of a neighbour, each once: a facet would leave a hole in
-// the surface around it.
+// Moves returns that have just lost their patch to the patch of a neighbour, each once: a facet
+// would leave a hole in the surface around it.
 void MoveLostReturns(
   const lms3dBeamSphere& sphere, const std::vector<std::int32_t>& before, lms3dPatches& patches)
 {

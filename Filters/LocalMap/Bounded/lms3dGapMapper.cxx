@@ -125,7 +125,8 @@ std::optional<lms3dBoundedMap> lms3dGapMapper::MakeMapWithoutGaps(const lms3dPro
   return map;
 }
 
-// Builds the grid again. It has the returns of speckles if these are kept; then they are no speckles any more.
+// Builds the grid again. It has the returns of speckles if these are kept; then they are no
+// speckles any more.
 void lms3dGapMapper::LeaveSpecklesOut()
 {
   const lms3dScanGeometry& geometry = this->Scan.GetGeometry().GetGrid();

@@ -18,20 +18,21 @@ class lms3dMapScan;
 class vtkPolyData;
 
 /**
- * Fills the beams of gaps and speckles (lms3dSurfaceGaps), makes the map (lms3dBoundedMesher), and adds facets for the
- * returns of speckles. If the map must be the plain grid, gaps stay open, and the returns of speckles are parts of the
- * grid or left out. Without a size of gaps and speckles, the grid stays as it is.
+ * Fills the beams of gaps and speckles (lms3dSurfaceGaps), makes the map (lms3dBoundedMesher), and
+ * adds facets for the returns of speckles. If the map must be the plain grid, gaps stay open, and
+ * the returns of speckles are parts of the grid or left out. Without a size of gaps and speckles,
+ * the grid stays as it is.
  */
 class lms3dGapMapper
 {
 public:
-  /// Keeps references. `grid` has the returns of `scan`. `keepsSpeckles` says whether speckles get facets. `isFree`
-  /// is that of lms3dSurfaceGaps.
+  /// Keeps references. `grid` has the returns of `scan`. `keepsSpeckles` says whether speckles get
+  /// facets. `isFree` is that of lms3dSurfaceGaps.
   lms3dGapMapper(const lms3dMapScan& scan, lms3dRangeGrid& grid, lms3dRangeJoins& joins,
     const lms3dGapSettings& settings, bool keepsSpeckles, const std::vector<bool>& isFree);
 
-  /// Makes the map. To be called once. There is none if `progress` returned false. Uses the threads of the calling
-  /// TBB arena. Throws std::runtime_error as lms3dBoundedMesher does.
+  /// Makes the map. To be called once. There is none if `progress` returned false. Uses the threads
+  /// of the calling TBB arena. Throws std::runtime_error as lms3dBoundedMesher does.
   std::optional<lms3dBoundedMap> MakeMap(const lms3dProgress& progress);
 
   /// Adds the field data about gaps and speckles to the output, if their sizes are above 0.

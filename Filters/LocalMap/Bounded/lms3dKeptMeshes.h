@@ -14,9 +14,9 @@
 #include <vector>
 
 /**
- * A mesh depends on the plane, the returns and the outline of its patch only. After some patches failed
- * and were split, most others have the same returns and the same outline as before. Only the numbers of
- * its vertices change.
+ * A mesh depends on the plane, the returns and the outline of its patch only. After some patches
+ * failed and were split, most others have the same returns and the same outline as before. Only the
+ * numbers of its vertices change.
  *
  * Beams must be regular.
  */
@@ -30,8 +30,8 @@ public:
   /// Finds the patches whose returns are not the same any more. To be called before TryToTake().
   void FindChanges(const lms3dPatches& patches);
 
-  /// Gives a mesh away with the numbers of these outlines. Returns false if it was not valid, or if the
-  /// patch or its outline has changed. May be called for several patches at a time.
+  /// Gives a mesh away with the numbers of these outlines. Returns false if it was not valid, or if
+  /// the patch or its outline has changed. May be called for several patches at a time.
   bool TryToTake(int patch, const lms3dPatchOutlines& outlines, lms3dPatchMesh& mesh);
 
 private:

@@ -100,8 +100,8 @@ bool lms3dMapSimplifier::FreeSmoothVertices(
   return isAnyFree;
 }
 
-// Each fit uses the ranges of the neighbours that come before it. So vertices of one level have no edge between them,
-// and the neighbours that come before them have lower levels.
+// Each fit uses the ranges of the neighbours that come before it. So vertices of one level have no
+// edge between them, and the neighbours that come before them have lower levels.
 std::vector<std::vector<std::int32_t>> lms3dMapSimplifier::FindLevels(const lms3dVertexStars& stars)
 {
   std::vector<std::vector<std::int32_t>> levels;

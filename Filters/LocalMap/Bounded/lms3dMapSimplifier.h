@@ -15,14 +15,15 @@
 #include <vector>
 
 /**
- * On curved surfaces, and with noise, patches are small, and most vertices lie at smooth borders between them. Edges
- * between smooth vertices (lms3dSmoothVertices) collapse (lms3dEdgeCollapser), as long as each return around them
- * stays within the bound. The remaining vertex has the range that fits the returns best (lms3dVertexFit), so the
- * surface passes between the returns on both sides. Vertices at the border of the surface, and at sharp creases and
- * offsets, take no part in this.
+ * On curved surfaces, and with noise, patches are small, and most vertices lie at smooth borders
+ * between them. Edges between smooth vertices (lms3dSmoothVertices) collapse (lms3dEdgeCollapser),
+ * as long as each return around them stays within the bound. The remaining vertex has the range
+ * that fits the returns best (lms3dVertexFit), so the surface passes between the returns on both
+ * sides. Vertices at the border of the surface, and at sharp creases and offsets, take no part in
+ * this.
  *
- * Then vertices of all kinds are removed (lms3dVertexRemover) without moving those that remain. If beams are not regular, this is
- * all, and borders stay (lms3dRayMoves).
+ * Then vertices of all kinds are removed (lms3dVertexRemover) without moving those that remain. If
+ * beams are not regular, this is all, and borders stay (lms3dRayMoves).
  */
 class lms3dMapSimplifier
 {
@@ -32,9 +33,9 @@ public:
   lms3dMapSimplifier(
     const lms3dBeamSphere& sphere, const lms3dPatches& patches, double maximumError, double noise);
 
-  /// Simplifies a map whose patches are the patches with returns, in order, and sets its LargestDeviation. Returns
-  /// false, and changes nothing, if no vertex can vanish. `members` is the number of returns of each patch. Uses the
-  /// threads of the calling TBB arena.
+  /// Simplifies a map whose patches are the patches with returns, in order, and sets its
+  /// LargestDeviation. Returns false, and changes nothing, if no vertex can vanish. `members` is
+  /// the number of returns of each patch. Uses the threads of the calling TBB arena.
   bool Simplify(const std::vector<int>& members, lms3dBoundedMap& map) const;
 
 private:

@@ -12,8 +12,8 @@
 
 #include <cstddef>
 
-/// Calls work(i) for each i below `count`, with the threads of the calling TBB arena. A task makes at least `minimum`
-/// calls, at least 1. Waking a thread takes some microseconds.
+/// Calls work(i) for each i below `count`, with the threads of the calling TBB arena. A task makes
+/// at least `minimum` calls, at least 1. Waking a thread takes some microseconds.
 template <typename Work>
 void lms3dForEachInTasks(std::size_t count, std::size_t minimum, const Work& work)
 {

@@ -11,12 +11,12 @@
 
 namespace
 {
-// How far a new vertex may lie off its return: as far as noise reaches, and within the bound with some
-// room for the returns beside it.
+// How far a new vertex may lie off its return: as far as noise reaches, and within the bound with
+// some room for the returns beside it.
 constexpr double LiftInDeviations = 4.0;
 constexpr double LiftInBounds = 0.8;
-// The number of rounds in which each triangle gets one new vertex. Afterwards all beams beyond the bound
-// become vertices.
+// The number of rounds in which each triangle gets one new vertex. Afterwards all beams beyond the
+// bound become vertices.
 constexpr int WorstOnlyRounds = 12;
 
 // Without branches, so that the compiler makes it a loop over vectors.
@@ -181,8 +181,8 @@ bool lms3dPatchMesher::CheckBeams(
   return true;
 }
 
-// Does the same as CheckBeams() for beams that hit within the bound, and is faster. Returns false, and changes nothing,
-// if one does not.
+// Does the same as CheckBeams() for beams that hit within the bound, and is faster. Returns false,
+// and changes nothing, if one does not.
 bool lms3dPatchMesher::TryToCoverBeams(Work& work, int triangle,
   const lms3dTriangleRasterizer::ColumnRanges& hits, int column, int first, int last)
 {

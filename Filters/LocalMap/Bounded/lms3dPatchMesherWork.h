@@ -26,8 +26,8 @@ struct lms3dPatchMesher::Work
     double Deviation;
   };
 
-  /// The corners of a triangle when its beams were last checked, and the largest deviation within the
-  /// bound.
+  /// The corners of a triangle when its beams were last checked, and the largest deviation within
+  /// the bound.
   struct CheckedTriangle
   {
     std::array<std::int32_t, 3> Corners = { -1, -1, -1 };

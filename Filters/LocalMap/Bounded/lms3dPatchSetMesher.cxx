@@ -79,8 +79,8 @@ std::vector<lms3dRayCheck::Hit> lms3dPatchSetMesher::CollectOthers(const Meshes&
   return others;
 }
 
-// For beams that are not regular. Returns false if there are no faults: each return is within the bound of its
-// own patch or of another.
+// For beams that are not regular. Returns false if there are no faults: each return is within the
+// bound of its own patch or of another.
 bool lms3dPatchSetMesher::SplitAtFaults(lms3dPatches& patches, const lms3dPatchOutlines& outlines,
   const std::vector<int>& members, bool isLenient, Meshes& meshes) const
 {

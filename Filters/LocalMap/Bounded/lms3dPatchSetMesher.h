@@ -15,13 +15,14 @@
 #include <vector>
 
 /**
- * Traces the borders of a set of patches, meshes each patch, and puts the meshes together to a map. If
- * patches fail, splits them instead, so that the caller can try again.
+ * Traces the borders of a set of patches, meshes each patch, and puts the meshes together to a map.
+ * If patches fail, splits them instead, so that the caller can try again.
  */
 class lms3dPatchSetMesher
 {
 public:
-  /// Keeps a reference. `maximumError` is the bound and `noise` the standard deviation of ranges, metres.
+  /// Keeps a reference. `maximumError` is the bound and `noise` the standard deviation of ranges,
+  /// metres.
   lms3dPatchSetMesher(const lms3dBeamSphere& sphere, double maximumError, double noise)
     : Sphere(sphere)
     , MaximumError(maximumError)
@@ -30,15 +31,17 @@ public:
   }
 
   /**
-   * Adds the triangles of all patches to an empty map and returns true, or splits the patches that failed
-   * and returns false. `members` is the number of returns of each patch. Uses the threads of the calling
-   * TBB arena.
+   * Adds the triangles of all patches to an empty map and returns true, or splits the patches that
+   * failed and returns false. `members` is the number of returns of each patch. Uses the threads of
+   * the calling TBB arena.
    *
-   * A patch that failed becomes patches of one return each. A patch of one return loses it; the return
-   * then has the label lms3dPatches::None. So does a filled entry of the sphere at once. If `releasesFew`, a large
-   * patch is divided into four parts instead; if only few returns of a patch were uncovered, only these leave
-   * the patch; and the return of a patch of one moves to a patch beside it first (lms3dDivideFailedPatches()). If beams are not regular and `releasesFew`, only the returns beside
-   * a fault leave their patches (lms3dPatchSplitter); otherwise patches with faults lose all their returns.
+   * A patch that failed becomes patches of one return each. A patch of one return loses it; the
+   * return then has the label lms3dPatches::None. So does a filled entry of the sphere at once. If
+   * `releasesFew`, a large patch is divided into four parts instead; if only few returns of a patch
+   * were uncovered, only these leave the patch; and the return of a patch of one moves to a patch
+   * beside it first (lms3dDivideFailedPatches()). If beams are not regular and `releasesFew`, only
+   * the returns beside a fault leave their patches (lms3dPatchSplitter); otherwise patches with
+   * faults lose all their returns.
    *
    * The map has its LargestDeviation only if beams are not regular.
    */

@@ -14,8 +14,8 @@
 #include <vector>
 
 /**
- * Collects what to change. If beams are not regular, only the neighbourhood of a fault leaves its patch, so that a
- * fault at one place does not cost a large patch.
+ * Collects what to change. If beams are not regular, only the neighbourhood of a fault leaves its
+ * patch, so that a fault at one place does not cost a large patch.
  */
 class lms3dPatchSplitter
 {
@@ -26,11 +26,12 @@ public:
   lms3dPatchSplitter(
     const lms3dBeamSphere& sphere, lms3dPatches& patches, const std::vector<int>& members);
 
-  /// Lets a return leave its patch. A return that is alone in its patch loses it. Does nothing if the entry has
-  /// no patch.
+  /// Lets a return leave its patch. A return that is alone in its patch loses it. Does nothing if
+  /// the entry has no patch.
   void Release(GridIndex index);
 
-  /// Lets the returns of a patch that are next to a beam leave the patch. If there are none, divides the patch.
+  /// Lets the returns of a patch that are next to a beam leave the patch. If there are none,
+  /// divides the patch.
   void ReleaseAround(GridIndex beam, std::int32_t patch);
 
   /// Divides a patch into up to four parts.

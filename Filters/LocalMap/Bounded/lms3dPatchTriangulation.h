@@ -17,9 +17,10 @@
 #include <vector>
 
 /**
- * Projects the outline of a patch from the sensor onto a plane and triangulates it there (constrained
- * Delaunay). The plane is parallel to the patch's plane, so that distances are true on the surface; if
- * parts of the outline lie behind it, the plane that faces the outline's mean direction takes its place.
+ * Projects the outline of a patch from the sensor onto a plane and triangulates it there
+ * (constrained Delaunay). The plane is parallel to the patch's plane, so that distances are true on
+ * the surface; if parts of the outline lie behind it, the plane that faces the outline's mean
+ * direction takes its place.
  *
  * Vertices are numbered as the triangulation numbers them: the vertices of the outline in ascending
  * order, three of the triangulation's super-triangle, then the vertices that Insert() adds.
@@ -27,8 +28,8 @@
 class lms3dPatchTriangulation
 {
 public:
-  /// `axis` is the normal of the patch's plane, of any length, away from the sensor. Keeps a reference
-  /// to the outlines.
+  /// `axis` is the normal of the patch's plane, of any length, away from the sensor. Keeps a
+  /// reference to the outlines.
   lms3dPatchTriangulation(const lms3dPatchOutlines& outlines, int patch, const lms3dVector& axis);
 
   /// False if the outline crosses itself in both projections. No other method may be called then.
@@ -44,8 +45,8 @@ public:
   }
   const lms3dTriangleCorner& GetVertex(std::int32_t number) const { return this->Corners[number]; }
 
-  /// Adds a vertex inside the patch. The search for it starts at triangle `near`. Returns false if there
-  /// is a vertex or an edge of the outline already, or if it lies outside of the patch.
+  /// Adds a vertex inside the patch. The search for it starts at triangle `near`. Returns false if
+  /// there is a vertex or an edge of the outline already, or if it lies outside of the patch.
   bool Insert(const lms3dMapVertex& vertex, int near);
 
   /// The vertex on a beam at a range from the start of the beam, metres.

@@ -11,8 +11,8 @@
 
 #include <array>
 
-/// Garland and Heckbert 1997, "Surface simplification using quadric error metrics": the sum of weighted squared
-/// distances to planes and points is a quadratic function of the place.
+/// Garland and Heckbert 1997, "Surface simplification using quadric error metrics": the sum of
+/// weighted squared distances to planes and points is a quadratic function of the place.
 class lms3dQuadric
 {
 public:

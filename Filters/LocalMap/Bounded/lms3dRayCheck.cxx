@@ -91,8 +91,8 @@ private:
       .emplace_back(index, distance);
   }
 
-  // Whether the device measured with a beam of another patch, and found nothing near the hit. Returns beyond the
-  // axis have no place in the grid.
+  // Whether the device measured with a beam of another patch, and found nothing near the hit.
+  // Returns beyond the axis have no place in the grid.
   bool IsBlocked(GridIndex index, double hit) const
   {
     const bool isMeasured = this->Sphere.GetBeam(index) >= 0 && this->Sphere.GetTurn(index) >= 0 &&

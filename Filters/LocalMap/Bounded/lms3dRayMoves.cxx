@@ -68,8 +68,8 @@ void lms3dRayMoves::Cast(
   this->ForEachBeam(a, b, c, visit);
 }
 
-// Calls visit(index, hit, distance) for each beam that hits a triangle: the range at which the beam meets it, and the
-// distance of the return.
+// Calls visit(index, hit, distance) for each beam that hits a triangle: the range at which the beam
+// meets it, and the distance of the return.
 template <typename Visitor>
 void lms3dRayMoves::ForEachBeam(
   const lms3dVector& a, const lms3dVector& b, const lms3dVector& c, const Visitor& visit) const

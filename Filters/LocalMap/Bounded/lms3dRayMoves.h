@@ -13,9 +13,9 @@
 #include <vector>
 
 /**
- * Casts the beams at the triangles before and after a move. Each return that a triangle explained must be explained
- * after the move, and no beam may meet a triangle in front of its return where there was none. The border of the surface
- * stays: beams pass it at an angle.
+ * Casts the beams at the triangles before and after a move. Each return that a triangle explained
+ * must be explained after the move, and no beam may meet a triangle in front of its return where
+ * there was none. The border of the surface stays: beams pass it at an angle.
  */
 class lms3dRayMoves : public lms3dVertexMoves
 {

@@ -11,7 +11,8 @@
 #include "LocalMap/Bounded/lms3dBorderShortcuts.h"
 #include "LocalMap/Bounded/lms3dVertexMoves.h"
 
-/// Borders may take shortcuts (lms3dBorderShortcuts), and demands of beams (lms3dBeamDemands) give the bound.
+/// Borders may take shortcuts (lms3dBorderShortcuts), and demands of beams (lms3dBeamDemands) give
+/// the bound.
 class lms3dRegularMoves : public lms3dVertexMoves
 {
 public:

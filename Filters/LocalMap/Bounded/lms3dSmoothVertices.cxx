@@ -34,7 +34,8 @@ lms3dSmoothVertices::lms3dSmoothVertices(const lms3dPatches& patches,
   }
 }
 
-// Compares the ranges at the ends of the shortest edge, as the sensor sees it. It leads across the offset.
+// Compares the ranges at the ends of the shortest edge, as the sensor sees it. It leads across the
+// offset.
 bool lms3dSmoothVertices::IsSmallOffset(const lms3dVertexStars& stars, std::int32_t triangle) const
 {
   const std::array<std::int32_t, 3>& corners = stars.GetTriangles()[triangle].Corners;

@@ -14,17 +14,18 @@
 #include <vector>
 
 /**
- * A vertex is smooth if the planes of all patches at it differ by at most 60 degrees and have at least twelve returns
- * each, and if no offset is at it.
+ * A vertex is smooth if the planes of all patches at it differ by at most 60 degrees and have at
+ * least twelve returns each, and if no offset is at it.
  *
- * Noise makes offsets where there are none. If ranges are noisy, an offset counts only if it is larger than 1.5 times
- * the bound.
+ * Noise makes offsets where there are none. If ranges are noisy, an offset counts only if it is
+ * larger than 1.5 times the bound.
  */
 class lms3dSmoothVertices
 {
 public:
-  /// Keeps a reference to the map. `members` is the number of returns of each patch; the map has the patches with
-  /// returns, in order. `maximumError` is the bound and `noise` the standard deviation of ranges, metres.
+  /// Keeps a reference to the map. `members` is the number of returns of each patch; the map has
+  /// the patches with returns, in order. `maximumError` is the bound and `noise` the standard
+  /// deviation of ranges, metres.
   lms3dSmoothVertices(const lms3dPatches& patches, const std::vector<int>& members,
     const lms3dBoundedMap& map, double maximumError, double noise);
 

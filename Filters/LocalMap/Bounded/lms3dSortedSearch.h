@@ -11,8 +11,8 @@
 #include <vector>
 
 /**
- * Returns the number of values for which isBefore(value) is true. They come first. The search is fastest if `near` is
- * almost this number; it can be any number.
+ * Returns the number of values for which isBefore(value) is true. They come first. The search is
+ * fastest if `near` is almost this number; it can be any number.
  */
 template <typename Predicate>
 int lms3dFindEndOf(const std::vector<double>& values, int near, const Predicate& isBefore)

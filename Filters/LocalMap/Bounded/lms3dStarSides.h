@@ -12,7 +12,8 @@
 #include <cstdint>
 #include <vector>
 
-/// The border at a vertex. The surface lies to the left of the way from Last over the vertex to Next.
+/// The border at a vertex. The surface lies to the left of the way from Last over the vertex to
+/// Next.
 struct lms3dStarBorder
 {
   std::int32_t Last = -1;
@@ -25,8 +26,8 @@ struct lms3dStarBorder
   }
 };
 
-/// The sides of the triangles around a vertex that lie opposite the vertex. Each runs counter-clockwise, as the sensor
-/// sees the triangle.
+/// The sides of the triangles around a vertex that lie opposite the vertex. Each runs
+/// counter-clockwise, as the sensor sees the triangle.
 class lms3dStarSides
 {
 public:
@@ -43,8 +44,8 @@ public:
     ++this->Size;
   }
 
-  /// Finds the border; inside of the surface, it is not open. Returns false if the sides do not follow each other
-  /// around the vertex, once.
+  /// Finds the border; inside of the surface, it is not open. Returns false if the sides do not
+  /// follow each other around the vertex, once.
   bool FindBorder(lms3dStarBorder& border) const;
 
   /// Whether a vertex is the start or the end of a side.

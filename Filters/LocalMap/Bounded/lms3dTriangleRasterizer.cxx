@@ -59,8 +59,8 @@ lms3dTriangleRasterizer::Edges3 lms3dTriangleRasterizer::MakeEdges(
   return { lms3dCross(b, a), lms3dCross(c, b), lms3dCross(a, c) };
 }
 
-// Returns false only if no ray of the column hits the triangle. If the platform stands still during a fan, the
-// rays of a column start at one point and lie in the vertical half-plane through it.
+// Returns false only if no ray of the column hits the triangle. If the platform stands still during
+// a fan, the rays of a column start at one point and lie in the vertical half-plane through it.
 bool lms3dTriangleRasterizer::MeetsFan(int column, FanView& view) const
 {
   const lms3dBeamSphere::GridIndex middle =
@@ -128,7 +128,8 @@ double lms3dTriangleRasterizer::GetDistanceFromAxis(const lms3dVector& a, const 
   return std::hypot(a[0] + share * x, a[1] + share * y);
 }
 
-// The largest angle about the axis between a point of the triangle and the column of the beam that hits it.
+// The largest angle about the axis between a point of the triangle and the column of the beam that
+// hits it.
 double lms3dTriangleRasterizer::GetParallax(
   const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c) const
 {

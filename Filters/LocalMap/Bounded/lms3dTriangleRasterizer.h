@@ -26,13 +26,13 @@ struct lms3dTriangleCorner
 };
 
 /**
- * Scan conversion of a triangle onto the grid of beams. A column of lms3dBeamSphere is half of a great
- * circle, so the beams of a column that hit a triangle are consecutive: from where the column crosses
- * one edge to where it crosses another. Triangles that share an edge compute the same numbers for it,
- * so no beam falls between them; a beam on a shared edge hits both.
+ * Scan conversion of a triangle onto the grid of beams. A column of lms3dBeamSphere is half of a
+ * great circle, so the beams of a column that hit a triangle are consecutive: from where the column
+ * crosses one edge to where it crosses another. Triangles that share an edge compute the same
+ * numbers for it, so no beam falls between them; a beam on a shared edge hits both.
  *
- * If beams are not regular, each beam is tested by itself, from where it starts. Triangles that share an edge
- * compute the same numbers then, too.
+ * If beams are not regular, each beam is tested by itself, from where it starts. Triangles that
+ * share an edge compute the same numbers then, too.
  *
  * The triangle must face the sensor and lie within a half-space in front of it.
  */
@@ -44,8 +44,8 @@ public:
   lms3dTriangleRasterizer(const lms3dBeamSphere& sphere, const lms3dTriangleCorner& a,
     const lms3dTriangleCorner& b, const lms3dTriangleCorner& c, double margin = 0.0);
 
-  /// The range at which the beam of a row, in one column, meets the plane of the triangle, from the start of
-  /// the beam, metres.
+  /// The range at which the beam of a row, in one column, meets the plane of the triangle, from the
+  /// start of the beam, metres.
   class ColumnRanges
   {
   public:
@@ -122,8 +122,8 @@ public:
 private:
   static constexpr int NoRow = -1;
 
-  /// The rows of a column, or NoRow, and how far they lie from the rows of the column before. The next column goes on
-  /// like this, or nearly.
+  /// The rows of a column, or NoRow, and how far they lie from the rows of the column before. The
+  /// next column goes on like this, or nearly.
   struct NearRows
   {
     int First = NoRow;
@@ -137,8 +137,8 @@ private:
   static Edges3 MakeEdges(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c);
   static double GetDistanceFromAxis(const lms3dVector& a, const lms3dVector& b);
 
-  /// The corners in the half-plane of a fan, from where its rays start: along the horizontal direction of the
-  /// fan and upwards, metres.
+  /// The corners in the half-plane of a fan, from where its rays start: along the horizontal
+  /// direction of the fan and upwards, metres.
   struct FanView
   {
     /// Returns true only if a ray of the fan passes above all corners, or below all.
@@ -188,12 +188,14 @@ private:
     const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c) const;
   void FindColumns(
     const lms3dTriangleCorner& a, const lms3dTriangleCorner& b, const lms3dTriangleCorner& c);
-  /// Finds the rows of a column. `rows` are the rows of the column before. Returns false if no beam of the column hits.
+  /// Finds the rows of a column. `rows` are the rows of the column before. Returns false if no beam
+  /// of the column hits.
   bool FindRows(int column, NearRows& rows) const;
 
   const lms3dBeamSphere& Sphere;
   lms3dPlane Plane;
-  /// Normals of the planes through the sensor and an edge. Beams inside lie on their positive sides.
+  /// Normals of the planes through the sensor and an edge. Beams inside lie on their positive
+  /// sides.
   Edges3 Edges;
   /// The corners, and a normal towards the origin, of any length.
   Edges3 Corners;

@@ -6,12 +6,13 @@
 
 namespace
 {
-// A beam with a smaller share of the vertex in its range lies on the opposite edge, and demands nothing.
+// A beam with a smaller share of the vertex in its range lies on the opposite edge, and demands
+// nothing.
 constexpr double MinimumShare = 1e-9;
 // A beam with at least this share of the vertex determines its range.
 constexpr double DeterminingShare = 0.5;
-// Radians by which a beam may pass outside of a triangle that it hits. Rounding can put a beam through
-// a vertex outside of all triangles there.
+// Radians by which a beam may pass outside of a triangle that it hits. Rounding can put a beam
+// through a vertex outside of all triangles there.
 constexpr double Margin = 1e-9;
 // More than a product and a quotient round.
 constexpr double Rounding = 1.0 + 1e-14;
@@ -103,7 +104,8 @@ bool lms3dVertexFit::Allows(const lms3dBeamDemands& beams, const lms3dTriangleCo
       });
 }
 
-// Without branches, so that the compiler makes it a loop over vectors. Few columns have a beam near its limits.
+// Without branches, so that the compiler makes it a loop over vectors. Few columns have a beam near
+// its limits.
 bool lms3dVertexFit::AllowsColumn(const lms3dBeamDemands::Demands& demands,
   const ColumnShares& shares, const Rows& rows, double inverse)
 {

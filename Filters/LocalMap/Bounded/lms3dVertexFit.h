@@ -14,9 +14,9 @@
 #include <limits>
 
 /**
- * On a triangle, the inverse range is linear in the direction, and so in the inverse range of each corner.
- * Therefore each return around a vertex limits the inverse range of the vertex to an interval, and the
- * least-squares value needs one division.
+ * On a triangle, the inverse range is linear in the direction, and so in the inverse range of each
+ * corner. Therefore each return around a vertex limits the inverse range of the vertex to an
+ * interval, and the least-squares value needs one division.
  */
 class lms3dVertexFit
 {
@@ -43,15 +43,15 @@ public:
     return { a.Corner, a.Inverse, b.Corner, b.Inverse };
   }
 
-  /// Adds the beams that hit a triangle. The positions of the corners are unit vectors. Returns false if
-  /// no range of the vertex satisfies all beams; then the rest is not valid.
+  /// Adds the beams that hit a triangle. The positions of the corners are unit vectors. Returns
+  /// false if no range of the vertex satisfies all beams; then the rest is not valid.
   bool Add(const lms3dTriangleCorner& vertex, const Side& side);
 
   /// Whether enough beams hit the triangles near the vertex for its range to be determined.
   bool IsDetermined() const;
 
-  /// Whether an inverse range of the vertex satisfies all beams that hit a triangle. Decides the same as Add() and
-  /// Allows(inverse), and is faster.
+  /// Whether an inverse range of the vertex satisfies all beams that hit a triangle. Decides the
+  /// same as Add() and Allows(inverse), and is faster.
   static bool Allows(const lms3dBeamDemands& beams, const lms3dTriangleCorner& vertex,
     double inverse, const Side& side);
 
@@ -70,7 +70,8 @@ private:
     Triangle(const lms3dBeamSphere& sphere, const lms3dTriangleCorner& vertex, const Side& side);
 
     lms3dTriangleRasterizer Beams;
-    /// The inverse range on the triangle, in a direction d, is d.Own times that of the vertex, plus d.Rest.
+    /// The inverse range on the triangle, in a direction d, is d.Own times that of the vertex, plus
+    /// d.Rest.
     lms3dVector Own;
     lms3dVector Rest;
   };

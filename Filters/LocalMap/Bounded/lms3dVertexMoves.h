@@ -17,8 +17,8 @@ class lms3dVertexMoves
 public:
   virtual ~lms3dVertexMoves() = default;
 
-  /// Whether the border of the surface from `last` over `middle` to `next`, with the surface to the left, may leave out
-  /// `middle`.
+  /// Whether the border of the surface from `last` over `middle` to `next`, with the surface to the
+  /// left, may leave out `middle`.
   virtual bool MayLeaveBorder(const lms3dVertexStars& stars, std::int32_t last, std::int32_t middle,
     std::int32_t next) const = 0;
 

@@ -13,8 +13,8 @@
 
 namespace
 {
-// The smallest height of a triangle as the sensor sees it, as a share of its longest edge. Triangles may be as flat as
-// those that they replace.
+// The smallest height of a triangle as the sensor sees it, as a share of its longest edge.
+// Triangles may be as flat as those that they replace.
 constexpr double MinimumHeight = 0.01;
 // The number of neighbours that a vertex tries to move to.
 constexpr std::size_t MaximumTargets = 6;
@@ -238,7 +238,8 @@ bool lms3dVertexRemover::AreLinked(std::int32_t from, std::int32_t to) const
       from, [&](std::int32_t, std::int32_t next, std::int32_t) { return count(next); });
 }
 
-// Moves the vertices that can. The others are not tried again until their stars change. Returns false if none moves.
+// Moves the vertices that can. The others are not tried again until their stars change. Returns
+// false if none moves.
 bool lms3dVertexRemover::Move(const std::vector<std::int32_t>& vertices)
 {
   this->Changed.clear();

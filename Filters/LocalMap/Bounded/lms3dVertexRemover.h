@@ -16,12 +16,12 @@
 #include <vector>
 
 /**
- * A vertex moves into a neighbour and vanishes if the rules (lms3dVertexMoves) allow it. A vertex on the border of the
- * surface moves along the border, and a vertex at an offset along the line of its patch. Other vertices stay where they
- * are.
+ * A vertex moves into a neighbour and vanishes if the rules (lms3dVertexMoves) allow it. A vertex
+ * on the border of the surface moves along the border, and a vertex at an offset along the line of
+ * its patch. Other vertices stay where they are.
  *
- * Vertices move in rounds, the cheapest first. The stars of one round have no vertex in common, so the threads divide
- * them, and the result does not depend on the number of threads.
+ * Vertices move in rounds, the cheapest first. The stars of one round have no vertex in common, so
+ * the threads divide them, and the result does not depend on the number of threads.
  */
 class lms3dVertexRemover
 {
@@ -29,7 +29,8 @@ public:
   /// Keeps references.
   lms3dVertexRemover(const lms3dVertexMoves& moves, lms3dVertexStars& stars);
 
-  /// Removes vertices until none can move. Returns false if none can. Uses the threads of the calling TBB arena.
+  /// Removes vertices until none can move. Returns false if none can. Uses the threads of the
+  /// calling TBB arena.
   bool Run();
 
 private:
@@ -61,8 +62,8 @@ private:
     bool IsStarChanged = true;
     /// Whether the vertex cannot leave its line.
     bool IsFixed = false;
-    /// Whether it could move to no neighbour. This holds until its star changes: its neighbours get only more
-    /// neighbours in common with it.
+    /// Whether it could move to no neighbour. This holds until its star changes: its neighbours get
+    /// only more neighbours in common with it.
     bool HasFailed = false;
   };
 

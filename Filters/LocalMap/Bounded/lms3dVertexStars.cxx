@@ -10,8 +10,8 @@
 
 namespace
 {
-// The weight of a vertex's own place in its quadric, as a share of the area around it. It decides where planes
-// leave the place open.
+// The weight of a vertex's own place in its quadric, as a share of the area around it. It decides
+// where planes leave the place open.
 constexpr double PointWeight = 1e-3;
 constexpr int CommonNeighbors = 2;
 } // namespace

@@ -17,8 +17,8 @@
 #include <cstdint>
 #include <vector>
 
-/// A mesh whose edges can collapse: both vertices become one, and the triangles at the edge vanish. The star of a
-/// vertex is the set of its triangles.
+/// A mesh whose edges can collapse: both vertices become one, and the triangles at the edge vanish.
+/// The star of a vertex is the set of its triangles.
 class lms3dVertexStars
 {
 public:
@@ -69,11 +69,12 @@ public:
 
   lms3dStarSides GetSides(std::int32_t vertex) const;
 
-  /// Finds the border at a vertex; inside of the surface, it is not open. Returns false if the triangles of the star
-  /// do not follow each other around the vertex, once.
+  /// Finds the border at a vertex; inside of the surface, it is not open. Returns false if the
+  /// triangles of the star do not follow each other around the vertex, once.
   bool FindBorder(std::int32_t vertex, Border& border) const;
 
-  /// Does the same with the border of the surface without strips. Where there is no strip, it is that of FindBorder().
+  /// Does the same with the border of the surface without strips. Where there is no strip, it is
+  /// that of FindBorder().
   bool FindBorderOfPatches(std::int32_t vertex, Border& border) const;
 
   /// Whether a triangle at the vertex joins two patches along an offset.
@@ -97,8 +98,8 @@ public:
   /// The vertices with an edge to a vertex, sorted.
   std::vector<std::int32_t> GetNeighbors(std::int32_t vertex) const;
 
-  /// Calls visit(triangle, next, last) for the triangles at a vertex. The other two corners follow the vertex
-  /// counter-clockwise. Stops when a visit returns false, and returns false then.
+  /// Calls visit(triangle, next, last) for the triangles at a vertex. The other two corners follow
+  /// the vertex counter-clockwise. Stops when a visit returns false, and returns false then.
   template <typename Visitor>
   bool ForEachTriangle(std::int32_t vertex, const Visitor& visit) const
   {
@@ -114,8 +115,8 @@ public:
     return true;
   }
 
-  /// Calls visit(next, last) for each triangle at `from` that stays when `from` moves into its neighbour `to`. Stops when
-  /// a visit returns false, and returns false then.
+  /// Calls visit(next, last) for each triangle at `from` that stays when `from` moves into its
+  /// neighbour `to`. Stops when a visit returns false, and returns false then.
   template <typename Visitor>
   bool ForEachSide(std::int32_t from, std::int32_t to, const Visitor& visit) const
   {
@@ -127,7 +128,8 @@ public:
   /// Moves the vertex `from` into `to` and removes the triangles at both. Changes nothing else.
   void Merge(std::int32_t from, std::int32_t to);
 
-  /// The same. If `to` is free, it gets a direction and an inverse range. The edges around it may collapse again.
+  /// The same. If `to` is free, it gets a direction and an inverse range. The edges around it may
+  /// collapse again.
   void Collapse(std::int32_t from, std::int32_t to, const lms3dVector& direction, double inverse);
 
   /// Marks an edge as rigid until the star of one of its ends changes.
@@ -142,7 +144,8 @@ private:
   void UpdateStar(std::int32_t vertex);
 
   std::vector<Vertex> Vertices;
-  /// By vertex. Apart, because most methods do not need them, and the rest shall fit into the cache.
+  /// By vertex. Apart, because most methods do not need them, and the rest shall fit into the
+  /// cache.
   std::vector<lms3dQuadric> Quadrics;
   std::vector<Triangle> Triangles;
 };

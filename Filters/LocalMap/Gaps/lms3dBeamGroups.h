@@ -29,9 +29,10 @@ public:
   Groups FindMissing(int maximumSize);
 
   /**
-   * The groups of at most `maximumSize` returns at one depth: the ranges of neighbours, diagonals included, differ by
-   * at most the depth step. Returns on both sides of a missing beam are neighbours as well, so that a thin thing stays
-   * one group. Groups with the return of a pole do not count. Uses the threads of the calling TBB arena.
+   * The groups of at most `maximumSize` returns at one depth: the ranges of neighbours, diagonals
+   * included, differ by at most the depth step. Returns on both sides of a missing beam are
+   * neighbours as well, so that a thin thing stays one group. Groups with the return of a pole do
+   * not count. Uses the threads of the calling TBB arena.
    */
   Groups FindAtOneDepth(int maximumSize, const lms3dDepthStep& step);
 

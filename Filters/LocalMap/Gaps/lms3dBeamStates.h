@@ -16,10 +16,11 @@
 #include <vector>
 
 /**
- * A place is a beam of the map's grid: turn * number of beams + beam. A pole has one place, in turn 0.
+ * A place is a beam of the map's grid: turn * number of beams + beam. A pole has one place, in turn
+ * 0.
  *
- * Turns of a closed scan go on in a circle. There are no neighbours across a seam between halves of fans that do
- * not continue each other (lms3dMapGeometry).
+ * Turns of a closed scan go on in a circle. There are no neighbours across a seam between halves of
+ * fans that do not continue each other (lms3dMapGeometry).
  */
 class lms3dBeamStates
 {
@@ -40,8 +41,8 @@ public:
   static constexpr int NoPlace = -1;
   static constexpr int NoBeam = -1;
 
-  /// Keeps references. `isFree` says for each BeamId of the scan whether there is nothing along the beam; it is
-  /// empty if that is not known. Uses the threads of the calling TBB arena.
+  /// Keeps references. `isFree` says for each BeamId of the scan whether there is nothing along the
+  /// beam; it is empty if that is not known. Uses the threads of the calling TBB arena.
   lms3dBeamStates(
     const lms3dRangeGrid& grid, const lms3dMapGeometry& geometry, const std::vector<bool>& isFree);
 
@@ -71,8 +72,8 @@ public:
   /// Whether the point at a range of a beam, metres, lies behind the axis.
   bool IsBeyondAxis(int place, double range) const;
 
-  /// The eight neighbours of a place that is not a pole, or NoPlace for each that does not exist. Those beside the
-  /// place in its fan or in its turn come first. A pole may occur several times.
+  /// The eight neighbours of a place that is not a pole, or NoPlace for each that does not exist.
+  /// Those beside the place in its fan or in its turn come first. A pole may occur several times.
   std::array<int, 8> GetNeighbors(int place) const;
 
 private:

@@ -52,7 +52,8 @@ double EstimateNoise(const lms3dBeamStates& states, int step)
   return lms3dGetNoiseOfResiduals(residuals);
 }
 
-// Whether the surface goes on from a place to its neighbour, one of the first four of GetNeighbors().
+// Whether the surface goes on from a place to its neighbour, one of the first four of
+// GetNeighbors().
 bool IsJoined(
   const lms3dBeamStates& states, const lms3dRangeJoins& joins, int place, std::size_t neighbor)
 {
@@ -93,8 +94,9 @@ bool IsJoined(
     });
 }
 
-// Whether the returns of a group lie off the plane, which meets their beams at `onPlane`, metres. A return behind the
-// plane shows that its beam has met no surface there. Only the returns beside it show that it is wrong.
+// Whether the returns of a group lie off the plane, which meets their beams at `onPlane`, metres. A
+// return behind the plane shows that its beam has met no surface there. Only the returns beside it
+// show that it is wrong.
 bool IsOff(const lms3dBeamStates& states, const lms3dSurroundings& surroundings,
   const std::vector<int>& group, const std::vector<double>& onPlane)
 {

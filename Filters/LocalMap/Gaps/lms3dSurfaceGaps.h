@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Finds the beams of a scan at which its surface goes on, although they have no return on it.
+ * @brief Finds the beams of a scan at which its surface goes on, although they have no return on
+ * it.
  */
 #ifndef lms3dSurfaceGaps_h
 #define lms3dSurfaceGaps_h
@@ -19,7 +20,8 @@
 
 struct lms3dGapSettings
 {
-  /// The largest group of beams without a return, and the largest speckle, that the surface goes on behind. 0 for none.
+  /// The largest group of beams without a return, and the largest speckle, that the surface goes on
+  /// behind. 0 for none.
   int MaximumGapSize = 0;
   int MaximumSpeckleSize = 0;
   /// Metres.
@@ -43,20 +45,21 @@ struct lms3dGapBeam
 };
 
 /**
- * A speckle is a group of neighbouring returns at one depth (lms3dBeamGroups) that lies off the plane of the returns
- * around it (lms3dSurroundings), and on no surface with any of them (lms3dRangeJoins). A gap is a group of neighbouring beams without a return. Both count if they are not
- * too large and if one plane explains the returns around them. The beams of a gap and of a speckle then get the
- * ranges of this plane.
+ * A speckle is a group of neighbouring returns at one depth (lms3dBeamGroups) that lies off the
+ * plane of the returns around it (lms3dSurroundings), and on no surface with any of them
+ * (lms3dRangeJoins). A gap is a group of neighbouring beams without a return. Both count if they
+ * are not too large and if one plane explains the returns around them. The beams of a gap and of a
+ * speckle then get the ranges of this plane.
  *
- * A plane explains a return within the share of the error bound that is left to patches, or within four standard
- * deviations of the noise.
+ * A plane explains a return within the share of the error bound that is left to patches, or within
+ * four standard deviations of the noise.
  */
 class lms3dSurfaceGaps
 {
 public:
-  /// `isFree` says for each BeamId of the scan whether there is nothing along the beam; it is empty if that is not
-  /// known. `joins` belong to the grid; without speckles, they are not used. Uses the threads of the calling TBB
-  /// arena.
+  /// `isFree` says for each BeamId of the scan whether there is nothing along the beam; it is empty
+  /// if that is not known. `joins` belong to the grid; without speckles, they are not used. Uses
+  /// the threads of the calling TBB arena.
   lms3dSurfaceGaps(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
     const lms3dMapGeometry& geometry, const lms3dGapSettings& settings,
     const std::vector<bool>& isFree);

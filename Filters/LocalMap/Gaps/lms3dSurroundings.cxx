@@ -12,8 +12,9 @@ namespace
 // The number of returns that determine a plane with some redundancy.
 constexpr std::size_t MinimumReturns = 5;
 constexpr std::size_t MaximumNeighbors = 8;
-// The share of the range that is added to a depth step (lms3dDepthStep), and the share of the depth step that a
-// plane explains: of returns on both sides of a step, some are farther from their plane.
+// The share of the range that is added to a depth step (lms3dDepthStep), and the share of the depth
+// step that a plane explains: of returns on both sides of a step, some are farther from their
+// plane.
 constexpr double RelativeStep = 0.02;
 constexpr double StepShare = 1.0 / 3.0;
 

@@ -14,12 +14,13 @@
 #include <vector>
 
 /**
- * The surroundings of a group are the returns next to its beams, diagonals included. If there are only a few, beams
- * without a return and speckles next to the group count as parts of it, so the surroundings are one beam farther
- * away.
+ * The surroundings of a group are the returns next to its beams, diagonals included. If there are
+ * only a few, beams without a return and speckles next to the group count as parts of it, so the
+ * surroundings are one beam farther away.
  *
- * Three of the returns must stand in an angle: two beside each other in a fan, two in a turn. Otherwise, two surfaces at
- * different depths can end at the group, one on each side: a plane passes through any two parallel lines of returns.
+ * Three of the returns must stand in an angle: two beside each other in a fan, two in a turn.
+ * Otherwise, two surfaces at different depths can end at the group, one on each side: a plane
+ * passes through any two parallel lines of returns.
  */
 class lms3dSurroundings
 {
@@ -33,14 +34,15 @@ public:
   }
 
   /**
-   * Returns the plane that explains all returns around a group. There is none if the group is at the edge of the
-   * scan or beside a beam along which there is nothing, if no three of the returns around it stand in an angle, or if
-   * these returns lie on no common plane. The
-   * tolerance is smaller if returns on both sides of a depth step would fit into it.
+   * Returns the plane that explains all returns around a group. There is none if the group is at
+   * the edge of the scan or beside a beam along which there is nothing, if no three of the returns
+   * around it stand in an angle, or if these returns lie on no common plane. The tolerance is
+   * smaller if returns on both sides of a depth step would fit into it.
    */
   std::optional<lms3dPlane> FitPlane(const std::vector<int>& group) const;
 
-  /// Whether the returns next to a group are enough, so that the surroundings are not one beam farther away.
+  /// Whether the returns next to a group are enough, so that the surroundings are not one beam
+  /// farther away.
   bool HasEnoughReturns(const std::vector<int>& group) const;
 
   /// The range at which a beam meets a plane, metres; not above 0 if it does not meet the plane.

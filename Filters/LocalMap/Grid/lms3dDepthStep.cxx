@@ -11,11 +11,13 @@
 namespace
 {
 constexpr double MaximumStep = 180.0;
-// Real surfaces bend by this distance from a plane, metres: at most, as a share of the depth step, and at least.
+// Real surfaces bend by this distance from a plane, metres: at most, as a share of the depth step,
+// and at least.
 constexpr double MaximumFlatness = 0.02;
 constexpr double FlatnessOfStep = 0.2;
 constexpr double MinimumFlatness = 0.001;
-// The largest gap, in depth steps, that is not separated where neither plane meets the other return.
+// The largest gap, in depth steps, that is not separated where neither plane meets the other
+// return.
 constexpr double LargestGap = 1.8;
 // A crease is small if a gap beside it has at most this number of depth steps.
 constexpr double SmallGap = 2.0;
@@ -95,8 +97,9 @@ bool lms3dDepthStep::IsStraight(const Plane& plane) const
     this->Flatness * plane.Inverse * expected + Deviations * std::sqrt(plane.VarianceOfBend);
 }
 
-// The plane that fits three returns best, if they are straight. The fit moves them in the ratio 1 : -2 : 1,
-// which takes two thirds of the bend from the continuation. (For small angles between beams.)
+// The plane that fits three returns best, if they are straight. The fit moves them in the ratio 1 :
+// -2 : 1, which takes two thirds of the bend from the continuation. (For small angles between
+// beams.)
 lms3dDepthStep::Plane lms3dDepthStep::Fit(const Plane& plane) const
 {
   Plane fit = plane;
@@ -132,8 +135,8 @@ lms3dDepthStep::Relation lms3dDepthStep::Classify(const Side& a, const Side& b) 
     : Separate;
 }
 
-// Along a fan, a gentle slope behind a curve is the same surface. (Along turns, the side of a hill can
-// end there in front of another hill.)
+// Along a fan, a gentle slope behind a curve is the same surface. (Along turns, the side of a hill
+// can end there in front of another hill.)
 lms3dDepthStep::Relation lms3dDepthStep::ClassifyInFan(const double* at) const
 {
   if (!this->AreReturns(at[0], at[1]))

@@ -14,32 +14,35 @@
 #include <cstdint>
 
 /**
- * Ranges are metres; 0 is a beam without a return. Two neighbours lie on one surface if both returned
- * and their ranges differ by at most the depth step. If they differ by more, the planes on both sides
- * decide. The last three returns before the pair give each plane. It meets the other beam before the
- * return there, behind it, or at it. At the return means within 2 cm (or a fifth of the depth step) and 4.5
- * standard deviations of the noise, so a floor at a grazing angle stays whole, however far apart its returns are.
+ * Ranges are metres; 0 is a beam without a return. Two neighbours lie on one surface if both
+ * returned and their ranges differ by at most the depth step. If they differ by more, the planes on
+ * both sides decide. The last three returns before the pair give each plane. It meets the other
+ * beam before the return there, behind it, or at it. At the return means within 2 cm (or a fifth of
+ * the depth step) and 4.5 standard deviations of the noise, so a floor at a grazing angle stays
+ * whole, however far apart its returns are.
  *
- * - If one plane meets the other beam before its return, and the other plane behind, the planes do not
- *   intersect between the beams. The returns are Separate. (If both gaps are small, below 1.8 depth
- *   steps, and one is within the tolerance, no larger step fits in between: they are Joined. If the slope
- *   from one return to the other is gentle (lms3dSlopeLimits), they are Joined as well where both planes
- *   are steeper, or where both sides are curved and one gap is within the tolerance.)
+ * - If one plane meets the other beam before its return, and the other plane behind, the planes do
+ *   not intersect between the beams. The returns are Separate. (If both gaps are small, below 1.8
+ *   depth steps, and one is within the tolerance, no larger step fits in between: they are Joined.
+ *   If the slope from one return to the other is gentle (lms3dSlopeLimits), they are Joined as well
+ *   where both planes are steeper, or where both sides are curved and one gap is within the
+ *   tolerance.)
  * - If both planes meet the other beam at its return, they are Joined.
- * - Otherwise the planes intersect between the beams, as floor and wall do at the crease of a room. The
- *   side of an object can intersect the wall far behind it in the same way. Therefore a third return
- *   must confirm a plane: at a concave crease the near one, at a convex crease the far one. Then the
- *   returns are Likely on one surface or a Crease, otherwise Uncertain. In a fine scan, a slope that is
- *   steep and that only two returns show is Separate. One that is gentle is Likely if a plane meets a
- *   return, or, along a fan, if the near side is curved.
+ * - Otherwise the planes intersect between the beams, as floor and wall do at the crease of a room.
+ *   The side of an object can intersect the wall far behind it in the same way. Therefore a third
+ *   return must confirm a plane: at a concave crease the near one, at a convex crease the far one.
+ *   Then the returns are Likely on one surface or a Crease, otherwise Uncertain. In a fine scan, a
+ *   slope that is steep and that only two returns show is Separate. One that is gentle is Likely if
+ *   a plane meets a return, or, along a fan, if the near side is curved.
  *
- * Within the tolerance, returns are Joined unless they are Separate. The tolerance is the depth step
- * plus a share of the nearer range: 2 % or, if neighbours are farther apart, the angle between them in
- * radians, so that a coarse scan also joins surfaces inclined by 45 degrees.
+ * Within the tolerance, returns are Joined unless they are Separate. The tolerance is the depth
+ * step plus a share of the nearer range: 2 % or, if neighbours are farther apart, the angle between
+ * them in radians, so that a coarse scan also joins surfaces inclined by 45 degrees.
  *
- * On a plane, three consecutive inverse ranges w along a fan satisfy w[i-1] + w[i+1] = 2 cos(step) w[i].
- * Along a turn at elevation e, the plane's tilt is added: 2 (1 - cos(step)) sin(e) h, where h is the
- * inverse range upwards along the platform's axis. Without a return before, the range stays constant.
+ * On a plane, three consecutive inverse ranges w along a fan satisfy w[i-1] + w[i+1] = 2 cos(step)
+ * w[i]. Along a turn at elevation e, the plane's tilt is added: 2 (1 - cos(step)) sin(e) h, where h
+ * is the inverse range upwards along the platform's axis. Without a return before, the range stays
+ * constant.
  *
  * No surface lies between beams that are 180 degrees apart or more.
  */
@@ -49,8 +52,8 @@ public:
   /// The number of standard deviations of the noise that a gap must exceed.
   static constexpr double Deviations = 4.5;
 
-  /// `depthStep` is metres, at least 0. `degrees` is the angle between neighbours, along the fan or along
-  /// the turns, of either sign. `noise` is the standard deviation of ranges, metres.
+  /// `depthStep` is metres, at least 0. `degrees` is the angle between neighbours, along the fan or
+  /// along the turns, of either sign. `noise` is the standard deviation of ranges, metres.
   lms3dDepthStep(double depthStep, double degrees, double noise = 0.0);
 
   enum Relation
@@ -115,7 +118,8 @@ public:
     return this->AreReturns(a, b) && std::abs(a - b) <= this->Absolute;
   }
 
-  /// Sets a flag, one or more bits, for each of `count` pairs of neighbours a[i] and b[i] that AreNear().
+  /// Sets a flag, one or more bits, for each of `count` pairs of neighbours a[i] and b[i] that
+  /// AreNear().
   void FlagNear(
     const double* a, const double* b, int count, std::uint8_t flag, std::uint8_t* flags) const;
 
@@ -199,8 +203,8 @@ private:
 
   bool AreReturns(double a, double b) const { return this->AreNeighbors && a > 0.0 && b > 0.0; }
 
-  /// Whether both planes meet the other return, without noise. This is faster than Classify(), which finds
-  /// the same.
+  /// Whether both planes meet the other return, without noise. This is faster than Classify(),
+  /// which finds the same.
   bool AreCoplanar(const double* at) const
   {
     return this->Variance < NegligibleVariance && this->AreReturns(at[0], at[1]) && at[-1] > 0.0 &&

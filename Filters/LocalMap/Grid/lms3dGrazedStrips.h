@@ -14,29 +14,30 @@
 #include <cstdint>
 
 /**
- * Beams nearly at the height of a table meet its top far apart, so each fan has two or three returns on it.
- * That is too few for lms3dDepthStep. But the same beams of the turns beside it meet the top, too. Their
- * returns form two strips, one for each beam of the pair. Both strips lie on one surface if
+ * Beams nearly at the height of a table meet its top far apart, so each fan has two or three
+ * returns on it. That is too few for lms3dDepthStep. But the same beams of the turns beside it meet
+ * the top, too. Their returns form two strips, one for each beam of the pair. Both strips lie on
+ * one surface if
  *
  * - beams of a fan are at most two degrees apart,
  * - each is joined along its turns, over at least five turns (up to 15 on either side are used),
- * - one plane fits both within 2 % of the depth step and 4.5 standard deviations of the noise, and also the
- *   return before or behind the pair in the fan,
- * - one upright plane for each strip, as of walls on both sides of a depth step, fits worse. The sum of the
- *   squared residuals is larger by more than 4.5 standard deviations squared, where a standard deviation is
- *   that of the noise plus 1 % of the depth step, and
+ * - one plane fits both within 2 % of the depth step and 4.5 standard deviations of the noise, and
+ *   also the return before or behind the pair in the fan,
+ * - one upright plane for each strip, as of walls on both sides of a depth step, fits worse. The
+ *   sum of the squared residuals is larger by more than 4.5 standard deviations squared, where a
+ *   standard deviation is that of the noise plus 1 % of the depth step, and
  * - neither strip continues on another plane, which it and two returns beyond it show.
  *
- * On a plane, the inverse range is a linear function of the beam's direction. Strips at the horizon say
- * nothing, as every plane looks upright there.
+ * On a plane, the inverse range is a linear function of the beam's direction. Strips at the horizon
+ * say nothing, as every plane looks upright there.
  */
 class lms3dGrazedStrips
 {
 public:
   using Flags = lms3dPaddedGrid<std::uint8_t>;
 
-  /// Keeps references. `joins` are the certain joins, whose halo is not read. `depthStep` and `noise`, the
-  /// standard deviation of ranges, are metres.
+  /// Keeps references. `joins` are the certain joins, whose halo is not read. `depthStep` and
+  /// `noise`, the standard deviation of ranges, are metres.
   lms3dGrazedStrips(const lms3dRangeGrid& grid, const Flags& joins, double depthStep, double noise);
 
   /// Whether a return and that of the next beam lie on one plane. Both have returned.
@@ -52,8 +53,8 @@ private:
     int Behind;
   };
 
-  /// The inverse range is X times the cosine of the angle turned since the pair, plus Y times its sine, plus
-  /// Up, where the elevation's cosine is a factor of X and Y and its sine one of Up.
+  /// The inverse range is X times the cosine of the angle turned since the pair, plus Y times its
+  /// sine, plus Up, where the elevation's cosine is a factor of X and Y and its sine one of Up.
   struct Plane
   {
     double X = 0.0;

@@ -79,7 +79,8 @@ struct VertexArrays
   double* Ranges;
 };
 
-// By several threads, unlike lms3dFillOffsets: the plain grid has up to two triangles for each beam.
+// By several threads, unlike lms3dFillOffsets: the plain grid has up to two triangles for each
+// beam.
 void FillOffsets(int triangles, std::int32_t* offsets)
 {
   tbb::parallel_for(tbb::blocked_range<int>(0, triangles + 1, MinimumTrianglesPerTask),

@@ -17,16 +17,16 @@ class lms3dMapScan;
 class vtkCellArray;
 class vtkPolyData;
 
-/// Fills maps in which every return is a vertex. Reuses the memory of earlier maps. Uses the threads of
-/// the calling TBB arena.
+/// Fills maps in which every return is a vertex. Reuses the memory of earlier maps. Uses the
+/// threads of the calling TBB arena.
 class lms3dGridMap
 {
 public:
   /**
-   * Fills an empty map with points in world coordinates, `Range` and normals, and with the triangles that
-   * the joins allow. If `progress` returns false, the map stays empty. `grid` and `joins` must be made
-   * of the scan. Throws std::runtime_error, with a message for the user, if there are too many triangles
-   * for 32-bit cells.
+   * Fills an empty map with points in world coordinates, `Range` and normals, and with the
+   * triangles that the joins allow. If `progress` returns false, the map stays empty. `grid` and
+   * `joins` must be made of the scan. Throws std::runtime_error, with a message for the user, if
+   * there are too many triangles for 32-bit cells.
    */
   void Fill(const lms3dMapScan& scan, const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
     const lms3dProgress& progress, vtkPolyData* map);

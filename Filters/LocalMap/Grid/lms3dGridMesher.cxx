@@ -19,9 +19,9 @@ constexpr int CountBits(unsigned bits)
   return (bits & 1) + (bits >> 1 & 1) + (bits >> 2 & 1) + (bits >> 3 & 1);
 }
 
-// Returns the triangles of a cell. Bit i of `sides` is set if corner i is joined with the next. A diagonal
-// gives the triangles of the two corners beside it. The diagonal of more triangles wins, then the
-// shorter.
+// Returns the triangles of a cell. Bit i of `sides` is set if corner i is joined with the next. A
+// diagonal gives the triangles of the two corners beside it. The diagonal of more triangles wins,
+// then the shorter.
 constexpr std::uint8_t SelectTrianglesOfCell(unsigned sides, bool isEvenDiagonalShorter)
 {
   const unsigned sidesBefore = (sides << 1 | sides >> 3) & 0b1111;
@@ -84,7 +84,8 @@ void FindSides(const lms3dRangeJoins& joins, int turn, int cells, std::uint8_t* 
   }
 }
 
-// The triangle of a cell at a pole has three sides along the grid; removes all if one is not joined.
+// The triangle of a cell at a pole has three sides along the grid; removes all if one is not
+// joined.
 void ClearIncompletePoleCells(const std::vector<int>& poles, int cells, std::uint8_t* sides)
 {
   constexpr std::uint8_t AfterPole = 0b1110;

@@ -42,7 +42,8 @@ public:
   int GetFirstBeam() const { return this->FirstCell + 1; }
   int GetEndBeam() const { return this->FirstCell + this->Cells; }
 
-  /// Moves to a turn. The first call takes the turn before the first one needed, each other call the next.
+  /// Moves to a turn. The first call takes the turn before the first one needed, each other call
+  /// the next.
   void MoveTo(int turn)
   {
     const std::uint8_t* cells = this->Mesher.GetCells(turn) + this->FirstCell;

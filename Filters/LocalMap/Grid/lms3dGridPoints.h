@@ -11,8 +11,8 @@
 
 #include <array>
 
-/// One padded grid for each coordinate, metres, so that compilers vectorize loops over a turn. The caller
-/// chooses the frame. Coordinates are 0 without a return.
+/// One padded grid for each coordinate, metres, so that compilers vectorize loops over a turn. The
+/// caller chooses the frame. Coordinates are 0 without a return.
 class lms3dGridPoints
 {
 public:

@@ -96,8 +96,8 @@ std::array<lms3dDepthStep::Side, 2> lms3dJoinResolver::GetSides(
   return { classifier.GetSideBefore(join.Beam), classifier.GetSideBehind(join.Beam) };
 }
 
-// Joins all uncertain neighbours first, then separates those beside a gap, one after the other. Any order
-// gives the same result; alternating directions are fast for long rows.
+// Joins all uncertain neighbours first, then separates those beside a gap, one after the other. Any
+// order gives the same result; alternating directions are fast for long rows.
 void lms3dJoinResolver::JoinWhole(std::vector<lms3dUncertainJoin> uncertain)
 {
   for (const lms3dUncertainJoin& join : uncertain)
@@ -115,8 +115,8 @@ void lms3dJoinResolver::JoinWhole(std::vector<lms3dUncertainJoin> uncertain)
   } while (uncertain.size() < count);
 }
 
-// A step goes on beside a pair that it separates. The pairs are judged before any is separated, so their
-// order does not count.
+// A step goes on beside a pair that it separates. The pairs are judged before any is separated, so
+// their order does not count.
 void lms3dJoinResolver::SeparateBesideSteps(
   const std::vector<lms3dUncertainJoin>& joins, double depthStep)
 {

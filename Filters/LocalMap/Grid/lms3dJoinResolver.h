@@ -35,14 +35,14 @@ struct lms3dUncertainJoin
 };
 
 /**
- * An uncertain pair has pairs of the same two surfaces beside it: along a fan in the turns before and
- * behind, along a turn at the beams beside. If noise makes a pair uncertain, the mean over up to two
- * such pairs on each side is classified (lms3dDepthStep), as far as their returns are joined with the
- * pair.
+ * An uncertain pair has pairs of the same two surfaces beside it: along a fan in the turns before
+ * and behind, along a turn at the beams beside. If noise makes a pair uncertain, the mean over up
+ * to two such pairs on each side is classified (lms3dDepthStep), as far as their returns are joined
+ * with the pair.
  *
- * Neighbours that are still uncertain are joined if the surface is whole around them: the three other
- * sides of both adjacent cells are joined. So the silhouette of an object, which ends at a certain
- * depth step, is not joined.
+ * Neighbours that are still uncertain are joined if the surface is whole around them: the three
+ * other sides of both adjacent cells are joined. So the silhouette of an object, which ends at a
+ * certain depth step, is not joined.
  */
 class lms3dJoinResolver
 {

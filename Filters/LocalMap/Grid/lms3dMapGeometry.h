@@ -22,27 +22,27 @@ struct lms3dMapRay
 };
 
 /**
- * The map's frame has the axes F(0), S(0) and A of the platform (lms3dPlatform.h) as x, y and z. Its origin
- * is the point of the axis at the height of the mirror's centre. In this frame, the grid of the map is that
- * of the mounting Yawing: rows are elevations, and columns are platform angles.
+ * The map's frame has the axes F(0), S(0) and A of the platform (lms3dPlatform.h) as x, y and z.
+ * Its origin is the point of the axis at the height of the mirror's centre. In this frame, the grid
+ * of the map is that of the mounting Yawing: rows are elevations, and columns are platform angles.
  *
  * If the middle of the fan lies on the axis, each half of the fan becomes a turn of its own, whose
- * elevations end at the pole: beams at alpha > 0 belong to the turn beta, and beams at alpha < 0 to the turn
- * beta + 180. A beam at alpha 0 is the pole. Turns at 180 degrees or more from the first one repeat
- * directions and have no place in the grid. Between the turns of both sides, the grid gets turns without
- * returns where turns are missing.
+ * elevations end at the pole: beams at alpha > 0 belong to the turn beta, and beams at alpha < 0 to
+ * the turn beta + 180. A beam at alpha 0 is the pole. Turns at 180 degrees or more from the first
+ * one repeat directions and have no place in the grid. Between the turns of both sides, the grid
+ * gets turns without returns where turns are missing.
  *
- * Beams are regular if all start at the origin, at the elevation of their row and the angle of their
- * column. They are not if the mirror's centre lies beside the axis, if the platform turns during a fan, or
- * if the two halves of a fan along the axis have different elevations.
+ * Beams are regular if all start at the origin, at the elevation of their row and the angle of
+ * their column. They are not if the mirror's centre lies beside the axis, if the platform turns
+ * during a fan, or if the two halves of a fan along the axis have different elevations.
  */
 class lms3dMapGeometry
 {
 public:
   static constexpr int NoBeam = -1;
 
-  /// Throws std::runtime_error, with a text for the user, if the angles of a fan along the axis are not
-  /// strictly monotonic, or if the grid would be too large.
+  /// Throws std::runtime_error, with a text for the user, if the angles of a fan along the axis are
+  /// not strictly monotonic, or if the grid would be too large.
   explicit lms3dMapGeometry(const lms3dScanGeometry& scanned);
 
   /// The grid of the scan.
@@ -62,30 +62,31 @@ public:
   /// The height of the mirror's centre along the axis, metres.
   double GetHeight() const { return this->Height; }
 
-  /// The BeamId in the grid of the map, or NoBeam if the beam's turn repeats another. `beamId` must lie in
-  /// the grid of the scan.
+  /// The BeamId in the grid of the map, or NoBeam if the beam's turn repeats another. `beamId` must
+  /// lie in the grid of the scan.
   int GetBeamId(int beamId) const;
 
-  /// Whether the point at a range of a beam, metres, lies behind the axis, where the beams of other turns
-  /// measure as well. Beams pass the axis if the mirror's centre lies behind it.
+  /// Whether the point at a range of a beam, metres, lies behind the axis, where the beams of other
+  /// turns measure as well. Beams pass the axis if the mirror's centre lies behind it.
   bool IsBeyondAxis(int turn, int beam, double range) const;
 
   /// Any beam of the map's grid, and beams that no turn has measured.
   lms3dMapRay GetRay(int turn, int beam) const;
 
-  /// How far the platform has turned when each beam of a turn leaves, in steps from turn to turn. Null if
-  /// it stands still.
+  /// How far the platform has turned when each beam of a turn leaves, in steps from turn to turn.
+  /// Null if it stands still.
   const double* GetTurnedSteps(int turn) const;
 
-  /// The first turn of the second half if the halves of the fans do not continue each other, because the
-  /// mirror lies beside the plane of its fan's halves; otherwise 0.
+  /// The first turn of the second half if the halves of the fans do not continue each other,
+  /// because the mirror lies beside the plane of its fan's halves; otherwise 0.
   int GetSeam() const
   {
     return this->IsUnfolded && this->Grid.GetPlatform().AxisOffset[1] != 0.0 ? this->TurnsOfHalf
                                                                              : 0;
   }
 
-  /// In a fan, beams that many apart leave in the same turn of the mirror. 1 if the platform stands still.
+  /// In a fan, beams that many apart leave in the same turn of the mirror. 1 if the platform stands
+  /// still.
   int GetInterlacedBeams() const;
 
 private:

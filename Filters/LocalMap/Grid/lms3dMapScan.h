@@ -21,8 +21,8 @@ class lms3dMapScan
 {
 public:
   /// Keeps references. The scan must have returns and the grid of `geometry.GetScanned()`. Throws
-  /// std::runtime_error, with a text for the user, if a return is bad and its beam has another place in
-  /// the grid of the map.
+  /// std::runtime_error, with a text for the user, if a return is bad and its beam has another
+  /// place in the grid of the map.
   lms3dMapScan(const lms3dScanInput& scan, const lms3dMapGeometry& geometry);
 
   const lms3dMapGeometry& GetGeometry() const { return this->Geometry; }
@@ -36,7 +36,8 @@ public:
   /// Metres along the beam.
   const double* GetRanges() const { return this->Ranges; }
 
-  /// Turn * beams + beam in the grid of the map. The values are not checked if the scan's grid is shared.
+  /// Turn * beams + beam in the grid of the map. The values are not checked if the scan's grid is
+  /// shared.
   const int* GetBeamIds() const { return this->BeamIds; }
 
   /// World coordinates, metres, three for each return.

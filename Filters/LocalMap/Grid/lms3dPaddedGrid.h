@@ -12,9 +12,9 @@
 #include <vector>
 
 /**
- * Holds one value for each beam of each turn. The halo around the grid lets loops read the neighbours of
- * each beam without bounds checks: turns -2 to the number of turns + 2, and beams -2 to the number of
- * beams + 1 can be read.
+ * Holds one value for each beam of each turn. The halo around the grid lets loops read the
+ * neighbours of each beam without bounds checks: turns -2 to the number of turns + 2, and beams -2
+ * to the number of beams + 1 can be read.
  */
 template <typename T>
 class lms3dPaddedGrid
@@ -51,8 +51,8 @@ public:
   int GetEndOfTurns() const { return this->Turns + HaloTurnsAfter; }
   ///@}
 
-  /// Fills the turns of the halo, after all turns of the grid are filled. If the grid is closed, they
-  /// repeat the turns at its other end.
+  /// Fills the turns of the halo, after all turns of the grid are filled. If the grid is closed,
+  /// they repeat the turns at its other end.
   void FillHalo(bool isClosed)
   {
     for (int distance = 1; distance <= HaloTurnsBefore; ++distance)

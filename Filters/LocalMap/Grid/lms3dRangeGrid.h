@@ -27,13 +27,13 @@ struct lms3dFilledBeam
  * Each beam of each turn has a range, metres, 0 without a return, and a vertex number. Vertices are
  * numbered by turn, then by beam.
  *
- * A pole is a beam along the platform's axis; it is the same in every turn. All its entries share one
- * vertex: the return of median range.
+ * A pole is a beam along the platform's axis; it is the same in every turn. All its entries share
+ * one vertex: the return of median range.
  *
- * A halo surrounds the grid (lms3dPaddedGrid). If the turns close a full circle, the halo repeats them,
- * and beyond a pole a fan continues in the opposite turn. (An odd number of turns has no opposite turn;
- * the nearer return of the two turns beside it is used, whose planes extend farther.) Elsewhere the halo
- * has no returns. It never has vertices.
+ * A halo surrounds the grid (lms3dPaddedGrid). If the turns close a full circle, the halo repeats
+ * them, and beyond a pole a fan continues in the opposite turn. (An odd number of turns has no
+ * opposite turn; the nearer return of the two turns beside it is used, whose planes extend
+ * farther.) Elsewhere the halo has no returns. It never has vertices.
  */
 class lms3dRangeGrid
 {
@@ -41,18 +41,18 @@ public:
   static constexpr std::int32_t NoVertex = -1;
 
   /**
-   * Replaces the content by a scan and reuses the memory. `ranges`, metres, and `beamIds` (turn times
-   * number of beams plus beam) belong to `count` returns, in any order. Keeps a reference to the
-   * geometry. Uses the threads of the calling TBB arena.
+   * Replaces the content by a scan and reuses the memory. `ranges`, metres, and `beamIds` (turn
+   * times number of beams plus beam) belong to `count` returns, in any order. Keeps a reference to
+   * the geometry. Uses the threads of the calling TBB arena.
    *
-   * Throws std::runtime_error, with a message for the user, if a range is not a finite number above 0,
-   * or if a beam is outside of the grid or has two returns.
+   * Throws std::runtime_error, with a message for the user, if a range is not a finite number above
+   * 0, or if a beam is outside of the grid or has two returns.
    */
   void Build(const lms3dScanGeometry& geometry, const double* ranges, const int* beamIds,
     std::int64_t count);
 
-  /// Gives beams a range and takes their vertices away. None of them may be a pole. The numbers of vertices
-  /// and returns do not change.
+  /// Gives beams a range and takes their vertices away. None of them may be a pole. The numbers of
+  /// vertices and returns do not change.
   void Fill(const std::vector<lms3dFilledBeam>& beams);
 
   const lms3dScanGeometry& GetGeometry() const { return *this->Geometry; }

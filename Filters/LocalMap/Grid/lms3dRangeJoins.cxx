@@ -18,7 +18,8 @@
 
 namespace
 {
-// The largest noise that counts, in depth steps. If all returns deviate by more than a depth step, all are apart.
+// The largest noise that counts, in depth steps. If all returns deviate by more than a depth step,
+// all are apart.
 constexpr double MaximumNoise = 0.5;
 
 double GetNoise(const lms3dRangeGrid& grid, int interlaced, double depthStep)
@@ -214,7 +215,8 @@ void lms3dRangeJoins::Separate(const lms3dRangeGrid& grid, int turn, int beam)
   }
 }
 
-// The flags are written after all means are classified, so that the order of the turns does not count.
+// The flags are written after all means are classified, so that the order of the turns does not
+// count.
 void lms3dRangeJoins::ResolveMeans(
   const lms3dRangeGrid& grid, const lms3dJoinResolver::Classifiers& classifiers)
 {

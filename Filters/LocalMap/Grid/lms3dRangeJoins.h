@@ -17,15 +17,15 @@
 class lms3dGrazedStrips;
 
 /**
- * Holds two flags for each beam of each turn, set if the beam lies on one surface with the next beam or
- * with the next turn (lms3dDepthStep). If that is uncertain, lms3dJoinResolver looks at the surface
- * around. lms3dGrazedStrips joins surfaces that beams graze. The noise is estimated from the scan itself
- * (lms3dScanNoise.h).
+ * Holds two flags for each beam of each turn, set if the beam lies on one surface with the next
+ * beam or with the next turn (lms3dDepthStep). If that is uncertain, lms3dJoinResolver looks at the
+ * surface around. lms3dGrazedStrips joins surfaces that beams graze. The noise is estimated from
+ * the scan itself (lms3dScanNoise.h).
  *
- * The entries of a pole are one vertex and not joined from turn to turn. Ranges count from where the beams
- * start. If the platform turns during a fan, neighbours in the fan are compared at one platform angle
- * (lms3dSteadyFans). Returns beyond the axis (lms3dMapGeometry) are not joined with any other. The halo of the grid can be read
- * as well (lms3dPaddedGrid).
+ * The entries of a pole are one vertex and not joined from turn to turn. Ranges count from where
+ * the beams start. If the platform turns during a fan, neighbours in the fan are compared at one
+ * platform angle (lms3dSteadyFans). Returns beyond the axis (lms3dMapGeometry) are not joined with
+ * any other. The halo of the grid can be read as well (lms3dPaddedGrid).
  */
 class lms3dRangeJoins
 {

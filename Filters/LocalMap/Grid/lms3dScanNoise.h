@@ -10,13 +10,14 @@
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 
 /**
- * Returns the standard deviation of ranges, metres, from the second differences of inverse ranges along
- * fans, as lms3dEstimateNoise does. A tenth of the differences (a quarter of a few) must be as small as
- * noise makes them, so rough ground and small objects do not count as noise. Twice the standard error
- * of the estimate is added. A few thousand beams are sampled. Returns 0 if there are no neighbours.
+ * Returns the standard deviation of ranges, metres, from the second differences of inverse ranges
+ * along fans, as lms3dEstimateNoise does. A tenth of the differences (a quarter of a few) must be
+ * as small as noise makes them, so rough ground and small objects do not count as noise. Twice the
+ * standard error of the estimate is added. A few thousand beams are sampled. Returns 0 if there are
+ * no neighbours.
  *
- * Beams that are `interlaced` beams apart were measured in the same turn of the mirror. Only they are
- * compared, so that a turning platform does not count as noise.
+ * Beams that are `interlaced` beams apart were measured in the same turn of the mirror. Only they
+ * are compared, so that a turning platform does not count as noise.
  */
 double lms3dEstimateScanNoise(const lms3dRangeGrid& grid, int interlaced);
 

@@ -8,14 +8,16 @@
 #define lms3dSlopeLimits_h
 
 /**
- * A slope is the tangent of incidence of the line through both returns. The limits come from scans of a
- * furnished room, a castle and hills, whose true depth steps are known: of the pairs that a limit joins
- * or separates, nearly all are right. A scan is fine if neighbours are at most 1.15 degrees apart.
+ * A slope is the tangent of incidence of the line through both returns. The limits come from scans
+ * of a furnished room, a castle and hills, whose true depth steps are known: of the pairs that a
+ * limit joins or separates, nearly all are right. A scan is fine if neighbours are at most 1.15
+ * degrees apart.
  */
 namespace lms3dSlopeLimits
 {
 ///@{
-/// The steepest slopes that two returns alone can show in a fine scan. Steeper ones are depth steps.
+/// The steepest slopes that two returns alone can show in a fine scan. Steeper ones are depth
+/// steps.
 constexpr double SteepestToPlane = 18.0;
 constexpr double SteepestFromPlane = 12.0;
 constexpr double SteepestSmallCorner = 12.0;
@@ -25,8 +27,8 @@ constexpr double SteepestEdge = 5.0;
 ///@}
 
 ///@{
-/// Slopes at least this gentle in a fine scan show one surface: between planes that overlap, and from a
-/// plane to a return that it meets.
+/// Slopes at least this gentle in a fine scan show one surface: between planes that overlap, and
+/// from a plane to a return that it meets.
 constexpr double GentleOverlap = 2.0;
 constexpr double GentleToPlane = 3.0;
 ///@}

@@ -14,10 +14,10 @@
 #include <cstdint>
 
 /**
- * While the platform turns, the beams of a fan leave at various platform angles, and interlaced neighbours
- * at angles that are far apart. So a fan does not lie in a plane, and its ranges on a wall form a comb. This
- * class interpolates each beam's inverse range between two turns to the angle at which its fan started. On a
- * plane, the inverse range along a turn is nearly linear.
+ * While the platform turns, the beams of a fan leave at various platform angles, and interlaced
+ * neighbours at angles that are far apart. So a fan does not lie in a plane, and its ranges on a
+ * wall form a comb. This class interpolates each beam's inverse range between two turns to the
+ * angle at which its fan started. On a plane, the inverse range along a turn is nearly linear.
  */
 class lms3dSteadyFans
 {
@@ -31,8 +31,8 @@ public:
   {
   }
 
-  /// Fills the ranges of a turn, metres, 0 without a return, from beam -2 to two beams behind the last. If
-  /// the two turns are not on one surface, the range stays as it is.
+  /// Fills the ranges of a turn, metres, 0 without a return, from beam -2 to two beams behind the
+  /// last. If the two turns are not on one surface, the range stays as it is.
   void Fill(int turn, double* ranges) const;
 
 private:

@@ -18,9 +18,9 @@ lms3dTiltFinder::lms3dTiltFinder(
   }
 }
 
-// Takes the neighbour towards the horizon. If that lies on another wall of a convex room, the plane through
-// it continues behind the true one, so the room stays closed. With the angle s to the neighbour,
-// h = sin(e) w + cos(e) (w' - cos(s) w) / sin(s).
+// Takes the neighbour towards the horizon. If that lies on another wall of a convex room, the plane
+// through it continues behind the true one, so the room stays closed. With the angle s to the
+// neighbour, h = sin(e) w + cos(e) (w' - cos(s) w) / sin(s).
 lms3dTiltFinder::TiltWeights lms3dTiltFinder::GetWeights(
   const lms3dScanGeometry& geometry, int beam, double scale)
 {

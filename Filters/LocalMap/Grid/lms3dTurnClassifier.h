@@ -17,8 +17,9 @@
 #include <vector>
 
 /**
- * Finds the tilt of planes along turns, 1/metre, which lms3dDepthStep needs at elevations other than 0.
- * The plane passes through a return, a return beside it in the fan, and a return in the next turn.
+ * Finds the tilt of planes along turns, 1/metre, which lms3dDepthStep needs at elevations other
+ * than 0. The plane passes through a return, a return beside it in the fan, and a return in the
+ * next turn.
  */
 class lms3dTiltFinder
 {
@@ -28,13 +29,13 @@ public:
   lms3dTiltFinder(
     const lms3dScanGeometry& geometry, const lms3dDepthStep& fanStep, bool areFansSteady);
 
-  /// Takes the neighbours in a fan that lie on one surface from flags, which is faster: not 0 for each
-  /// beam that lies on one surface with the next. Keeps a reference.
+  /// Takes the neighbours in a fan that lie on one surface from flags, which is faster: not 0 for
+  /// each beam that lies on one surface with the next. Keeps a reference.
   void SetFans(const lms3dPaddedGrid<std::uint8_t>& fans) { this->Fans = &fans; }
 
-  /// The tilt at a return. `ranges` belong to its turn, with the halo of lms3dRangeGrid. If the return
-  /// beside it is not on its surface, the tilt is anything between 0, as for an upright plane, and that
-  /// through both returns. If fans are not steady, it is then 0.
+  /// The tilt at a return. `ranges` belong to its turn, with the halo of lms3dRangeGrid. If the
+  /// return beside it is not on its surface, the tilt is anything between 0, as for an upright
+  /// plane, and that through both returns. If fans are not steady, it is then 0.
   lms3dDepthStep::Tilt Find(int turn, const double* ranges, int beam) const;
 
 private:
@@ -90,8 +91,8 @@ public:
       : lms3dDepthStep::Separate;
   }
 
-  /// Sets a flag for each beam that is near the same beam of the next turn (lms3dDepthStep::AreNear).
-  /// These are Joined.
+  /// Sets a flag for each beam that is near the same beam of the next turn
+  /// (lms3dDepthStep::AreNear). These are Joined.
   void FlagNear(int beams, std::uint8_t flag, std::uint8_t* flags) const
   {
     this->Step.FlagNear(this->Rows[2], this->Rows[3], beams, flag, flags);

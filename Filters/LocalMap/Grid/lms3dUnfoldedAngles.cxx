@@ -102,8 +102,8 @@ void lms3dUnfoldedAngles::MakeRows(const std::vector<double>& alphas)
   }
 }
 
-// Turns without returns take the place of missing turns. If the turns do not close the circle, there is at
-// least one on either side.
+// Turns without returns take the place of missing turns. If the turns do not close the circle,
+// there is at least one on either side.
 void lms3dUnfoldedAngles::MakeTurns(const std::vector<double>& betas, double stepOfSingleTurn)
 {
   std::vector<double> half;

@@ -13,8 +13,8 @@
 /// All angles are degrees. See lms3dMapGeometry.
 struct lms3dUnfoldedAngles
 {
-  /// Throws std::runtime_error, with a text for the user, if angles are not strictly monotonic. Both must
-  /// have at least one.
+  /// Throws std::runtime_error, with a text for the user, if angles are not strictly monotonic.
+  /// Both must have at least one.
   lms3dUnfoldedAngles(const std::vector<double>& alphas, const std::vector<double>& betas);
 
   /// Whether a turn that far from the first one repeats directions.
@@ -28,8 +28,8 @@ struct lms3dUnfoldedAngles
 
   int TurnsOfHalf;
 
-  /// For both halves (alpha > 0 and alpha < 0) and each elevation, the beam of the scan, or -1. Both have
-  /// the beam at alpha 0.
+  /// For both halves (alpha > 0 and alpha < 0) and each elevation, the beam of the scan, or -1.
+  /// Both have the beam at alpha 0.
   std::array<std::vector<int>, 2> Beams;
 
   /// Whether the beams of both halves have the same elevations. Otherwise, elevations are means.

@@ -13,8 +13,8 @@
 #include <cstddef>
 #include <vector>
 
-/// One ray for each entry of the sphere. Entries of the halo continue the nearest beam and the nearest turn.
-/// Beyond the last row, at the pole, the halo is the axis.
+/// One ray for each entry of the sphere. Entries of the halo continue the nearest beam and the
+/// nearest turn. Beyond the last row, at the pole, the halo is the axis.
 class lms3dBeamRays
 {
 public:

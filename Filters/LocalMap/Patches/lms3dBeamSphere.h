@@ -19,8 +19,9 @@
 #include <vector>
 
 /**
- * Rows have growing elevations and columns growing platform angles, whichever way the device turned.
- * Directions are in the frame of the map (lms3dMapGeometry), ranges in metres, angles in radians.
+ * Rows have growing elevations and columns growing platform angles, whichever way the device
+ * turned. Directions are in the frame of the map (lms3dMapGeometry), ranges in metres, angles in
+ * radians.
  *
  * Where the scan ends, a halo of directions without returns continues it. Therefore
  *
@@ -28,15 +29,15 @@
  * - neighbours are at most 120 degrees apart, and
  * - every return that is not a pole has four neighbours.
  *
- * A pole, where the beams of all turns coincide, fills a whole row: one entry in each column, all with
- * the same return.
+ * A pole, where the beams of all turns coincide, fills a whole row: one entry in each column, all
+ * with the same return.
  *
  * A GridIndex numbers the entries column by column, each from the lowest row to the highest.
  *
- * Beams that are not regular (lms3dMapGeometry) keep their places in the grid, but start and point anywhere.
- * Such an entry has the range and direction of its return, seen from the origin of the frame. Its beam itself
- * is a ray. Returns beyond the axis have no place: their entries have no return, and the axis as their
- * ray.
+ * Beams that are not regular (lms3dMapGeometry) keep their places in the grid, but start and point
+ * anywhere. Such an entry has the range and direction of its return, seen from the origin of the
+ * frame. Its beam itself is a ray. Returns beyond the axis have no place: their entries have no
+ * return, and the axis as their ray.
  */
 class lms3dBeamSphere
 {
@@ -44,8 +45,9 @@ public:
   using GridIndex = std::int32_t;
 
   /**
-   * The largest number of entries, halo included: 2^28 - 1. Each entry has up to two gates, four edges
-   * and eight vertices at borders (lms3dBorderGates), which all are numbered by 32-bit integers.
+   * The largest number of entries, halo included: 2^28 - 1. Each entry has up to two gates, four
+   * edges and eight vertices at borders (lms3dBorderGates), which all are numbered by 32-bit
+   * integers.
    */
   static constexpr GridIndex MaximumSize = (1 << 28) - 1;
 
@@ -59,10 +61,10 @@ public:
   };
 
   /**
-   * Copies what it needs. Uses the threads of the calling TBB arena. Throws std::runtime_error, with a
-   * message for the user, if the angles are not strictly monotonic, if elevations exceed 90 degrees, if
-   * platform angles span a full circle or more without being closed, or if the grid would be too large.
-   * Without a `geometry`, beams are regular.
+   * Copies what it needs. Uses the threads of the calling TBB arena. Throws std::runtime_error,
+   * with a message for the user, if the angles are not strictly monotonic, if elevations exceed 90
+   * degrees, if platform angles span a full circle or more without being closed, or if the grid
+   * would be too large. Without a `geometry`, beams are regular.
    */
   lms3dBeamSphere(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
     const lms3dMapGeometry* geometry = nullptr);
@@ -101,8 +103,8 @@ public:
     }
   }
 
-  /// Whether an entry and its neighbour on a side lie on one surface (lms3dRangeJoins), or are the same
-  /// pole.
+  /// Whether an entry and its neighbour on a side lie on one surface (lms3dRangeJoins), or are the
+  /// same pole.
   bool IsJoined(GridIndex index, int side) const
   {
     switch (side)
@@ -123,8 +125,8 @@ public:
   bool HasReturn(GridIndex index) const { return this->Ranges[index] > 0.0; }
 
   ///@{
-  /// Whether an entry has a range that is no return (lms3dRangeGrid::Fill). Such an entry is a part of its patch
-  /// and does not count. Remove() takes the range away.
+  /// Whether an entry has a range that is no return (lms3dRangeGrid::Fill). Such an entry is a part
+  /// of its patch and does not count. Remove() takes the range away.
   bool IsFilled(GridIndex index) const { return !this->Filled.empty() && this->Filled[index] != 0; }
   bool HasFilled() const { return !this->Filled.empty(); }
   /// By grid index, 1 for such an entry and 0 for others. Only if HasFilled().
@@ -164,12 +166,12 @@ public:
   int GetRowNear(double tangent) const;
   /// The platform angles of the columns, growing, over less than a full circle.
   const std::vector<double>& GetAzimuths() const { return this->Azimuths; }
-  /// The x and y of the horizontal direction of a column. A beam is the row's cosine times this, plus
-  /// the row's sine times the z axis.
+  /// The x and y of the horizontal direction of a column. A beam is the row's cosine times this,
+  /// plus the row's sine times the z axis.
   const std::array<double, 2>& GetHorizontal(int column) const { return this->Horizontals[column]; }
 
-  /// A unit vector. Without a return, beams that are not regular have the direction of the point at the
-  /// range of a neighbour.
+  /// A unit vector. Without a return, beams that are not regular have the direction of the point at
+  /// the range of a neighbour.
   lms3dVector GetDirection(GridIndex index) const
   {
     if (this->Rays)
@@ -183,8 +185,8 @@ public:
   }
 
   ///@{
-  /// Whether all beams start at the origin, at the elevation of their row and the angle of their column.
-  /// If not, the ray of each beam.
+  /// Whether all beams start at the origin, at the elevation of their row and the angle of their
+  /// column. If not, the ray of each beam.
   bool IsRegular() const { return !this->Rays; }
   const lms3dBeamRays& GetRays() const { return *this->Rays; }
   ///@}
@@ -195,8 +197,8 @@ public:
     return this->Rays ? this->RangesOnBeams[index] : this->Ranges[index];
   }
 
-  /// The direction of the point where the beam `other` would meet a surface at the range of `own`, which
-  /// has a return.
+  /// The direction of the point where the beam `other` would meet a surface at the range of `own`,
+  /// which has a return.
   lms3dVector GetDirectionBeside(GridIndex own, GridIndex other) const
   {
     return this->Rays ? this->GetDirectionAt(other, this->RangesOnBeams[own])

@@ -16,7 +16,8 @@ using Lines = std::vector<lms3dGridLine>;
 constexpr double Pole = 90.0;
 constexpr double FullCircle = 360.0;
 constexpr double MaximumGap = 120.0;
-// How far the halo at a seam lies from the turns on both sides, as a share of the angle between these.
+// How far the halo at a seam lies from the turns on both sides, as a share of the angle between
+// these.
 constexpr double SeamShare = 0.4;
 // For the rounding of angles.
 constexpr double AngleTolerance = 1e-6;
@@ -52,8 +53,8 @@ std::string DescribeRange(const Lines& lines, const char* name)
     " to " + std::to_string(lines.back().Angle);
 }
 
-// Adds lines of the halo where neighbours are too far apart for a cell: one step from each beam, and more
-// in between.
+// Adds lines of the halo where neighbours are too far apart for a cell: one step from each beam,
+// and more in between.
 Lines FillGaps(const Lines& lines, double step)
 {
   Lines filled;

@@ -13,10 +13,10 @@
 #include <vector>
 
 /**
- * Region growing. Seeds lie on ever finer lattices. From each seed, a patch floods the joined neighbours
- * that are within the tolerance of its plane, column by column. The plane is fitted to the flooded
- * returns and the flood repeats, until the plane converges. Finally, each return without a patch becomes
- * a seed, so every return gets a patch, if only of its own.
+ * Region growing. Seeds lie on ever finer lattices. From each seed, a patch floods the joined
+ * neighbours that are within the tolerance of its plane, column by column. The plane is fitted to
+ * the flooded returns and the flood repeats, until the plane converges. Finally, each return
+ * without a patch becomes a seed, so every return gets a patch, if only of its own.
  */
 class lms3dPatchGrower
 {

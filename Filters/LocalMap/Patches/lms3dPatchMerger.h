@@ -14,18 +14,19 @@
 
 /**
  * Two patches merge if joined returns lie side by side, and if all returns of the smaller patch are
- * within the tolerance of the larger patch's plane, or all returns of both are within the tolerance of
- * their common least-squares plane. A few passes follow until nothing merges, with union-find for the labels.
+ * within the tolerance of the larger patch's plane, or all returns of both are within the tolerance
+ * of their common least-squares plane. A few passes follow until nothing merges, with union-find
+ * for the labels.
  */
 class lms3dPatchMerger
 {
 public:
-  /// Keeps references. `maximumError` is the error bound of the map, metres along the beam; the tolerance
-  /// is lms3dPatches::MergedShare of it.
+  /// Keeps references. `maximumError` is the error bound of the map, metres along the beam; the
+  /// tolerance is lms3dPatches::MergedShare of it.
   lms3dPatchMerger(const lms3dBeamSphere& sphere, lms3dPatches& patches, double maximumError);
 
-  /// Merges the patches and updates their labels. The larger patch keeps its number. Uses the threads of the calling
-  /// TBB arena.
+  /// Merges the patches and updates their labels. The larger patch keeps its number. Uses the
+  /// threads of the calling TBB arena.
   void Merge();
 
 private:

@@ -15,8 +15,8 @@ constexpr double ExplainedDeviations = 4.0;
 constexpr int MaximumPasses = 3;
 // The largest number of returns of a spike.
 constexpr int MaximumSpike = 16;
-// The largest distance of a spike from the plane around it, in error bounds and in standard deviations of
-// the noise.
+// The largest distance of a spike from the plane around it, in error bounds and in standard
+// deviations of the noise.
 constexpr double SpikeInBounds = 3.0;
 constexpr double SpikeInDeviations = 5.0;
 } // namespace

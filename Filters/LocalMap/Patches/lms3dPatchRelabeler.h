@@ -16,20 +16,20 @@
 class lms3dPatchRelabeler
 {
 public:
-  /// Keeps references. `maximumError` is the error bound of the map, metres along the beam, and `noise`
-  /// the standard deviation of ranges, metres.
+  /// Keeps references. `maximumError` is the error bound of the map, metres along the beam, and
+  /// `noise` the standard deviation of ranges, metres.
   lms3dPatchRelabeler(
     const lms3dBeamSphere& sphere, lms3dPatches& patches, double maximumError, double noise);
 
-  /// Moves each return at a border to the joined patch that explains it best: if both planes do, the
-  /// patch on whose side of their crease the return lies, otherwise the patch of the nearer plane. Uses the
-  /// threads of the calling TBB arena.
+  /// Moves each return at a border to the joined patch that explains it best: if both planes do,
+  /// the patch on whose side of their crease the return lies, otherwise the patch of the nearer
+  /// plane. Uses the threads of the calling TBB arena.
   void RelabelBorders();
 
   /**
-   * Moves patches of a few returns to the large patch around them if its plane is near enough. The mesh
-   * of the large patch then rises to these returns, which takes fewer triangles than a border around
-   * them. Uses the threads of the calling TBB arena.
+   * Moves patches of a few returns to the large patch around them if its plane is near enough. The
+   * mesh of the large patch then rises to these returns, which takes fewer triangles than a border
+   * around them. Uses the threads of the calling TBB arena.
    */
   void AbsorbSpikes();
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 /**
- * A patch is a set of returns that one plane explains. lms3dPatchGrower makes patches, lms3dPatchMerger
- * merges them, lms3dPatchRelabeler refines their borders.
+ * A patch is a set of returns that one plane explains. lms3dPatchGrower makes patches,
+ * lms3dPatchMerger merges them, lms3dPatchRelabeler refines their borders.
  */
 struct lms3dPatches
 {
@@ -23,8 +23,8 @@ struct lms3dPatches
   /// The label of returns that have no patch yet, while patches grow.
   static constexpr std::int32_t Free = -2;
 
-  /// The share of the error bound within which merged planes must explain their returns. Borders need
-  /// the rest.
+  /// The share of the error bound within which merged planes must explain their returns. Borders
+  /// need the rest.
   static constexpr double MergedShare = 0.8;
 
   /// The largest difference between the two planes of a crease, as a share of the error bound.
@@ -52,16 +52,16 @@ struct lms3dPatches
     return this->Patches[patch].Fit.GetNumberOfReturns() <= MaximumFewReturns;
   }
 
-  /// The number of returns that have the label of each patch. A pole counts once, a filled entry of the sphere not
-  /// at all. Uses the threads of the calling TBB arena.
+  /// The number of returns that have the label of each patch. A pole counts once, a filled entry of
+  /// the sphere not at all. Uses the threads of the calling TBB arena.
   std::vector<int> CountMembers(const lms3dBeamSphere& sphere) const;
 
   /// By grid index: the number of a patch, None or Free. All entries of a pole have the same label.
   std::vector<std::int32_t> Labels;
   /// Patches without returns keep their number.
   std::vector<Patch> Patches;
-  /// By grid index: whether a return that could not be a patch of its own has moved to the patch of a neighbour. Empty
-  /// if none has.
+  /// By grid index: whether a return that could not be a patch of its own has moved to the patch of
+  /// a neighbour. Empty if none has.
   std::vector<bool> HasMoved;
 };
 

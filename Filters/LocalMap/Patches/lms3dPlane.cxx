@@ -4,12 +4,12 @@
 
 namespace
 {
-// The weight of the plane that faces the sensor. It decides what the returns leave open, and is too small
-// to change what they determine.
+// The weight of the plane that faces the sensor. It decides what the returns leave open, and is too
+// small to change what they determine.
 constexpr double FacingWeight = 1e-10;
 
-// Solves m x = right by the factors L D L^T. The weight above leaves pivots of 1e-10, which would be lost
-// in a determinant.
+// Solves m x = right by the factors L D L^T. The weight above leaves pivots of 1e-10, which would
+// be lost in a determinant.
 lms3dVector Solve(const std::array<double, 6>& m, const lms3dVector& right)
 {
   const double d0 = m[0];

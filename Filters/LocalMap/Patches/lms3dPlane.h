@@ -12,10 +12,10 @@
 #include <cmath>
 
 /**
- * A plane in the sensor frame that does not pass through the sensor. It has one vector q, 1/metre, with
- * q.p = 1 for each of its points p: q is the normal divided by the distance. A beam of direction d (of
- * length 1) meets the plane where 1 / range = q.d. Therefore, on a plane, the inverse range is linear in
- * the direction.
+ * A plane in the sensor frame that does not pass through the sensor. It has one vector q, 1/metre,
+ * with q.p = 1 for each of its points p: q is the normal divided by the distance. A beam of
+ * direction d (of length 1) meets the plane where 1 / range = q.d. Therefore, on a plane, the
+ * inverse range is linear in the direction.
  */
 struct lms3dPlane
 {
@@ -28,8 +28,8 @@ struct lms3dPlane
   }
 };
 
-/// A plane restricted to one column of lms3dBeamSphere. There it has two coordinates if beams are regular:
-/// evaluating a beam takes two products.
+/// A plane restricted to one column of lms3dBeamSphere. There it has two coordinates if beams are
+/// regular: evaluating a beam takes two products.
 class lms3dColumnPlane
 {
 public:
@@ -72,8 +72,8 @@ private:
   const double Vertical;
 };
 
-/// Whether a return at `range` lies within a tolerance, metres along its beam, of a plane that the beam
-/// meets at 1 / `inverseRange`. False if the beam does not meet the plane.
+/// Whether a return at `range` lies within a tolerance, metres along its beam, of a plane that the
+/// beam meets at 1 / `inverseRange`. False if the beam does not meet the plane.
 inline bool lms3dIsWithinTolerance(double range, double inverseRange, double tolerance)
 {
   return std::abs(range * inverseRange - 1.0) <= tolerance * inverseRange;
@@ -98,9 +98,9 @@ public:
   const lms3dVector& GetCenter() const { return this->Sum; }
 
   /**
-   * The plane that minimizes the sum of the squares of q.p - 1. If the returns do not determine a plane,
-   * as one return or a straight row of returns does not, the plane that faces the sensor most. There
-   * must be a return.
+   * The plane that minimizes the sum of the squares of q.p - 1. If the returns do not determine a
+   * plane, as one return or a straight row of returns does not, the plane that faces the sensor
+   * most. There must be a return.
    */
   lms3dPlane GetPlane() const;
 

@@ -40,8 +40,8 @@ void AppendResiduals(const lms3dBeamSphere& sphere, int column, std::vector<doub
     }
   }
 }
-// The same along the beams' own rays, among rows that were measured in one turn of the mirror: these start
-// together and lie in one plane.
+// The same along the beams' own rays, among rows that were measured in one turn of the mirror:
+// these start together and lie in one plane.
 void AppendResidualsOnRays(
   const lms3dBeamSphere& sphere, int column, std::vector<double>& residuals)
 {

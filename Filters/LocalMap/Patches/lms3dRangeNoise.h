@@ -12,10 +12,11 @@
 #include <vector>
 
 /**
- * Returns the standard deviation of ranges, metres. On a plane, three consecutive inverse ranges w of a
- * column satisfy w[i-1] + w[i+1] = 2 cos(step) w[i]. The residual of that equation, times the squared
- * range, has six times the variance of the noise. The median of the residuals is robust against creases
- * and depth steps. Returns 0 if no three consecutive beams returned. Filled beams (lms3dRangeGrid) do not count.
+ * Returns the standard deviation of ranges, metres. On a plane, three consecutive inverse ranges w
+ * of a column satisfy w[i-1] + w[i+1] = 2 cos(step) w[i]. The residual of that equation, times the
+ * squared range, has six times the variance of the noise. The median of the residuals is robust
+ * against creases and depth steps. Returns 0 if no three consecutive beams returned. Filled beams
+ * (lms3dRangeGrid) do not count.
  */
 double lms3dEstimateNoise(const lms3dBeamSphere& sphere);
 

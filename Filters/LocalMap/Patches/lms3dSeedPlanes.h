@@ -25,11 +25,12 @@ public:
   {
   }
 
-  /// The plane of a square window of `stride` beams around a seed, if it explains a sample of up to 25
-  /// returns in the window, and all of these are free. The window must not exceed the rows.
+  /// The plane of a square window of `stride` beams around a seed, if it explains a sample of up to
+  /// 25 returns in the window, and all of these are free. The window must not exceed the rows.
   std::optional<lms3dPlane> FitWindow(int column, int row, int stride) const;
 
-  /// The plane through a seed and free, joined neighbours: on two adjacent sides, or on one side, or none.
+  /// The plane through a seed and free, joined neighbours: on two adjacent sides, or on one side,
+  /// or none.
   lms3dPlane FitNeighbors(GridIndex seed) const;
 
 private:

@@ -21,11 +21,12 @@ class lms3dRemoteFusedMap
 {
 public:
   /**
-   * Fetches and checks the changes, in one message if they fit. Returns false if the map is the same as
-   * before. Calls `beforePart` before each message; an exception from it ends the fetch. The map is then
-   * as before, or empty if the changes do not add up. Throws LMS3D::NoFusedMap, LMS3D::FusedMapGone if the server drops states before
-   * they are fetched, std::runtime_error if the data are invalid, and CORBA::SystemException, which is
-   * CORBA::BAD_OPERATION for an older server.
+   * Fetches and checks the changes, in one message if they fit. Returns false if the map is the
+   * same as before. Calls `beforePart` before each message; an exception from it ends the fetch.
+   * The map is then as before, or empty if the changes do not add up. Throws LMS3D::NoFusedMap,
+   * LMS3D::FusedMapGone if the server drops states before they are fetched, std::runtime_error if
+   * the data are invalid, and CORBA::SystemException, which is CORBA::BAD_OPERATION for an older
+   * server.
    */
   bool Update(
     LMS3D::LaserScanner_ptr scanner, const std::function<void()>& beforePart = [] {});
@@ -37,9 +38,9 @@ public:
   std::uint64_t GetReceivedBytes() const;
 
   /**
-   * Fills an empty vtkPolyData with the triangles (metres, world coordinates), with the cell array `RegionId`
-   * (int32) and the field data `NumberOfScans` (int32), `State`, `ScanNumber` of the newest scan,
-   * `Incarnation` (uint64) and `Scene`.
+   * Fills an empty vtkPolyData with the triangles (metres, world coordinates), with the cell array
+   * `RegionId` (int32) and the field data `NumberOfScans` (int32), `State`, `ScanNumber` of the
+   * newest scan, `Incarnation` (uint64) and `Scene`.
    */
   void Fill(vtkPolyData* map) const;
 

@@ -10,9 +10,9 @@
 #include "Client/lms3dFusedMapChanges.h"
 
 ///@{
-/// Throw std::runtime_error if the values are not as LMS3DScanner.idl demands. `since` is the state that
-/// the client asked for. Check the header before fetching the arrays, whose checksum is compared too.
-/// The limit is 16,000,000 regions, as many points, and twice as many triangles.
+/// Throw std::runtime_error if the values are not as LMS3DScanner.idl demands. `since` is the state
+/// that the client asked for. Check the header before fetching the arrays, whose checksum is
+/// compared too. The limit is 16,000,000 regions, as many points, and twice as many triangles.
 void lms3dCheckFusedMapHeader(const LMS3D::FusedMapHeader& header, CORBA::ULongLong since);
 void lms3dCheckFusedMapChanges(const lms3dFusedMapChanges& changes);
 ///@}

@@ -15,10 +15,11 @@
 using lms3dRemoteScan = lms3dScanData;
 
 /**
- * Fetches the scan of a header, its device and its map, in as many messages as necessary, and checks
- * them (lms3dRemoteCheck.h). The device of a server without this operation is ideal. Calls `beforePart` before each message; an exception from it ends the
- * fetch. Throws LMS3D::ScanGone if the server has dropped the scan meanwhile, std::runtime_error if
- * the data are invalid, and CORBA::SystemException.
+ * Fetches the scan of a header, its device and its map, in as many messages as necessary, and
+ * checks them (lms3dRemoteCheck.h). The device of a server without this operation is ideal. Calls
+ * `beforePart` before each message; an exception from it ends the fetch. Throws LMS3D::ScanGone if
+ * the server has dropped the scan meanwhile, std::runtime_error if the data are invalid, and
+ * CORBA::SystemException.
  */
 lms3dRemoteScan lms3dFetchScan(
   LMS3D::LaserScanner_ptr scanner, const LMS3D::ScanHeader& header,

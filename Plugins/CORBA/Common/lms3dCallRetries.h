@@ -8,9 +8,9 @@
 #define lms3dCallRetries_h
 
 /**
- * If a call fails at an address to which another one has forwarded it, omniORB tries it again without
- * end, and each new connection gets clientConnectTimeOutPeriod in addition to the call's deadline.
- * After this function the ORB tries such a call once more, within its deadline. Leave
+ * If a call fails at an address to which another one has forwarded it, omniORB tries it again
+ * without end, and each new connection gets clientConnectTimeOutPeriod in addition to the call's
+ * deadline. After this function the ORB tries such a call once more, within its deadline. Leave
  * clientConnectTimeOutPeriod at 0, so that connecting counts too. Applies to all objects of the
  * process. Call before the first remote call.
  */

@@ -19,8 +19,8 @@ enum class lms3dLogKind
 };
 
 /// Writes the time in UTC and a line of text to the standard error, in printable ASCII; see
-/// lms3dMakePrintable(). Returns at once: a thread writes, and if the reader does not read, lines are
-/// left out and counted. Any thread.
+/// lms3dMakePrintable(). Returns at once: a thread writes, and if the reader does not read, lines
+/// are left out and counted. Any thread.
 void lms3dLog(const std::string& text);
 
 /// The same, with the limit of the line's kind.
@@ -30,8 +30,8 @@ void lms3dLog(lms3dLogKind kind, const std::string& text);
 /// moment for earlier lines in the log, so that a reader of both sees them first.
 void lms3dPrint(const std::string& lines);
 
-/// Waits until everything is written, half a second at most for each of both streams. Call at the end
-/// of the process.
+/// Waits until everything is written, half a second at most for each of both streams. Call at the
+/// end of the process.
 void lms3dFinishLog();
 
 /// Replaces all but printable ASCII by "\n" or, for example, "\x1b", and cuts the text after 1,000

@@ -12,8 +12,8 @@
 #include <mutex>
 #include <string>
 
-/// Passes on the lines of one kind, at most 20 per second, and logs how many it left out. All methods
-/// may be called from any thread.
+/// Passes on the lines of one kind, at most 20 per second, and logs how many it left out. All
+/// methods may be called from any thread.
 class lms3dLogLimit
 {
 public:

@@ -17,8 +17,8 @@ OMNI_FORCE_LINK(omnisslTP);
 
 namespace
 {
-// Global, because the ORB accepts only a plain function. The limit is never destroyed, because the ORB
-// may log until the process ends.
+// Global, because the ORB accepts only a plain function. The limit is never destroyed, because the
+// ORB may log until the process ends.
 void (*Log)(const std::string&) = nullptr;
 std::atomic<lms3dLogLimit*> Limit = nullptr;
 bool IsTLSWanted = false;
@@ -28,7 +28,8 @@ bool IsWanted(const std::string& line)
   return IsTLSWanted || line.find("SSL transport disabled") == std::string::npos;
 }
 
-// At higher levels the ORB writes texts of several lines. The prefix distinguishes them from others.
+// At higher levels the ORB writes texts of several lines. The prefix distinguishes them from
+// others.
 void LogLines(const std::string& text)
 {
   std::istringstream lines(text);

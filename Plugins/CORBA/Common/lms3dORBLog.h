@@ -11,9 +11,9 @@
 #include <vector>
 
 /**
- * Sends the ORB's log lines to `log`, in printable ASCII (see lms3dMakePrintable()), from any thread;
- * at most 20 lines per second (see lms3dLogLimit), unless the ORB's traceLevel is above 1. Call once
- * per process, before ORB_init().
+ * Sends the ORB's log lines to `log`, in printable ASCII (see lms3dMakePrintable()), from any
+ * thread; at most 20 lines per second (see lms3dLogLimit), unless the ORB's traceLevel is above 1.
+ * Call once per process, before ORB_init().
  *
  * Linking this function also links omniORB's transport for TLS. The transport warns at each start
  * without certificates. The warning is dropped unless one of `settings` contains "ssl".

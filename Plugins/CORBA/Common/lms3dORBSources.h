@@ -22,8 +22,8 @@ constexpr const char* lms3dClientTransportRule = "* ssl,tcp";
 /**
  * The names of the settings in the arguments, in omniORB's environment variables and in its
  * configuration file. omniORB prefers the settings of ORB_init() to the environment's and the
- * file's, so a program that respects an administrator leaves these out. Reads the environment, so it
- * is not thread-safe against setenv().
+ * file's, so a program that respects an administrator leaves these out. Reads the environment, so
+ * it is not thread-safe against setenv().
  */
 class lms3dORBSources
 {

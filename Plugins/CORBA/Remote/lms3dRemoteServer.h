@@ -44,9 +44,9 @@ public:
   /// fetched.
   lms3dRemoteScanPointer WaitForScan(std::uint32_t milliseconds);
 
-  /// Fetches what has changed in the map of many scans. Returns the map, or null if it is as before, or
-  /// if the server dropped a state before all parts were fetched. Throws lms3dRemoteRefusal if the server has
-  /// no such map.
+  /// Fetches what has changed in the map of many scans. Returns the map, or null if it is as
+  /// before, or if the server dropped a state before all parts were fetched. Throws
+  /// lms3dRemoteRefusal if the server has no such map.
   lms3dRemoteFusedMapPointer FetchFusedMap();
 
   /// Why the newest scans are not in the map of the last FetchFusedMap(). Empty if they are.
@@ -63,8 +63,8 @@ private:
   Result Invoke(const Call& call) const;
   LMS3D::ScanHeader_var WaitForHeader(std::uint32_t milliseconds);
   lms3dRemoteScanPointer Fetch(const LMS3D::ScanHeader& header) const;
-  /// Calls `fetch` with a function for it to call before each message, which throws CORBA::TIMEOUT after
-  /// the timeout and if the object is stopped. Throws std::runtime_error with `problem` then.
+  /// Calls `fetch` with a function for it to call before each message, which throws CORBA::TIMEOUT
+  /// after the timeout and if the object is stopped. Throws std::runtime_error with `problem` then.
   void FetchInTime(
     const std::function<void(const std::function<void()>&)>& fetch, const char* problem) const;
   void LimitCalls(std::chrono::milliseconds timeout) const;

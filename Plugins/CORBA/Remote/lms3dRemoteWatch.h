@@ -61,8 +61,8 @@ public:
   /// Waits for the first scan or problem, up to the timeout. Returns at once afterwards.
   lms3dRemoteNews WaitForNews() const;
 
-  /// Waits until there are more than `scans` scans and no pose is pending, up to the timeout. Returns
-  /// false if that time passed.
+  /// Waits until there are more than `scans` scans and no pose is pending, up to the timeout.
+  /// Returns false if that time passed.
   bool WaitForScan(std::uint64_t scans) const;
 
   /// From the next scan on, news have the server's map of many scans, or no longer have it.

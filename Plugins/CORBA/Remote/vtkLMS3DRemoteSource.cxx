@@ -69,8 +69,8 @@ struct vtkLMS3DRemoteSource::Internals
     return *this->Watch;
   }
 
-  /// Waits for a scan that was not shown. Returns false if there is none within the timeout, and true
-  /// without a watch for these properties, since the next update starts one and waits itself.
+  /// Waits for a scan that was not shown. Returns false if there is none within the timeout, and
+  /// true without a watch for these properties, since the next update starts one and waits itself.
   bool WaitForScan(const std::string& url, double timeout) const
   {
     const bool isWatched = this->Watch && this->Url == url && this->Timeout == timeout;

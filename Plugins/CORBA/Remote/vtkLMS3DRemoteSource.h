@@ -19,19 +19,19 @@
  * Output 0, the scan, is a vtkPolyData like the first output of vtkLMS3DScanFilter: points in world
  * coordinates (float64) with the arrays `Range` (float64, metres), `Alpha`, `Beta` (float32,
  * degrees) and `BeamId` (int32) and the field data `AlphaAngles`, `BetaAngles` and `SensorToWorld`.
- * So vtkLMS3DSurfaceReconstructionFilter accepts it. `Mounting`, `AxisOffset` and `TurnRate` are added if they
- * differ from the defaults of vtkLMS3DScanFilter, and `Status` if the server's device has statuses. (Servers
- * without a device are ideal.) Servers send ranges in single precision, with
+ * So vtkLMS3DSurfaceReconstructionFilter accepts it. `Mounting`, `AxisOffset` and `TurnRate` are
+ * added if they differ from the defaults of vtkLMS3DScanFilter, and `Status` if the server's device
+ * has statuses. (Servers without a device are ideal.) Servers send ranges in single precision, with
  * an error of up to 6e-8 of the range; points are computed from them in double precision. There is
  * no `CellId`.
  *
  * Output 1, the local map, is a vtkPolyData of triangles in world coordinates, counter-clockwise
  * seen from the sensor. It is empty if the server makes no maps.
  *
- * Output 2, the fused map, is the server's map of many scans: triangles with the cell array `RegionId` (int32) and the
- * field data `NumberOfScans` (int32) and `State` (uint64), the number of its state. It is empty unless
- * FetchFusedMap is on and the server has the option --fused-map. Points have single precision, relative to the
- * map's first pose. Only what changes is fetched.
+ * Output 2, the fused map, is the server's map of many scans: triangles with the cell array
+ * `RegionId` (int32) and the field data `NumberOfScans` (int32) and `State` (uint64), the number of
+ * its state. It is empty unless FetchFusedMap is on and the server has the option --fused-map.
+ * Points have single precision, relative to the map's first pose. Only what changes is fetched.
  *
  * The field data of outputs 0 and 1 have (one uint64 each) `ScanNumber`, `Incarnation` (of the
  * server's start), `Generation` (of the settings), `StartTime` and `EndTime` (nanoseconds since
@@ -77,10 +77,12 @@ public:
   ///@{
   /**
    * The address of the server, as the server prints it when it starts. Empty by default. One of:
-   * - `corbaloc:iiop:1.2@HOST:PORT/LMS3D`, which stays valid if the server restarts at the same port;
+   * - `corbaloc:iiop:1.2@HOST:PORT/LMS3D`, which stays valid if the server restarts at the same
+   *   port;
    * - `IOR:` followed by digits;
    * - `corbaname:iiop:1.2@HOST:PORT#LMS3D.Scanner`, a name in the naming service at that address;
-   * - `file:PATH`, a file with one of these (the server's option --ior), read again by each attempt.
+   * - `file:PATH`, a file with one of these (the server's option --ior), read again by each
+   *   attempt.
    */
   vtkSetStdStringFromCharMacro(URL);
   vtkGetCharFromStdStringMacro(URL);
@@ -133,8 +135,9 @@ public:
   /**
    * Waits, up to Timeout, for a scan that is newer than the last update showed. After SendPose(),
    * waits for the first scan from that pose; if the server refuses the pose, for any newer scan.
-   * Marks the source as modified, so that the next update shows the newest scan. Returns false if no
-   * such scan came in time. Returns true at once before the first update, because that waits itself.
+   * Marks the source as modified, so that the next update shows the newest scan. Returns false if
+   * no such scan came in time. Returns true at once before the first update, because that waits
+   * itself.
    */
   bool Refresh();
 
@@ -146,8 +149,8 @@ public:
 
   ///@{
   /**
-   * Whether the third output is made. Off by default. A change has effect from the next scan on. If the server has
-   * no such map, updates warn once.
+   * Whether the third output is made. Off by default. A change has effect from the next scan on. If
+   * the server has no such map, updates warn once.
    */
   vtkSetMacro(FetchFusedMap, bool);
   vtkGetMacro(FetchFusedMap, bool);

@@ -26,8 +26,8 @@
 class lms3dServer
 {
 public:
-  /// Reads the scene. Throws std::runtime_error if that fails, and lms3dReadingStopped if `isStopped`
-  /// returns true meanwhile.
+  /// Reads the scene. Throws std::runtime_error if that fails, and lms3dReadingStopped if
+  /// `isStopped` returns true meanwhile.
   lms3dServer(const lms3dServerOptions& options, const lms3dStopTest& isStopped);
   ~lms3dServer();
   lms3dServer(const lms3dServer&) = delete;

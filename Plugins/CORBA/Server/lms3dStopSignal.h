@@ -15,8 +15,8 @@
 
 #include <csignal>
 
-/// Receives the signals in a thread of its own, and blocks them in all threads that start later. Create
-/// it before all other threads. If SIGHUP is ignored, as under nohup, it stays ignored.
+/// Receives the signals in a thread of its own, and blocks them in all threads that start later.
+/// Create it before all other threads. If SIGHUP is ignored, as under nohup, it stays ignored.
 class lms3dStopSignal
 {
 public:

@@ -23,24 +23,26 @@ struct Exponents
 };
 
 ///@{
-/// Sizes of triangles relative to their distance: of any triangles, and of the small ones of large scenes.
+/// Sizes of triangles relative to their distance: of any triangles, and of the small ones of large
+/// scenes.
 constexpr Exponents AllSizes = { -4.0, 1.0 };
 constexpr Exponents SmallSizes = { -7.0, -1.0 };
 ///@}
 
-/// Returns a triangle relative to the sensor, at a distance of a millimetre to a hundred metres. Half of
-/// them are very narrow or seen nearly edge-on.
+/// Returns a triangle relative to the sensor, at a distance of a millimetre to a hundred metres.
+/// Half of them are very narrow or seen nearly edge-on.
 Corners MakeTriangle(Random& random, const Exponents& sizes = AllSizes);
 
-/// Returns the origin of world coordinates, or in half of the cases a point up to a hundred metres away.
+/// Returns the origin of world coordinates, or in half of the cases a point up to a hundred metres
+/// away.
 Vector MakeSensor(Random& random);
 
 /// A triangle in world coordinates, and the sensor that sees it.
 class SeenTriangle
 {
 public:
-  /// Takes corners relative to the sensor. In world coordinates they are rounded; that triangle is the
-  /// true one.
+  /// Takes corners relative to the sensor. In world coordinates they are rounded; that triangle is
+  /// the true one.
   SeenTriangle(const Corners& corners, const Vector& sensor);
 
   lms3dSensorFrameTriangle GetInSensorFrame() const;
@@ -48,8 +50,8 @@ public:
   /// Returns pointers to this object, with a metre as unit.
   lms3dCornerPoints GetPoints() const;
 
-  /// Returns the range of a beam with all digits, metres; infinite if the beam passes by or the triangle
-  /// is behind the sensor.
+  /// Returns the range of a beam with all digits, metres; infinite if the beam passes by or the
+  /// triangle is behind the sensor.
   double GetRange(const Vector& direction) const;
 
 private:

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Each triangle is in one box of Embree's tree and in one part of one cluster, and inside of them.
+ * @brief Each triangle is in one box of Embree's tree and in one part of one cluster, and inside of
+ * them.
  */
 #include "Fixtures/CasterFixtures.h"
 

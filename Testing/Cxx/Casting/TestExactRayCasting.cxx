@@ -95,8 +95,8 @@ bool IsAtAim(const Target& target, const Enclosure& enclosure, const Vector& sen
         ExactReference::NoTriangle);
 }
 
-/// From within a closed mesh all beams hit, and most of them where they aim. The reference tells the
-/// rest: what hides the aim, a silhouette that rounding of the beam passes, a plane through the
+/// From within a closed mesh all beams hit, and most of them where they aim. The reference tells
+/// the rest: what hides the aim, a silhouette that rounding of the beam passes, a plane through the
 /// sensor; and, of one packet of many, everything to the last bits.
 Tally JudgeEnclosed(const Target& target, const Enclosure& enclosure, double scale,
   const Vector& center, std::size_t number)

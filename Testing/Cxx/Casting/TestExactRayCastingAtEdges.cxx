@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The exact caster below VTK: beams exactly through corners and edges, and along silhouettes.
+ * @brief The exact caster below VTK: beams exactly through corners and edges, and along
+ * silhouettes.
  */
 #include "Fixtures/CasterFixtures.h"
 
@@ -111,8 +112,8 @@ TEST(ExactRayCasting, SeesSilhouettesFromOutside)
   }
 }
 
-// Packets that do not point at the sphere around the scene are not cast. Of a cube the corners alone
-// are on it, and seen from a tangent at a corner, that corner is at the rim.
+// Packets that do not point at the sphere around the scene are not cast. Of a cube the corners
+// alone are on it, and seen from a tangent at a corner, that corner is at the rim.
 TEST(ExactRayCasting, HitsTheCornersOnTheSphereThatBoundsTheScene)
 {
   Random random(23);

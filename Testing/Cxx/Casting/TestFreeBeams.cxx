@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Beams that start at points of their own get the triangle, and the bits of the range, that they
- * get in a packet with one origin.
+ * @brief Beams that start at points of their own get the triangle, and the bits of the range, that
+ * they get in a packet with one origin.
  */
 #include "Casting/FreeFixtures.h"
 #include "Casting/MethodFixtures.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What single precision decides for beams, against exact arithmetic: at edges and corners, with
- * narrow triangles, and with planes near to the sensor or to each other.
+ * @brief What single precision decides for beams, against exact arithmetic: at edges and corners,
+ * with narrow triangles, and with planes near to the sensor or to each other.
  */
 #include "Casting/NarrowFixtures.h"
 #include "Fixtures/CasterFixtures.h"
@@ -22,8 +22,8 @@ namespace
 {
 constexpr int Size = lms3dBeamPacket::Size;
 
-// How near to an edge beams pass, as powers of ten of the triangle's size: a few roundings of single
-// precision, and for triangles of as small an angle as SmallSizes more of them.
+// How near to an edge beams pass, as powers of ten of the triangle's size: a few roundings of
+// single precision, and for triangles of as small an angle as SmallSizes more of them.
 constexpr double MinimumWeight = -9.0;
 constexpr double MaximumWeight = -5.0;
 constexpr double MaximumWeightOfSmall = -0.5;
@@ -122,7 +122,8 @@ NarrowTally JudgePairs(const Exponents& sizes, double maximumWeight, Update upda
     Corners first = MakeTriangle(random, sizes);
     if (random.GetBits() % 2)
     {
-      // Almost the same plane, nearer or farther by less than single precision resolves, or by more.
+      // Almost the same plane, nearer or farther by less than single precision resolves, or by
+      // more.
       const double factor = 1.0 + std::pow(10.0, random.Get(-9.0, -3.0)) * random.Get(-1.0, 1.0);
       first = { factor * second[0], factor * second[1], factor * second[2] };
     }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What single precision decides for tiles, against exact arithmetic: at their sides and corners,
- * at poles, and with triangles that cover them or just reach them.
+ * @brief What single precision decides for tiles, against exact arithmetic: at their sides and
+ * corners, at poles, and with triangles that cover them or just reach them.
  */
 #include "Casting/NarrowFixtures.h"
 #include "Casting/TileFixtures.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The packet kernel that sums the normals of a map, with all instruction sets of this processor.
+ * @brief The packet kernel that sums the normals of a map, with all instruction sets of this
+ * processor.
  */
 #include "Fixtures/VectorFixtures.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The kernels that take a plane for each beam give the bits of those that take one for all beams, with
- * all instruction sets.
+ * @brief The kernels that take a plane for each beam give the bits of those that take one for all
+ * beams, with all instruction sets.
  */
 #include "Fixtures/BeamFixtures.h"
 #include "Fixtures/VectorFixtures.h"
@@ -202,7 +202,8 @@ TEST(PlaneKernels, GiveTheBitsOfOnePlaneForAllBeams)
   }
 }
 
-// Planes before, behind and beside the sensor, and limits that some ranges exceed, fall short of or equal.
+// Planes before, behind and beside the sensor, and limits that some ranges exceed, fall short of or
+// equal.
 TEST(PlaneKernels, GiveTheBitsOfPacketsForATile)
 {
   Random random(37);

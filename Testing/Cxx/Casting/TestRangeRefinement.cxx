@@ -130,7 +130,8 @@ TEST(RangeRefinement, TakesManyTrianglesInAPacket)
 {
   Random random(25);
   const lms3dTriangleMesh mesh = MakeTriangles(random);
-  // Without planes through the sensor, which are intersected one by one. Some share a slot, some are new.
+  // Without planes through the sensor, which are intersected one by one. Some share a slot, some
+  // are new.
   for (int triangles : { 2, 3, 5, 8, 9, 16, 800 })
   {
     SCOPED_TRACE(triangles);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The kernels that fill the arrays of returns, with all instruction sets and all lengths up to some
- * vectors.
+ * @brief The kernels that fill the arrays of returns, with all instruction sets and all lengths up
+ * to some vectors.
  */
 #include "Kernels/lms3dPacketKernels.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What the header of vtkLMS3DScanFilter promises of tiny, large and far scenes, for each method
- * except VTK's.
+ * @brief What the header of vtkLMS3DScanFilter promises of tiny, large and far scenes, for each
+ * method except VTK's.
  */
 #include "Casting/MethodFixtures.h"
 #include "Fixtures/SceneFixtures.h"
@@ -21,8 +21,8 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// All except VTK's, whose tolerance is a length: it hits beyond a limit, tiny scenes grow by it, and
-/// beams are lost where coordinates are rounded to more.
+/// All except VTK's, whose tolerance is a length: it hits beyond a limit, tiny scenes grow by it,
+/// and beams are lost where coordinates are rounded to more.
 class RobustOwnMethods : public testing::TestWithParam<int>
 {
 };

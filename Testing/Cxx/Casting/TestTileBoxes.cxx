@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief No tile misses a box that one of its beams meets: boxes that a beam just touches at a corner, an
- * edge or a face, near the tile's sides and corners.
+ * @brief No tile misses a box that one of its beams meets: boxes that a beam just touches at a
+ * corner, an edge or a face, near the tile's sides and corners.
  */
 #include "Casting/TileFixtures.h"
 #include "Fixtures/CasterFixtures.h"
@@ -26,8 +26,8 @@ float GetHalfSize(float center, double low, double high)
   return std::nextafter(static_cast<float>(half), HUGE_VALF);
 }
 
-// A box that has a point within it, often on its surface. Sizes are between none and much more than the
-// distance.
+// A box that has a point within it, often on its surface. Sizes are between none and much more than
+// the distance.
 lms3dTileBox MakeBoxAt(const Vector& point, Random& random)
 {
   lms3dTileBox box;

@@ -10,8 +10,8 @@
 #include "Fixtures/VectorFixtures.h"
 #include "Kernels/lms3dPacketKernels.h"
 
-/// A block, a tile or a packet that is a whole grid: from the first to the last angle, degrees. The sensor is
-/// not upright.
+/// A block, a tile or a packet that is a whole grid: from the first to the last angle, degrees. The
+/// sensor is not upright.
 struct Tile
 {
   double Alpha[2];

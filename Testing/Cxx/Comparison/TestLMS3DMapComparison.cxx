@@ -114,8 +114,8 @@ TEST(LMS3DMapComparison, MeasuresALargerBall)
   EXPECT_NEAR(smaller.Update()->GetAreaInFreeSpace(), smaller.Update()->GetMapArea(), 1e-9);
 }
 
-// In a square of side a, the distance of a point from the border has the mean a / 6 and the mean square
-// a^2 / 24. It exceeds x in the share (1 - 2 x / a)^2 of the square.
+// In a square of side a, the distance of a point from the border has the mean a / 6 and the mean
+// square a^2 / 24. It exceeds x in the share (1 - 2 x / a)^2 of the square.
 TEST(LMS3DMapComparison, MissesAWall)
 {
   Comparison comparison(MakeCube(false), MakeCube(true), Point{ 0.3, -0.2, 0.1 });

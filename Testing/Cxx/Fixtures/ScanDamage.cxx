@@ -93,7 +93,8 @@ std::vector<Group> MakeGroups(ScanDamage::Shapes shape)
   return discs;
 }
 
-// The share of beams at which groups start, so that the groups, which may overlap, cover a share of all.
+// The share of beams at which groups start, so that the groups, which may overlap, cover a share of
+// all.
 double GetShareOfStarts(const std::vector<Group>& groups, double share)
 {
   double beams = 0.0;

@@ -16,13 +16,13 @@
 #include <vector>
 
 /**
- * The errors of a device. What happens to a beam depends only on Seed and on the turn and number of the
- * beam, so it does not depend on the other returns of the scan.
+ * The errors of a device. What happens to a beam depends only on Seed and on the turn and number of
+ * the beam, so it does not depend on the other returns of the scan.
  */
 struct ScanDamage
 {
-  /// What is lost together: single beams; stripes of 5 to 20 beams along a fan or along a turn; discs with
-  /// radii of 1 to 3 beams.
+  /// What is lost together: single beams; stripes of 5 to 20 beams along a fan or along a turn;
+  /// discs with radii of 1 to 3 beams.
   enum class Shapes
   {
     SingleBeams,
@@ -33,7 +33,8 @@ struct ScanDamage
   /// The share of all beams without a return.
   double Dropouts = 0.0;
   Shapes Shape = Shapes::SingleBeams;
-  /// The share of all beams whose returns come from a random place before the surface, as from dust.
+  /// The share of all beams whose returns come from a random place before the surface, as from
+  /// dust.
   double Strays = 0.0;
   /// Metres: RangeNoise and RangeResolution of vtkLMS3DRangeErrorFilter.
   double Noise = 0.0;
@@ -51,8 +52,8 @@ struct ScanDamage
 vtkSmartPointer<vtkPolyData> Keep(
   vtkPolyData* scan, const std::function<bool(vtkIdType number)>& isKept);
 
-/// The scan with these errors. If it has the array Status, lost beams are TOO_WEAK there. The mirror must
-/// be on the axis.
+/// The scan with these errors. If it has the array Status, lost beams are TOO_WEAK there. The
+/// mirror must be on the axis.
 vtkSmartPointer<vtkPolyData> Damage(vtkPolyData* scan, const ScanDamage& damage);
 
 #endif

@@ -84,8 +84,8 @@ std::string UpdateAndGetError(vtkAlgorithm* algorithm);
 /// The words of the warnings. Fails the test if there is an error.
 std::string UpdateAndGetWarning(vtkAlgorithm* algorithm);
 
-/// The number of errors that the algorithm and its executive give if each output is updated, twice and
-/// for two times, as ParaView's views do.
+/// The number of errors that the algorithm and its executive give if each output is updated, twice
+/// and for two times, as ParaView's views do.
 int UpdateAllAndCountErrors(vtkAlgorithm* algorithm);
 
 #endif

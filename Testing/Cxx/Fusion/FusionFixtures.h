@@ -51,7 +51,8 @@ struct FusionVerdict
   double LargestDistance = 0.0;
   /// Beams that meet a triangle nearer than their return by more than the bound.
   vtkIdType Blocked = 0;
-  /// Beams that meet no triangle nearer than their return by the bound or less, or behind it by that.
+  /// Beams that meet no triangle nearer than their return by the bound or less, or behind it by
+  /// that.
   vtkIdType Missed = 0;
 };
 

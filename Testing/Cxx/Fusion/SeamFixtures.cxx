@@ -62,7 +62,8 @@ struct RegionsOfMap
 
 using Edge = std::pair<Vector, Vector>;
 
-/// The edges of the triangles of a region, from the first point to the second one, with the third corner.
+/// The edges of the triangles of a region, from the first point to the second one, with the third
+/// corner.
 std::map<Edge, Vector> FindEdges(const RegionsOfMap& map, const Region& region)
 {
   std::map<Edge, Vector> edges;

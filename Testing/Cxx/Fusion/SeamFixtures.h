@@ -17,23 +17,23 @@
 struct Seams
 {
   int Samples = 0;
-  /// Samples on the borders of regions without another region within the bound, where the region does not go on
-  /// behind a gap of three bounds either.
+  /// Samples on the borders of regions without another region within the bound, where the region
+  /// does not go on behind a gap of three bounds either.
   int Open = 0;
   /// Samples without another region within a tenth of the bound.
   int Loose = 0;
 };
 
-/// Looks from the borders of regions for other regions, every 2 cm. What is farther than the bound from the scene, such
-/// as the facets of strays, is left out.
+/// Looks from the borders of regions for other regions, every 2 cm. What is farther than the bound
+/// from the scene, such as the facets of strays, is left out.
 Seams FindSeams(vtkPolyData* fused, vtkPolyData* scene, double bound);
 
-/// How often the map surrounds a point: the sum of the solid angles of its triangles (A. van Oosterom and J. Strackee
-/// 1983, "The solid angle of a plane triangle"), as a share of the sphere.
+/// How often the map surrounds a point: the sum of the solid angles of its triangles (A. van
+/// Oosterom and J. Strackee 1983, "The solid angle of a plane triangle"), as a share of the sphere.
 double CountSheetsAround(vtkPolyData* fused, const Vector& place);
 
-/// A map whose vertices are joined if they are nearer to one another than a micrometre. An edge is divided at the
-/// vertices that lie on it.
+/// A map whose vertices are joined if they are nearer to one another than a micrometre. An edge is
+/// divided at the vertices that lie on it.
 class JoinedMap
 {
 public:

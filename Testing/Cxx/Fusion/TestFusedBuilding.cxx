@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks a map of scans along the corridor of the closed building against the building itself: scans from afar see its
- * ends at grazing incidence, so their local maps guess surface outside of it.
+ * Checks a map of scans along the corridor of the closed building against the building itself:
+ * scans from afar see its ends at grazing incidence, so their local maps guess surface outside of
+ * it.
  */
 #include "Fixtures/TriangleTree.h"
 #include "Fusion/FusionFixtures.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks the map of scans with the errors of a SICK LMS 200: noise, beams that widen, and returns between surfaces.
+ * Checks the map of scans with the errors of a SICK LMS 200: noise, beams that widen, and returns
+ * between surfaces.
  */
 #include "Fusion/FusionFixtures.h"
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks that the regions of a fused map leave no gaps between them, and that they close a room that was seen wholly.
+ * Checks that the regions of a fused map leave no gaps between them, and that they close a room
+ * that was seen wholly.
  */
 #include "Fixtures/ScanDamage.h"
 #include "Fixtures/SceneBuilder.h"
@@ -60,8 +61,8 @@ TEST(LMS3DFusedSeams, CloseAHall)
   }
 }
 
-// Two poses see the whole hall, so its map is closed, and has the Euler number of a sphere. One pose
-// does not see it wholly, and its map has holes.
+// Two poses see the whole hall, so its map is closed, and has the Euler number of a sphere. One
+// pose does not see it wholly, and its map has holes.
 TEST(LMS3DFusedSeams, HaveTheEulerNumberOfASphere)
 {
   vtkNew<vtkLMS3DMapFusion> fusion;
@@ -75,7 +76,8 @@ TEST(LMS3DFusedSeams, HaveTheEulerNumberOfASphere)
   EXPECT_EQ(joined.GetEulerNumber(), 2);
 }
 
-// Strays get facets in free space. They pass no wall, and lost beams are no gaps as soon as two poses see a wall.
+// Strays get facets in free space. They pass no wall, and lost beams are no gaps as soon as two
+// poses see a wall.
 TEST(LMS3DFusedSeams, HoldWithDropoutsAndStrays)
 {
   constexpr double Bound = 0.03;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks the map of several scans of the closed room: its bound, its free space, its size, its growth.
+ * Checks the map of several scans of the closed room: its bound, its free space, its size, its
+ * growth.
  */
 #include "Fixtures/ProgressListener.h"
 #include "Fixtures/SceneBuilder.h"
@@ -79,8 +80,8 @@ TEST(LMS3DMapFusion, KeepsTheBoundOfNoisyScans)
   EXPECT_EQ(verdict.Beyond, 0) << verdict.LargestDistance;
 }
 
-// Pose errors are not corrected. Each return stays within the bound where its scan reports it, so surfaces double as
-// soon as poses differ by more than the bound.
+// Pose errors are not corrected. Each return stays within the bound where its scan reports it, so
+// surfaces double as soon as poses differ by more than the bound.
 TEST(LMS3DMapFusion, KeepsTheBoundOfScansWithPoseErrors)
 {
   std::vector<MappedScan> ideal = ScanRoom();

@@ -50,8 +50,8 @@ double DepthSteps::GetTolerance(const Beam& a, const Beam& b) const
     std::max(0.02, this->GetStep(a, b)) * std::min(this->GetRange(a), this->GetRange(b));
 }
 
-// The range of b if the surface continues as from the beam before a to a: infinite if the surface does not
-// reach b, the range of a if there is no return before.
+// The range of b if the surface continues as from the beam before a to a: infinite if the surface
+// does not reach b, the range of a if there is no return before.
 double DepthSteps::Predict(const Beam& a, const Beam& b) const
 {
   const Beam last = { 2 * a.Turn - b.Turn, 2 * a.Number - b.Number };
@@ -146,7 +146,8 @@ bool DepthSteps::AreApart(const Beam& a, const Beam& b) const
   return this->HaveReturned(a, b) && !this->AreJoined(a, b) && endsBefore(a, b) && endsBefore(b, a);
 }
 
-// With the tilt of an upright plane, and with that towards the return beside a, which need not be on the same plane.
+// With the tilt of an upright plane, and with that towards the return beside a, which need not be
+// on the same plane.
 std::vector<double> DepthSteps::PredictAnyTilt(const Beam& a, const Beam& b) const
 {
   std::vector<double> predictions = { this->PredictAlong(a, b) };

@@ -16,17 +16,17 @@
  * A beam a and its neighbour b are certainly joined if both returned and one of these holds:
  *
  * - Their ranges differ by at most DepthStep.
- * - The scan has no noise, and the planes through either return and the return before it meet the other
- *   within half a millimetre.
+ * - The scan has no noise, and the planes through either return and the return before it meet the
+ *   other within half a millimetre.
  *
- * They are certainly apart if the surfaces on both sides end before they would meet, by more than the
- * tolerance and by more than noise can move them. The tolerance is DepthStep plus a share of the nearer
- * range, 2 % or the angle between the beams if that is more. In the cases in between, a scan does not
- * determine the surface: planes can intersect between a and b at the edge of a box that hides one side,
- * or at a crease that has only two returns beside it.
+ * They are certainly apart if the surfaces on both sides end before they would meet, by more than
+ * the tolerance and by more than noise can move them. The tolerance is DepthStep plus a share of
+ * the nearer range, 2 % or the angle between the beams if that is more. In the cases in between, a
+ * scan does not determine the surface: planes can intersect between a and b at the edge of a box
+ * that hides one side, or at a crease that has only two returns beside it.
  *
- * Along a turn, the plane also passes through the beam's neighbour towards the horizon if the two are
- * joined; otherwise it is upright. Beyond a pole of a full circle, the opposite turn follows.
+ * Along a turn, the plane also passes through the beam's neighbour towards the horizon if the two
+ * are joined; otherwise it is upright. Beyond a pole of a full circle, the opposite turn follows.
  *
  * Beams half a circle apart have no surface between them.
  */
@@ -35,7 +35,8 @@ class DepthSteps
 public:
   using Beam = ScanGrid::Beam;
 
-  /// Keeps a reference to the grid. `noise` is how far returns were moved along their beams, metres.
+  /// Keeps a reference to the grid. `noise` is how far returns were moved along their beams,
+  /// metres.
   DepthSteps(const ScanGrid& grid, double depthStep, double noise)
     : Grid(grid)
     , DepthStep(depthStep)

@@ -19,8 +19,8 @@ struct GapBeam
 };
 
 /**
- * A plane wall 3 m ahead of the sensor, seen by 41 turns of 41 beams, one degree apart. The middle beam of the
- * middle turn meets the wall at a right angle.
+ * A plane wall 3 m ahead of the sensor, seen by 41 turns of 41 beams, one degree apart. The middle
+ * beam of the middle turn meets the wall at a right angle.
  */
 class WallScan
 {
@@ -50,8 +50,8 @@ std::vector<GapBeam> GetSquare(const GapBeam& first, int size);
 /// Adds the array Status: `value` for each of the beams, 0 for the others.
 void AddStatus(vtkPolyData* scan, const std::vector<int>& beamIds, int value);
 
-/// The same scan with a share of its returns moved along their beams to random ranges. All beams must start at the
-/// sensor's position.
+/// The same scan with a share of its returns moved along their beams to random ranges. All beams
+/// must start at the sensor's position.
 vtkSmartPointer<vtkPolyData> AddStrays(vtkPolyData* scan, double share, Random& random);
 
 /// Properties of the filter.
@@ -69,7 +69,8 @@ vtkSmartPointer<vtkPolyData> MakeMap(vtkPolyData* scan, const GapProperties& pro
 /// All values of a field data array.
 std::vector<int> GetFieldValues(vtkPolyData* map, const char* name);
 
-/// How often the ray from the origin in the direction of a beam of a WallScan meets triangles of the map.
+/// How often the ray from the origin in the direction of a beam of a WallScan meets triangles of
+/// the map.
 int CountHits(vtkPolyData* map, const GapBeam& beam);
 /// The sum of the numbers of returns on everything that they can be on.
 double CountReturnsOnAll(vtkPolyData* map);

@@ -83,8 +83,8 @@ bool MeetsItsReturn(const MapCase& map, const TriangleTree& surface, const Beam&
     map.Promise.MaximumError + map.Promise.Noise + MapCase::GetRounding(GetLength(point));
 }
 
-// Judges steps that the scan itself does not show, because it has lost a return beside them. Errors cannot
-// hide such a step if it exceeds them.
+// Judges steps that the scan itself does not show, because it has lost a return beside them. Errors
+// cannot hide such a step if it exceeds them.
 void JudgeLostSteps(const MapCase& map, const MapCase& ideal, const TriangleTree* scene,
   const TriangleTree& surface, MapVerdict& verdict)
 {

@@ -13,7 +13,8 @@ namespace
 {
 using Beam = ScanGrid::Beam;
 
-// How far from the surface a return may be. In a plain grid, the return of median range counts at a pole.
+// How far from the surface a return may be. In a plain grid, the return of median range counts at a
+// pole.
 double GetBound(const MapCase& map, vtkIdType number)
 {
   const ScanGrid& grid = map.Grid;
@@ -41,7 +42,8 @@ double GetDeviationOnBeam(const Vector& point, const TriangleTree& surface)
   return nearest;
 }
 
-// The distances from the vertices of a plain grid. The vertex of a pole is its return of median range.
+// The distances from the vertices of a plain grid. The vertex of a pole is its return of median
+// range.
 std::vector<double> GetDeviationsFromVertices(const MapCase& map)
 {
   const std::set<Vector> vertices(map.Points.begin(), map.Points.end());

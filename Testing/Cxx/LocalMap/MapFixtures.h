@@ -18,16 +18,16 @@
 /// A scan of a scene, with the array Status if a test wants it.
 vtkSmartPointer<vtkPolyData> MakeScan(const MapScene& scene, bool hasStatus = false);
 
-/// `getRange` returns the range of each turn and beam, metres, 0 for no return. The sensor is at the
-/// origin.
+/// `getRange` returns the range of each turn and beam, metres, 0 for no return. The sensor is at
+/// the origin.
 vtkSmartPointer<vtkPolyData> MakeScan(const std::vector<double>& alphas,
   const std::vector<double>& betas, const std::function<double(int turn, int number)>& getRange);
 
 /// `count` angles in equal steps, ends included.
 std::vector<double> MakeAngles(double first, double last, int count);
 
-/// The same returns, each moved along its beam by a normally distributed distance of at most 4 sigma and
-/// half of its range.
+/// The same returns, each moved along its beam by a normally distributed distance of at most 4
+/// sigma and half of its range.
 vtkSmartPointer<vtkPolyData> AddNoise(vtkPolyData* scan, double sigma, Random& random);
 
 /// The same scan with its turns in reverse order.

@@ -143,8 +143,8 @@ bool ClosableGaps::IsFreeSpace(const Beam& beam) const
   return status == vtkLMS3DScanFilter::NOTHING_MET || status == vtkLMS3DScanFilter::BEYOND_RANGE;
 }
 
-// Whether all rays close around a beam hit surface. Surface that ends at the beam, or has a corner there,
-// does not count.
+// Whether all rays close around a beam hit surface. Surface that ends at the beam, or has a corner
+// there, does not count.
 bool IsCovered(const MapCase& map, const TriangleTree& surface, const Beam& beam)
 {
   constexpr double Offset = 1e-3;

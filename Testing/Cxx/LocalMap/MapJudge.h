@@ -52,7 +52,8 @@ std::set<int> GetFieldNumbers(vtkPolyData* map, const char* name);
 void JudgeShape(const MapCase& map, MapVerdict& verdict);
 /// Edges alone, which the laws of boundaries need to be sound.
 void JudgeEdges(const MapCase& map, MapVerdict& verdict);
-/// Whether a triangle that shares no edge is the facet of returns at a pole that one vertex cannot represent.
+/// Whether a triangle that shares no edge is the facet of returns at a pole that one vertex cannot
+/// represent.
 bool IsFacetOfPole(const MapCase& map, const TriangleTree::Triangle& triangle);
 /// Distances from returns, and what beams and the rays between them hit.
 void JudgeDistances(const MapCase& map, const TriangleTree& surface, MapVerdict& verdict);

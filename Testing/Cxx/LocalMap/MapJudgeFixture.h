@@ -48,7 +48,8 @@ protected:
   /// Multiplies a point's range by a factor.
   void MovePoint(vtkIdType number, double factor);
 
-  /// Adds a small triangle across the lower pole, or `aside` radians from it, at a share of the pole's range.
+  /// Adds a small triangle across the lower pole, or `aside` radians from it, at a share of the
+  /// pole's range.
   void AddFacet(double aside, double factor);
   /// Multiplies the range of a return by a factor.
   void MoveReturn(vtkIdType number, double factor);

@@ -4,50 +4,52 @@
  * @file
  * @brief The laws of the local map, and a judge that finds where a map breaks them.
  *
- * The judge uses the scan, the map and, if there is one, the scene. It shares no code with the filter.
- * Lengths have a tolerance of 1e-9 of the range, directions of 1e-9 radians.
+ * The judge uses the scan, the map and, if there is one, the scene. It shares no code with the
+ * filter. Lengths have a tolerance of 1e-9 of the range, directions of 1e-9 radians.
  *
- * - bound: no return is farther from the surface than MaximumError, also at poles. With a MaximumError of 0,
- *   each return is a vertex; a pole is one vertex, at its return of median range.
- * - beam: each beam that returned hits the surface. (In a plain grid, if its return has a triangle. Not
- *   if its return is a speckle that is left out.)
- * - free space: what a beam that returned hits is within MaximumError and the noise of the scene, or no
- *   farther from it than what joined neighbours span, as the plain grid is at a crease.
+ * - bound: no return is farther from the surface than MaximumError, also at poles. With a
+ *   MaximumError of 0, each return is a vertex; a pole is one vertex, at its return of median
+ *   range.
+ * - beam: each beam that returned hits the surface. (In a plain grid, if its return has a triangle.
+ *   Not if its return is a speckle that is left out.)
+ * - free space: what a beam that returned hits is within MaximumError and the noise of the scene,
+ *   or no farther from it than what joined neighbours span, as the plain grid is at a crease.
  * - between beams: there, where nothing was measured, the surface may be off by half a cell more. A
  *   bounded map, whose borders pass between beams, may be off by more at four places and one in a
- *   thousand. The surface may also continue in the plane that a neighbouring beam hit, or in the plane of
- *   that beam's return and two more of the same surface, within twice the bound: a plane that is off by
- *   the bound at one beam and by as much to the other side at the next is off by twice the bound half a
- *   cell further.
+ *   thousand. The surface may also continue in the plane that a neighbouring beam hit, or in the
+ *   plane of that beam's return and two more of the same surface, within twice the bound: a plane
+ *   that is off by the bound at one beam and by as much to the other side at the next is off by
+ *   twice the bound half a cell further.
  * - miss: no beam without a return hits the surface.
- * - bridge: between neighbours on both sides of a depth step (of the scene, too, if there is a scene), the
- *   surface has a gap or a jump.
+ * - bridge: between neighbours on both sides of a depth step (of the scene, too, if there is a
+ *   scene), the surface has a gap or a jump.
  * - crack: between four beams whose ranges are within DepthStep, there is surface.
  * - overhang: no vertex is a whole cell away from all returns.
  * - edge: at most two triangles share an edge, in opposite directions.
- * - boundary: an edge of one triangle lies at a depth step, a miss or the border of the scan. (Not if the
- *   triangle is the facet of returns at a pole that are farther than MaximumError from their median, while all
- *   returns of the pole span more than twice MaximumError.)
+ * - boundary: an edge of one triangle lies at a depth step, a miss or the border of the scan. (Not
+ *   if the triangle is the facet of returns at a pole that are farther than MaximumError from their
+ *   median, while all returns of the pole span more than twice MaximumError.)
  * - T-junction: no vertex lies inside an edge.
  * - facing: each triangle faces the sensor.
  * - area: each triangle has an area and three corners.
  * - point: coordinates are finite, and each point belongs to a triangle. (Not in a plain grid.)
- * - range, normal: `Range` is the distance from the sensor. `Normals` of points are unit vectors towards
- *   it; `Normals` of triangles are the triangles' normals.
+ * - range, normal: `Range` is the distance from the sensor. `Normals` of points are unit vectors
+ *   towards it; `Normals` of triangles are the triangles' normals.
  * - field data: the field data of the map are right.
  *
- * If there is a scan without the errors of the first, surface may also be where this ideal scan and the
- * scene explain it. Then there are more laws:
+ * If there is a scan without the errors of the first, surface may also be where this ideal scan and
+ * the scene explain it. Then there are more laws:
  *
- * - miss: gaps that the filter may close can have surface: groups of at most MaximumGapSize beams without a
- *   return, away from the edge of the scan, if no beam of the group met nothing or a surface beyond the
- *   range, by the scan's `Status`. (Beams are neighbours along the fan and along the turn.)
+ * - miss: gaps that the filter may close can have surface: groups of at most MaximumGapSize beams
+ *   without a return, away from the edge of the scan, if no beam of the group met nothing or a
+ *   surface beyond the range, by the scan's `Status`. (Beams are neighbours along the fan and along
+ *   the turn.)
  * - closed gap: the field data name just these beams, and count their groups.
- * - passage: where such a gap is closed, no beam of the ideal scan meets a surface behind the map, farther
- *   than MaximumError and the noise from it.
+ * - passage: where such a gap is closed, no beam of the ideal scan meets a surface behind the map,
+ *   farther than MaximumError and the noise from it.
  * - bridge: the surface does not join what lies apart in the ideal scan.
- * - speckle: the field data name and count the returns of speckles, groups of at most MaximumSpeckleSize
- *   neighbouring returns. Without KeepSpeckles, only these may exceed the bound.
+ * - speckle: the field data name and count the returns of speckles, groups of at most
+ *   MaximumSpeckleSize neighbouring returns. Without KeepSpeckles, only these may exceed the bound.
  */
 #ifndef MapLaws_h
 #define MapLaws_h

@@ -17,7 +17,8 @@
 class MapNeighbours
 {
 public:
-  /// Keeps references to the map and, if it is not null, to the same map with the scan without errors.
+  /// Keeps references to the map and, if it is not null, to the same map with the scan without
+  /// errors.
   MapNeighbours(const MapCase& map, const MapCase* ideal);
 
   /// Keeps a reference.

@@ -9,8 +9,8 @@
 
 namespace
 {
-// The ranges of all returns at a pole that are farther than the bound from their median, if all returns span more
-// than twice the bound.
+// The ranges of all returns at a pole that are farther than the bound from their median, if all
+// returns span more than twice the bound.
 std::vector<double> GetOthers(const MapCase& map, const ScanGrid::Beam& pole)
 {
   std::vector<double> ranges;
@@ -33,7 +33,8 @@ std::vector<double> GetOthers(const MapCase& map, const ScanGrid::Beam& pole)
   return ranges;
 }
 
-// Whether the beam of a pole hits a triangle that is smaller than a cell, within the bound of one of these returns.
+// Whether the beam of a pole hits a triangle that is smaller than a cell, within the bound of one
+// of these returns.
 bool IsFacetAt(const MapCase& map, const std::array<Vector, 3>& corners, const ScanGrid::Beam& pole)
 {
   const Vector direction = map.Grid.GetDirection({ 1.0 * pole.Turn, 1.0 * pole.Number });

@@ -13,8 +13,8 @@ namespace
 {
 using Beam = ScanGrid::Beam;
 
-// The returns that are certainly connected to one, at most `maximum` and one more: neighbours, diagonals
-// included, whose ranges differ by at most DepthStep.
+// The returns that are certainly connected to one, at most `maximum` and one more: neighbours,
+// diagonals included, whose ranges differ by at most DepthStep.
 std::size_t CountConnected(const MapCase& map, vtkIdType first, std::size_t maximum)
 {
   std::set<vtkIdType> found = { first };

@@ -16,13 +16,13 @@ namespace
 using Beam = ScanGrid::Beam;
 using Place = ScanGrid::Place;
 
-// Between beams, at three places for each beam, a bounded map may be off at this share of all places, plus
-// this number of places in coarse scans.
+// Between beams, at three places for each beam, a bounded map may be off at this share of all
+// places, plus this number of places in coarse scans.
 constexpr double ShareBetweenBeams = 1e-3;
 constexpr double AllowedBetweenBeams = 4.0;
 
-// Whether a return is that of a speckle that is left out. Where the map is the plain grid, there is no surface
-// behind it.
+// Whether a return is that of a speckle that is left out. Where the map is the plain grid, there is
+// no surface behind it.
 bool IsLeftOut(const MapCase& map, const std::set<int>& speckles, const Beam& beam)
 {
   return !map.Promise.KeepSpeckles &&

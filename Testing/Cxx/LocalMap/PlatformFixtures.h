@@ -29,14 +29,16 @@ struct TestPlatform
   }
 };
 
-/// Each mounting with the mirror on the axis, beside it in several directions, and with turning platforms.
+/// Each mounting with the mirror on the axis, beside it in several directions, and with turning
+/// platforms.
 std::vector<TestPlatform> GetTestPlatforms();
 
-/// A scan of a scene with half a circle of beta, if that measures all directions, in steps of 2 degrees.
+/// A scan of a scene with half a circle of beta, if that measures all directions, in steps of 2
+/// degrees.
 vtkSmartPointer<vtkPolyData> MakeScan(const MapScene& scene, const TestPlatform& platform);
 
-/// The scan as the mounting Yawing would have measured it, with the same points. The mirror must be on the
-/// axis, the fan whole, and half a circle of beta without a turn that repeats the first.
+/// The scan as the mounting Yawing would have measured it, with the same points. The mirror must be
+/// on the axis, the fan whole, and half a circle of beta without a turn that repeats the first.
 vtkSmartPointer<vtkPolyData> ToYawing(vtkPolyData* scan);
 
 /// The largest distance of a return from the map, metres.

@@ -20,8 +20,8 @@ namespace
 {
 constexpr double Tolerance = 0.1;
 
-/// A straight line in the plane of the fan at a distance, metres. The beam at `Angle`, degrees, hits it at
-/// a right angle.
+/// A straight line in the plane of the fan at a distance, metres. The beam at `Angle`, degrees,
+/// hits it at a right angle.
 struct Line
 {
   double Distance;
@@ -112,8 +112,8 @@ TEST(DepthStep, JoinsTheCreasesOfAnyRoom)
 
 TEST(DepthStep, DoubtsCreasesBesideTwoReturns)
 {
-  // The last two returns before the wall lie on a line that leads behind it. The return before them does
-  // not lie on that line.
+  // The last two returns before the wall lie on a line that leads behind it. The return before them
+  // does not lie on that line.
   const std::vector<double> ranges = { 1.9, 2.6, 3.5, 4.7, 4.72, 4.75 };
   EXPECT_EQ(Classify(ranges, 4.0, 2), lms3dDepthStep::Uncertain);
 }
@@ -125,7 +125,8 @@ TEST(DepthStep, SeparatesSteepSlopesOfTwoReturns)
   EXPECT_EQ(Classify(ranges, 1.0, 2), lms3dDepthStep::Separate);
 }
 
-// Two boxes side by side: the planes of their fronts do not meet between the last two beams, but nearly.
+// Two boxes side by side: the planes of their fronts do not meet between the last two beams, but
+// nearly.
 TEST(DepthStep, JoinsGapsUpToTwiceTheStepOnlyBesideALowStep)
 {
   const std::vector<double> low = { 2.0, 2.0, 2.0, 2.12, 2.12, 2.12 };
@@ -134,7 +135,8 @@ TEST(DepthStep, JoinsGapsUpToTwiceTheStepOnlyBesideALowStep)
   EXPECT_EQ(Classify(high, 0.5, 2), lms3dDepthStep::Separate);
 }
 
-// Hills: from the last return of the nearer side, the ground goes on less steeply than before and behind.
+// Hills: from the last return of the nearer side, the ground goes on less steeply than before and
+// behind.
 TEST(DepthStep, JoinsGentleSlopesBehindACurve)
 {
   const std::vector<double> curved = { 9.0, 9.4, 10.0, 10.4, 11.1, 12.0 };

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks which meshes of patches are kept when other patches are split, and that a new attempt makes the same.
+ * Checks which meshes of patches are kept when other patches are split, and that a new attempt
+ * makes the same.
  */
 #include "LocalMap/Bounded/lms3dKeptMeshes.h"
 
@@ -30,7 +31,8 @@ enum Patch : std::int32_t
   Corner
 };
 
-/// Beams in steps of a degree, to 20 degrees on all sides. All returns of a patch have the same range.
+/// Beams in steps of a degree, to 20 degrees on all sides. All returns of a patch have the same
+/// range.
 class Walls
 {
 public:

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Breaks the laws for gaps and speckles on purpose and checks that the judge finds the breach.
+ * @brief Breaks the laws for gaps and speckles on purpose and checks that the judge finds the
+ * breach.
  */
 #include "LocalMap/MapJudgeFixture.h"
 

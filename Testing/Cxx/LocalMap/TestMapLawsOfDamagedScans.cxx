@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks the laws of the local map on random scans of 20 scenes with the errors of a device: lost beams,
- * stray returns, noise and steps. The environment variable LMS3D_DAMAGED_SCANS sets the number of scans,
- * LMS3D_DAMAGED_SCAN judges only the scan of one seed.
+ * Checks the laws of the local map on random scans of 20 scenes with the errors of a device: lost
+ * beams, stray returns, noise and steps. The environment variable LMS3D_DAMAGED_SCANS sets the
+ * number of scans, LMS3D_DAMAGED_SCAN judges only the scan of one seed.
  */
 #include "LocalMap/DamagedScans.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks the laws of the local map on scans of various resolutions and ranges of angles, and on synthetic
- * ranges.
+ * Checks the laws of the local map on scans of various resolutions and ranges of angles, and on
+ * synthetic ranges.
  */
 #include "LocalMap/MapFixtures.h"
 

@@ -17,7 +17,8 @@ namespace
 {
 constexpr std::uint64_t Seed = 20090403;
 
-// The triangles of an exact ball of 2 m radius that vtkQuadricDecimation needs for a largest error of 1 cm.
+// The triangles of an exact ball of 2 m radius that vtkQuadricDecimation needs for a largest error
+// of 1 cm.
 constexpr vtkIdType TrianglesOfDecimation = 2012;
 
 /// A ball of 2 m radius around the sensor.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Counts rare faults of maps over many scans with fixed seeds: closed rooms whose maps are open, and true depth steps
- * that a map bridges.
+ * Counts rare faults of maps over many scans with fixed seeds: closed rooms whose maps are open,
+ * and true depth steps that a map bridges.
  */
 #include "Fixtures/SceneBuilder.h"
 #include "LocalMap/MapFixtures.h"

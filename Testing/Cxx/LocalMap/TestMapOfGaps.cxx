@@ -134,7 +134,8 @@ TEST(MapOfGaps, StayOpenBetweenPatches)
 
 TEST(MapOfGaps, StayOpenAtADepthStep)
 {
-  // A plate one metre before the wall, and a window through which something is seen one metre behind it.
+  // A plate one metre before the wall, and a window through which something is seen one metre
+  // behind it.
   for (double step : { -1.0, 1.0 })
   {
     WallScan scan;
@@ -206,7 +207,8 @@ TEST(MapOfGaps, IsSmallIfManyBeamsAreLost)
 
 TEST(MapOfGaps, KeepsTheBoundForMountingsAndOffsets)
 {
-  // Every third one, since maps of mirrors beside the axis take long: each mounting and each offset occur.
+  // Every third one, since maps of mirrors beside the axis take long: each mounting and each offset
+  // occur.
   const std::vector<TestPlatform> platforms = GetTestPlatforms();
   for (std::size_t i = 0; i < platforms.size(); i += 3)
   {

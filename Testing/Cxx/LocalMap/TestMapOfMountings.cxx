@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Maps of mountings that equal maps of turned sensors, and of fans that are combs or not symmetric.
+ * @brief Maps of mountings that equal maps of turned sensors, and of fans that are combs or not
+ * symmetric.
  */
 #include "Fixtures/SceneBuilder.h"
 #include "Fixtures/SceneFixtures.h"
@@ -41,7 +42,8 @@ vtkSmartPointer<vtkLMS3DScanFilter> MakeRoomScan(int mounting)
   return scan;
 }
 
-// A wall of 40 m at 2 m, scanned in steps of `step` degrees by a platform that turns one degree in a fan.
+// A wall of 40 m at 2 m, scanned in steps of `step` degrees by a platform that turns one degree in
+// a fan.
 vtkSmartPointer<vtkPolyData> ScanWall(double step, const Vector& axisOffset)
 {
   SceneBuilder builder;

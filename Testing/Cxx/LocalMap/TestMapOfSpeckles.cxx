@@ -68,7 +68,8 @@ TEST(MapOfSpeckles, AreGroupsUpToTheMaximumSize)
 
 TEST(MapOfSpeckles, AreNeverAThinThing)
 {
-  // A chair leg and a diagonal wire, each seen by one beam a turn or one turn a beam, one of them with a lost beam.
+  // A chair leg and a diagonal wire, each seen by one beam a turn or one turn a beam, one of them
+  // with a lost beam.
   for (int slope : { -1, 0, 1 })
   {
     WallScan leg;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks the size of the local map of Data/room.wrl, its independence of threads, and invalid input.
+ * Checks the size of the local map of Data/room.wrl, its independence of threads, and invalid
+ * input.
  */
 #include "Fixtures/ProgressListener.h"
 #include "LocalMap/MapFixtures.h"
@@ -117,8 +118,8 @@ TEST(MapOfTheRoom, IsSmall)
     MakeMap(AddNoise(scan, 0.005, random), 0.02)->GetNumberOfCells(), 0.0064 * TrianglesOfFullGrid);
 }
 
-// Planes within a large bound cut the corners of the room. Patches that fail the proof for this reason must not fall
-// apart. The order of the patches' growth makes small differences.
+// Planes within a large bound cut the corners of the room. Patches that fail the proof for this
+// reason must not fall apart. The order of the patches' growth makes small differences.
 TEST(MapOfTheRoom, NeedsNoMoreTrianglesForLargerBounds)
 {
   vtkSmartPointer<vtkPolyData> scan = MakeScan(GetRoom());

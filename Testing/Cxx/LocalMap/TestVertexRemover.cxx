@@ -23,8 +23,8 @@ constexpr double Tolerance = 0.0085;
 constexpr int Beams = 41;
 constexpr int Turns = 41;
 
-/// Beams in steps of a degree, to 20 degrees on all sides. The surface to the left of the middle is near, the surface
-/// to the right is farther by `step`; 0 means that there is none.
+/// Beams in steps of a degree, to 20 degrees on all sides. The surface to the left of the middle is
+/// near, the surface to the right is farther by `step`; 0 means that there is none.
 struct Wall
 {
   explicit Wall(double step)
@@ -73,8 +73,8 @@ struct Wall
     }
   }
 
-  /// Whether the border of the near surface may leave out the middle one of three vertices, each given by its angles in
-  /// degrees, to the right and upwards, and by its range.
+  /// Whether the border of the near surface may leave out the middle one of three vertices, each
+  /// given by its angles in degrees, to the right and upwards, and by its range.
   bool IsAllowed(const std::array<lms3dVector, 3>& vertices) const
   {
     const lms3dBorderShortcuts shortcuts(*this->Sphere, this->Patches, Tolerance);

@@ -61,7 +61,8 @@ struct Moments
   double Count;
   double Mean;
   double Variance;
-  /// Central moments divided by powers of the standard deviation; 0 and 3 for a normal distribution.
+  /// Central moments divided by powers of the standard deviation; 0 and 3 for a normal
+  /// distribution.
   double Skewness;
   double Kurtosis;
 };

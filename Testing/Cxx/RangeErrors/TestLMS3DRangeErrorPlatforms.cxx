@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Range errors of scans with all mountings, of mirrors beside the axis and of turning platforms.
+ * @brief Range errors of scans with all mountings, of mirrors beside the axis and of turning
+ * platforms.
  */
 #include "RangeErrors/RangeErrorFixtures.h"
 

@@ -23,8 +23,8 @@ void SetReflectances(
 /// Gives all cells of a scene this reflectance.
 vtkSmartPointer<vtkPolyData> Paint(vtkSmartPointer<vtkPolyData> scene, double reflectance);
 
-/// A square wall 2 m wide, its middle `distance` along x from the origin. Its normal is turned up by
-/// `degrees` from the x axis.
+/// A square wall 2 m wide, its middle `distance` along x from the origin. Its normal is turned up
+/// by `degrees` from the x axis.
 vtkSmartPointer<vtkPolyData> MakeWall(double distance, double degrees = 0.0);
 
 /// A scan of one beam along x.
@@ -36,7 +36,8 @@ void SeeTenPercentAtTenMetres(vtkLMS3DScanFilter* scan);
 /// Whether the update gives a return. Fails the test if there is an error.
 bool HasReturn(vtkLMS3DScanFilter* scan);
 
-/// The status of all beams in the range image. Fails the test unless the scan's field data has the same.
+/// The status of all beams in the range image. Fails the test unless the scan's field data has the
+/// same.
 std::vector<int> GetStatus(vtkLMS3DScanFilter* scan);
 
 #endif

@@ -22,8 +22,8 @@ constexpr double Diameter = 0.012;
 constexpr double Divergence = 0.0044;
 constexpr double RadiusAtWall = 0.5 * (Diameter + Divergence * Wall);
 
-/// A plate at x = `distance` on the side of an edge. The edge is `offset` from the x axis, across the
-/// direction `turn` (degrees from y to z).
+/// A plate at x = `distance` on the side of an edge. The edge is `offset` from the x axis, across
+/// the direction `turn` (degrees from y to z).
 vtkSmartPointer<vtkPolyData> MakePlate(double distance, double offset, double turn)
 {
   const double c = std::cos(vtkMath::RadiansFromDegrees(turn));

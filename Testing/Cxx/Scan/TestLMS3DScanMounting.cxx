@@ -25,7 +25,8 @@ struct Mounting
   std::size_t Directions;
 };
 
-// Section 2 of Wulf and Wagner 2003: how many of the beams in steps of 0.5 x 1 degrees are different.
+// Section 2 of Wulf and Wagner 2003: how many of the beams in steps of 0.5 x 1 degrees are
+// different.
 const Mounting AllMountings[] = { { vtkLMS3DScanFilter::YAWING, { 0.0, 359.0 }, 129242 },
   { vtkLMS3DScanFilter::YAWING_TOP, { 0.0, 179.0 }, 64801 },
   { vtkLMS3DScanFilter::PITCHING, { -90.0, 89.0 }, 64622 },
@@ -94,7 +95,8 @@ TEST(LMS3DScanMounting, HasTheNumberOfDifferentDirections)
   }
 }
 
-// Each mounting turns the same fan about another axis, so the box with turned axes gives the same ranges.
+// Each mounting turns the same fan about another axis, so the box with turned axes gives the same
+// ranges.
 TEST(LMS3DScanMounting, MeasuresABoxWithPermutedAxesAlike)
 {
   const auto getRanges = [](int mounting, const Point& sizes, double first, double last)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief vtkLMS3DScanFilter with a mirror off the axis, and with a platform that turns during a fan.
+ * @brief vtkLMS3DScanFilter with a mirror off the axis, and with a platform that turns during a
+ * fan.
  */
 #include "Scan/DeviceFixtures.h"
 

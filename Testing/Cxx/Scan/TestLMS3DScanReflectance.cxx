@@ -25,7 +25,8 @@ constexpr double Beyond = 1.0 + 1e-9;
 
 constexpr double MinimumReflectance = 0.018;
 
-// The largest range at which a device that sees 10 percent at 10 m sees a reflectance at right angles.
+// The largest range at which a device that sees 10 percent at 10 m sees a reflectance at right
+// angles.
 double GetLimit(double reflectance)
 {
   return reflectance < MinimumReflectance ? 0.0 : 10.0 * std::sqrt(reflectance / 0.1);

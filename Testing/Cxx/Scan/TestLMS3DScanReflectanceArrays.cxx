@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The cell arrays that vtkLMS3DScanFilter takes as ReflectanceArray, and the errors of others.
+ * @brief The cell arrays that vtkLMS3DScanFilter takes as ReflectanceArray, and the errors of
+ * others.
  */
 #include "Scan/DetectionFixtures.h"
 

@@ -26,7 +26,8 @@ using Filter = vtkLMS3DScanFilter;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Walls across the axes: near at x = 0.5, at y = 5, black at y = -5, and far at x = -20. Nothing is above.
+/// Walls across the axes: near at x = 0.5, at y = 5, black at y = -5, and far at x = -20. Nothing
+/// is above.
 vtkSmartPointer<vtkPolyData> MakeWalls()
 {
   auto walls = Join(Join(MakeWall(0.5), MakeWall(-20.0)),

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief ComputeStatus changes no return, also where MaximumRange is the range of a return, and where
- * surfaces coincide.
+ * @brief ComputeStatus changes no return, also where MaximumRange is the range of a return, and
+ * where surfaces coincide.
  */
 #include "Fixtures/MeshFixtures.h"
 #include "Fixtures/SceneBuilder.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Scenes that are very large, very far or very small, and sensors that stand on them: what the
- * header of vtkLMS3DScanFilter says about the exact method, tested without VTK.
+ * @brief Scenes that are very large, very far or very small, and sensors that stand on them: what
+ * the header of vtkLMS3DScanFilter says about the exact method, tested without VTK.
  */
 #include "Fixtures/CasterFixtures.h"
 

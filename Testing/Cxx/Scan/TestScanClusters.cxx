@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Scans of scenes too large for tiles of single triangles have the bits of packets, too: tiles leave
- * out clusters of triangles there.
+ * @brief Scans of scenes too large for tiles of single triangles have the bits of packets, too:
+ * tiles leave out clusters of triangles there.
  */
 #include "Fixtures/CasterFixtures.h"
 #include "Scan/TileScans.h"

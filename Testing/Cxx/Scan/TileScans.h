@@ -12,8 +12,9 @@
 
 #include <vector>
 
-/// Scans a mesh with Exact from each sensor, upright and turned, with several grids and maximum ranges, and
-/// expects the bits of packets that no tile has. Returns how many scans decided whole tiles.
+/// Scans a mesh with Exact from each sensor, upright and turned, with several grids and maximum
+/// ranges, and expects the bits of packets that no tile has. Returns how many scans decided whole
+/// tiles.
 int ExpectEqualScans(const lms3dTriangleMesh& mesh, const std::vector<Vector>& sensors,
   const std::vector<double>& maximumRanges);
 

@@ -135,7 +135,8 @@ TEST_F(VRMLImporterSource, ReportsAnyExceptionAsAnError)
   const unsigned long tag = this->Reader->AddObserver(vtkCommand::ProgressEvent, thrower);
   EXPECT_NO_THROW(this->ExpectError(vtkErrorCode::UserError, "thrown by an observer"));
   this->Reader->RemoveObserver(tag);
-  // VTK holds a reference while it calls an observer, and loses the reference if the observer throws.
+  // VTK holds a reference while it calls an observer, and loses the reference if the observer
+  // throws.
   while (thrower->GetReferenceCount() > 1)
   {
     thrower->UnRegister(nullptr);

@@ -54,7 +54,8 @@ TEST(Transform, DetectsMirrorsAndInfinities)
   EXPECT_FALSE(lms3dTransform::Translation({ 0, std::nan(""), 0 }).IsFinite(1.0));
 }
 
-// Computed by hand: (p - c) is rotated to the axes of the scale, scaled, rotated back, rotated, moved.
+// Computed by hand: (p - c) is rotated to the axes of the scale, scaled, rotated back, rotated,
+// moved.
 TEST_F(VRMLTransforms, HaveTheOrderOfTheStandard)
 {
   const lms3dScene scene = this->Read("Transform { center 1 0 0 rotation 0 0 1 1.5707963267948966\n"

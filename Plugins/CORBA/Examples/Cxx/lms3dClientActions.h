@@ -16,7 +16,8 @@
 // All throw CORBA::Exception, and std::runtime_error if the server cannot scan, has restarted or
 // sends invalid data.
 
-/// Throws std::runtime_error if the standard output cannot be written, e.g. because the disk is full.
+/// Throws std::runtime_error if the standard output cannot be written, e.g. because the disk is
+/// full.
 void lms3dRequireOutput();
 
 /// Waits for a scan whose number is above `after`, and returns its number.

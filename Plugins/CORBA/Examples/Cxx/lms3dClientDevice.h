@@ -16,8 +16,8 @@
 /// Sets one property.
 using lms3dDeviceChange = std::function<void(LMS3D::Device&)>;
 
-/// Reads a property and its values without contacting a scanner. Throws std::invalid_argument if there is
-/// no such property, or if it takes other values. The server checks the limits.
+/// Reads a property and its values without contacting a scanner. Throws std::invalid_argument if
+/// there is no such property, or if it takes other values. The server checks the limits.
 lms3dDeviceChange lms3dReadDeviceChange(
   const std::string& property, const std::vector<std::string>& values);
 

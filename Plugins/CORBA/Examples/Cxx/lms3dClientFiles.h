@@ -12,8 +12,8 @@
 
 class vtkPolyData;
 
-/// Throws std::runtime_error if one of the files cannot become a VTK file, or two names mean the same
-/// file. Call it before the work begins.
+/// Throws std::runtime_error if one of the files cannot become a VTK file, or two names mean the
+/// same file. Call it before the work begins.
 void lms3dCheckFiles(const std::vector<std::string>& files);
 
 /// Writes a temporary file and renames it, so that `file` is complete or unchanged. Removes the

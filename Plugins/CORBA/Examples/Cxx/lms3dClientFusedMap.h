@@ -16,8 +16,8 @@
 /// Saves the map to a file.
 void lms3dSaveFusedMap(LMS3D::LaserScanner_ptr scanner, const std::string& file);
 
-/// Prints a line for each of the next `count` states of the map, the newest one first. Fetches only what
-/// changes.
+/// Prints a line for each of the next `count` states of the map, the newest one first. Fetches only
+/// what changes.
 void lms3dWatchFusedMap(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong count);
 
 /// Begins a new map, and prints the first scan of it.

@@ -12,8 +12,8 @@
 #include <string>
 #include <system_error>
 
-/// Reads a number. Throws std::invalid_argument, with `name` and `kind`, for other words: "1e999", "12x",
-/// and "-1" for a count. The server checks the limits.
+/// Reads a number. Throws std::invalid_argument, with `name` and `kind`, for other words: "1e999",
+/// "12x", and "-1" for a count. The server checks the limits.
 template <typename Number>
 Number lms3dReadClientNumber(const std::string& name, const std::string& word, const char* kind)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
-// lms3d-paper-client REFERENCE: fetches a scan with the paper's interface and prints its nearest return.
+// lms3d-paper-client REFERENCE: fetches a scan with the paper's interface and prints its nearest
+// return.
 #include "LMS3D.hh"
 
 #include <iostream>

@@ -12,9 +12,9 @@ constexpr int MaximumFailures = 3;
 // Connecting and forwards count too; see lms3dLimitRetries().
 constexpr CORBA::ULong CallMilliseconds = 500;
 
-// A reference to the same object. The ORB locates an object only before the first call of a reference,
-// and notices an object that does not exist, or that forwards all calls, only then: scanReady() has no
-// answer.
+// A reference to the same object. The ORB locates an object only before the first call of a
+// reference, and notices an object that does not exist, or that forwards all calls, only then:
+// scanReady() has no answer.
 LMS3D::ScanListener_ptr MakeReference(LMS3D::ScanListener_ptr reference)
 {
   cdrMemoryStream stream;

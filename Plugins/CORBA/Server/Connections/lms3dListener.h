@@ -38,8 +38,9 @@ public:
   /// True if three calls in a row failed. No more calls are made then.
   bool HasFailed() const;
 
-  /// True if no call is made any more, so that the destructor returns at once. After Stop() a current
-  /// call takes half a second at most, and the lookup of a host's name as long as the system needs.
+  /// True if no call is made any more, so that the destructor returns at once. After Stop() a
+  /// current call takes half a second at most, and the lookup of a host's name as long as the
+  /// system needs.
   bool HasEnded() const;
 
 private:

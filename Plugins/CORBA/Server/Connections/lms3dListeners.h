@@ -18,8 +18,8 @@
 #include <thread>
 #include <vector>
 
-/// Notifies the listeners of each scan. Neither the scanner nor other clients wait for a listener. A
-/// listener that is removed occupies its place until its current call ends, so that the number of
+/// Notifies the listeners of each scan. Neither the scanner nor other clients wait for a listener.
+/// A listener that is removed occupies its place until its current call ends, so that the number of
 /// threads is limited too. All methods but Start() and Stop() may be called from any thread.
 class lms3dListeners
 {
@@ -43,8 +43,8 @@ public:
   /// lms3dIsNetworkAddress()), LMS3D::LimitExceeded, or CORBA::TRANSIENT after Stop().
   CORBA::ULong Add(LMS3D::ScanListener_ptr reference);
 
-  /// Returns false if there is no such subscription. No call begins after this returns. Does not wait
-  /// for the current call.
+  /// Returns false if there is no such subscription. No call begins after this returns. Does not
+  /// wait for the current call.
   bool Remove(CORBA::ULong subscription);
 
   /// The number of listeners that have not failed.
@@ -55,7 +55,8 @@ private:
 
   void Run();
   void NotifyAll(const LMS3D::ScanHeader& header);
-  /// Removes the listeners that have failed, and returns those that have ended. Destroy them unlocked.
+  /// Removes the listeners that have failed, and returns those that have ended. Destroy them
+  /// unlocked.
   List TakeEnded();
   ///@{
   /// The mutex must be locked.

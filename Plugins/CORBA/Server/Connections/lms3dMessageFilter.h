@@ -13,8 +13,8 @@
  * omniORB assigns such a message to the first call of the connection with the same number. If
  * another thread still answers that call, both threads use its memory, and the process crashes. And
  * while omniORB reads a request in fragments, it stores the connection's other requests without
- * limit. Therefore the ORB gets only the beginning of such a request, as a complete one. GIOP permits
- * a server to ignore a cancellation.
+ * limit. Therefore the ORB gets only the beginning of such a request, as a complete one. GIOP
+ * permits a server to ignore a cancellation.
  */
 class lms3dMessageFilter
 {

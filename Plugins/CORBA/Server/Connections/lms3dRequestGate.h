@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Delays and refuses requests before they reach the object, and identifies their connections.
+ * @brief Delays and refuses requests before they reach the object, and identifies their
+ * connections.
  */
 #ifndef lms3dRequestGate_h
 #define lms3dRequestGate_h

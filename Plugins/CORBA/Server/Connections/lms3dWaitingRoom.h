@@ -21,8 +21,8 @@
 class lms3dLimitedCall
 {
 public:
-  /// Throws LMS3D::LimitExceeded with `reason` if `count` has reached `maximum`. `count` must outlive
-  /// this object. Any thread.
+  /// Throws LMS3D::LimitExceeded with `reason` if `count` has reached `maximum`. `count` must
+  /// outlive this object. Any thread.
   lms3dLimitedCall(std::atomic<unsigned int>& count, unsigned int maximum, const char* reason);
   ~lms3dLimitedCall() { --this->Count; }
   lms3dLimitedCall(const lms3dLimitedCall&) = delete;

@@ -25,7 +25,8 @@ LMS3D::Indices* lms3dMakeFusedTriangles(
   const lms3dFusedRegions& changes, CORBA::ULong first, CORBA::ULong count);
 ///@}
 
-/// All changes. The caller owns the result. Throws LMS3D::LimitExceeded if they do not fit into a message.
+/// All changes. The caller owns the result. Throws LMS3D::LimitExceeded if they do not fit into a
+/// message.
 LMS3D::FusedMap* lms3dMakeFusedMap(
   const LMS3D::FusedMapHeader& header, const lms3dFusedRegions& changes);
 

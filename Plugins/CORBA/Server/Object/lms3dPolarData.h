@@ -23,7 +23,8 @@
 class lms3dPolarData
 {
 public:
-  /// The caller owns the result. Throws CORBA::IMP_LIMIT if it does not fit into a message. Any thread.
+  /// The caller owns the result. Throws CORBA::IMP_LIMIT if it does not fit into a message. Any
+  /// thread.
   LMS3D::Data* Get(const lms3dSnapshot& snapshot);
 
 private:

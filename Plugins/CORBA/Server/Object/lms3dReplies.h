@@ -31,8 +31,8 @@ LMS3D::PresetNames* lms3dMakePresetNames();
 /// fit into a message.
 LMS3D::LocalMap* lms3dMakeLocalMap(const lms3dSnapshot& snapshot);
 
-/// Throws LMS3D::InvalidArgument if there are fewer than `first` + `count` items, LMS3D::LimitExceeded if
-/// `count` items of `bytes` bytes do not fit into a message.
+/// Throws LMS3D::InvalidArgument if there are fewer than `first` + `count` items,
+/// LMS3D::LimitExceeded if `count` items of `bytes` bytes do not fit into a message.
 void lms3dCheckPart(std::size_t items, std::size_t bytes, CORBA::ULong first, CORBA::ULong count);
 
 /**

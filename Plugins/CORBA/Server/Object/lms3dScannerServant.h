@@ -76,10 +76,10 @@ public:
   /// The names of the catalogue. Throws CORBA::IMP_LIMIT if they do not fit into a message.
   LMS3D::SceneNames* listScenes() override;
 
-  /// Reads the scene in the calling thread, one scene at a time, and only then replaces the old one.
-  /// Throws LMS3D::NotPermitted if the server is read-only, LMS3D::NoSuchScene for a name that is
-  /// not in the catalogue, LMS3D::LimitExceeded above MaximumSelections, LMS3D::SceneFailed if the
-  /// file has no surface, and CORBA::TRANSIENT if the server ends meanwhile.
+  /// Reads the scene in the calling thread, one scene at a time, and only then replaces the old
+  /// one. Throws LMS3D::NotPermitted if the server is read-only, LMS3D::NoSuchScene for a name that
+  /// is not in the catalogue, LMS3D::LimitExceeded above MaximumSelections, LMS3D::SceneFailed if
+  /// the file has no surface, and CORBA::TRANSIENT if the server ends meanwhile.
   CORBA::ULongLong selectScene(const char* name) override;
 
   /// Does not wait for a scan. Before the first one, its number and times are 0.
@@ -129,8 +129,8 @@ public:
   ///@}
 
   ///@{
-  /// The presets. getPreset() throws LMS3D::NoSuchPreset for other names, and so does selectPreset(), which
-  /// throws what setDevice() and setConfiguration() throw, too.
+  /// The presets. getPreset() throws LMS3D::NoSuchPreset for other names, and so does
+  /// selectPreset(), which throws what setDevice() and setConfiguration() throw, too.
   LMS3D::PresetNames* listPresets() override;
   LMS3D::Preset* getPreset(const char* name) override;
   CORBA::ULongLong selectPreset(const char* name) override;
@@ -144,15 +144,16 @@ public:
     CORBA::ULongLong number, CORBA::ULong first, CORBA::ULong count) override;
 
   ///@{
-  /// The changes of the map of many scans since a state. Throw LMS3D::NoFusedMap before the first state and
-  /// without such a map. getFusedMap() throws LMS3D::LimitExceeded if they do not fit into a message.
+  /// The changes of the map of many scans since a state. Throw LMS3D::NoFusedMap before the first
+  /// state and without such a map. getFusedMap() throws LMS3D::LimitExceeded if they do not fit
+  /// into a message.
   LMS3D::FusedMapHeader* getFusedMapHeader(CORBA::ULongLong since) override;
   LMS3D::FusedMap* getFusedMap(CORBA::ULongLong since) override;
   ///@}
 
   ///@{
-  /// Copies of parts of these changes. Throw LMS3D::FusedMapGone if the store does not have the state
-  /// `number`, and otherwise what getRanges() throws.
+  /// Copies of parts of these changes. Throw LMS3D::FusedMapGone if the store does not have the
+  /// state `number`, and otherwise what getRanges() throws.
   LMS3D::FusedRegions* getFusedRegions(CORBA::ULongLong number, CORBA::ULongLong since,
     CORBA::ULong first, CORBA::ULong count) override;
   LMS3D::Offsets* getFusedPoints(CORBA::ULongLong number, CORBA::ULongLong since,
@@ -186,7 +187,8 @@ private:
   const lms3dFusedMapStore& FusedMap;
   const lms3dScanLoop& Loop;
   lms3dListeners& Listeners;
-  /// Locked while the configuration or the device is checked and set, because their limits depend on both.
+  /// Locked while the configuration or the device is checked and set, because their limits depend
+  /// on both.
   std::mutex SettingsMutex;
   /// Locked while a scene is read.
   std::mutex SceneMutex;

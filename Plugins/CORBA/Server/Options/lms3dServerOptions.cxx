@@ -18,14 +18,15 @@ namespace
 using Words = std::vector<std::string>;
 
 constexpr const char* Description =
-  R"(Scans in an endless loop and serves the scans by CORBA, as LMS3DScanner.idl describes. When it is
-ready it prints a corbaloc and an IOR, one per line. SIGTERM, SIGINT and SIGHUP end it with code 0.
+  R"(Scans in an endless loop and serves the scans by CORBA, as LMS3DScanner.idl describes. When it
+is ready it prints a corbaloc and an IOR, one per line. SIGTERM, SIGINT and SIGHUP end it with
+code 0.
 )";
 
 constexpr const char* Footer =
-  R"(Options of omniORB (-ORBtraceLevel 10) go to the ORB. They, omniORB's environment variables and its
-configuration file apply unless an option above sets the same. Only --endpoint names endpoints,
-unless --allow-remote is given.
+  R"(Options of omniORB (-ORBtraceLevel 10) go to the ORB. They, omniORB's environment variables and
+its configuration file apply unless an option above sets the same. Only --endpoint names
+endpoints, unless --allow-remote is given.
 
 Exit code: 0 ended by a signal, 1 failed while starting, 2 wrong options
 )";
@@ -151,8 +152,8 @@ Words MakeWords(const CLI::App& app, const std::string& line)
   return words;
 }
 
-// CLI11's own reader of files would split file names at blanks, ignore repeated options and report no
-// line numbers.
+// CLI11's own reader of files would split file names at blanks, ignore repeated options and report
+// no line numbers.
 void ReadFile(const std::string& file, lms3dServerOptions& options)
 {
   CLI::App app;

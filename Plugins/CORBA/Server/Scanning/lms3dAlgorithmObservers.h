@@ -20,8 +20,8 @@ using lms3dStopTest = std::function<bool()>;
 /// true.
 void lms3dAbortIf(vtkAlgorithm* algorithm, const lms3dStopTest& isStopped);
 
-/// Collects errors and warnings of an algorithm and of its executive, which VTK then does not print.
-/// Shares the ownership of the algorithm. For the thread that updates the algorithm.
+/// Collects errors and warnings of an algorithm and of its executive, which VTK then does not
+/// print. Shares the ownership of the algorithm. For the thread that updates the algorithm.
 class lms3dAlgorithmMessages
 {
 public:

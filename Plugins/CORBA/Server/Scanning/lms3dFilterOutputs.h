@@ -12,8 +12,8 @@
 class vtkImageData;
 class vtkPolyData;
 
-/// Fills in the ranges, the statuses if the device of the snapshot has them, and the header's numbers and
-/// checksums of a scan without a map.
+/// Fills in the ranges, the statuses if the device of the snapshot has them, and the header's
+/// numbers and checksums of a scan without a map.
 void lms3dTakeScan(vtkPolyData* scan, vtkImageData* image, lms3dSnapshot& snapshot);
 
 /// Fills in the map, and the header's numbers and checksum of it.

@@ -19,7 +19,8 @@ namespace
 {
 constexpr double BytesPerBeam = 4.0;
 
-// Measured on a level ground: a block of 64 x 64 cells has 3 kB, and the blocks at borders are not full.
+// Measured on a level ground: a block of 64 x 64 cells has 3 kB, and the blocks at borders are not
+// full.
 constexpr double BytesPerCell = 1.7;
 
 std::uint64_t CountBeams(const LMS3D::Configuration& configuration)

@@ -32,8 +32,8 @@ struct lms3dFusedMapOptions
 class lms3dFusedMapMaker
 {
 public:
-  /// `incarnation` is the start of the server: numbers of states begin after it, so a state of an earlier
-  /// server is never taken for one of this server. The store must outlive this object.
+  /// `incarnation` is the start of the server: numbers of states begin after it, so a state of an
+  /// earlier server is never taken for one of this server. The store must outlive this object.
   lms3dFusedMapMaker(
     const lms3dFusedMapOptions& options, std::uint64_t incarnation, lms3dFusedMapStore& store);
   ~lms3dFusedMapMaker();
@@ -41,9 +41,9 @@ public:
   void operator=(const lms3dFusedMapMaker&) = delete;
 
   /**
-   * Adds the scan `number`, unless one with the same generation was added, and publishes the new state. Begins a
-   * new map if the settings ask for one. If the scan cannot be added, the map stays, and the store has
-   * the problem. `map` is null if the settings make no local map.
+   * Adds the scan `number`, unless one with the same generation was added, and publishes the new
+   * state. Begins a new map if the settings ask for one. If the scan cannot be added, the map
+   * stays, and the store has the problem. `map` is null if the settings make no local map.
    */
   void Add(
     const lms3dScanSettings& settings, std::uint64_t number, vtkPolyData* map, vtkPolyData* scan);

@@ -38,7 +38,8 @@ struct lms3dFusedRegion
 /// In increasing order of their ids.
 using lms3dFusedRegions = std::vector<std::shared_ptr<const lms3dFusedRegion>>;
 
-/// States share the regions that did not change between them. A state does not change after it is published.
+/// States share the regions that did not change between them. A state does not change after it is
+/// published.
 struct lms3dFusedMapState
 {
   /// For this many states, a removed region is remembered. A client that is farther behind gets the

@@ -15,7 +15,8 @@
 #include <mutex>
 #include <string>
 
-/// Readers share a state and hold no lock while they use it. All methods may be called from any thread.
+/// Readers share a state and hold no lock while they use it. All methods may be called from any
+/// thread.
 class lms3dFusedMapStore
 {
 public:
@@ -23,8 +24,8 @@ public:
   static constexpr std::size_t MinimumKeep = 32;
   static constexpr std::size_t DefaultMaximumBytes = std::size_t(1) << 28;
 
-  /// Keeps the newest `keep` states, or fewer if they exceed `maximumBytes` together. The newest always
-  /// stays.
+  /// Keeps the newest `keep` states, or fewer if they exceed `maximumBytes` together. The newest
+  /// always stays.
   explicit lms3dFusedMapStore(std::size_t keep, std::size_t maximumBytes = DefaultMaximumBytes);
 
   /// Adds a state, whose number must be one more than the number of the state before.

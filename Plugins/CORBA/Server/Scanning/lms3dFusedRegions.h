@@ -12,16 +12,17 @@
 class vtkLMS3DMapFusion;
 class vtkPolyData;
 
-/// The regions that changed after a revision of the filter. Their points are relative to `origin`, and their
-/// state is `number`.
+/// The regions that changed after a revision of the filter. Their points are relative to `origin`,
+/// and their state is `number`.
 lms3dFusedRegions lms3dTakeFusedChanges(
   vtkLMS3DMapFusion* fusion, int sinceRevision, const LMS3D::Vector3& origin, std::uint64_t number);
 
 /// The area of all triangles, square metres.
 double lms3dGetArea(vtkPolyData* map);
 
-/// Puts `changes` in the place of the regions with the same ids, unless these have the same triangles. Forgets the regions that were removed more
-/// than lms3dFusedMapState::Memory states before the state `number`.
+/// Puts `changes` in the place of the regions with the same ids, unless these have the same
+/// triangles. Forgets the regions that were removed more than lms3dFusedMapState::Memory states
+/// before the state `number`.
 void lms3dReplaceFusedRegions(
   const lms3dFusedRegions& changes, std::uint64_t number, lms3dFusedRegions& regions);
 

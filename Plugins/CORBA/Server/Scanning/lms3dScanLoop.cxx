@@ -15,8 +15,8 @@ namespace
 // If every scan fails, a loop without pauses must not spin.
 constexpr std::chrono::milliseconds PauseAfterProblem(100);
 
-// A scan is not aborted before this time, because it may be complete soon. The number of aborted scans
-// in a row is limited, so that clients that change settings all the time still get scans.
+// A scan is not aborted before this time, because it may be complete soon. The number of aborted
+// scans in a row is limited, so that clients that change settings all the time still get scans.
 constexpr std::chrono::milliseconds LongScan(100);
 constexpr int MaximumAbortedInARow = 2;
 
@@ -131,8 +131,8 @@ bool lms3dScanLoop::MakeScan()
   return true;
 }
 
-// The allocator keeps the freed memory of large scans in pieces between small ones. Returning it takes
-// some milliseconds, so this is done only after much has become free.
+// The allocator keeps the freed memory of large scans in pieces between small ones. Returning it
+// takes some milliseconds, so this is done only after much has become free.
 void lms3dScanLoop::ReleaseMemory()
 {
   constexpr std::size_t Minimum = std::size_t(64) << 20;
@@ -145,7 +145,8 @@ void lms3dScanLoop::ReleaseMemory()
   }
 }
 
-// After a delay of a period or more, counts from now on instead of catching up with a burst of scans.
+// After a delay of a period or more, counts from now on instead of catching up with a burst of
+// scans.
 lms3dScanLoop::Clock::time_point lms3dScanLoop::GetNext(Clock::time_point due)
 {
   const Clock::time_point next = due + this->Period;

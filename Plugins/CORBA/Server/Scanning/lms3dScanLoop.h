@@ -21,9 +21,9 @@
 #include <thread>
 
 /**
- * Reads the settings of each scan from a board and publishes the scan in a store. New settings begin
- * a scan at once, and abort one that takes long; the next scan is due one period after that start.
- * The getters may be called from any thread.
+ * Reads the settings of each scan from a board and publishes the scan in a store. New settings
+ * begin a scan at once, and abort one that takes long; the next scan is due one period after that
+ * start. The getters may be called from any thread.
  */
 class lms3dScanLoop
 {
@@ -32,8 +32,8 @@ public:
   /// Board and store must outlive the loop.
   lms3dScanLoop(lms3dSettingsBoard& board, lms3dSnapshotStore& store, double rate, int threads);
 
-  /// Adds each scan to a map of many scans before it is published. Call before Start(). The store must
-  /// outlive the loop.
+  /// Adds each scan to a map of many scans before it is published. Call before Start(). The store
+  /// must outlive the loop.
   void MakeFusedMap(const lms3dFusedMapOptions& options, lms3dFusedMapStore& store);
   ~lms3dScanLoop();
   lms3dScanLoop(const lms3dScanLoop&) = delete;

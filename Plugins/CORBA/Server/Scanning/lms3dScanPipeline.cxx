@@ -95,8 +95,8 @@ void lms3dScanPipeline::PrepareErrors(const LMS3D::Device& device)
   this->Errors->SetNoiseSeed(device.noiseSeed);
 }
 
-// The mapper keeps its memory for the next map. If that is much smaller or will not come, a new mapper
-// gives the memory back.
+// The mapper keeps its memory for the next map. If that is much smaller or will not come, a new
+// mapper gives the memory back.
 void lms3dScanPipeline::PrepareMapper(const LMS3D::Configuration& configuration)
 {
   const CORBA::ULongLong beams =

@@ -37,9 +37,10 @@ public:
   lms3dScanPipeline(const lms3dScanPipeline&) = delete;
   void operator=(const lms3dScanPipeline&) = delete;
 
-  /// Returns the scan `number`, without incarnation and times, which the caller fills in. The errors of
-  /// its ranges depend on the number. Calls `isOutdated` meanwhile. Returns null if that returned true,
-  /// or Stop() was called, before the scan was complete. Throws std::runtime_error if a filter fails.
+  /// Returns the scan `number`, without incarnation and times, which the caller fills in. The
+  /// errors of its ranges depend on the number. Calls `isOutdated` meanwhile. Returns null if that
+  /// returned true, or Stop() was called, before the scan was complete. Throws std::runtime_error
+  /// if a filter fails.
   std::shared_ptr<lms3dSnapshot> Run(
     const lms3dScanSettings& settings, std::uint64_t number, const lms3dStopTest& isOutdated);
 

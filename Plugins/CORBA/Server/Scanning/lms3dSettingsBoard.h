@@ -41,15 +41,16 @@ public:
   lms3dScanSettings Get() const;
   std::uint64_t GetGeneration() const;
 
-  /// Waits until the generation is above `generation`. Returns at the deadline at the latest, and at
-  /// once after Stop().
+  /// Waits until the generation is above `generation`. Returns at the deadline at the latest, and
+  /// at once after Stop().
   void WaitForChange(std::uint64_t generation, Clock::time_point deadline) const;
 
   /// Ends all current and later calls of WaitForChange().
   void Stop();
 
   ///@{
-  /// Replaces a setting, or two at once, and returns the new generation. The settings must be valid.
+  /// Replaces a setting, or two at once, and returns the new generation. The settings must be
+  /// valid.
   std::uint64_t SetPose(const LMS3D::Pose& pose);
   std::uint64_t SetConfiguration(const LMS3D::Configuration& configuration);
   std::uint64_t SetDevice(const LMS3D::Device& device, const LMS3D::Configuration& configuration);

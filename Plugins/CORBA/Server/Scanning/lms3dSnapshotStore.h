@@ -49,8 +49,8 @@ public:
   /// 1 GiB: five scans of the maximum number of beams with every return in the map.
   static constexpr std::size_t DefaultMaximumBytes = std::size_t(1) << 30;
 
-  /// Keeps the newest `keep` scans (at least 1), or fewer if they exceed `maximumBytes` together. The
-  /// newest scan always stays.
+  /// Keeps the newest `keep` scans (at least 1), or fewer if they exceed `maximumBytes` together.
+  /// The newest scan always stays.
   explicit lms3dSnapshotStore(std::size_t keep, std::size_t maximumBytes = DefaultMaximumBytes);
 
   /// Adds a scan, whose number must be one more than the number of the scan before.
