@@ -8,6 +8,7 @@
 #include <bitset>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace
 {
@@ -68,6 +69,14 @@ lms3dBits lms3dRegionShape::GetFree(int number, const lms3dRegionBlock& cells) c
     }
   }
   return free;
+}
+
+lms3dRegionShape::Round lms3dRegionShape::MakeRound(
+  std::vector<int> blocks, const lms3dRaster& raster)
+{
+  lms3dRegion region = lms3dMakeRegion(raster, blocks);
+  std::vector<lms3dBlockParts> parts = this->FindParts(blocks, region, raster);
+  return { std::move(blocks), std::move(region), std::move(parts) };
 }
 
 std::vector<lms3dBlockParts> lms3dRegionShape::FindParts(
@@ -220,29 +229,27 @@ std::vector<int> lms3dRegionShape::Update(
   {
     this->Creases.Draw(crease, raster);
   }
-  const std::vector<int> blocks = lms3dFindDirtyBlocks(raster);
-  if (blocks.empty())
+  std::vector<Round> rounds;
+  std::vector<int> all;
+  std::vector<int> blocks = lms3dFindDirtyBlocks(raster);
+  while (!blocks.empty())
   {
-    return {};
+    all.insert(all.end(), blocks.begin(), blocks.end());
+    std::sort(all.begin(), all.end());
+    rounds.push_back(this->MakeRound(std::move(blocks), raster));
+    blocks = this->FindReached();
+    blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
+                   [&](int number) { return std::binary_search(all.begin(), all.end(), number); }),
+      blocks.end());
   }
-  const lms3dRegion region = lms3dMakeRegion(raster, blocks);
-  const std::vector<lms3dBlockParts> parts = this->FindParts(blocks, region, raster);
-  std::vector<int> others = this->FindReached();
-  others.erase(
-    std::remove_if(others.begin(), others.end(),
-      [&](int number) { return std::binary_search(blocks.begin(), blocks.end(), number); }),
-    others.end());
   std::vector<int> changed;
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+  for (const Round& round : rounds)
   {
-    this->MakeShape(blocks[i], parts[i], region.GetBlock(static_cast<int>(i)), raster, changed);
-  }
-  const lms3dRegion otherRegion = lms3dMakeRegion(raster, others);
-  for (std::size_t i = 0; i < others.size(); ++i)
-  {
-    const lms3dRegionBlock& cells = otherRegion.GetBlock(static_cast<int>(i));
-    this->MakeShape(
-      others[i], lms3dBlockParts(this->GetFree(others[i], cells)), cells, raster, changed);
+    for (std::size_t i = 0; i < round.Blocks.size(); ++i)
+    {
+      this->MakeShape(round.Blocks[i], round.Parts[i], round.Region.GetBlock(static_cast<int>(i)),
+        raster, changed);
+    }
   }
   std::sort(changed.begin(), changed.end());
   return changed;

@@ -52,7 +52,16 @@ private:
     std::vector<Part> Parts;
   };
 
+  /// Blocks with their cells and parts.
+  struct Round
+  {
+    std::vector<int> Blocks;
+    lms3dRegion Region;
+    std::vector<lms3dBlockParts> Parts;
+  };
+
   void AddBlocks(const lms3dRaster& raster);
+  Round MakeRound(std::vector<int> blocks, const lms3dRaster& raster);
   /// Returns the parts of each block.
   std::vector<lms3dBlockParts> FindParts(
     const std::vector<int>& blocks, const lms3dRegion& region, const lms3dRaster& raster);
