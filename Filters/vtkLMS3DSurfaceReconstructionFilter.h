@@ -47,7 +47,8 @@
  *   farther one. If neighbours are at most two degrees apart, these are angles up to 27 degrees
  *   where both planes are steeper or both sides are curved; or
  * - beams of a fan at most two degrees apart graze one plane, as that of a table's top: the same
- *   two beams of at least five turns, and a third return in the fan, show it.
+ *   two beams of at least five turns, and a third return in the fan, show it (unless the platform
+ *   turns during a fan).
  *
  * The filter estimates the noise from the scan itself. If noise leaves two neighbours open, the
  * mean over the pairs beside them decides. Noise beyond half of DepthStep counts as steps.

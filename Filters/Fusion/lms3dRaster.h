@@ -39,7 +39,7 @@ struct lms3dRasterBlock : lms3dRegionBlock
   int NewCreaseCells = 0;
   /// Whether a bit of Passed is set.
   bool HasPassed = false;
-  /// Whether more returns in cells of the shape change no shape.
+  /// Whether more returns in cells of the shape make no shape anew.
   bool IsCalm = false;
   /// Bits of lms3dRaster::Mark.
   unsigned Marks = 0;

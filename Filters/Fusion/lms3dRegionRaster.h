@@ -14,7 +14,8 @@
 /// Returns blocks of a raster with their eight neighbours, in order.
 std::vector<int> lms3dFindBlocksAround(const lms3dRaster& raster, const std::vector<int>& blocks);
 
-/// Returns the blocks whose shape may have changed, in order.
+/// Returns the blocks whose shape is made anew, in order. Up to 15 cells at the side of another
+/// block could change, too; they wait until that block is marked.
 std::vector<int> lms3dFindDirtyBlocks(const lms3dRaster& raster);
 
 /// Returns a raster of some of the blocks, in their order. `May` are the cells of the region: where

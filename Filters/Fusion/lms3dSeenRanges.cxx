@@ -45,13 +45,13 @@ void lms3dSeenRanges::FindBins(
   bins.clear();
   const lms3dVector inSensor = this->ToSensor(centre);
   const double nearest = lms3dGetLength(inSensor) - radius;
-  if (nearest > this->Largest)
+  // Starts beside the sensor's position change distances by less than the ranges' order of size.
+  const double margin = this->Table->HasStarts() ? this->Largest : 0.0;
+  if (nearest > this->Largest + margin)
   {
     return;
   }
   this->Table->FindBins(inSensor, radius, bins);
-  // Starts beside the sensor's position change distances by less than the ranges' order of size.
-  const double margin = this->Table->HasStarts() ? this->Largest : 0.0;
   bins.erase(std::remove_if(bins.begin(), bins.end(),
                [&](int bin) { return this->LargestInBin[bin] + margin < nearest; }),
     bins.end());

@@ -53,6 +53,7 @@ bool lms3dKeptMeshes::TryToTake(int patch, const lms3dPatchOutlines& outlines, l
     return false;
   }
   mesh = std::move(this->Meshes[patch]);
+  this->Meshes[patch].IsValid = false;
   const auto shared = static_cast<std::int32_t>(this->Vertices.size());
   const auto added = static_cast<std::int32_t>(outlines.GetVertices().size());
   for (std::array<std::int32_t, 3>& triangle : mesh.Triangles)

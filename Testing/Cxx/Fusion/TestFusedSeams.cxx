@@ -21,7 +21,7 @@
 
 namespace
 {
-/// Two tiles of a plane are 3.4 m wide with a bound of 1 cm, so walls have several.
+/// A tile of a plane is 3.4 m wide with a bound of 1 cm, so walls have several.
 vtkSmartPointer<vtkPolyData> MakeHall()
 {
   SceneBuilder scene;

@@ -200,7 +200,11 @@ struct Situation
       const Hits tiles = this->ScanAlone(minimumRange);
       EXPECT_EQ(CountDifferences(tiles.Ranges, packets.Ranges), 0);
       EXPECT_EQ(CountDifferences(tiles.Triangles, packets.Triangles), 0);
-      minimumRange = std::max(0.0, packets.Ranges[packets.Ranges.size() / 2]);
+      const auto middle =
+        packets.Ranges.begin() + static_cast<std::ptrdiff_t>(packets.Ranges.size() / 2);
+      const auto hit =
+        std::find_if(middle, packets.Ranges.end(), [](double range) { return range > 0.0; });
+      minimumRange = hit == packets.Ranges.end() ? 0.0 : *hit;
       packets.RemoveNearer(minimumRange);
     }
   }
