@@ -52,7 +52,7 @@ class TestMeshFiles(CommandLineTest):
     def assert_triangles(self, count, name, content):
         path = self.write(name, content)
         words = self.done("scan", path, *self.SCAN, self.folder / "scan.csv")
-        self.assertIn(f"{name}: {count} triangles", words)
+        self.assertIn(f"{name}: {count} triangle{'s' * (count != 1)},", words)
 
     def assert_fault(self, words, name, content):
         path = self.write(name, content)
