@@ -25,9 +25,10 @@ class TestStreams(unittest.TestCase):
         self.answer_time = sent[1][0]
         return [time for time, _ in sent[2:]], [split(data)[0] for _, data in sent[2:]]
 
-    def streaming_host(self):
-        """A host that receives a stream at 9600 Bd."""
+    def streaming_host(self, code=0x42):
+        """A host that receives a stream, at 9600 Bd or the rate of a sub-command of 20h."""
         host = Host()
+        host.ask(0x20, code)
         host.write(frame(b"\x20\x24"))
         host.run(3.0)
         return host
@@ -114,6 +115,43 @@ class TestStreams(unittest.TestCase):
                 self.assertGreater(len(times), 4)
                 self.assertLessEqual(len(times) / 40.0, 1.293)
                 self.assertGreaterEqual(min(np.diff(times)), 732 * 10 / 9600)
+
+    def break_off_a_change(self, host, command, delay):
+        """What follows a command that comes before the answer to a change to 38400 Bd."""
+        host.write(frame(b"\x20\x40"))
+        host.run(delay)
+        start = host.now
+        host.write(command)
+        sent = host.run(5.0)
+        self.assertAlmostEqual(sent[0][0], start + 0.004)  # ACK, or NAK
+        self.assertEqual(len(sent[0][1]), 1)
+        return sent
+
+    def test_a_command_breaks_off_a_change_of_rate(self):
+        """TL 24, 87: one stream goes on, at the new rate, and after the answer to the command."""
+        bad = frame(b"\x31")[:-1] + b"\x00"
+        for command, heads in ((frame(b"\x31"), [6, 0xB1]), (frame(b"\x20\x40"), [6, 0xA0]),
+                               (frame(b"\x30\x01"), [6]), (bad, [0x15])):
+            for code in (0x40, 0x42):
+                for delay in (0.0, 0.001, 0.006):
+                    with self.subTest(command=command.hex(), code=code, delay=delay):
+                        sent = self.break_off_a_change(self.streaming_host(code), command, delay)
+                        found = [payload if isinstance(payload, int) else payload[0]
+                                 for _, data in sent for payload in split(data)]
+                        fans = len(found) - len(heads)
+                        self.assertGreater(fans, 15)
+                        self.assertEqual(found, heads + [0xB0] * fans)
+                        steps = np.diff([time for time, data in sent if len(data) == 732])
+                        np.testing.assert_allclose(steps[1:], 1 / 4.6875, atol=1e-9)
+
+    def test_a_command_breaks_off_a_change_of_rate_and_ends_the_stream(self):
+        """3Bh, 20h 25h, and 10h, whose last telegram is 90h"""
+        for command, heads in ((b"\x3b\xb4\x00\x64\x00", [0xBB]), (b"\x20\x25", [0xA0]),
+                               (b"\x10", [0x91, 0x90])):
+            for delay in (0.0, 0.001, 0.006):
+                with self.subTest(command=command.hex(), delay=delay):
+                    sent = self.break_off_a_change(self.streaming_host(), frame(command), delay)
+                    self.assertEqual([split(data)[0][0] for _, data in sent[1:]], heads)
 
 
 if __name__ == "__main__":

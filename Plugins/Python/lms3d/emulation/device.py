@@ -89,7 +89,10 @@ class Device:
         self._queue.skip(now)
 
     def _break_off(self, now):
-        """Cancel what has not been sent (TL 24). What a cancelled answer announces happens now."""
+        """Cancel what has not been sent (TL 24). What a cancelled answer announces happens now.
+
+        The stream goes on after the answer to the new command, which may have changed it.
+        """
         self._queue.clear()
         if self._unfinished:
             self._finish(now)
@@ -104,7 +107,7 @@ class Device:
         due = now + (SLOW_ANSWER_DELAY if reply.is_slow else ANSWER_DELAY)
         if reply.is_reset or reply.rate is not None:
             self._unfinished = reply
-            self._plan_bytes(due, frame_answer(reply.code, reply.data), self._finish)
+            self._plan_bytes(due, frame_answer(reply.code, reply.data), self._go_on)
             return
         if reply.code is not None:
             answer = frame_answer(reply.code, reply.data)
@@ -114,12 +117,16 @@ class Device:
             due = self._plan_request(reply.output, now)
         self._plan_stream(due)
 
-    def _finish(self, now):
+    def _go_on(self, now):
         """What follows the answer to a command that changes the rate or resets the device."""
+        self._finish(now)
+        self._plan_stream(now)
+
+    def _finish(self, now):
+        """Change the rate or reset the device."""
         reply, self._unfinished = self._unfinished, None
         if reply.rate is not None:
             self.state.rate = reply.rate
-            self._plan_stream(now)
         if reply.is_reset:
             self.state.rate = self.state.power_on_rate
             self._reader.clear()
