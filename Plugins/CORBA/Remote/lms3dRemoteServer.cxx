@@ -151,7 +151,11 @@ lms3dRemoteFusedMapPointer lms3dRemoteServer::FetchFusedMap()
       {
         throw lms3dRemoteRefusal("no fused map: the server is older than this");
       }
-      return isNew ? std::make_shared<const lms3dRemoteFusedMap>(this->FusedMap) : nullptr;
+      if (isNew)
+      {
+        this->NewestFusedMap = std::make_shared<const lms3dRemoteFusedMap>(this->FusedMap);
+      }
+      return this->NewestFusedMap;
     });
 }
 
