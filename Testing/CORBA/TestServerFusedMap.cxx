@@ -144,6 +144,26 @@ TEST(ServerFusedMap, LargeChangesComeInParts)
     MakeFusedTriangles("room.wrl", scanner->getConfiguration(), { poses.front() }));
 }
 
+TEST(ServerFusedMap, PointsAreCountedFromTheFirstPoseThatSawSurface)
+{
+  const std::vector<LMS3D::Pose> poses = GetFusedPoses();
+  const FusedServer server({ "--position", "900000", "700000", "0" });
+  const LMS3D::LaserScanner_var scanner = server.Connect();
+  lms3dRemoteFusedMap map;
+  map.Update(scanner);
+  EXPECT_EQ(map.GetHeader().allTriangles, 0U);
+  for (const LMS3D::Pose& pose : { poses[0], poses[1] })
+  {
+    MoveTo(scanner, pose);
+    map.Update(scanner);
+    EXPECT_FALSE(map.GetHeader().isWhole);
+    EXPECT_EQ(map.GetHeader().origin.x, poses[0].position.x);
+    EXPECT_EQ(GetTriangles(map), FetchWhole(scanner));
+  }
+  EXPECT_EQ(GetTriangles(map),
+    MakeFusedTriangles("room.wrl", scanner->getConfiguration(), { poses[0], poses[1] }));
+}
+
 TEST(ServerFusedMap, ManyClientsWhileTheMapGrows)
 {
   const std::vector<LMS3D::Pose> poses = GetFusedPoses();

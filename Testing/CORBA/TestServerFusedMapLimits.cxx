@@ -59,6 +59,25 @@ TEST(ServerFusedMapLimits, AMapThatIsTooLargeStaysEmpty)
   EXPECT_NE(std::string(header->problem).find("--fused-memory"), std::string::npos);
 }
 
+// Floats resolve a tenth of 2 cm up to 34 km away.
+TEST(ServerFusedMapLimits, PosesTooFarFromTheOriginAreNotAdded)
+{
+  const FusedServer server;
+  const LMS3D::LaserScanner_var scanner = server.Connect();
+  MoveTo(scanner, At(33000.0, 0.0, 1.0));
+  LMS3D::FusedMapHeader_var header = scanner->getFusedMapHeader(0);
+  EXPECT_EQ(header->scans, 2U);
+  EXPECT_STREQ(header->problem, "");
+  MoveTo(scanner, At(35000.0, 0.0, 1.0));
+  header = scanner->getFusedMapHeader(0);
+  EXPECT_EQ(header->scans, 2U);
+  EXPECT_NE(std::string(header->problem).find("far from the origin"), std::string::npos);
+  WaitFor(scanner, scanner->resetFusedMap());
+  header = scanner->getFusedMapHeader(0);
+  EXPECT_EQ(header->scans, 1U);
+  EXPECT_STREQ(header->problem, "");
+}
+
 TEST(ServerFusedMapLimits, WithoutTheOptionThereIsNone)
 {
   const ServerProcess server;

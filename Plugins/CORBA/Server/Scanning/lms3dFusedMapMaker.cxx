@@ -10,7 +10,9 @@
 #include <vtkPolyData.h>
 
 #include <chrono>
+#include <cmath>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -22,6 +24,12 @@ constexpr double BytesPerBeam = 4.0;
 // Measured on a level ground: a block of 64 x 64 cells has 3 kB, and the blocks at borders are not
 // full.
 constexpr double BytesPerCell = 1.7;
+
+// Relative, of a coordinate.
+constexpr double RoundingOfFloats = std::numeric_limits<float>::epsilon() / 2.0;
+
+// The share of the error bound that rounding may take at the sensor.
+constexpr double MaximumRounding = 0.1;
 
 std::uint64_t CountBeams(const LMS3D::Configuration& configuration)
 {
@@ -73,6 +81,10 @@ void lms3dFusedMapMaker::Add(
   {
     this->Beams += CountBeams(settings.Configuration);
     LMS3D::FusedMapHeader& header = this->State.Header;
+    if (this->State.Regions.empty())
+    {
+      header.origin = settings.Pose.position;
+    }
     header.scans = static_cast<CORBA::ULong>(this->Fusion->GetNumberOfScans());
     header.newestScan = number;
     const lms3dFusedRegions changes =
@@ -100,7 +112,6 @@ void lms3dFusedMapMaker::BeginMap(const lms3dScanSettings& settings)
   header.seconds = 0.0;
   header.allTriangles = 0;
   header.scene = settings.Scene->Description.name;
-  header.origin = settings.Pose.position;
 }
 
 std::string lms3dFusedMapMaker::FindProblem(
@@ -113,11 +124,25 @@ std::string lms3dFusedMapMaker::FindProblem(
     return "the configuration needs makeMap, and a mapError above 0 and up to " +
       std::to_string(this->Options.MaximumError) + " m";
   }
+  if (this->IsTooFar(settings.Pose.position))
+  {
+    return "the sensor is so far from the origin of the map that floats are too coarse; "
+           "resetFusedMap() begins a new map";
+  }
   if (this->EstimateBytes(settings, map) > this->Options.MaximumBytes)
   {
     return "another scan would exceed --fused-memory; resetFusedMap() begins a new map";
   }
   return "";
+}
+
+bool lms3dFusedMapMaker::IsTooFar(const LMS3D::Vector3& position) const
+{
+  const LMS3D::Vector3& origin = this->State.Header.origin;
+  const double distance =
+    std::hypot(position.x - origin.x, position.y - origin.y, position.z - origin.z);
+  return !this->State.Regions.empty() &&
+    RoundingOfFloats * distance > MaximumRounding * this->Options.MaximumError;
 }
 
 double lms3dFusedMapMaker::EstimateBytes(const lms3dScanSettings& settings, vtkPolyData* map) const

@@ -55,6 +55,8 @@ private:
   void BeginMap(const lms3dScanSettings& settings);
   /// Why the scan cannot be added. Empty if it can.
   std::string FindProblem(const lms3dScanSettings& settings, vtkPolyData* map) const;
+  /// Whether points at a sensor there would be rounded too coarsely.
+  bool IsTooFar(const LMS3D::Vector3& position) const;
   /// An estimate of the memory, if all that a local map shows is new.
   double EstimateBytes(const lms3dScanSettings& settings, vtkPolyData* map) const;
   /// Returns the problem. Empty if the scan was added.
