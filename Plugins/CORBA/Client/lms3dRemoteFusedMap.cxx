@@ -74,6 +74,11 @@ lms3dFusedMapChanges Fetch(
   {
     return FetchParts(scanner, since, beforePart);
   }
+  // The limit of this client's ORB is lower than the server's.
+  catch (const CORBA::MARSHAL&)
+  {
+    return FetchParts(scanner, since, beforePart);
+  }
 }
 } // namespace
 
