@@ -65,7 +65,6 @@ void lms3dFusedMapMaker::Add(
   {
     this->BeginMap(settings);
   }
-  const int revision = this->Fusion->GetRevision();
   const auto start = std::chrono::steady_clock::now();
   std::string problem = this->FindProblem(settings, map);
   if (problem.empty())
@@ -87,11 +86,12 @@ void lms3dFusedMapMaker::Add(
     }
     header.scans = static_cast<CORBA::ULong>(this->Fusion->GetNumberOfScans());
     header.newestScan = number;
-    const lms3dFusedRegions changes =
-      lms3dTakeFusedChanges(this->Fusion, revision, header.origin, header.number + 1);
+    const lms3dFusedRegions changes = lms3dTakeFusedChanges(
+      this->Fusion, this->PublishedRevision, header.origin, header.number + 1);
     header.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     this->Publish(changes);
+    this->PublishedRevision = this->Fusion->GetRevision();
   }
   else if (isNewMap)
   {
@@ -102,6 +102,7 @@ void lms3dFusedMapMaker::Add(
 void lms3dFusedMapMaker::BeginMap(const lms3dScanSettings& settings)
 {
   this->Fusion->Reset();
+  this->PublishedRevision = this->Fusion->GetRevision();
   this->MapSettings = settings.FusedMap;
   this->Beams = 0;
   this->State.Regions.clear();

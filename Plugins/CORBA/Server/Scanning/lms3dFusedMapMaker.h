@@ -77,6 +77,9 @@ private:
   std::uint64_t Generation = 0;
   ///@}
   std::uint64_t Beams = 0;
+  /// The revision of the filter whose regions all states have. A scan that failed half-way may have
+  /// changed regions since.
+  int PublishedRevision = -1;
 };
 
 #endif
