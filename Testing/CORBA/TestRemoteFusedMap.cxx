@@ -58,6 +58,15 @@ TEST(RemoteFusedMap, GoodChangesPass)
   EXPECT_NO_THROW(Check(MakeChanges()));
 }
 
+// The clock of the server was set back before it was started anew.
+TEST(RemoteFusedMap, AWholeMapMayHaveALowerNumber)
+{
+  lms3dFusedMapChanges changes = MakeChanges();
+  changes.Header.number = Since - 1;
+  changes.Header.isWhole = true;
+  EXPECT_NO_THROW(Check(changes));
+}
+
 TEST(RemoteFusedMap, AWrongChecksumIsNoticed)
 {
   EXPECT_THROW(lms3dCheckFusedMapChanges(MakeChanges()), std::runtime_error);

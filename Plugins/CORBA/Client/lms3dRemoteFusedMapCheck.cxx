@@ -47,7 +47,8 @@ bool HaveRegionsTheirPoints(const lms3dFusedMapChanges& changes)
 
 void lms3dCheckFusedMapHeader(const LMS3D::FusedMapHeader& header, CORBA::ULongLong since)
 {
-  Require(header.since == since && header.number >= since && header.number >= header.firstNumber,
+  Require(header.since == since && (header.isWhole || header.number >= since) &&
+      header.number >= header.firstNumber,
     header, "it is older than the state of the client");
   Require(header.regions <= lms3dMaximumFusedPoints && header.points <= lms3dMaximumFusedPoints &&
       header.triangles <= 2 * lms3dMaximumFusedPoints &&
