@@ -21,9 +21,15 @@ namespace
 {
 constexpr double BytesPerBeam = 4.0;
 
-// Measured on a level ground: a block of 64 x 64 cells has 3 kB, and the blocks at borders are not
-// full.
+// The farthest return in each of 90 x 180 directions.
+constexpr double BytesPerScan = 65e3;
+
+// A full block of 64 x 64 cells has 4.6 kB, but the blocks at borders are not full.
 constexpr double BytesPerCell = 1.7;
+
+// In the worst case each triangle of a local map becomes a region of its own, with a block of cells
+// for its small area, and its outline.
+constexpr double BytesPerRegion = 6e3;
 
 // Relative, of a coordinate.
 constexpr double RoundingOfFloats = std::numeric_limits<float>::epsilon() / 2.0;
@@ -149,12 +155,15 @@ bool lms3dFusedMapMaker::IsTooFar(const LMS3D::Vector3& position) const
 double lms3dFusedMapMaker::EstimateBytes(const lms3dScanSettings& settings, vtkPolyData* map) const
 {
   double area = lms3dGetArea(map);
+  auto regions = static_cast<double>(map->GetNumberOfPolys());
   for (const auto& region : this->State.Regions)
   {
     area += region->Area;
+    regions += region->IsRemoved() ? 0.0 : 1.0;
   }
   const double cell = this->Options.MaximumError / 3.0;
   return BytesPerBeam * static_cast<double>(this->Beams + CountBeams(settings.Configuration)) +
+    BytesPerScan * (this->Fusion->GetNumberOfScans() + 1) + BytesPerRegion * regions +
     BytesPerCell * area / (cell * cell);
 }
 

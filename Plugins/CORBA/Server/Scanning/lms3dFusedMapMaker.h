@@ -24,7 +24,7 @@ struct lms3dFusedMapOptions
   double MaximumError = 0.01;
   /// As NumberOfThreads of the filters: 0 for all cores.
   int Threads = 0;
-  /// The memory of a map, bytes: the ranges of its scans, and the cells of its surface.
+  /// The memory of a map, bytes, as estimated from its scans, its regions and its surface.
   double MaximumBytes = 1e9;
 };
 
@@ -58,7 +58,7 @@ private:
   std::string FindProblem(const lms3dScanSettings& settings, vtkPolyData* map) const;
   /// Whether points at a sensor there would be rounded too coarsely.
   bool IsTooFar(const LMS3D::Vector3& position) const;
-  /// An estimate of the memory, if all that a local map shows is new.
+  /// An estimate of the memory, if all triangles of a local map are new regions.
   double EstimateBytes(const lms3dScanSettings& settings, vtkPolyData* map) const;
   /// Returns the problem. Empty if the scan was added.
   std::string Fuse(vtkPolyData* map, vtkPolyData* scan);
