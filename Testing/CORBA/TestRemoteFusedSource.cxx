@@ -76,6 +76,26 @@ TEST(RemoteFusedSource, TheFusedMapComesWithTheSameScanAfterReconnecting)
   EXPECT_EQ(source.GetNumber("ScanNumber"), 1U);
 }
 
+TEST(RemoteFusedSource, ScansComeAlsoIfTheFusedMapDoesNot)
+{
+  ServerProcess server({ "--fused-map", "0.02" });
+  NetworkLine line(server.GetCorbaloc());
+  line.Lose("getFusedMap");
+  WatchingSource source(line.GetCorbaloc());
+  source->SetTimeout(1.0);
+  source->FetchFusedMapOn();
+  source->Update();
+  ASSERT_TRUE(source.UpdateUntil([&] { return source.GetNumber("ScanNumber") > 0; }));
+  const std::uint64_t first = source.GetNumber("ScanNumber");
+  EXPECT_TRUE(source.UpdateUntil([&] { return source.GetNumber("ScanNumber") >= first + 3; }));
+  EXPECT_NE(
+    source->GetProblem().find("fused map cannot be fetched within the Timeout"), std::string::npos)
+    << source->GetProblem();
+  line.Lose("");
+  EXPECT_TRUE(source.UpdateUntil([&] { return source->GetFusedMap()->GetNumberOfCells() > 0; }));
+  EXPECT_EQ(source->GetProblem(), "");
+}
+
 TEST(RemoteFusedSource, WarnsIfThereIsNoFusedMap)
 {
   ServerProcess server;

@@ -178,6 +178,7 @@ void lms3dRemoteServer::FetchInTime(
   }
   catch (const CORBA::TIMEOUT&)
   {
+    this->LimitCalls(this->Timeout);
     throw std::runtime_error(problem);
   }
   this->LimitCalls(this->Timeout);

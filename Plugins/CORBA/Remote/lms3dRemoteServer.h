@@ -29,7 +29,7 @@ class lms3dRemoteRefusal : public std::runtime_error
 /**
  * One run of a server. Every method sends requests. It throws lms3dRemoteRefusal if the server
  * refuses one, and std::runtime_error if the server is gone, has restarted or takes too long; do
- * not use the object afterwards. For one thread.
+ * not use the object afterwards, unless FetchFusedMap() threw. For one thread.
  */
 class lms3dRemoteServer
 {

@@ -79,9 +79,10 @@ lms3dRemoteWatch::FusedMapNews lms3dRemoteWatch::FetchFusedMap(lms3dRemoteServer
     news.Map = server.FetchFusedMap();
     news.Problem = server.GetFusedMapProblem();
   }
-  catch (const lms3dRemoteRefusal& refusal)
+  // The scan is there all the same. If the server is gone, the next call notices this.
+  catch (const std::exception& problem)
   {
-    news.Problem = refusal.what();
+    news.Problem = problem.what();
   }
   return news;
 }
