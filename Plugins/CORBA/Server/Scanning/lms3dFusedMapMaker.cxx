@@ -84,20 +84,7 @@ void lms3dFusedMapMaker::Add(
   this->SetProblem(problem);
   if (problem.empty())
   {
-    this->Beams += CountBeams(settings.Configuration);
-    LMS3D::FusedMapHeader& header = this->State.Header;
-    if (this->State.Regions.empty())
-    {
-      header.origin = settings.Pose.position;
-    }
-    header.scans = static_cast<CORBA::ULong>(this->Fusion->GetNumberOfScans());
-    header.newestScan = number;
-    const lms3dFusedRegions changes = lms3dTakeFusedChanges(
-      this->Fusion, this->PublishedRevision, header.origin, header.number + 1);
-    header.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    this->Publish(changes);
-    this->PublishedRevision = this->Fusion->GetRevision();
+    this->PublishScan(settings, number, start);
   }
   else if (isNewMap)
   {
@@ -180,6 +167,24 @@ std::string lms3dFusedMapMaker::Fuse(vtkPolyData* map, vtkPolyData* scan)
   {
     return problem.what();
   }
+}
+
+void lms3dFusedMapMaker::PublishScan(const lms3dScanSettings& settings, std::uint64_t number,
+  std::chrono::steady_clock::time_point start)
+{
+  this->Beams += CountBeams(settings.Configuration);
+  LMS3D::FusedMapHeader& header = this->State.Header;
+  if (this->State.Regions.empty())
+  {
+    header.origin = settings.Pose.position;
+  }
+  header.scans = static_cast<CORBA::ULong>(this->Fusion->GetNumberOfScans());
+  header.newestScan = number;
+  const lms3dFusedRegions changes =
+    lms3dTakeFusedChanges(this->Fusion, this->PublishedRevision, header.origin, header.number + 1);
+  header.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  this->Publish(changes);
+  this->PublishedRevision = this->Fusion->GetRevision();
 }
 
 void lms3dFusedMapMaker::Publish(const lms3dFusedRegions& changes)

@@ -13,6 +13,7 @@
 #include <vtkNew.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 
 class vtkLMS3DMapFusion;
@@ -62,6 +63,9 @@ private:
   double EstimateBytes(const lms3dScanSettings& settings, vtkPolyData* map) const;
   /// Returns the problem. Empty if the scan was added.
   std::string Fuse(vtkPolyData* map, vtkPolyData* scan);
+  /// Publishes the state with the scan `number`, which was added from `start` on.
+  void PublishScan(const lms3dScanSettings& settings, std::uint64_t number,
+    std::chrono::steady_clock::time_point start);
   /// Publishes the next state, with the regions that differ from the newest one.
   void Publish(const lms3dFusedRegions& changes);
   void SetProblem(const std::string& problem);
