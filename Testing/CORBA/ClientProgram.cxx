@@ -72,7 +72,7 @@ Map ReadMap(const std::filesystem::path& path)
 }
 
 TemporaryFile::TemporaryFile(const std::string& name)
-  : Path(std::filesystem::path(testing::TempDir()) / (name + '-' + std::to_string(getpid())))
+  : Path(std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + '-' + name))
 {
 }
 

@@ -74,6 +74,18 @@ bool NetworkLine::IsBroken() const
   return this->BreakingWord.empty();
 }
 
+void NetworkLine::Lose(const std::string& word)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->LostWord = word;
+}
+
+bool NetworkLine::IsLost(const std::string& message) const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return !this->LostWord.empty() && message.find(this->LostWord) != std::string::npos;
+}
+
 void NetworkLine::Replace(const std::string& word, const std::string& other)
 {
   ASSERT_EQ(word.size(), other.size());
@@ -168,6 +180,10 @@ bool NetworkLine::Forward(const Connection& connection, int from, int to)
   else if (this->IsBreaking({ buffer.data(), count }))
   {
     return false;
+  }
+  else if (this->IsLost({ buffer.data(), count }))
+  {
+    return true;
   }
   else
   {

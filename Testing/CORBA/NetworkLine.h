@@ -35,6 +35,9 @@ public:
   void BreakAt(const std::string& word);
   bool IsBroken() const;
 
+  /// Drops each message to the server that contains `word`, from now on. None if it is empty.
+  void Lose(const std::string& word);
+
   /// Writes `other` in place of `word`, which is as long, in each message to the server from now
   /// on.
   void Replace(const std::string& word, const std::string& other);
@@ -50,6 +53,7 @@ private:
   void Accept();
   bool Forward(const Connection& connection, int from, int to);
   bool IsBreaking(const std::string& message);
+  bool IsLost(const std::string& message) const;
   void ReplaceWord(char* message, std::size_t size);
 
   int ServerPort = 0;
@@ -59,6 +63,7 @@ private:
 
   mutable std::mutex Mutex;
   std::string BreakingWord;
+  std::string LostWord;
   std::string ReplacedWord;
   std::string OtherWord;
 

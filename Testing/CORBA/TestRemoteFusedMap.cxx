@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What a client refuses of a server's map of many scans.
+#include "Client/lms3dRemoteFusedMap.h"
 #include "Client/lms3dRemoteFusedMapCheck.h"
 #include "Common/lms3dChecksum.h"
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -56,6 +58,15 @@ TEST(RemoteFusedMap, GoodChangesPass)
   EXPECT_NO_THROW(Check(MakeChanges()));
 }
 
+// The clock of the server was set back before it was started anew.
+TEST(RemoteFusedMap, AWholeMapMayHaveALowerNumber)
+{
+  lms3dFusedMapChanges changes = MakeChanges();
+  changes.Header.number = Since - 1;
+  changes.Header.isWhole = true;
+  EXPECT_NO_THROW(Check(changes));
+}
+
 TEST(RemoteFusedMap, AWrongChecksumIsNoticed)
 {
   EXPECT_THROW(lms3dCheckFusedMapChanges(MakeChanges()), std::runtime_error);
@@ -87,4 +98,25 @@ TEST(RemoteFusedMap, ChangesThatLie)
     lies[i](changes);
     EXPECT_THROW(Check(changes), std::runtime_error) << i;
   }
+}
+
+TEST(RemoteFusedMap, RegionsMayNotAddUpToTooManyPoints)
+{
+  constexpr CORBA::ULong Points = 9000000;
+  lms3dFusedMapChanges changes;
+  changes.Regions = { { 1, Points, 1 } };
+  changes.Points.resize(std::size_t(3) * Points);
+  changes.Triangles = { 0, 1, 2 };
+  changes.Header.number = 1;
+  changes.Header.allTriangles = 1;
+  lms3dRemoteFusedMap map;
+  map.Apply(changes);
+  changes.Header.number = 2;
+  EXPECT_NO_THROW(map.Apply(changes)) << "the region is replaced";
+  changes.Regions[0].id = 2;
+  changes.Header.allTriangles = 2;
+  EXPECT_THROW(map.Apply(changes), std::runtime_error);
+  EXPECT_EQ(map.GetHeader().number, 0U);
+  changes.Header.allTriangles = 1;
+  EXPECT_NO_THROW(map.Apply(changes)) << "the map began anew";
 }

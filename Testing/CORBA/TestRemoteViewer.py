@@ -123,6 +123,11 @@ class TestWindow(unittest.TestCase):
             self.press(viewer, "k")
             self.assertNotIn("kept", viewer.text)
             self.assertEqual(scanner.fused_triangles, 0)
+            number = scanner.number
+            self.assert_soon(viewer, lambda: scanner.number > number + 2)
+            self.press(viewer, "k")
+            self.assert_soon(viewer, lambda: scanner.fused_scans == 2)
+            self.assertIn("kept: 2 scans, ", viewer.text)
 
     def test_k_says_that_the_server_has_no_map(self):
         with Server(*self.arguments):

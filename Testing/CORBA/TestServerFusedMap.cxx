@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The map of many scans, as clients fetch it.
 #include "Client/lms3dRemoteFusedMap.h"
+#include "ClientProgram.h"
 #include "DirectFusedMap.h"
 #include "FusedServer.h"
 
@@ -14,6 +15,7 @@
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
 
 namespace
 {
@@ -129,7 +131,6 @@ TEST(ServerFusedMap, AllSettingsButThePoseBeginANewMap)
   EXPECT_STREQ(map.GetHeader().scene, "teapot.wrl");
 }
 
-// 129,960 beams of four bytes: one scan fits into a megabyte, three do not.
 // The smallest message of omniORB has 8,192 bytes, and the headers of the parts take 2,048 of them.
 TEST(ServerFusedMap, LargeChangesComeInParts)
 {
@@ -142,6 +143,44 @@ TEST(ServerFusedMap, LargeChangesComeInParts)
   EXPECT_THROW(scanner->getFusedMap(0), LMS3D::LimitExceeded);
   EXPECT_EQ(GetTriangles(map),
     MakeFusedTriangles("room.wrl", scanner->getConfiguration(), { poses.front() }));
+}
+
+TEST(ServerFusedMap, LargeChangesComeInPartsToAClientWithALowerLimit)
+{
+  const FusedServer server;
+  const LMS3D::LaserScanner_var scanner = server.Connect();
+  lms3dRemoteFusedMap map;
+  map.Update(scanner);
+  EXPECT_GT(map.GetReceivedBytes(), 8192U);
+  const TemporaryFile file("map.vtp");
+  const Outcome outcome =
+    RunClient({ { "env", "ORBgiopMaxMsgSize=8192", LMS3D_CLIENT }, { "fused" } }, server.GetIOR(),
+      { file.Path.string() });
+  ASSERT_EQ(outcome.Code, 0) << outcome.Text;
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.Path.c_str());
+  reader->Update();
+  EXPECT_EQ(GetFusedTriangles(reader->GetOutput()), GetTriangles(map));
+}
+
+TEST(ServerFusedMap, PointsAreCountedFromTheFirstPoseThatSawSurface)
+{
+  const std::vector<LMS3D::Pose> poses = GetFusedPoses();
+  const FusedServer server({ "--position", "900000", "700000", "0" });
+  const LMS3D::LaserScanner_var scanner = server.Connect();
+  lms3dRemoteFusedMap map;
+  map.Update(scanner);
+  EXPECT_EQ(map.GetHeader().allTriangles, 0U);
+  for (const LMS3D::Pose& pose : { poses[0], poses[1] })
+  {
+    MoveTo(scanner, pose);
+    map.Update(scanner);
+    EXPECT_FALSE(map.GetHeader().isWhole);
+    EXPECT_EQ(map.GetHeader().origin.x, poses[0].position.x);
+    EXPECT_EQ(GetTriangles(map), FetchWhole(scanner));
+  }
+  EXPECT_EQ(GetTriangles(map),
+    MakeFusedTriangles("room.wrl", scanner->getConfiguration(), { poses[0], poses[1] }));
 }
 
 TEST(ServerFusedMap, ManyClientsWhileTheMapGrows)

@@ -29,10 +29,11 @@ TEST(ServerFusedMapLimits, SaysWhyScansAreNotAdded)
   EXPECT_STREQ(map->header.problem, "");
 }
 
-// The scan has 0.5 MB of ranges, and the cells of the room's walls have some megabytes.
+// The scan has 0.6 MB. The cells of the room's walls, and its 1,100 triangles if each of them is a
+// region, have 6 MB each.
 TEST(ServerFusedMapLimits, KeepsItsMemoryLimit)
 {
-  const FusedServer server({ "--fused-memory", "10" });
+  const FusedServer server({ "--fused-memory", "16" });
   const LMS3D::LaserScanner_var scanner = server.Connect();
   LMS3D::FusedMapHeader_var header = scanner->getFusedMapHeader(0);
   EXPECT_STREQ(header->problem, "");
@@ -57,6 +58,70 @@ TEST(ServerFusedMapLimits, AMapThatIsTooLargeStaysEmpty)
   const LMS3D::FusedMapHeader_var header = scanner->getFusedMapHeader(0);
   EXPECT_EQ(header->scans, 0U);
   EXPECT_NE(std::string(header->problem).find("--fused-memory"), std::string::npos);
+}
+
+// Floats resolve a tenth of 2 cm up to 34 km away.
+// Each scan takes 65 kB, also with few beams.
+TEST(ServerFusedMapLimits, ManySmallScansReachTheLimit)
+{
+  const FusedServer server({ "--fused-memory", "20", "--rate", "0" });
+  const LMS3D::LaserScanner_var scanner = server.Connect();
+  LMS3D::Configuration configuration = scanner->getConfiguration();
+  configuration.alpha.count = 8;
+  configuration.beta.count = 8;
+  WaitFor(scanner, scanner->setConfiguration(configuration));
+  const long before = server.GetResidentMemory();
+  LMS3D::FusedMapHeader_var header = scanner->getFusedMapHeader(0);
+  EXPECT_STREQ(header->problem, "");
+  for (int i = 0; i < 400; ++i)
+  {
+    MoveTo(scanner, GetFusedPoses().front());
+  }
+  header = scanner->getFusedMapHeader(0);
+  EXPECT_GT(header->scans, 200U);
+  EXPECT_LT(header->scans, 310U);
+  EXPECT_NE(std::string(header->problem).find("--fused-memory"), std::string::npos);
+  EXPECT_LT(server.GetResidentMemory() - before, 40'000'000);
+}
+
+// Nearly all returns are loose, and each of them takes a block of cells.
+TEST(ServerFusedMapLimits, NoiseReachesTheLimit)
+{
+  const FusedServer server({ "--fused-memory", "100" });
+  const LMS3D::LaserScanner_var scanner = server.Connect();
+  LMS3D::Configuration configuration = scanner->getConfiguration();
+  configuration.alpha.count = 181;
+  configuration.beta.count = 180;
+  configuration.mapError = 0.01;
+  WaitFor(scanner, scanner->setConfiguration(configuration));
+  LMS3D::Device_var device = scanner->getDevice();
+  device->rangeNoise = 0.05;
+  WaitFor(scanner, scanner->setDevice(device));
+  for (const LMS3D::Pose& pose : GetFusedPoses())
+  {
+    MoveTo(scanner, pose);
+  }
+  const LMS3D::FusedMapHeader_var header = scanner->getFusedMapHeader(0);
+  EXPECT_LT(header->scans, 2U);
+  EXPECT_NE(std::string(header->problem).find("--fused-memory"), std::string::npos);
+}
+
+TEST(ServerFusedMapLimits, PosesTooFarFromTheOriginAreNotAdded)
+{
+  const FusedServer server;
+  const LMS3D::LaserScanner_var scanner = server.Connect();
+  MoveTo(scanner, At(33000.0, 0.0, 1.0));
+  LMS3D::FusedMapHeader_var header = scanner->getFusedMapHeader(0);
+  EXPECT_EQ(header->scans, 2U);
+  EXPECT_STREQ(header->problem, "");
+  MoveTo(scanner, At(35000.0, 0.0, 1.0));
+  header = scanner->getFusedMapHeader(0);
+  EXPECT_EQ(header->scans, 2U);
+  EXPECT_NE(std::string(header->problem).find("far from the origin"), std::string::npos);
+  WaitFor(scanner, scanner->resetFusedMap());
+  header = scanner->getFusedMapHeader(0);
+  EXPECT_EQ(header->scans, 1U);
+  EXPECT_STREQ(header->problem, "");
 }
 
 TEST(ServerFusedMapLimits, WithoutTheOptionThereIsNone)

@@ -235,6 +235,17 @@ class TestOptions(CommandLineTest):
         np.testing.assert_allclose(np.cos(np.radians(array(labelled, "Incidence"))), cosine,
                                    atol=1e-6)
 
+    def test_the_summary_counts_triangles(self):
+        """Three of four beams meet the first triangle, and all the second one."""
+        scene = self.folder / "triangle.obj"
+        grid = [word for axis in ("alpha", "beta")
+                for word in (f"--{axis}-range", -20, 20, f"--{axis}-resolution", 2)]
+        for size, words in ((1, "1 triangle"), (9, "2 triangles")):
+            scene.write_text(f"v 2 {-1.2 * size} -1\nv 2 1 -1\nv 2 1 {1.2 * size}\nf 1 2 3\n")
+            printed = self.done("scan", scene, "--position", 0, 0, 0, *grid, "--maximum-error", 0,
+                                "--map", self.folder / "triangle.vtp")
+            self.assertIn(f"map      {words}\n", printed)
+
     def test_the_largest_numbers_that_are_taken(self):
         self.done("scan", ROOM, *POSE, *COARSE, "--threads", 1024, "--maximum-range", "1e18",
                   "-o", self.folder / "largest.vtp")

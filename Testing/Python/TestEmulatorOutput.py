@@ -117,6 +117,17 @@ class TestRandomHosts(unittest.TestCase):
             command += np.array((random_numbers.randint(1, last), last), "<u2").tobytes()
         return command
 
+    def take(self, device, now, end, is_late):
+        """Take a few telegrams at their times, or when all of them are late."""
+        for _ in range(6):
+            due = device.next_time()
+            if due is None or due > end:
+                return
+            now = end if is_late else max(now, due)
+            sending = device.take(now)
+            if sending:
+                self.check(device, sending)
+
     def check(self, device, sending):
         for payload in split(sending.data):
             if isinstance(payload, bytes) and payload[0] in self.HEADS:
@@ -157,13 +168,11 @@ class TestRandomHosts(unittest.TestCase):
             elif kind < 0.1:
                 data = data[:random_numbers.randrange(len(data))]
             device.receive(data, now)
-            now += random_numbers.choice((0.001, 0.02, 0.02, 0.1))
+            end = now + random_numbers.choice((0.001, 0.02, 0.02, 0.1))
             if number % 50 == 0:
-                now += 3.0
-            for _ in range(6):
-                sending = device.take(now)
-                if sending:
-                    self.check(device, sending)
+                end += 3.0
+            self.take(device, now, end, is_late=random_numbers.random() < 0.5)
+            now = end
         self.assertGreater(min(self.counts.values()), 200, self.counts)
         host = Host(device)
         host.now = now + 10.0

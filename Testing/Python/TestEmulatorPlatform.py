@@ -72,6 +72,28 @@ class TestPlatform(unittest.TestCase):
             self.assertEqual([request_part(host, part, 100 // step)[1] for part in parts],
                              list(zip(turns, parts)))
 
+    def test_another_step_halfway(self):
+        """Parts of another step do not count: the platform waits for all parts of the new one."""
+        for step, parts, other, others, turns in (
+                (25, (0, 1), 50, (0, 0, 1, 0), (0, 0, 0, 1)),
+                (50, (0,), 25, (1, 2, 3, 3, 0, 0), (0, 0, 0, 0, 0, 1)),
+                (25, (0, 1, 2), 100, (0, 0), (0, 1))):
+            with self.subTest(step=step, other=other):
+                host = make_host(step)
+                for part in parts:
+                    self.assertEqual(request_part(host, part, 100 // step)[1], (0, part))
+                host.ask(0x3B, 100, 0, other, 0)
+                self.assertEqual([request_part(host, part, 100 // other)[1] for part in others],
+                                 list(zip(turns, others)))
+
+    def test_a_whole_fan_halfway(self):
+        """It turns the platform, and the part that came before it does not count afterwards."""
+        host = make_host(50)
+        self.assertEqual(request_part(host, 0, 2)[1], (0, 0))
+        host.ask(0x30, 1)
+        self.assertEqual([request_part(host, part, 2)[1] for part in (1, 1, 0, 0)],
+                         [(1, 1), (1, 1), (1, 0), (2, 0)])
+
     def test_the_bits_of_the_part(self):
         """TL 46: bits 11 and 12 are 0 for x.00 degrees, 1 for x.25, 2 for x.50 and 3 for x.75; bit 13
         says that the scan is partial. At each angle of the platform, the values are of the same part."""

@@ -78,10 +78,14 @@ class Host:
         self.now = end
         return sent
 
-    def exchange(self, data, seconds=0.5):
-        """What the device sends after bytes."""
+    def send(self, data, seconds):
+        """What the device sends in a time after bytes: pairs of times and bytes."""
         self.write(data)
-        return b"".join(data for _, data in self.run(seconds))
+        return self.run(seconds)
+
+    def exchange(self, data, seconds=0.5):
+        """The bytes that the device sends after bytes."""
+        return b"".join(data for _, data in self.send(data, seconds))
 
     def ask(self, *payload):
         """The payload of the answer to a command; checks ACK and the status byte."""

@@ -74,6 +74,11 @@ lms3dFusedMapChanges Fetch(
   {
     return FetchParts(scanner, since, beforePart);
   }
+  // The limit of this client's ORB is lower than the server's.
+  catch (const CORBA::MARSHAL&)
+  {
+    return FetchParts(scanner, since, beforePart);
+  }
 }
 } // namespace
 
@@ -92,6 +97,11 @@ void lms3dRemoteFusedMap::Apply(const lms3dFusedMapChanges& changes)
   if (changes.Header.isWhole)
   {
     this->Regions.clear();
+  }
+  // Before anything is copied.
+  if (this->CountPointsWith(changes) > lms3dMaximumFusedPoints)
+  {
+    this->Refuse("the server's fused map is too large");
   }
   auto point = changes.Points.begin();
   auto corner = changes.Triangles.begin();
@@ -116,9 +126,29 @@ void lms3dRemoteFusedMap::Apply(const lms3dFusedMapChanges& changes)
       [](std::size_t sum, const auto& region) { return sum + region.second.Triangles.size() / 3; });
   if (triangles != this->Header.allTriangles)
   {
-    *this = {};
-    throw std::runtime_error("the changes of the server's fused map do not add up to the map");
+    this->Refuse("the changes of the server's fused map do not add up to the map");
   }
+}
+
+std::size_t lms3dRemoteFusedMap::CountPointsWith(const lms3dFusedMapChanges& changes) const
+{
+  std::size_t points = changes.Points.size() / 3;
+  for (const auto& [id, region] : this->Regions)
+  {
+    points += region.Points.size() / 3;
+  }
+  for (const LMS3D::FusedRegion& region : changes.Regions)
+  {
+    const auto replaced = this->Regions.find(region.id);
+    points -= replaced == this->Regions.end() ? 0 : replaced->second.Points.size() / 3;
+  }
+  return points;
+}
+
+void lms3dRemoteFusedMap::Refuse(const char* problem)
+{
+  *this = {};
+  throw std::runtime_error(problem);
 }
 
 std::uint64_t lms3dRemoteFusedMap::GetReceivedBytes() const

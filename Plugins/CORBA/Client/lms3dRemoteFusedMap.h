@@ -9,6 +9,7 @@
 
 #include "Client/lms3dFusedMapChanges.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -31,6 +32,13 @@ public:
   bool Update(
     LMS3D::LaserScanner_ptr scanner, const std::function<void()>& beforePart = [] {});
 
+  /**
+   * Takes over changes that pass both checks of lms3dRemoteFusedMapCheck.h. Throws
+   * std::runtime_error if they do not add up to a map, or to one of more than 16,000,000 points;
+   * the map is then empty.
+   */
+  void Apply(const lms3dFusedMapChanges& changes);
+
   /// The header of the last Update(). Its number is 0 before the first.
   const LMS3D::FusedMapHeader& GetHeader() const { return this->Header; }
 
@@ -51,7 +59,10 @@ private:
     std::vector<std::uint32_t> Triangles;
   };
 
-  void Apply(const lms3dFusedMapChanges& changes);
+  /// Without the points of the regions that changes replace.
+  std::size_t CountPointsWith(const lms3dFusedMapChanges& changes) const;
+  /// Empties the map, and throws std::runtime_error.
+  [[noreturn]] void Refuse(const char* problem);
   void FillTriangles(vtkPolyData* map) const;
 
   LMS3D::FusedMapHeader Header{};

@@ -11,8 +11,6 @@
 
 namespace
 {
-constexpr CORBA::ULong MaximumPoints = 16000000;
-
 static_assert(sizeof(LMS3D::FusedRegion) == 3 * sizeof(CORBA::ULong), "regions have no gaps");
 
 void Require(bool isValid, const LMS3D::FusedMapHeader& header, const char* reason)
@@ -49,10 +47,12 @@ bool HaveRegionsTheirPoints(const lms3dFusedMapChanges& changes)
 
 void lms3dCheckFusedMapHeader(const LMS3D::FusedMapHeader& header, CORBA::ULongLong since)
 {
-  Require(header.since == since && header.number >= since && header.number >= header.firstNumber,
+  Require(header.since == since && (header.isWhole || header.number >= since) &&
+      header.number >= header.firstNumber,
     header, "it is older than the state of the client");
-  Require(header.regions <= MaximumPoints && header.points <= MaximumPoints &&
-      header.triangles <= 2 * MaximumPoints && header.allTriangles <= 2 * MaximumPoints,
+  Require(header.regions <= lms3dMaximumFusedPoints && header.points <= lms3dMaximumFusedPoints &&
+      header.triangles <= 2 * lms3dMaximumFusedPoints &&
+      header.allTriangles <= 2 * lms3dMaximumFusedPoints,
     header, "it is too large");
   Require(std::isfinite(header.origin.x) && std::isfinite(header.origin.y) &&
       std::isfinite(header.origin.z),

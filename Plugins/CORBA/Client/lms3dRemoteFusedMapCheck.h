@@ -9,6 +9,9 @@
 
 #include "Client/lms3dFusedMapChanges.h"
 
+/// The largest number of points of a map.
+constexpr CORBA::ULong lms3dMaximumFusedPoints = 16000000;
+
 ///@{
 /// Throw std::runtime_error if the values are not as LMS3DScanner.idl demands. `since` is the state
 /// that the client asked for. Check the header before fetching the arrays, whose checksum is

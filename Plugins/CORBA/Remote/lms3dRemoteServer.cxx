@@ -151,7 +151,11 @@ lms3dRemoteFusedMapPointer lms3dRemoteServer::FetchFusedMap()
       {
         throw lms3dRemoteRefusal("no fused map: the server is older than this");
       }
-      return isNew ? std::make_shared<const lms3dRemoteFusedMap>(this->FusedMap) : nullptr;
+      if (isNew)
+      {
+        this->NewestFusedMap = std::make_shared<const lms3dRemoteFusedMap>(this->FusedMap);
+      }
+      return this->NewestFusedMap;
     });
 }
 
@@ -174,6 +178,7 @@ void lms3dRemoteServer::FetchInTime(
   }
   catch (const CORBA::TIMEOUT&)
   {
+    this->LimitCalls(this->Timeout);
     throw std::runtime_error(problem);
   }
   this->LimitCalls(this->Timeout);

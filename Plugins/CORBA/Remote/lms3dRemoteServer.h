@@ -29,7 +29,7 @@ class lms3dRemoteRefusal : public std::runtime_error
 /**
  * One run of a server. Every method sends requests. It throws lms3dRemoteRefusal if the server
  * refuses one, and std::runtime_error if the server is gone, has restarted or takes too long; do
- * not use the object afterwards. For one thread.
+ * not use the object afterwards, unless FetchFusedMap() threw. For one thread.
  */
 class lms3dRemoteServer
 {
@@ -44,9 +44,9 @@ public:
   /// fetched.
   lms3dRemoteScanPointer WaitForScan(std::uint32_t milliseconds);
 
-  /// Fetches what has changed in the map of many scans. Returns the map, or null if it is as
-  /// before, or if the server dropped a state before all parts were fetched. Throws
-  /// lms3dRemoteRefusal if the server has no such map.
+  /// Fetches what has changed in the map of many scans. Returns the newest map, which is the same
+  /// object as before if nothing has changed, or if the server dropped a state before all parts
+  /// were fetched; null before the first. Throws lms3dRemoteRefusal if the server has no such map.
   lms3dRemoteFusedMapPointer FetchFusedMap();
 
   /// Why the newest scans are not in the map of the last FetchFusedMap(). Empty if they are.
@@ -79,6 +79,8 @@ private:
   std::uint64_t LastNumber = 0;
   int DroppedInARow = 0;
   lms3dRemoteFusedMap FusedMap;
+  /// A copy that users share.
+  lms3dRemoteFusedMapPointer NewestFusedMap;
 };
 
 #endif

@@ -79,9 +79,10 @@ lms3dRemoteWatch::FusedMapNews lms3dRemoteWatch::FetchFusedMap(lms3dRemoteServer
     news.Map = server.FetchFusedMap();
     news.Problem = server.GetFusedMapProblem();
   }
-  catch (const lms3dRemoteRefusal& refusal)
+  // The scan is there all the same. If the server is gone, the next call notices this.
+  catch (const std::exception& problem)
   {
-    news.Problem = refusal.what();
+    news.Problem = problem.what();
   }
   return news;
 }
@@ -133,24 +134,31 @@ void lms3dRemoteWatch::Publish(lms3dRemoteScanPointer scan, const FusedMapNews& 
   lms3dRemoteFusedMapPointer displacedMap;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
+    displacedMap = this->ReplaceFusedMap(fusedMap);
     // After reconnecting, the newest scan may be the same as before.
-    if (this->News.Scan && IsSameScan(*this->News.Scan, *scan))
+    if (!this->News.Scan || !IsSameScan(*this->News.Scan, *scan))
     {
-      return;
+      const bool isFromPose =
+        this->AnsweredPose == this->PoseNumber && scan->Header.generation >= this->PoseGeneration;
+      this->News.IsPosePending = this->News.IsPosePending && !isFromPose;
+      displaced = std::exchange(this->News.Scan, std::move(scan));
+      ++this->News.Scans;
+      ++this->News.Count;
     }
-    const bool isFromPose =
-      this->AnsweredPose == this->PoseNumber && scan->Header.generation >= this->PoseGeneration;
-    this->News.IsPosePending = this->News.IsPosePending && !isFromPose;
-    displaced = std::exchange(this->News.Scan, std::move(scan));
-    if (fusedMap.Map || !fusedMap.IsWanted)
-    {
-      displacedMap = std::exchange(this->News.FusedMap, fusedMap.Map);
-    }
-    this->News.FusedMapProblem = fusedMap.Problem;
-    ++this->News.Scans;
-    ++this->News.Count;
   }
   this->Changed.notify_all();
+}
+
+lms3dRemoteFusedMapPointer lms3dRemoteWatch::ReplaceFusedMap(const FusedMapNews& fusedMap)
+{
+  const bool isReplaced = fusedMap.Map || !fusedMap.IsWanted;
+  lms3dRemoteFusedMapPointer map = isReplaced ? fusedMap.Map : this->News.FusedMap;
+  if (map != this->News.FusedMap || fusedMap.Problem != this->News.FusedMapProblem)
+  {
+    this->News.FusedMapProblem = fusedMap.Problem;
+    ++this->News.Count;
+  }
+  return std::exchange(this->News.FusedMap, std::move(map));
 }
 
 void lms3dRemoteWatch::ReportProblem(const std::string& problem)

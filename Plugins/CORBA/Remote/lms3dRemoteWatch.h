@@ -76,7 +76,7 @@ private:
   struct FusedMapNews
   {
     bool IsWanted = false;
-    /// Null if it is as before.
+    /// Null if it could not be fetched.
     lms3dRemoteFusedMapPointer Map;
     std::string Problem;
   };
@@ -86,6 +86,8 @@ private:
   void SendPendingPose(lms3dRemoteServer& server);
   void TakeRefusal(std::uint64_t number, const std::string& refusal);
   void Publish(lms3dRemoteScanPointer scan, const FusedMapNews& fusedMap);
+  /// Returns the map before. The Mutex must be locked.
+  lms3dRemoteFusedMapPointer ReplaceFusedMap(const FusedMapNews& fusedMap);
   FusedMapNews FetchFusedMap(lms3dRemoteServer& server) const;
   void ReportProblem(const std::string& problem);
   void Pause() const;

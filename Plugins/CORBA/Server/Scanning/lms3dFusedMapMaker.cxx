@@ -10,7 +10,9 @@
 #include <vtkPolyData.h>
 
 #include <chrono>
+#include <cmath>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -19,9 +21,21 @@ namespace
 {
 constexpr double BytesPerBeam = 4.0;
 
-// Measured on a level ground: a block of 64 x 64 cells has 3 kB, and the blocks at borders are not
-// full.
+// The farthest return in each of 90 x 180 directions.
+constexpr double BytesPerScan = 65e3;
+
+// A full block of 64 x 64 cells has 4.6 kB, but the blocks at borders are not full.
 constexpr double BytesPerCell = 1.7;
+
+// In the worst case each triangle of a local map becomes a region of its own, with a block of cells
+// for its small area, and its outline.
+constexpr double BytesPerRegion = 6e3;
+
+// Relative, of a coordinate.
+constexpr double RoundingOfFloats = std::numeric_limits<float>::epsilon() / 2.0;
+
+// The share of the error bound that rounding may take at the sensor.
+constexpr double MaximumRounding = 0.1;
 
 std::uint64_t CountBeams(const LMS3D::Configuration& configuration)
 {
@@ -57,7 +71,6 @@ void lms3dFusedMapMaker::Add(
   {
     this->BeginMap(settings);
   }
-  const int revision = this->Fusion->GetRevision();
   const auto start = std::chrono::steady_clock::now();
   std::string problem = this->FindProblem(settings, map);
   if (problem.empty())
@@ -71,15 +84,7 @@ void lms3dFusedMapMaker::Add(
   this->SetProblem(problem);
   if (problem.empty())
   {
-    this->Beams += CountBeams(settings.Configuration);
-    LMS3D::FusedMapHeader& header = this->State.Header;
-    header.scans = static_cast<CORBA::ULong>(this->Fusion->GetNumberOfScans());
-    header.newestScan = number;
-    const lms3dFusedRegions changes =
-      lms3dTakeFusedChanges(this->Fusion, revision, header.origin, header.number + 1);
-    header.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    this->Publish(changes);
+    this->PublishScan(settings, number, start);
   }
   else if (isNewMap)
   {
@@ -90,6 +95,7 @@ void lms3dFusedMapMaker::Add(
 void lms3dFusedMapMaker::BeginMap(const lms3dScanSettings& settings)
 {
   this->Fusion->Reset();
+  this->PublishedRevision = this->Fusion->GetRevision();
   this->MapSettings = settings.FusedMap;
   this->Beams = 0;
   this->State.Regions.clear();
@@ -100,7 +106,6 @@ void lms3dFusedMapMaker::BeginMap(const lms3dScanSettings& settings)
   header.seconds = 0.0;
   header.allTriangles = 0;
   header.scene = settings.Scene->Description.name;
-  header.origin = settings.Pose.position;
 }
 
 std::string lms3dFusedMapMaker::FindProblem(
@@ -113,6 +118,11 @@ std::string lms3dFusedMapMaker::FindProblem(
     return "the configuration needs makeMap, and a mapError above 0 and up to " +
       std::to_string(this->Options.MaximumError) + " m";
   }
+  if (this->IsTooFar(settings.Pose.position))
+  {
+    return "the sensor is so far from the origin of the map that floats are too coarse; "
+           "resetFusedMap() begins a new map";
+  }
   if (this->EstimateBytes(settings, map) > this->Options.MaximumBytes)
   {
     return "another scan would exceed --fused-memory; resetFusedMap() begins a new map";
@@ -120,15 +130,27 @@ std::string lms3dFusedMapMaker::FindProblem(
   return "";
 }
 
+bool lms3dFusedMapMaker::IsTooFar(const LMS3D::Vector3& position) const
+{
+  const LMS3D::Vector3& origin = this->State.Header.origin;
+  const double distance =
+    std::hypot(position.x - origin.x, position.y - origin.y, position.z - origin.z);
+  return !this->State.Regions.empty() &&
+    RoundingOfFloats * distance > MaximumRounding * this->Options.MaximumError;
+}
+
 double lms3dFusedMapMaker::EstimateBytes(const lms3dScanSettings& settings, vtkPolyData* map) const
 {
   double area = lms3dGetArea(map);
+  auto regions = static_cast<double>(map->GetNumberOfPolys());
   for (const auto& region : this->State.Regions)
   {
     area += region->Area;
+    regions += region->IsRemoved() ? 0.0 : 1.0;
   }
   const double cell = this->Options.MaximumError / 3.0;
   return BytesPerBeam * static_cast<double>(this->Beams + CountBeams(settings.Configuration)) +
+    BytesPerScan * (this->Fusion->GetNumberOfScans() + 1) + BytesPerRegion * regions +
     BytesPerCell * area / (cell * cell);
 }
 
@@ -145,6 +167,24 @@ std::string lms3dFusedMapMaker::Fuse(vtkPolyData* map, vtkPolyData* scan)
   {
     return problem.what();
   }
+}
+
+void lms3dFusedMapMaker::PublishScan(const lms3dScanSettings& settings, std::uint64_t number,
+  std::chrono::steady_clock::time_point start)
+{
+  this->Beams += CountBeams(settings.Configuration);
+  LMS3D::FusedMapHeader& header = this->State.Header;
+  if (this->State.Regions.empty())
+  {
+    header.origin = settings.Pose.position;
+  }
+  header.scans = static_cast<CORBA::ULong>(this->Fusion->GetNumberOfScans());
+  header.newestScan = number;
+  const lms3dFusedRegions changes =
+    lms3dTakeFusedChanges(this->Fusion, this->PublishedRevision, header.origin, header.number + 1);
+  header.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  this->Publish(changes);
+  this->PublishedRevision = this->Fusion->GetRevision();
 }
 
 void lms3dFusedMapMaker::Publish(const lms3dFusedRegions& changes)

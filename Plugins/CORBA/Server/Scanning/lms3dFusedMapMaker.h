@@ -13,6 +13,7 @@
 #include <vtkNew.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 
 class vtkLMS3DMapFusion;
@@ -24,7 +25,7 @@ struct lms3dFusedMapOptions
   double MaximumError = 0.01;
   /// As NumberOfThreads of the filters: 0 for all cores.
   int Threads = 0;
-  /// The memory of a map, bytes: the ranges of its scans, and the cells of its surface.
+  /// The memory of a map, bytes, as estimated from its scans, its regions and its surface.
   double MaximumBytes = 1e9;
 };
 
@@ -32,8 +33,9 @@ struct lms3dFusedMapOptions
 class lms3dFusedMapMaker
 {
 public:
-  /// `incarnation` is the start of the server: numbers of states begin after it, so a state of an
-  /// earlier server is never taken for one of this server. The store must outlive this object.
+  /// `incarnation` is the start of the server, nanoseconds since 1970. Numbers of states begin after
+  /// it, so that a state of an earlier server is not taken for one of this server. The store must
+  /// outlive this object.
   lms3dFusedMapMaker(
     const lms3dFusedMapOptions& options, std::uint64_t incarnation, lms3dFusedMapStore& store);
   ~lms3dFusedMapMaker();
@@ -55,10 +57,15 @@ private:
   void BeginMap(const lms3dScanSettings& settings);
   /// Why the scan cannot be added. Empty if it can.
   std::string FindProblem(const lms3dScanSettings& settings, vtkPolyData* map) const;
-  /// An estimate of the memory, if all that a local map shows is new.
+  /// Whether points at a sensor there would be rounded too coarsely.
+  bool IsTooFar(const LMS3D::Vector3& position) const;
+  /// An estimate of the memory, if all triangles of a local map are new regions.
   double EstimateBytes(const lms3dScanSettings& settings, vtkPolyData* map) const;
   /// Returns the problem. Empty if the scan was added.
   std::string Fuse(vtkPolyData* map, vtkPolyData* scan);
+  /// Publishes the state with the scan `number`, which was added from `start` on.
+  void PublishScan(const lms3dScanSettings& settings, std::uint64_t number,
+    std::chrono::steady_clock::time_point start);
   /// Publishes the next state, with the regions that differ from the newest one.
   void Publish(const lms3dFusedRegions& changes);
   void SetProblem(const std::string& problem);
@@ -75,6 +82,9 @@ private:
   std::uint64_t Generation = 0;
   ///@}
   std::uint64_t Beams = 0;
+  /// The revision of the filter whose regions all states have. A scan that failed half-way may have
+  /// changed regions since.
+  int PublishedRevision = -1;
 };
 
 #endif

@@ -130,7 +130,8 @@ def _scan_once(options, simulation):
           f"{simulation.ranges().min():.3f} to {simulation.ranges().max():.3f} m")
     if options.map or options.picture:
         simulation.reconstruct()
-        print(f"map      {simulation.map.GetNumberOfCells():,} triangles")
+        triangles = simulation.map.GetNumberOfCells()
+        print(f"map      {triangles:,} triangle{'s' * (triangles != 1)}")
 
     _write(options, simulation)
 

@@ -10,7 +10,7 @@ import math
 from .commands import execute
 from .fan import FanRecord
 from .measured_values import encode_count, encode_output, encode_ranges
-from .plan import Planned, SendingQueue
+from .plan import Planned, Sending, SendingQueue
 from .telegrams import ACKNOWLEDGE, REFUSE, TelegramReader, frame_answer
 from .variants import BITS_PER_BYTE, TURNS_PER_SECOND, interval
 
@@ -46,7 +46,7 @@ class Device:
         self._telegrams = 0
         self._ready_time = now
         self._line_free_time = now
-        self._unfinished = None  # a Reply whose rate or reset follows its answer
+        self._unfinished = None  # a Reply whose answer has not been sent
 
     @property
     def rate(self):
@@ -62,8 +62,7 @@ class Device:
             if now < self._ready_time:  # what was broken off is a reset, which has begun
                 return
             if payload is None:
-                self._plan_bytes(now + ACKNOWLEDGE_DELAY, REFUSE)
-                self._plan_stream(now + ACKNOWLEDGE_DELAY)
+                self._plan_bytes(now + ACKNOWLEDGE_DELAY, REFUSE, self._plan_stream)
             else:
                 self._execute(payload, now)
 
@@ -73,11 +72,7 @@ class Device:
 
     def take(self, now):
         """The next Sending that is due now, or None."""
-        sending = self._queue.take(now, lambda: self.rate)
-        if sending:
-            self._line_free_time = (max(self._line_free_time, now)
-                                    + self._line_time(sending.data, sending.rate))
-        return sending
+        return self._queue.take(now, lambda data, fan: self._send(data, fan, now))
 
     def confirm(self, record):
         """Say that the host has received the telegram of a fan: the platform may turn."""
@@ -89,37 +84,41 @@ class Device:
         self._queue.skip(now)
 
     def _break_off(self, now):
-        """Cancel what has not been sent (TL 24). What a cancelled answer announces happens now."""
+        """Cancel what has not been sent (TL 24). What a cancelled answer announces happens now.
+
+        The stream goes on after the answer to the new command, which may have changed it.
+        """
         self._queue.clear()
         if self._unfinished:
             self._finish(now)
 
-    def _line_time(self, data, rate):
-        """How long the line needs for bytes, seconds."""
-        return len(data) * BITS_PER_BYTE / rate if self._is_paced_by_line else 0.0
+    def _send(self, data, fan, now):
+        """The Sending of bytes, which the line carries after those that were sent before."""
+        if self._is_paced_by_line:
+            self._line_free_time = (max(self._line_free_time, now)
+                                    + len(data) * BITS_PER_BYTE / self.rate)
+        return Sending(data, self.rate, fan)
 
     def _execute(self, payload, now):
         reply = execute(self.state, payload)
         self._plan_bytes(now + ACKNOWLEDGE_DELAY, ACKNOWLEDGE)
-        due = now + (SLOW_ANSWER_DELAY if reply.is_slow else ANSWER_DELAY)
-        if reply.is_reset or reply.rate is not None:
-            self._unfinished = reply
-            self._plan_bytes(due, frame_answer(reply.code, reply.data), self._finish)
-            return
-        if reply.code is not None:
-            answer = frame_answer(reply.code, reply.data)
-            self._plan_bytes(due, answer)
-            due += self._line_time(answer, self.rate)
         if reply.output:
-            due = self._plan_request(reply.output, now)
-        self._plan_stream(due)
+            self._plan_request(reply.output, now)
+            return
+        self._unfinished = reply
+        due = now + (SLOW_ANSWER_DELAY if reply.is_slow else ANSWER_DELAY)
+        self._plan_bytes(due, frame_answer(reply.code, reply.data), self._go_on)
+
+    def _go_on(self, now):
+        """What follows the answer to a command."""
+        self._finish(now)
+        self._plan_stream(now)
 
     def _finish(self, now):
-        """What follows the answer to a command that changes the rate or resets the device."""
+        """Change the rate or reset the device, if the answer announces it."""
         reply, self._unfinished = self._unfinished, None
         if reply.rate is not None:
             self.state.rate = reply.rate
-            self._plan_stream(now)
         if reply.is_reset:
             self.state.rate = self.state.power_on_rate
             self._reader.clear()
@@ -139,7 +138,7 @@ class Device:
         return (time - self._start) * TURNS_PER_SECOND
 
     def _plan_request(self, output, now):
-        """Plan the measured values of a request; returns when they are due.
+        """Plan the measured values of a request.
 
         The mirror turns always, so the first turn may have begun already.
         """
@@ -147,13 +146,15 @@ class Device:
         first = math.floor(self._turn(now + ACKNOWLEDGE_DELAY))
         if self._time(first + turns) < now + ANSWER_DELAY:
             first += 1
-        self._plan_output(output, first, None)
-        return self._time(first + turns)
+        self._plan_output(output, first, self._plan_stream)
 
-    def _plan_stream(self, after):
-        """Plan the next telegram of a stream: a scan that begins after a time, when the line is free."""
+    def _plan_stream(self, now):
+        """Plan the next telegram of a stream, after all others have been sent.
+
+        Its scan is the first one that begins when the line is free.
+        """
         if self.state.stream:
-            first = math.ceil(self._turn(max(after, self._line_free_time)))
+            first = math.ceil(self._turn(max(now, self._line_free_time)))
             self._plan_output(self.state.stream, first, lambda now: self._continue(first, now))
 
     def _continue(self, first, now):
@@ -169,8 +170,7 @@ class Device:
     def _plan_output(self, output, first, then):
         def finish(now):
             self._telegrams += 1
-            if then:
-                then(now)
+            then(now)
 
         due = self._time(first + output.turns(self.state.variant))
         self._queue.plan(Planned(due, lambda: self._measure(output, first), finish, CAST_LEAD))

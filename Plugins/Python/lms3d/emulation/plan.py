@@ -57,10 +57,10 @@ class SendingQueue:
         first = self._planned[0]
         return first.due if first.made else first.due - first.lead
 
-    def take(self, now, rate):
+    def take(self, now, send):
         """Prepare what is due soon, and return a Sending if it is due now, otherwise None.
 
-        rate: a function that returns the rate of the device.
+        send: a function that returns the Sending of bytes, and the record of a fan or None.
         """
         if not self._planned or now < self.next_time():
             return None
@@ -70,7 +70,7 @@ class SendingQueue:
         if now < first.due:
             return None
         del self._planned[0]
-        sending = Sending(first.made[0], rate(), first.made[1])
+        sending = send(*first.made)
         if first.then:
             first.then(now)
         return sending

@@ -27,7 +27,10 @@ class Stepped:
     def measure(self, variant, part, _time, means):
         """The Fan of a variant, or one part of it; ranges are averaged over a number of scans."""
         ranges = self._fans.cast_turn(variant, self._scan, self._turn, means)
-        self._parts = 1 if part is None else variant.parts
+        parts = 1 if part is None else variant.parts
+        if parts != self._parts:  # the numbers of the parts have another meaning
+            self._parts = parts
+            self._received.clear()
         return Fan(ranges if part is None else ranges[part::variant.parts],
                    self._fans.angles[self._turn])
 
