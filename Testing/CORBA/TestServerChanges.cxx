@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When a server scans with new settings, and what remains of the old ones.
 #include "ClientORB.h"
+#include "Sanitizers.h"
 #include "ServerProcess.h"
 
 #include <gtest/gtest.h>
@@ -72,12 +73,6 @@ void WaitForSixMore(LMS3D::LaserScanner_ptr scanner, CORBA::ULongLong number)
     number = WaitFor(scanner, 0, number).number;
   }
 }
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool IsSanitized = true;
-#else
-constexpr bool IsSanitized = false;
-#endif
 } // namespace
 
 TEST(ServerChanges, ANewPoseIsScannedAtOnce)
