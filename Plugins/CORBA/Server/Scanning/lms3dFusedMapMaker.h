@@ -33,9 +33,9 @@ struct lms3dFusedMapOptions
 class lms3dFusedMapMaker
 {
 public:
-  /// `incarnation` is the start of the server, nanoseconds since 1970. Numbers of states begin after
-  /// it, so that a state of an earlier server is not taken for one of this server. The store must
-  /// outlive this object.
+  /// `incarnation` is the start of the server, nanoseconds since 1970. Numbers of states begin
+  /// after it, so that a state of an earlier server is not taken for one of this server. The store
+  /// must outlive this object.
   lms3dFusedMapMaker(
     const lms3dFusedMapOptions& options, std::uint64_t incarnation, lms3dFusedMapStore& store);
   ~lms3dFusedMapMaker();
