@@ -70,7 +70,8 @@ bool lms3dBlockGrid<Block>::HasAny(BitsOf bits, const lms3dCellStrip& strip) con
 }
 
 template <typename Block>
-bool lms3dBlockGrid<Block>::HasAny(BitsOf bits, const lms3dCellBox& box) const
+bool lms3dBlockGrid<Block>::HasDifferent(
+  BitsOf bits, const lms3dCellBox& box, std::uint64_t word) const
 {
   for (std::int32_t v = GetBlockOf(box.Bottom); v <= GetBlockOf(box.Top); ++v)
   {
@@ -79,42 +80,18 @@ bool lms3dBlockGrid<Block>::HasAny(BitsOf bits, const lms3dCellBox& box) const
     for (std::int32_t u = GetBlockOf(box.Left); u <= GetBlockOf(box.Right); ++u)
     {
       const int number = this->Find(u, v);
-      std::uint64_t found = 0;
+      std::uint64_t different = 0;
       for (int row = from; number >= 0 && row <= to; ++row)
       {
-        found |= (this->Blocks[number].*bits)[row];
+        different |= (this->Blocks[number].*bits)[row] ^ word;
       }
-      if ((found & GetMask(u, box.Left, box.Right)) != 0)
+      if ((different & GetMask(u, box.Left, box.Right)) != 0)
       {
         return true;
       }
     }
   }
   return false;
-}
-
-template <typename Block>
-bool lms3dBlockGrid<Block>::HasAll(BitsOf bits, const lms3dCellBox& box) const
-{
-  for (std::int32_t v = GetBlockOf(box.Bottom); v <= GetBlockOf(box.Top); ++v)
-  {
-    const int from = GetBlockOf(box.Bottom) == v ? GetPlaceOf(box.Bottom) : 0;
-    const int to = GetBlockOf(box.Top) == v ? GetPlaceOf(box.Top) : Size - 1;
-    for (std::int32_t u = GetBlockOf(box.Left); u <= GetBlockOf(box.Right); ++u)
-    {
-      const int number = this->Find(u, v);
-      std::uint64_t missing = 0;
-      for (int row = from; number >= 0 && row <= to; ++row)
-      {
-        missing |= ~(this->Blocks[number].*bits)[row];
-      }
-      if ((missing & GetMask(u, box.Left, box.Right)) != 0)
-      {
-        return false;
-      }
-    }
-  }
-  return true;
 }
 
 template <typename Block>

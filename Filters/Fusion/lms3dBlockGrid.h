@@ -73,10 +73,16 @@ public:
   bool HasAny(BitsOf bits, const lms3dCellStrip& strip) const;
 
   /// Returns whether a cell of a box has the bit.
-  bool HasAny(BitsOf bits, const lms3dCellBox& box) const;
+  bool HasAny(BitsOf bits, const lms3dCellBox& box) const
+  {
+    return this->HasDifferent(bits, box, 0);
+  }
 
   /// Returns whether all cells of a box that lie in blocks have the bit.
-  bool HasAll(BitsOf bits, const lms3dCellBox& box) const;
+  bool HasAll(BitsOf bits, const lms3dCellBox& box) const
+  {
+    return !this->HasDifferent(bits, box, ~std::uint64_t{ 0 });
+  }
 
   /// Returns whether all cells of a box lie in blocks.
   bool HasBlocks(const lms3dCellBox& box) const;
@@ -114,6 +120,9 @@ public:
 
 protected:
   int FindOrMake(std::int32_t u, std::int32_t v);
+
+  /// Returns whether a cell of a box lies in a block and differs from its bit in `word`.
+  bool HasDifferent(BitsOf bits, const lms3dCellBox& box, std::uint64_t word) const;
 
   /// The bits of cells from `first` to `last` in a block.
   static std::uint64_t GetMask(std::int32_t block, std::int32_t first, std::int32_t last)
