@@ -126,16 +126,8 @@ LMS3D::FusedMap* lms3dMakeFusedMap(
 {
   const CORBA::ULongLong items =
     CORBA::ULongLong(header.regions) + header.points + header.triangles;
-  const CORBA::ULongLong bytes = items * Width * sizeof(CORBA::ULong);
-  const CORBA::ULongLong maximum = lms3dGetMaximumElements(1);
-  if (bytes > maximum)
-  {
-    throw LMS3D::LimitExceeded(
-      lms3dMakeText("the changes have " + std::to_string(bytes) +
-        " bytes, which do not fit into a message; fetch parts with getFusedRegions(), "
-        "getFusedPoints() and getFusedTriangles()"),
-      maximum);
-  }
+  lms3dCheckMessage(items * Width * sizeof(CORBA::ULong), "the changes have",
+    "getFusedRegions(), getFusedPoints() and getFusedTriangles()");
   LMS3D::FusedMap_var map = new LMS3D::FusedMap;
   map->header = header;
   Move(lms3dMakeFusedRegions(changes, 0, header.regions), map->regions);

@@ -82,19 +82,24 @@ void lms3dCheckPart(std::size_t items, std::size_t bytes, CORBA::ULong first, CO
   }
 }
 
-LMS3D::LocalMap* lms3dMakeLocalMap(const lms3dSnapshot& snapshot)
+void lms3dCheckMessage(
+  CORBA::ULongLong bytes, const std::string& subject, const std::string& operations)
 {
-  const CORBA::ULongLong bytes = snapshot.MapPoints.size() * sizeof(CORBA::Double) +
-    snapshot.MapTriangles.size() * sizeof(CORBA::ULong);
   const CORBA::ULongLong maximum = lms3dGetMaximumElements(1);
   if (bytes > maximum)
   {
     throw LMS3D::LimitExceeded(
-      lms3dMakeText("the map has " + std::to_string(bytes) +
-        " bytes, which do not fit into a message; fetch parts with getMapPoints() and "
-        "getMapTriangles()"),
+      lms3dMakeText(subject + " " + std::to_string(bytes) +
+        " bytes, which do not fit into a message; fetch parts with " + operations),
       maximum);
   }
+}
+
+LMS3D::LocalMap* lms3dMakeLocalMap(const lms3dSnapshot& snapshot)
+{
+  lms3dCheckMessage(snapshot.MapPoints.size() * sizeof(CORBA::Double) +
+      snapshot.MapTriangles.size() * sizeof(CORBA::ULong),
+    "the map has", "getMapPoints() and getMapTriangles()");
   LMS3D::LocalMap_var map = new LMS3D::LocalMap;
   map->header = snapshot.Header;
   Copy(snapshot.MapPoints, map->points);

@@ -35,6 +35,11 @@ LMS3D::LocalMap* lms3dMakeLocalMap(const lms3dSnapshot& snapshot);
 /// LMS3D::LimitExceeded if `count` items of `bytes` bytes do not fit into a message.
 void lms3dCheckPart(std::size_t items, std::size_t bytes, CORBA::ULong first, CORBA::ULong count);
 
+/// Throws LMS3D::LimitExceeded if `bytes` do not fit into a message. The reason begins with
+/// `subject`, a noun and its verb, and names the `operations` that return parts.
+void lms3dCheckMessage(
+  CORBA::ULongLong bytes, const std::string& subject, const std::string& operations);
+
 /**
  * A sequence of `count` items from item `first` on, each of `width` elements of `all`. The caller
  * owns the result. Throws LMS3D::InvalidArgument if `all` has fewer items, LMS3D::LimitExceeded if
