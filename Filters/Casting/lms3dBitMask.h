@@ -8,6 +8,7 @@
 #ifndef lms3dBitMask_h
 #define lms3dBitMask_h
 
+#include <bitset>
 #include <cstdint>
 
 inline bool lms3dHasBit(std::uint32_t mask, int bit)
@@ -18,12 +19,7 @@ inline bool lms3dHasBit(std::uint32_t mask, int bit)
 /// Returns the number of bits that are set.
 inline int lms3dCountBits(std::uint32_t mask)
 {
-  int count = 0;
-  for (; mask != 0; mask &= mask - 1)
-  {
-    ++count;
-  }
-  return count;
+  return static_cast<int>(std::bitset<32>(mask).count());
 }
 
 /// Returns the lowest bit of a mask that is not 0.
