@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -184,4 +185,18 @@ TEST(KeptMeshes, AreNoneOfPatchesThatChanged)
   EXPECT_FALSE(kept.TryToTake(Left, second.Outlines, mesh));
   EXPECT_FALSE(kept.TryToTake(Inner, second.Outlines, mesh));
   EXPECT_FALSE(kept.TryToTake(Corner, second.Outlines, mesh));
+}
+
+TEST(KeptMeshes, AreNoneOfPatchesWithOtherReturns)
+{
+  Walls walls;
+  Walls::Attempt first(walls);
+  lms3dKeptMeshes kept;
+  kept.Keep(walls.GetPatches().Labels, first.Outlines, std::move(first.Meshes));
+  lms3dPatches patches = walls.GetPatches();
+  *std::find(patches.Labels.begin(), patches.Labels.end(), Right) = lms3dPatches::None;
+  kept.FindChanges(patches);
+  lms3dPatchMesh mesh;
+  EXPECT_TRUE(kept.TryToTake(Left, first.Outlines, mesh));
+  EXPECT_FALSE(kept.TryToTake(Right, first.Outlines, mesh));
 }
