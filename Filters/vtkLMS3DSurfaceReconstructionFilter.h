@@ -201,14 +201,20 @@ public:
 
   ///@{
   /**
-   * The largest speckle, returns, 0 to 1,000,000. A speckle is a group of neighbouring returns at
-   * one depth that lies off the plane of all returns around it, nearer or farther, and on one
-   * surface with none of them. The surface goes on behind a nearer speckle and in front of a
-   * farther one. Returns are at one depth if they differ by no more than DepthStep and the share of
-   * the range. Diagonal neighbours belong to one group, and so do returns on both sides of a lost
-   * beam: a thin thing that beams meet in one turn after the other is one group. But small objects,
-   * thin things that only some turns meet, and small windows with something behind them cannot be
-   * distinguished from speckles. 0, the default, treats every return as a part of the surface.
+   * The largest speckle, returns, 0 to 1,000,000. A speckle is a group of neighbouring returns
+   * that lies off the plane of all returns around it, nearer or farther. The surface goes on behind
+   * a nearer speckle and in front of a farther one. There are two kinds:
+   * - Returns at one depth, on one surface with none around them. Returns are at one depth if they
+   *   differ by no more than DepthStep and the share of the range. Diagonal neighbours belong to
+   *   one group, and so do returns on both sides of a lost beam: a thin thing that beams meet in
+   *   one turn after the other is one group.
+   * - Returns at one depth with the surface that stand out of it, along the fan and along the turn,
+   *   by at least 1.6 times MaximumError or, if that is more, eight standard deviations of the
+   *   noise.
+   *
+   * Small objects, thin things that only some turns meet, and small windows with something behind
+   * them cannot be distinguished from speckles. 0, the default, treats every return as a part of
+   * the surface.
    */
   vtkSetClampMacro(MaximumSpeckleSize, int, 0, 1000000);
   vtkGetMacro(MaximumSpeckleSize, int);

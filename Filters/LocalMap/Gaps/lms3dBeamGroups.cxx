@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace
@@ -14,6 +15,20 @@ namespace
 constexpr std::array<int, 4> Previous = { 0, 2, 4, 5 };
 // The number of neighbours beside a place in its fan or in its turn. They come first.
 constexpr int StraightNeighbors = 4;
+
+// On which side of the line through the ranges on both sides a range lies, farther away from it
+// than `height`, metres: 1 for nearer, -1 for farther, otherwise 0. The inverse ranges of a line
+// are linear, but for the cosine of the small angle between beams.
+int GetSide(double before, double range, double after, double height)
+{
+  const double sum = before + after;
+  const double nearer = 2.0 * before * after - range * sum;
+  if (!(before > 0.0 && after > 0.0 && std::abs(nearer) > height * sum))
+  {
+    return 0;
+  }
+  return nearer > 0.0 ? 1 : -1;
+}
 } // namespace
 
 // `forEachNeighbor(place, visit)` calls visit(neighbour) for the neighbours in the same group.
@@ -96,16 +111,81 @@ lms3dBeamGroups::Groups lms3dBeamGroups::FindMissing(int maximumSize)
 
 lms3dBeamGroups::Groups lms3dBeamGroups::FindAtOneDepth(int maximumSize, const lms3dDepthStep& step)
 {
-  std::vector<std::vector<int>> seedsOfTurns(this->States.GetNumberOfTurns());
-  tbb::parallel_for(0, this->States.GetNumberOfTurns(),
-    [&](int turn) { seedsOfTurns[turn] = this->FindFirstOfTurn(turn, step); });
-  std::vector<int> seeds;
-  for (const std::vector<int>& ofTurn : seedsOfTurns)
-  {
-    seeds.insert(seeds.end(), ofTurn.begin(), ofTurn.end());
-  }
+  const std::vector<int> seeds =
+    this->FindInTurns([&](int turn) { return this->FindFirstOfTurn(turn, step); });
   return this->FindFrom(seeds, maximumSize,
     [&](int place, const auto& visit) { this->ForEachAtOneDepth(place, step, visit); });
+}
+
+lms3dBeamGroups::Groups lms3dBeamGroups::FindStandingOut(
+  int maximumSize, double height, const lms3dDepthStep& step)
+{
+  const std::vector<int> seeds =
+    this->FindInTurns([&](int turn) { return this->FindStandingOutOfTurn(turn, height, step); });
+  return this->FindFrom(seeds, maximumSize,
+    [&](int place, const auto& visit)
+    {
+      for (int neighbor : this->States.GetNeighbors(place))
+      {
+        if (std::binary_search(seeds.begin(), seeds.end(), neighbor))
+        {
+          visit(neighbor);
+        }
+      }
+    });
+}
+
+// All places that `findInTurn(turn)` returns, turn by turn.
+template <typename Finder>
+std::vector<int> lms3dBeamGroups::FindInTurns(const Finder& findInTurn) const
+{
+  std::vector<std::vector<int>> ofTurns(this->States.GetNumberOfTurns());
+  tbb::parallel_for(
+    0, this->States.GetNumberOfTurns(), [&](int turn) { ofTurns[turn] = findInTurn(turn); });
+  std::vector<int> all;
+  for (const std::vector<int>& ofTurn : ofTurns)
+  {
+    all.insert(all.end(), ofTurn.begin(), ofTurn.end());
+  }
+  return all;
+}
+
+std::vector<int> lms3dBeamGroups::FindStandingOutOfTurn(
+  int turn, double height, const lms3dDepthStep& step) const
+{
+  std::vector<int> found;
+  const double* const ranges = this->States.GetRanges(turn);
+  const int start = turn * this->States.GetNumberOfBeams();
+  for (int beam = 1; beam + 1 < this->States.GetNumberOfBeams(); ++beam)
+  {
+    const int side = GetSide(ranges[beam - 1], ranges[beam], ranges[beam + 1], height);
+    if (side != 0 && this->StandsOut(start + beam, side, height, step))
+    {
+      found.push_back(start + beam);
+    }
+  }
+  return found;
+}
+
+// Whether a return lies on a side of the line in its turn, and at one depth with all beside it.
+bool lms3dBeamGroups::StandsOut(
+  int place, int side, double height, const lms3dDepthStep& step) const
+{
+  if (this->States.GetState(place) != lms3dBeamStates::Returned || this->States.IsPole(place))
+  {
+    return false;
+  }
+  const double range = this->States.GetRange(place);
+  const std::array<int, 8> neighbors = this->States.GetNeighbors(place);
+  const bool isAtOneDepth = std::all_of(neighbors.begin(), neighbors.begin() + StraightNeighbors,
+    [&](int neighbor)
+    {
+      return neighbor != lms3dBeamStates::NoPlace &&
+        step.AreRangesEqual(range, this->States.GetRange(neighbor));
+    });
+  return isAtOneDepth &&
+    GetSide(this->States.GetRange(neighbors[2]), range, this->States.GetRange(neighbors[3]),
+      height) == side;
 }
 
 // Each group that does not reach around the whole circle has a return with no other before it.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Groups of neighbouring beams without a return, and of neighbouring returns at one depth.
+ * @brief Groups of neighbouring beams without a return, of neighbouring returns at one depth, and
+ * of neighbouring returns that stand out of the surface.
  */
 #ifndef lms3dBeamGroups_h
 #define lms3dBeamGroups_h
@@ -36,6 +37,14 @@ public:
    */
   Groups FindAtOneDepth(int maximumSize, const lms3dDepthStep& step);
 
+  /**
+   * The groups of at most `maximumSize` neighbouring returns, diagonals included, that stand out of
+   * a surface by more than `height`, metres, and less than the depth step: each return lies on one
+   * side of the lines through the returns beside it, in its fan and in its turn. Uses the threads
+   * of the calling TBB arena.
+   */
+  Groups FindStandingOut(int maximumSize, double height, const lms3dDepthStep& step);
+
 private:
   enum Mark : std::uint8_t
   {
@@ -50,7 +59,11 @@ private:
   bool Flood(int seed, int maximumSize, const Visitor& forEachNeighbor, std::vector<int>& group);
   template <typename Visitor>
   void ForEachAtOneDepth(int place, const lms3dDepthStep& step, const Visitor& visit) const;
+  template <typename Finder>
+  std::vector<int> FindInTurns(const Finder& findInTurn) const;
   std::vector<int> FindFirstOfTurn(int turn, const lms3dDepthStep& step) const;
+  std::vector<int> FindStandingOutOfTurn(int turn, double height, const lms3dDepthStep& step) const;
+  bool StandsOut(int place, int side, double height, const lms3dDepthStep& step) const;
   bool MayBeFirst(int place, const lms3dDepthStep& step) const;
 
   const lms3dBeamStates& States;

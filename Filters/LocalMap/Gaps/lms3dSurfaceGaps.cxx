@@ -17,10 +17,15 @@ namespace
 {
 // A plane explains returns within this number of standard deviations of the noise.
 constexpr double ExplainedDeviations = 4.0;
+// Returns stand out of a surface if they are off it by more than this many times the distance at
+// which a plane explains returns.
+constexpr double HeightShare = 2.0;
 // The noise is estimated from each eighth turn.
 constexpr int NoiseStride = 8;
 // The smallest cosine of the angle between a beam and the normal of its plane, for the area.
 constexpr double MinimumCosine = 1e-3;
+
+using Groups = lms3dBeamGroups::Groups;
 
 // As lms3dEstimateNoise(), from the beams of the grid.
 double EstimateNoise(const lms3dBeamStates& states, int step)
@@ -50,6 +55,17 @@ double EstimateNoise(const lms3dBeamStates& states, int step)
     }
   }
   return lms3dGetNoiseOfResiduals(residuals);
+}
+
+void SetStates(const Groups& groups, lms3dBeamStates::State state, lms3dBeamStates& states)
+{
+  for (const std::vector<int>& group : groups)
+  {
+    for (int place : group)
+    {
+      states.SetState(place, state);
+    }
+  }
 }
 
 // Whether the surface goes on from a place to its neighbour, one of the first four of
@@ -142,22 +158,16 @@ void lms3dSurfaceGaps::FindSpeckles(
   const lms3dRangeJoins& joins, lms3dBeamStates& states, const lms3dSurroundings& surroundings)
 {
   const lms3dDepthStep step(this->Settings.DepthStep, this->LargerStep);
-  lms3dBeamGroups::Groups groups =
-    lms3dBeamGroups(states).FindAtOneDepth(this->Settings.MaximumSpeckleSize, step);
+  const int maximum = this->Settings.MaximumSpeckleSize;
+  Groups groups = lms3dBeamGroups(states).FindAtOneDepth(maximum, step);
   groups.erase(std::remove_if(groups.begin(), groups.end(),
                  [&](const std::vector<int>& group) { return IsJoined(states, joins, group); }),
     groups.end());
-  const auto setStates = [&states](const std::vector<int>& group, lms3dBeamStates::State state)
-  {
-    for (int place : group)
-    {
-      states.SetState(place, state);
-    }
-  };
-  for (const std::vector<int>& group : groups)
-  {
-    setStates(group, lms3dBeamStates::Speckle);
-  }
+  SetStates(groups, lms3dBeamStates::Speckle, states);
+  const Groups standingOut = lms3dBeamGroups(states).FindStandingOut(
+    maximum, HeightShare * surroundings.GetTolerance(), step);
+  SetStates(standingOut, lms3dBeamStates::Speckle, states);
+  groups.insert(groups.end(), standingOut.begin(), standingOut.end());
   std::vector<Filling> fillings = this->Fill(states, surroundings, groups);
   for (std::size_t i = 0; i < groups.size(); ++i)
   {
@@ -175,15 +185,14 @@ void lms3dSurfaceGaps::FindSpeckles(
     }
     else
     {
-      setStates(groups[i], lms3dBeamStates::Returned);
+      SetStates({ groups[i] }, lms3dBeamStates::Returned, states);
     }
   }
 }
 
 void lms3dSurfaceGaps::FindGaps(lms3dBeamStates& states, const lms3dSurroundings& surroundings)
 {
-  const lms3dBeamGroups::Groups groups =
-    lms3dBeamGroups(states).FindMissing(this->Settings.MaximumGapSize);
+  const Groups groups = lms3dBeamGroups(states).FindMissing(this->Settings.MaximumGapSize);
   const std::vector<Filling> fillings = this->Fill(states, surroundings, groups);
   int number = 0;
   for (std::size_t i = 0; i < groups.size(); ++i)

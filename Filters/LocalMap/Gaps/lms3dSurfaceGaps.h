@@ -45,11 +45,11 @@ struct lms3dGapBeam
 };
 
 /**
- * A speckle is a group of neighbouring returns at one depth (lms3dBeamGroups) that lies off the
- * plane of the returns around it (lms3dSurroundings), and on no surface with any of them
- * (lms3dRangeJoins). A gap is a group of neighbouring beams without a return. Both count if they
- * are not too large and if one plane explains the returns around them. The beams of a gap and of a
- * speckle then get the ranges of this plane.
+ * A speckle is a group of neighbouring returns (lms3dBeamGroups) that lies off the plane of the
+ * returns around it (lms3dSurroundings). It is at one depth, and on no surface with any of them
+ * (lms3dRangeJoins), or it stands out of their surface. A gap is a group of neighbouring beams
+ * without a return. Both count if they are not too large and if one plane explains the returns
+ * around them. The beams of a gap and of a speckle then get the ranges of this plane.
  *
  * A plane explains a return within the share of the error bound that is left to patches, or within
  * four standard deviations of the noise.

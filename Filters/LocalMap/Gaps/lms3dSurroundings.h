@@ -51,7 +51,9 @@ public:
   /// Whether a plane explains the return of a place.
   bool IsOnPlane(int place, const lms3dPlane& plane, double tolerance) const;
 
-  /// The largest distance along a beam, metres, at which a plane explains a return at this range.
+  /// The largest distance along a beam, metres, at which a plane explains any return.
+  double GetTolerance() const { return this->Tolerance; }
+  /// The same for a return at this range.
   double GetToleranceAt(double range) const;
 
 private:

@@ -77,8 +77,6 @@ void JudgeDistances(const MapCase& map, const TriangleTree& surface, MapVerdict&
 {
   const std::vector<double> deviations =
     map.IsPlain() ? GetDeviationsFromVertices(map) : GetDeviations(map, surface, verdict);
-  const std::set<int> speckles =
-    MayLeaveOut(map) ? GetFieldNumbers(map.Map, "SpeckleBeamIds") : std::set<int>();
   std::vector<vtkIdType> leftOut;
   for (std::size_t i = 0; i < deviations.size(); ++i)
   {
@@ -89,8 +87,7 @@ void JudgeDistances(const MapCase& map, const TriangleTree& surface, MapVerdict&
       leftOut.push_back(number);
       continue;
     }
-    const Beam beam = map.Grid.GetBeam(number);
-    if (speckles.count(beam.Turn * map.Grid.GetNumberOfBeams() + beam.Number) == 0)
+    if (!(MayLeaveOut(map) && map.IsSpeckle(map.Grid.GetBeam(number))))
     {
       verdict.LargestDeviation = std::max(verdict.LargestDeviation, deviations[i]);
     }

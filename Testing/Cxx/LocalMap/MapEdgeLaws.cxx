@@ -48,7 +48,7 @@ bool MayEnd(const MapCase& map, const ScanGrid::Place& place)
     }
     const ScanGrid::Beam inFan = { beam.Turn, beam.Number + 1 };
     const ScanGrid::Beam inTurn = { beam.Turn + 1, beam.Number };
-    if (map.Grid.GetReturn(beam) == ScanGrid::NoReturn ||
+    if (map.Grid.GetReturn(beam) == ScanGrid::NoReturn || map.IsSpeckle(beam) ||
       (map.Grid.Contains(inFan) && !map.Steps.AreJoined(beam, inFan)) ||
       (map.Grid.Contains(inTurn) && !map.Steps.AreJoined(beam, inTurn)))
     {

@@ -28,6 +28,12 @@ struct MapCase
   std::unique_ptr<const MapCase> MakeIdeal() const;
 
   bool IsPlain() const { return this->Promise.MaximumError == 0.0; }
+  /// Whether the map names the return of a beam as that of a speckle, which is no part of the
+  /// surface around it.
+  bool IsSpeckle(const ScanGrid::Beam& beam) const
+  {
+    return this->Speckles.count(beam.Turn * this->Grid.GetNumberOfBeams() + beam.Number) > 0;
+  }
   /// The tolerance for rounding at a range, metres.
   static double GetRounding(double range) { return 1e-9 * range; }
 
@@ -36,6 +42,7 @@ struct MapCase
   const DepthSteps Steps;
   vtkPolyData* Scan;
   vtkPolyData* Map;
+  std::set<int> Speckles;
   std::vector<Vector> Points;
   std::vector<TriangleTree::Triangle> Triangles;
 };

@@ -69,6 +69,7 @@ MapCase::MapCase(vtkPolyData* scan, vtkPolyData* map, const MapPromise& promise)
   , Steps(this->Grid, promise.DepthStep, promise.Noise)
   , Scan(scan)
   , Map(map)
+  , Speckles(GetFieldNumbers(map, "SpeckleBeamIds"))
 {
   for (vtkIdType i = 0; i < map->GetNumberOfPoints(); ++i)
   {

@@ -243,7 +243,7 @@ bool MapNeighbours::AreJoined(const Place& place) const
       };
       const Beam inFan = { beam.Turn, beam.Number + 1 };
       const Beam inTurn = { beam.Turn + 1, beam.Number };
-      return this->Map.Grid.GetReturn(beam) != ScanGrid::NoReturn &&
+      return this->Map.Grid.GetReturn(beam) != ScanGrid::NoReturn && !this->Map.IsSpeckle(beam) &&
         (!isIn(inFan) || this->Map.Steps.AreJoined(beam, inFan)) &&
         (!isIn(inTurn) || this->Map.Steps.AreJoined(beam, inTurn));
     });

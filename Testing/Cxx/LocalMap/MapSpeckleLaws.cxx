@@ -3,6 +3,7 @@
 #include "LocalMap/MapJudge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -14,8 +15,10 @@ namespace
 using Beam = ScanGrid::Beam;
 
 // The returns that are certainly connected to one, at most `maximum` and one more: neighbours,
-// diagonals included, whose ranges differ by at most DepthStep.
-std::size_t CountConnected(const MapCase& map, vtkIdType first, std::size_t maximum)
+// diagonals included, whose ranges differ by at most DepthStep, and for which `counts` is true.
+template <typename Filter>
+std::size_t CountConnected(
+  const MapCase& map, vtkIdType first, std::size_t maximum, const Filter& counts)
 {
   std::set<vtkIdType> found = { first };
   std::vector<vtkIdType> waiting = { first };
@@ -29,7 +32,7 @@ std::size_t CountConnected(const MapCase& map, vtkIdType first, std::size_t maxi
       const Beam next = { beam.Turn + i / 3 - 1, beam.Number + i % 3 - 1 };
       const vtkIdType other =
         map.Grid.Contains(next) ? map.Grid.GetReturn(next) : ScanGrid::NoReturn;
-      if (other != ScanGrid::NoReturn &&
+      if (other != ScanGrid::NoReturn && counts(next) &&
         std::abs(map.Grid.GetRange(number) - map.Grid.GetRange(other)) <= map.Promise.DepthStep &&
         found.insert(other).second)
       {
@@ -39,34 +42,83 @@ std::size_t CountConnected(const MapCase& map, vtkIdType first, std::size_t maxi
   }
   return found.size();
 }
+
+/// A return, and the number of beams to it; a range of 0 if there is none.
+struct ReturnBeside
+{
+  double Range = 0.0;
+  double Beams = 0.0;
+};
+
+// The first return in a direction that no speckle has.
+ReturnBeside FindBeside(const MapCase& map, const Beam& beam, const Beam& direction)
+{
+  Beam next = beam;
+  for (int i = 1; i <= map.Promise.MaximumSpeckleSize + 1; ++i)
+  {
+    next = { next.Turn + direction.Turn, next.Number + direction.Number };
+    const vtkIdType number =
+      map.Grid.Contains(next) ? map.Grid.GetReturn(next) : ScanGrid::NoReturn;
+    if (number != ScanGrid::NoReturn && !map.IsSpeckle(next))
+    {
+      return { map.Grid.GetRange(number), static_cast<double>(i) };
+    }
+  }
+  return {};
+}
+
+// Whether a return lies off the lines between the returns beside its speckle, in its fan and in its
+// turn. Inverse ranges are linear along a line, nearly.
+bool StandsOut(const MapCase& map, const Beam& beam)
+{
+  const double range = map.Grid.GetRange(map.Grid.GetReturn(beam));
+  const std::array<Beam, 2> directions = { { { 1, 0 }, { 0, 1 } } };
+  return std::all_of(directions.begin(), directions.end(),
+    [&](const Beam& direction)
+    {
+      const ReturnBeside after = FindBeside(map, beam, direction);
+      const ReturnBeside before = FindBeside(map, beam, { -direction.Turn, -direction.Number });
+      const double onLine =
+        (before.Beams + after.Beams) / (before.Beams / after.Range + after.Beams / before.Range);
+      return before.Range > 0.0 && after.Range > 0.0 &&
+        std::abs(onLine - range) > map.Promise.MaximumError;
+    });
+}
+
+// Whether a named return may be that of a speckle: with the returns at its depth, it is a small
+// group, or it stands out of them in one.
+bool MayBeSpeckle(const MapCase& map, const Beam& beam)
+{
+  const vtkIdType number = map.Grid.GetReturn(beam);
+  const auto maximum = static_cast<std::size_t>(map.Promise.MaximumSpeckleSize);
+  const auto isSmall = [&](const auto& counts)
+  { return CountConnected(map, number, maximum, counts) <= maximum; };
+  return number != ScanGrid::NoReturn &&
+    (isSmall([](const Beam&) { return true; }) ||
+      (isSmall([&](const Beam& other) { return map.IsSpeckle(other); }) && StandsOut(map, beam)));
+}
 } // namespace
 
 void JudgeSpeckles(const MapCase& map, const std::vector<vtkIdType>& leftOut, MapVerdict& verdict)
 {
-  const std::set<int> named = GetFieldNumbers(map.Map, "SpeckleBeamIds");
-  const auto maximum = static_cast<std::size_t>(map.Promise.MaximumSpeckleSize);
-  for (int id : named)
+  for (int id : map.Speckles)
   {
     const Beam beam = { id / map.Grid.GetNumberOfBeams(), id % map.Grid.GetNumberOfBeams() };
-    const vtkIdType number = map.Grid.GetReturn(beam);
-    if (number == ScanGrid::NoReturn || CountConnected(map, number, maximum) > maximum)
+    if (!MayBeSpeckle(map, beam))
     {
       verdict.Add("speckle",
-        map.Grid.Describe(beam) + " has no return, or more than " + std::to_string(maximum) +
-          " returns are connected to it");
+        map.Grid.Describe(beam) + " has no return, or more than " +
+          std::to_string(map.Promise.MaximumSpeckleSize) +
+          " returns are connected to it and it does not stand out of them");
     }
   }
-  const auto isNamed = [&](vtkIdType number)
-  {
-    const Beam beam = map.Grid.GetBeam(number);
-    return named.count(beam.Turn * map.Grid.GetNumberOfBeams() + beam.Number) > 0;
-  };
+  const auto isNamed = [&](vtkIdType number) { return map.IsSpeckle(map.Grid.GetBeam(number)); };
   const std::set<int> counted = GetFieldNumbers(map.Map, "NumberOfReturnsOnSpeckles");
   if (!std::all_of(leftOut.begin(), leftOut.end(), isNamed) ||
-    (counted.empty() ? 0 : *counted.begin()) != static_cast<int>(named.size()))
+    (counted.empty() ? 0 : *counted.begin()) != static_cast<int>(map.Speckles.size()))
   {
     verdict.Add("speckle",
-      std::to_string(leftOut.size()) + " returns are left out, " + std::to_string(named.size()) +
-        " are named, and another number is counted");
+      std::to_string(leftOut.size()) + " returns are left out, " +
+        std::to_string(map.Speckles.size()) + " are named, and another number is counted");
   }
 }

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -23,10 +22,9 @@ constexpr double AllowedBetweenBeams = 4.0;
 
 // Whether a return is that of a speckle that is left out. Where the map is the plain grid, there is
 // no surface behind it.
-bool IsLeftOut(const MapCase& map, const std::set<int>& speckles, const Beam& beam)
+bool IsLeftOut(const MapCase& map, const Beam& beam)
 {
-  return !map.Promise.KeepSpeckles &&
-    speckles.count(beam.Turn * map.Grid.GetNumberOfBeams() + beam.Number) > 0;
+  return !map.Promise.KeepSpeckles && map.IsSpeckle(beam);
 }
 
 // Judges what a beam that returned hits.
@@ -130,7 +128,6 @@ void JudgeOverhang(const MapCase& map, const MapNeighbours& neighbours, MapVerdi
 void JudgeBeams(const MapCase& map, const MapNeighbours& neighbours, const TriangleTree& surface,
   MapVerdict& verdict)
 {
-  const std::set<int> speckles = GetFieldNumbers(map.Map, "SpeckleBeamIds");
   std::vector<TriangleTree::Hit> hits;
   for (int turn = 0; turn < map.Grid.GetNumberOfTurns(); ++turn)
   {
@@ -141,7 +138,7 @@ void JudgeBeams(const MapCase& map, const MapNeighbours& neighbours, const Trian
       if (at != ScanGrid::NoReturn && (!map.Grid.IsPole(number) || turn == 0))
       {
         surface.Cast(Normalize(map.Grid.GetPoints()[at]), BeamMargin, hits);
-        if (!hits.empty() || !IsLeftOut(map, speckles, beam))
+        if (!hits.empty() || !IsLeftOut(map, beam))
         {
           JudgeHits(map, neighbours, beam, hits, verdict);
         }

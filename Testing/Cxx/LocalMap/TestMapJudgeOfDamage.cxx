@@ -236,6 +236,14 @@ TEST_F(MapJudgeOfDamage, SeesASpeckleThatIsNeitherKeptNorCounted)
   this->ExpectLawful();
 }
 
+TEST_F(MapJudgeOfDamage, SeesASpeckleThatDoesNotStandOut)
+{
+  this->Promise.MaximumSpeckleSize = 1;
+  this->AddValue<vtkIntArray>("NumberOfReturnsOnSpeckles", 1.0);
+  this->AddNumbers("SpeckleBeamIds", { Inside });
+  this->ExpectBreach("speckle");
+}
+
 TEST_F(MapJudgeOfDamage, SeesAThingThatIsTooLargeForASpeckle)
 {
   this->BringNearer({ Inside, Inside + 1 + NumberOfBeams });

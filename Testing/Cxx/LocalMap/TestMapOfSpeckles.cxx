@@ -66,27 +66,62 @@ TEST(MapOfSpeckles, AreGroupsUpToTheMaximumSize)
   EXPECT_EQ(CountSpeckles(scan.Make(), 4), 1.0);
 }
 
+TEST(MapOfSpeckles, StandOutByLessThanTheDepthStep)
+{
+  for (double height : { 0.04, 0.08, -0.04, -0.08 })
+  {
+    WallScan scan;
+    const GapBeam dent = { Middle - 3, Middle + 5 };
+    scan.Set(dent, scan.GetRange(dent) - height);
+    for (const GapBeam& beam : GetSquare({ 10, 10 }, 2))
+    {
+      scan.Set(beam, scan.GetRange(beam) - height);
+    }
+    vtkSmartPointer<vtkPolyData> map = MakeMap(scan.Make(), GapProperties{ 0, 4 });
+    EXPECT_EQ(GetField(map, "NumberOfSpeckles"), 2.0) << height;
+    EXPECT_EQ(GetField(map, "NumberOfReturnsOnSpeckles"), 5.0) << height;
+    EXPECT_EQ(CountHits(map, dent), 2) << height;
+    EXPECT_LE(GetLargestDistance(scan.Make(), map), 0.01) << height;
+    EXPECT_EQ(CountSpeckles(scan.Make(), 3), 1.0) << height;
+  }
+  WallScan within;
+  const GapBeam beam = { Middle, Middle };
+  EXPECT_EQ(CountSpeckles(within.Set(beam, WallScan::Distance - 0.014).Make(), 4), 0.0);
+}
+
+TEST(MapOfSpeckles, AreNoEdgeAndNoCornerThatStandsOut)
+{
+  // A board in front of the wall, and its corner.
+  WallScan scan;
+  for (const GapBeam& beam : GetSquare({ 0, 0 }, Middle))
+  {
+    scan.Set(beam, scan.GetRange(beam) * (1.0 - 0.05 / WallScan::Distance));
+  }
+  EXPECT_EQ(CountSpeckles(scan.Make(), 4), 0.0);
+}
+
 TEST(MapOfSpeckles, AreNeverAThinThing)
 {
   // A chair leg and a diagonal wire, each seen by one beam a turn or one turn a beam, one of them
   // with a lost beam.
-  for (int slope : { -1, 0, 1 })
-  {
-    WallScan leg;
-    WallScan broken;
-    for (int i = 0; i < 20; ++i)
+  for (double range : { 2.0, 2.92 })
+    for (int slope : { -1, 0, 1 })
     {
-      const GapBeam beam = { Middle + (slope == 0 ? 0 : i - 10), 10 + (slope < 0 ? 20 - i : i) };
-      leg.Set(beam, 2.0);
-      broken.Set(beam, i % 4 == 2 ? 0.0 : 2.0);
+      WallScan leg;
+      WallScan broken;
+      for (int i = 0; i < 20; ++i)
+      {
+        const GapBeam beam = { Middle + (slope == 0 ? 0 : i - 10), 10 + (slope < 0 ? 20 - i : i) };
+        leg.Set(beam, range);
+        broken.Set(beam, i % 4 == 2 ? 0.0 : range);
+      }
+      for (const WallScan* scan : { &leg, &broken })
+      {
+        vtkSmartPointer<vtkPolyData> map = MakeMap(scan->Make(), GapProperties{ 25, 4, false });
+        EXPECT_EQ(GetField(map, "NumberOfSpeckles"), 0.0) << slope;
+        EXPECT_LE(GetLargestDistance(scan->Make(), map), 0.01) << slope;
+      }
     }
-    for (const WallScan* scan : { &leg, &broken })
-    {
-      vtkSmartPointer<vtkPolyData> map = MakeMap(scan->Make(), GapProperties{ 25, 4, false });
-      EXPECT_EQ(GetField(map, "NumberOfSpeckles"), 0.0) << slope;
-      EXPECT_LE(GetLargestDistance(scan->Make(), map), 0.01) << slope;
-    }
-  }
 }
 
 TEST(MapOfSpeckles, MayBeSideBySideAndBesideGaps)
