@@ -18,7 +18,7 @@ constexpr int StraightNeighbors = 4;
 
 // On which side of the line through the ranges on both sides a range lies, farther away from it
 // than `height`, metres: 1 for nearer, -1 for farther, otherwise 0. The inverse ranges of a line
-// are linear, but for the cosine of the small angle between beams.
+// are linear, apart from the cosine of the small angle between beams.
 int GetSide(double before, double range, double after, double height)
 {
   const double sum = before + after;
