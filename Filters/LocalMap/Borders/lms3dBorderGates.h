@@ -34,6 +34,7 @@
 #ifndef lms3dBorderGates_h
 #define lms3dBorderGates_h
 
+#include "LocalMap/Patches/lms3dBeamVector.h"
 #include "LocalMap/Patches/lms3dPatches.h"
 
 #include <array>
@@ -151,7 +152,7 @@ private:
   const double Tolerance;
   std::vector<Gate> Gates;
   /// Two entries for each grid index: its gate upwards and its gate to the right, or NoGate.
-  std::vector<std::int32_t> GateOf;
+  lms3dBeamVector<std::int32_t> GateOf;
   std::vector<std::int32_t> Next;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dBeamDemands.h"
 
+#include "Geometry/lms3dWideLoops.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -16,13 +18,15 @@ constexpr double BoundShare = 1.0 - 1e-9;
 lms3dBeamDemands::lms3dBeamDemands(
   const lms3dBeamSphere& sphere, const lms3dPatches& patches, double maximumError)
   : Sphere(sphere)
-  , Numbers(new double[2 * static_cast<std::size_t>(sphere.GetSize())])
+  , Minima(sphere.GetSize())
+  , Maxima(sphere.GetSize())
 {
   tbb::parallel_for(0, sphere.GetNumberOfColumns(),
     [&](int column) { this->FillColumn(patches, maximumError, column); });
 }
 
 // Without branches, so that the compiler makes it a loop over vectors.
+LMS3D_WIDE_LOOPS
 void lms3dBeamDemands::FillColumn(const lms3dPatches& patches, double maximumError, int column)
 {
   constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -31,9 +35,8 @@ void lms3dBeamDemands::FillColumn(const lms3dPatches& patches, double maximumErr
   const std::int32_t* const labels = patches.Labels.data() + start;
   const double* const ranges = this->Sphere.GetRanges() + start;
   const double* const halfSpreads = this->Sphere.GetPoleHalfSpreads();
-  const std::ptrdiff_t size = this->Sphere.GetSize();
-  double* const minima = this->Numbers.get() + start;
-  double* const maxima = minima + size;
+  double* const minima = this->Minima.data() + start;
+  double* const maxima = this->Maxima.data() + start;
   for (int row = 0; row < rows; ++row)
   {
     const double range = ranges[row];

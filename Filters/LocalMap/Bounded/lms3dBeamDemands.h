@@ -7,10 +7,8 @@
 #ifndef lms3dBeamDemands_h
 #define lms3dBeamDemands_h
 
+#include "LocalMap/Patches/lms3dBeamVector.h"
 #include "LocalMap/Patches/lms3dPatches.h"
-
-#include <cstddef>
-#include <memory>
 
 /// The inverse ranges of returns, 1/metre, and the inverse ranges within the bound of them.
 class lms3dBeamDemands
@@ -36,19 +34,18 @@ public:
   const lms3dBeamSphere& GetSphere() const { return this->Sphere; }
   Demands operator[](GridIndex index) const
   {
-    const double* const minima = this->Numbers.get() + index;
-    const std::ptrdiff_t size = this->Sphere.GetSize();
-    return { minima, minima + size };
+    return { this->Minima.data() + index, this->Maxima.data() + index };
   }
 
 private:
   void FillColumn(const lms3dPatches& patches, double maximumError, int column);
 
   const lms3dBeamSphere& Sphere;
-  /// The minima of all entries, then their maxima. Not a vector, which would initialize all of it
-  /// at first. In one piece, because the C library gives many smaller pieces back to the system and
-  /// gets them again in each run, page by page.
-  std::unique_ptr<double[]> Numbers;
+  ///@{
+  /// As in Demands, of all entries.
+  lms3dBeamVector<double> Minima;
+  lms3dBeamVector<double> Maxima;
+  ///@}
 };
 
 #endif

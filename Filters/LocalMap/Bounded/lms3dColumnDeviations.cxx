@@ -2,26 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dColumnDeviations.h"
 
+#include "Geometry/lms3dWideLoops.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace
 {
-constexpr int Lanes = 4;
+constexpr int Lanes = 8;
 // More than a few operations round.
 constexpr double Rounding = 1e-12;
 } // namespace
 
-// Without branches, and with a maximum for each lane, so that the compiler makes it a loop over
-// vectors.
 lms3dColumnDeviations::lms3dColumnDeviations(const lms3dBeamSphere& sphere,
   const lms3dColumnPlane& plane, int column, int firstRow, int lastRow, double limit)
 {
+  this->Measure(sphere, plane, column, firstRow, lastRow, limit);
+}
+
+// Without branches, and with a maximum for each lane, so that the compiler makes it a loop over
+// vectors.
+LMS3D_WIDE_LOOPS
+void lms3dColumnDeviations::Measure(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane,
+  int column, int firstRow, int lastRow, double limit)
+{
   const double* const ranges = sphere.GetRanges() + sphere.GetIndex(column, 0);
   const double* const halfSpreads = sphere.GetPoleHalfSpreads();
-  std::array<double, Lanes> largest = { 0.0, 0.0, 0.0, 0.0 };
-  std::array<std::int64_t, Lanes> beyond = { 0, 0, 0, 0 };
+  std::array<double, Lanes> largest{};
+  std::array<std::int64_t, Lanes> beyond{};
   const auto measure = [&](int row, int lane)
   {
     const double hit = 1.0 / plane.GetInverseRangeOfRegular(row);
@@ -65,6 +74,7 @@ double lms3dColumnDeviations::GetLargestOfReturns(const lms3dBeamSphere& sphere,
   return largest;
 }
 
+LMS3D_WIDE_LOOPS
 bool lms3dColumnDeviations::AreWithin(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane,
   int column, int firstRow, int lastRow, double limit)
 {

@@ -35,6 +35,10 @@ struct lms3dColumnDeviations
   std::int64_t Beyond = 0;
   /// The largest deviation, if all are within the limit.
   double Largest = 0.0;
+
+private:
+  void Measure(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane, int column,
+    int firstRow, int lastRow, double limit);
 };
 
 #endif

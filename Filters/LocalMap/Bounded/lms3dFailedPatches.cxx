@@ -36,7 +36,7 @@ std::int32_t FindPatchBeside(
 // Moves returns that have just lost their patch to the patch of a neighbour, each once: a facet
 // would leave a hole in the surface around it.
 void MoveLostReturns(
-  const lms3dBeamSphere& sphere, const std::vector<std::int32_t>& before, lms3dPatches& patches)
+  const lms3dBeamSphere& sphere, const lms3dBeamVector<std::int32_t>& before, lms3dPatches& patches)
 {
   for (GridIndex index = 0; index < sphere.GetSize(); ++index)
   {
@@ -58,7 +58,7 @@ void MoveLostReturns(
 void lms3dDivideFailedPatches(const lms3dBeamSphere& sphere, const std::vector<int>& members,
   const std::vector<bool>& failed, const std::vector<lms3dPatchMesh>& meshes, lms3dPatches& patches)
 {
-  const std::vector<std::int32_t> before = patches.Labels;
+  const lms3dBeamVector<std::int32_t> before = patches.Labels;
   lms3dPatchSplitter splitter(sphere, patches, members);
   for (std::size_t i = 0; i < members.size(); ++i)
   {

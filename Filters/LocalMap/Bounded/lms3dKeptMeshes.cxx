@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-void lms3dKeptMeshes::Keep(std::vector<std::int32_t> labels, const lms3dPatchOutlines& outlines,
+void lms3dKeptMeshes::Keep(lms3dBeamVector<std::int32_t> labels, const lms3dPatchOutlines& outlines,
   std::vector<lms3dPatchMesh> meshes)
 {
   this->Labels = std::move(labels);

@@ -24,7 +24,7 @@ class lms3dKeptMeshes
 {
 public:
   /// Keeps the meshes of patches. `labels` are those with which the meshes were made.
-  void Keep(std::vector<std::int32_t> labels, const lms3dPatchOutlines& outlines,
+  void Keep(lms3dBeamVector<std::int32_t> labels, const lms3dPatchOutlines& outlines,
     std::vector<lms3dPatchMesh> meshes);
 
   /// Finds the patches whose returns are not the same any more. To be called before TryToTake().
@@ -46,7 +46,7 @@ private:
   bool AreSameVertices(
     const std::vector<Number>& sorted, const std::vector<lms3dMapVertex>& vertices) const;
 
-  std::vector<std::int32_t> Labels;
+  lms3dBeamVector<std::int32_t> Labels;
   std::vector<lms3dMapVertex> Vertices;
   ///@{
   /// By patch.

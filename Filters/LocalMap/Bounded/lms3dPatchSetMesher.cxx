@@ -51,7 +51,7 @@ bool lms3dPatchSetMesher::TryToMesh(
   }
   if (std::find(failed.begin(), failed.end(), true) != failed.end())
   {
-    std::vector<std::int32_t> labels = patches.Labels;
+    lms3dBeamVector<std::int32_t> labels = patches.Labels;
     if (releasesFew)
     {
       lms3dDivideFailedPatches(this->Sphere, members, failed, meshes, patches);

@@ -44,6 +44,7 @@ lms3dTriangleRasterizer::lms3dTriangleRasterizer(const lms3dBeamSphere& sphere,
   for (int i = 0; i < 3; ++i)
   {
     this->Margins[i] = margin > 0.0 ? margin * lms3dGetLength(this->Edges[i]) : 0.0;
+    this->Slopes[i] = -1.0 / this->Edges[i][2];
   }
   // The sum of the edges' normals is the normal of the triangle.
   const lms3dVector normal = lms3dAdd(lms3dAdd(this->Edges[0], this->Edges[1]), this->Edges[2]);
@@ -200,11 +201,11 @@ bool lms3dTriangleRasterizer::FindRows(int column, NearRows& rows) const
     const double side = edge[0] * level[0] + edge[1] * level[1] + this->Margins[i];
     if (edge[2] > 0.0)
     {
-      low = std::max(low, -side / edge[2]);
+      low = std::max(low, side * this->Slopes[i]);
     }
     else if (edge[2] < 0.0)
     {
-      high = std::min(high, -side / edge[2]);
+      high = std::min(high, side * this->Slopes[i]);
     }
     else if (side < 0.0)
     {

@@ -202,6 +202,8 @@ private:
   lms3dVector Normal;
   /// How far below 0 the product of an edge and a beam of length 1 may be.
   double Margins[3];
+  /// -1 by the upward component of each edge.
+  double Slopes[3];
   double Margin;
   int FirstColumn;
   int NumberOfColumns;

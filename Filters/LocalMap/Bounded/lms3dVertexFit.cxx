@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dVertexFit.h"
 
+#include "Geometry/lms3dWideLoops.h"
+
 #include <algorithm>
 
 namespace
@@ -106,6 +108,7 @@ bool lms3dVertexFit::Allows(const lms3dBeamDemands& beams, const lms3dTriangleCo
 
 // Without branches, so that the compiler makes it a loop over vectors. Few columns have a beam near
 // its limits.
+LMS3D_WIDE_LOOPS
 bool lms3dVertexFit::AllowsColumn(const lms3dBeamDemands::Demands& demands,
   const ColumnShares& shares, const Rows& rows, double inverse)
 {

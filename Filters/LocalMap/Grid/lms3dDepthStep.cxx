@@ -3,6 +3,7 @@
 #include "LocalMap/Grid/lms3dDepthStep.h"
 
 #include "Geometry/lms3dAngle.h"
+#include "Geometry/lms3dWideLoops.h"
 #include "LocalMap/Grid/lms3dSlopeLimits.h"
 
 #include <algorithm>
@@ -44,6 +45,7 @@ lms3dDepthStep::lms3dDepthStep(double depthStep, double degrees, double noise)
 }
 
 // Without branches, so that the compiler makes it a loop over vectors.
+LMS3D_WIDE_LOOPS
 void lms3dDepthStep::FlagNear(
   const double* a, const double* b, int count, std::uint8_t flag, std::uint8_t* flags) const
 {

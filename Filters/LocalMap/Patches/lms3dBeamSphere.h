@@ -11,6 +11,7 @@
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 #include "LocalMap/Grid/lms3dRangeJoins.h"
 #include "LocalMap/Patches/lms3dBeamRays.h"
+#include "LocalMap/Patches/lms3dBeamVector.h"
 #include "LocalMap/Patches/lms3dGridLines.h"
 
 #include <array>
@@ -257,14 +258,14 @@ private:
   double RowDensity = 0.0;
   std::vector<double> Azimuths;
   std::vector<std::array<double, 2>> Horizontals;
-  std::vector<double> Ranges;
+  lms3dBeamVector<double> Ranges;
   std::vector<double> PoleHalfSpreads;
   /// By grid index. Empty if there are none.
   std::vector<std::uint8_t> Filled;
   /// Null if beams are regular; then the arrays after it are empty.
   std::unique_ptr<lms3dBeamRays> Rays;
   std::vector<lms3dVector> Directions;
-  std::vector<double> RangesOnBeams;
+  lms3dBeamVector<double> RangesOnBeams;
   std::vector<lms3dVector> PointsBeyondAxis;
   int InterlacedRows = 1;
   std::vector<std::uint8_t> Joins;

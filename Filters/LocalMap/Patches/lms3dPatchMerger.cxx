@@ -170,7 +170,7 @@ void lms3dPatchMerger::WriteLabels()
   {
     roots[i] = this->FindRoot(static_cast<int>(i));
   }
-  std::vector<std::int32_t>& labels = this->Patches.Labels;
+  lms3dBeamVector<std::int32_t>& labels = this->Patches.Labels;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, labels.size(), LabelsOfTask),
     [&](const tbb::blocked_range<std::size_t>& range)
     {

@@ -17,7 +17,7 @@ namespace
 constexpr std::size_t LabelsOfTask = 16384;
 
 // Adds how often each label occurs in a part of the grid, without filled entries.
-void CountLabels(const lms3dBeamSphere& sphere, const std::vector<std::int32_t>& labels,
+void CountLabels(const lms3dBeamSphere& sphere, const lms3dBeamVector<std::int32_t>& labels,
   const tbb::blocked_range<std::size_t>& part, std::vector<int>& counts)
 {
   for (std::size_t first = part.begin(); first < part.end();)

@@ -7,6 +7,7 @@
 #ifndef lms3dPatches_h
 #define lms3dPatches_h
 
+#include "LocalMap/Patches/lms3dBeamVector.h"
 #include "LocalMap/Patches/lms3dPlane.h"
 
 #include <cstdint>
@@ -57,7 +58,7 @@ struct lms3dPatches
   std::vector<int> CountMembers(const lms3dBeamSphere& sphere) const;
 
   /// By grid index: the number of a patch, None or Free. All entries of a pole have the same label.
-  std::vector<std::int32_t> Labels;
+  lms3dBeamVector<std::int32_t> Labels;
   /// Patches without returns keep their number.
   std::vector<Patch> Patches;
   /// By grid index: whether a return that could not be a patch of its own has moved to the patch of
