@@ -79,18 +79,7 @@ void lms3dFusedPlanes::AcceptGuesses(int number)
     {
       continue;
     }
-    lms3dRasterBlock& block = raster.GetBlock(i);
-    std::uint64_t added = 0;
-    for (int row = 0; row < lms3dRaster::Size; ++row)
-    {
-      added |= block.Guess[row] & ~block.May[row];
-      block.May[row] |= block.Guess[row];
-    }
-    block.Guess = {};
-    if (added != 0)
-    {
-      raster.SetMark(i, lms3dRaster::DIRTY);
-    }
+    raster.AcceptGuess(i);
   }
 }
 
@@ -138,6 +127,10 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   }
   const std::uint64_t shape =
     block.IsCalm ? block.Shape[lms3dRaster::GetPlaceOf(v)] : std::uint64_t{ 0 };
+  if ((bit & ~word) != 0)
+  {
+    plane.Raster.MarkReturns(blockNumber, (bit & block.Open[lms3dRaster::GetPlaceOf(v)]) != 0);
+  }
   if ((bit & ~word & ~shape) != 0)
   {
     plane.Raster.SetMark(blockNumber, lms3dRaster::DIRTY);

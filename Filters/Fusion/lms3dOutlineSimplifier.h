@@ -28,7 +28,7 @@
 class lms3dOutlineSimplifier
 {
 public:
-  /// `region` is that of lms3dMakeRegion. The tolerance is in cells. Corners of `isFixed`, in the
+  /// `region` is that of lms3dMakeRegionCells(). The tolerance is in cells. Corners of `isFixed`, in the
   /// order of the loops, go only if they lie on a straight line.
   lms3dOutlineSimplifier(const lms3dRegion& region, const std::vector<lms3dLoop>& loops,
     const std::vector<bool>& isFixed, double tolerance);

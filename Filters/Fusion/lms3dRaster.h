@@ -20,6 +20,8 @@ struct lms3dRasterBlock : lms3dRegionBlock
   lms3dBits Guess = {};
   /// Here is a place between beams that all passed, without a return among them.
   lms3dBits Open = {};
+  /// The cells of lms3dMakeRegionCells() when the shape was made.
+  lms3dBits Region = {};
   /// The region covers the cell, before its borders are straightened: now, and when the mesh was
   /// made.
   lms3dBits Shape = {};
@@ -51,7 +53,7 @@ public:
   /// What happened to a block since the region was made.
   enum Mark : unsigned
   {
-    /// The shape of the region may change.
+    /// The block's own cells changed, or its disputed ones, so that its shape may change.
     DIRTY = 1,
     /// A return lies here.
     SEEN = 2,
@@ -59,12 +61,34 @@ public:
     STALE = 4,
     /// The local map that joins has surface here.
     GUESSED = 8,
-    /// The shape of the neighbours may change, too.
-    DIRTY_AROUND = 16
+    /// Cells changed for which returns and beams that passed dispute; see lms3dDisputedCells.
+    DISPUTED = 16,
+    /// Cells changed which decide about the disputed cells of the neighbours.
+    AROUND = 32
   };
 
-  /// The same, but marks the blocks in which a cell of the shape changes as dirty.
-  void SetAndMark(BitsOf bits, const lms3dCellStrip& strip, bool value);
+  /// Sets Passed of a cell of a block.
+  void Pass(int number, int u, int v);
+
+  /// Sets Open of the cells of a strip that lie in blocks.
+  void Open(const lms3dCellStrip& strip);
+
+  /// Clears Must of the cells of a strip that lie in blocks.
+  void Forget(const lms3dCellStrip& strip);
+
+  /// Sets May of a block where Guess is set, and clears Guess.
+  void AcceptGuess(int number);
+
+  /// Marks a block in which cells got Must.
+  void MarkReturns(int number, bool isOpen)
+  {
+    this->SetMark(number, AROUND);
+    if (isOpen)
+    {
+      this->SetMark(number, DISPUTED);
+      this->HasDisputed = true;
+    }
+  }
 
   /// Sets Guess of the cells of a strip. Makes the blocks that do not exist, and marks them as
   /// guessed.
@@ -90,7 +114,13 @@ public:
   void MakeBlocks(const lms3dCellStrip& strip);
 
 private:
+  template <typename Visitor>
+  void ForWords(const lms3dCellStrip& strip, const Visitor& visit);
+  void MarkReturnsBeside(std::int32_t u, std::int32_t v);
+
   std::vector<int> Marked;
+  /// Whether a cell has Must and Open.
+  bool HasDisputed = false;
 };
 
 #endif
