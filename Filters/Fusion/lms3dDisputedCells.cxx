@@ -3,13 +3,13 @@
 #include "Fusion/lms3dDisputedCells.h"
 
 #include "Fusion/lms3dBalls.h"
-#include "Fusion/lms3dRegionRaster.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace
 {
 constexpr int Last = lms3dRaster::Size - 1;
+constexpr int Places = 9;
 
 bool IsEmpty(const lms3dBits& bits)
 {
@@ -39,14 +39,14 @@ lms3dBits GetDisputedReturns(const lms3dRasterBlock& block)
   return GetBoth(block, &lms3dRasterBlock::Must, &lms3dRasterBlock::Open);
 }
 
-bool HasDisputes(const lms3dRasterBlock& block)
+bool HasCentres(const lms3dRasterBlock& block)
 {
   return (block.HasPassed &&
            !IsEmpty(GetBoth(block, &lms3dRasterBlock::Passed, &lms3dRasterBlock::May))) ||
     !IsEmpty(GetDisputedReturns(block));
 }
 
-/// The cells out of which balls may take some, apart from those that others gave back.
+/// The cells that balls may take, apart from cells that others gave back.
 lms3dBits GetClosed(const lms3dRasterBlock& block)
 {
   lms3dBits closed;
@@ -108,92 +108,117 @@ lms3dDisputedCells::Shares lms3dDisputedCells::MakeShares(
   return shares;
 }
 
-// Returns the blocks whose balls may change, in order.
+void lms3dDisputedCells::AddBlocks(const lms3dRaster& raster)
+{
+  const auto before = static_cast<int>(this->Blocks.size());
+  this->Blocks.resize(static_cast<std::size_t>(raster.GetNumberOfBlocks()));
+  for (int number = before; number < raster.GetNumberOfBlocks(); ++number)
+  {
+    const lms3dRasterBlock& block = raster.GetBlock(number);
+    for (int place = 0; place < Places; ++place)
+    {
+      const int other = raster.Find(block.U + place % 3 - 1, block.V + place / 3 - 1);
+      this->Blocks[number].Around[place] = other;
+      if (other >= 0)
+      {
+        this->Blocks[other].Around[Places - 1 - place] = number;
+      }
+    }
+  }
+}
+
+// Returns the blocks whose balls may change.
 std::vector<int> lms3dDisputedCells::FindBlocks(const lms3dRaster& raster)
 {
   std::vector<int> blocks;
-  std::vector<int> around;
+  const auto add = [&](int number)
+  {
+    if (!this->Blocks[number].IsListed)
+    {
+      this->Blocks[number].IsListed = true;
+      blocks.push_back(number);
+    }
+  };
   for (const int number : raster.GetMarked())
   {
     if (raster.HasMark(number, lms3dRaster::DISPUTED))
     {
-      blocks.push_back(number);
-    }
-    if (raster.HasMark(number, lms3dRaster::AROUND))
-    {
-      around.push_back(number);
+      this->Blocks[number].HasCentres = HasCentres(raster.GetBlock(number));
+      add(number);
     }
   }
-  for (const int number : lms3dFindBlocksAround(raster, around))
+  for (const int number : raster.GetMarked())
   {
-    if (HasDisputes(raster.GetBlock(number)))
+    if (!raster.HasMark(number, lms3dRaster::AROUND))
     {
-      blocks.push_back(number);
+      continue;
+    }
+    for (const int other : this->Blocks[number].Around)
+    {
+      if (other >= 0 && this->Blocks[other].HasCentres)
+      {
+        add(other);
+      }
     }
   }
-  std::sort(blocks.begin(), blocks.end());
-  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
   return blocks;
 }
 
 // Marks the blocks with May in which cells change hands.
 void lms3dDisputedCells::MarkChanges(
-  const Shares& before, const Shares& now, int number, lms3dRaster& raster)
+  const Shares& before, const Shares& now, int number, lms3dRaster& raster) const
 {
-  const lms3dRasterBlock& block = raster.GetBlock(number);
-  for (int v = -1; v <= 1; ++v)
+  for (int place = 0; place < Places; ++place)
   {
-    for (int u = -1; u <= 1; ++u)
+    const int other = this->Blocks[number].Around[place];
+    const int u = place % 3 - 1;
+    const int v = place / 3 - 1;
+    std::uint64_t changed = 0;
+    for (int row = 0; other >= 0 && row <= Last; ++row)
     {
-      const int other = raster.Find(block.U + u, block.V + v);
-      std::uint64_t changed = 0;
-      for (int row = 0; other >= 0 && row <= Last; ++row)
-      {
-        changed |= ((before.Given.Get(u, v, row) ^ now.Given.Get(u, v, row)) |
-                     (before.Taken.Get(u, v, row) ^ now.Taken.Get(u, v, row))) &
-          raster.GetBlock(other).May[row];
-      }
-      if (changed != 0)
-      {
-        raster.SetMark(other, lms3dRaster::DIRTY);
-      }
+      changed |= ((before.Given.Get(u, v, row) ^ now.Given.Get(u, v, row)) |
+                   (before.Taken.Get(u, v, row) ^ now.Taken.Get(u, v, row))) &
+        raster.GetBlock(other).May[row];
+    }
+    if (changed != 0)
+    {
+      raster.SetMark(other, lms3dRaster::DIRTY);
     }
   }
 }
 
 void lms3dDisputedCells::Update(lms3dRaster& raster)
 {
-  this->Blocks.resize(static_cast<std::size_t>(raster.GetNumberOfBlocks()));
+  this->AddBlocks(raster);
   for (const int number : this->FindBlocks(raster))
   {
+    Block& block = this->Blocks[number];
     Shares now = MakeShares(raster, raster.GetBlock(number));
-    std::unique_ptr<Shares>& kept = this->Blocks[number];
-    MarkChanges(kept ? *kept : Shares(), now, number, raster);
-    kept = now.Given.IsEmpty() && now.Taken.IsEmpty() ? nullptr
-                                                      : std::make_unique<Shares>(std::move(now));
+    this->MarkChanges(block.Kept ? *block.Kept : Shares(), now, number, raster);
+    block.Kept = now.Given.IsEmpty() && now.Taken.IsEmpty()
+      ? nullptr
+      : std::make_unique<Shares>(std::move(now));
+    block.IsListed = false;
   }
 }
 
 void lms3dDisputedCells::Divide(const lms3dRaster& raster, int number, lms3dBits& cells) const
 {
-  const lms3dRasterBlock& block = raster.GetBlock(number);
   lms3dBits given = {};
   lms3dBits taken = {};
-  for (int v = -1; v <= 1; ++v)
+  for (int place = 0; place < Places; ++place)
   {
-    for (int u = -1; u <= 1; ++u)
+    const int other = this->Blocks[number].Around[place];
+    const Shares* const shares = other < 0 ? nullptr : this->Blocks[other].Kept.get();
+    for (int row = 0; shares && row <= Last; ++row)
     {
-      const int other = raster.Find(block.U + u, block.V + v);
-      const Shares* const shares = other < 0 ? nullptr : this->Blocks[other].get();
-      for (int row = 0; shares && row <= Last; ++row)
-      {
-        given[row] |= shares->Given.Get(-u, -v, row);
-        taken[row] |= shares->Taken.Get(-u, -v, row);
-      }
+      given[row] |= shares->Given.Get(1 - place % 3, 1 - place / 3, row);
+      taken[row] |= shares->Taken.Get(1 - place % 3, 1 - place / 3, row);
     }
   }
+  const lms3dBits& may = raster.GetBlock(number).May;
   for (int row = 0; row <= Last; ++row)
   {
-    cells[row] = (cells[row] | (given[row] & block.May[row])) & ~taken[row];
+    cells[row] = (cells[row] | (given[row] & may[row])) & ~taken[row];
   }
 }

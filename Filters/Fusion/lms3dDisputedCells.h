@@ -66,12 +66,23 @@ private:
     Cells Taken;
   };
 
-  static std::vector<int> FindBlocks(const lms3dRaster& raster);
-  static Shares MakeShares(const lms3dRaster& raster, const lms3dRasterBlock& block);
-  static void MarkChanges(const Shares& before, const Shares& now, int number, lms3dRaster& raster);
+  struct Block
+  {
+    /// The blocks around it, row by row, with itself in the middle; -1 where there is none.
+    std::array<int, 9> Around = { -1, -1, -1, -1, -1, -1, -1, -1, -1 };
+    /// Whether it has cells that may be centres of balls.
+    bool HasCentres = false;
+    bool IsListed = false;
+    /// nullptr without balls.
+    std::unique_ptr<Shares> Kept;
+  };
 
-  /// nullptr for a block without balls.
-  std::vector<std::unique_ptr<Shares>> Blocks;
+  void AddBlocks(const lms3dRaster& raster);
+  std::vector<int> FindBlocks(const lms3dRaster& raster);
+  static Shares MakeShares(const lms3dRaster& raster, const lms3dRasterBlock& block);
+  void MarkChanges(const Shares& before, const Shares& now, int number, lms3dRaster& raster) const;
+
+  std::vector<Block> Blocks;
 };
 
 #endif

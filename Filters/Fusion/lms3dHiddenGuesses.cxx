@@ -22,6 +22,8 @@ constexpr double SmallestCosine = 1e-6;
 /// Four beams in each of four turns. The guesses lie between the four in the middle.
 using Around = std::array<int, 16>;
 constexpr std::array<int, 4> Middle = { 5, 6, 10, 9 };
+// How many beams of a turn are looked at together.
+constexpr int BeamsAtOnce = 16;
 
 /// A corner of a polygon in a plane, and its height above another plane, metres.
 struct Corner
@@ -42,6 +44,26 @@ public:
 
 private:
   std::array<lms3dPoint2, 8> Points = {};
+  std::size_t Count = 0;
+};
+
+/// The planes of a few beams, each once.
+class PlanesOfBeams
+{
+public:
+  void Add(int plane)
+  {
+    if (plane >= 0 && std::find(this->begin(), this->end(), plane) == this->end())
+    {
+      this->Numbers[this->Count++] = plane;
+    }
+  }
+
+  const int* begin() const { return this->Numbers.data(); }
+  const int* end() const { return this->Numbers.data() + this->Count; }
+
+private:
+  std::array<int, 16> Numbers = {};
   std::size_t Count = 0;
 };
 
@@ -117,6 +139,10 @@ public:
         {
           this->TakeOutBetween(GetAround(turns, last - 3));
         }
+        else if (same <= last - 3 && this->HaveOnePlane(turns, last, beams))
+        {
+          last += BeamsAtOnce;
+        }
       }
     }
   }
@@ -141,30 +167,43 @@ private:
       0;
   }
 
+  /// Whether the beams of the turns behind one beam, and this beam, have one plane.
+  bool HaveOnePlane(const std::array<int, 4>& turns, int beam, int beams) const
+  {
+    if (beam + BeamsAtOnce >= beams)
+    {
+      return false;
+    }
+    const int plane = this->PlaneOfBeam[turns[0] + beam];
+    int different = 0;
+    for (const int turn : turns)
+    {
+      const int* const planes = this->PlaneOfBeam.data() + turn + beam;
+      for (int i = 1; i <= BeamsAtOnce; ++i)
+      {
+        different |= planes[i] ^ plane;
+      }
+    }
+    return different == 0;
+  }
+
   void TakeOutBetween(const Around& around)
   {
-    std::vector<int> guessed;
-    guessed.reserve(around.size());
+    PlanesOfBeams guessed;
     for (const int id : around)
     {
-      guessed.push_back(this->PlaneOfBeam[id]);
+      guessed.Add(this->PlaneOfBeam[id]);
     }
-    std::vector<int> hiding;
-    hiding.reserve(Middle.size());
+    PlanesOfBeams hiding;
     for (const int i : Middle)
     {
-      hiding.push_back(guessed[i]);
-    }
-    for (std::vector<int>* planes : { &guessed, &hiding })
-    {
-      std::sort(planes->begin(), planes->end());
-      planes->erase(std::unique(planes->begin(), planes->end()), planes->end());
+      hiding.Add(this->PlaneOfBeam[around[i]]);
     }
     for (const int guess : guessed)
     {
       for (const int other : hiding)
       {
-        if (guess >= 0 && other >= 0 && guess != other && this->MayHide(around, guess, other))
+        if (guess != other && this->MayHide(around, guess, other))
         {
           this->TakeOutBehind(around, guess, other);
         }

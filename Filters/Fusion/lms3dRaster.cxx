@@ -49,21 +49,32 @@ void lms3dRaster::Pass(int number, int u, int v)
   {
     this->SetMark(number, AROUND);
   }
-  this->MarkReturnsBeside(block.U * Size + u, block.V * Size + v);
+  this->MarkReturnsBeside(number, block.U * Size + u, block.V * Size + v);
 }
 
-// Marks the blocks with returns in a cell or beside it, which are not sure any more.
-void lms3dRaster::MarkReturnsBeside(std::int32_t u, std::int32_t v)
+// Marks the blocks with returns in a cell of a block or beside it, which are not sure any more.
+void lms3dRaster::MarkReturnsBeside(int number, std::int32_t u, std::int32_t v)
 {
+  const int left = GetPlaceOf(u) - 1;
+  const int bottom = GetPlaceOf(v) - 1;
+  if (left >= 0 && left < Size - 2 && bottom >= 0 && bottom < Size - 2)
+  {
+    const lms3dBits& must = this->Blocks[number].Must;
+    if (((must[bottom] | must[bottom + 1] | must[bottom + 2]) >> left & 7U) != 0)
+    {
+      this->SetMark(number, DIRTY);
+    }
+    return;
+  }
   for (std::int32_t row = v - 1; row <= v + 1; ++row)
   {
     for (std::int32_t block = GetBlockOf(u - 1); block <= GetBlockOf(u + 1); ++block)
     {
-      const int number = this->Find(block, GetBlockOf(row));
-      if (number >= 0 &&
-        (this->Blocks[number].Must[GetPlaceOf(row)] & GetMask(block, u - 1, u + 1)) != 0)
+      const int other = this->Find(block, GetBlockOf(row));
+      if (other >= 0 &&
+        (this->Blocks[other].Must[GetPlaceOf(row)] & GetMask(block, u - 1, u + 1)) != 0)
       {
-        this->SetMark(number, DIRTY);
+        this->SetMark(other, DIRTY);
       }
     }
   }

@@ -37,6 +37,8 @@ struct lms3dRasterBlock : lms3dRegionBlock
   int Tile = -1;
   /// How many cells differ between Shape and Meshed.
   int Difference = 0;
+  /// How many of them are near creases.
+  int DifferenceAtCreases = 0;
   /// How many cells of creases are new since the mesh was made.
   int NewCreaseCells = 0;
   /// Whether a bit of Passed is set.
@@ -116,7 +118,7 @@ public:
 private:
   template <typename Visitor>
   void ForWords(const lms3dCellStrip& strip, const Visitor& visit);
-  void MarkReturnsBeside(std::int32_t u, std::int32_t v);
+  void MarkReturnsBeside(int number, std::int32_t u, std::int32_t v);
 
   std::vector<int> Marked;
   /// Whether a cell has Must and Open.

@@ -72,6 +72,7 @@ public:
       block.Touched = cells.Touched;
       block.Meshed = block.Shape;
       block.Difference = 0;
+      block.DifferenceAtCreases = 0;
       block.NewCreaseCells = 0;
     }
   }

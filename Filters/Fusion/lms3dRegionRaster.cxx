@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionRaster.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -53,27 +52,6 @@ private:
 };
 
 } // namespace
-
-std::vector<int> lms3dFindBlocksAround(const lms3dRaster& raster, const std::vector<int>& blocks)
-{
-  std::vector<int> around;
-  around.reserve(9 * blocks.size());
-  for (const int number : blocks)
-  {
-    const lms3dRasterBlock& block = raster.GetBlock(number);
-    for (std::int32_t v = block.V - 1; v <= block.V + 1; ++v)
-    {
-      for (std::int32_t u = block.U - 1; u <= block.U + 1; ++u)
-      {
-        around.push_back(raster.Find(u, v));
-      }
-    }
-  }
-  std::sort(around.begin(), around.end());
-  around.erase(std::unique(around.begin(), around.end()), around.end());
-  around.erase(around.begin(), std::lower_bound(around.begin(), around.end(), 0));
-  return around;
-}
 
 lms3dBits lms3dGetSureReturns(const lms3dRaster& raster, const lms3dRasterBlock& block)
 {

@@ -12,15 +12,12 @@
 
 #include <vector>
 
-/// Returns blocks of a raster with their eight neighbours, in order.
-std::vector<int> lms3dFindBlocksAround(const lms3dRaster& raster, const std::vector<int>& blocks);
-
 /// Returns the cells of a block with returns that no border may cut off: those without a beam that
 /// passed beside them.
 lms3dBits lms3dGetSureReturns(const lms3dRaster& raster, const lms3dRasterBlock& block);
 
-/// Returns a raster of some of the blocks, in their order, with the bits Must and Passed alone. Must
-/// are the sure returns.
+/// Returns a raster of some of the blocks, in their order, with the bits Must and Passed alone.
+/// Must are the sure returns.
 lms3dRegion lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<int>& blocks);
 
 /// The cells of a region in a block: May are those where a local map has surface and no beam

@@ -13,14 +13,19 @@ namespace
 {
 constexpr int Last = lms3dRaster::Size - 1;
 
-int CountDifferences(const lms3dBits& a, const lms3dBits& b)
+/// Counts cells that differ between Shape and Meshed. `crease` may be nullptr.
+void CountDifferences(const lms3dCreaseMask::Cells* crease, lms3dRasterBlock& block)
 {
   std::size_t count = 0;
+  std::size_t near = 0;
   for (int row = 0; row <= Last; ++row)
   {
-    count += std::bitset<lms3dRaster::Size>(a[row] ^ b[row]).count();
+    const std::uint64_t different = block.Shape[row] ^ block.Meshed[row];
+    count += std::bitset<lms3dRaster::Size>(different).count();
+    near += std::bitset<lms3dRaster::Size>(crease ? different & crease->Near[row] : 0).count();
   }
-  return static_cast<int>(count);
+  block.Difference = static_cast<int>(count);
+  block.DifferenceAtCreases = static_cast<int>(near);
 }
 } // namespace
 
@@ -107,7 +112,7 @@ void lms3dRegionShape::MakeShape(int number, const lms3dBlockParts& parts,
   if (shape != block.Shape || block.NewCreaseCells > 0)
   {
     block.Shape = shape;
-    block.Difference = CountDifferences(shape, block.Meshed);
+    CountDifferences(this->Creases.Get(number), block);
     changed.push_back(number);
   }
 }

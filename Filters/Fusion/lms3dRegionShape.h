@@ -17,10 +17,10 @@
 #include <vector>
 
 /**
- * The shape are the cells of lms3dMakeRegionCells() that are joined to a return without a way across
- * a crease: a scan from afar guesses surface beyond the crease, and a scan from nearby sees that the
- * surface ends there. Returns keep their cells, and a few cells beyond the crease stay, from which
- * corners move to the crease.
+ * The shape are the cells of lms3dMakeRegionCells() that are joined to a return without a way
+ * across a crease: a scan from afar guesses surface beyond the crease, and a scan from nearby sees
+ * that the surface ends there. Returns keep their cells, and a few cells beyond the crease stay,
+ * from which corners move to the crease.
  *
  * Only blocks that changed are made anew. For the others, the parts into which creases and borders
  * divide a block are kept.

@@ -27,7 +27,7 @@ struct Differences
 {
   int Blocks = 0;
   int BlocksThatDiffer = 0;
-  /// Tiles whose triangles were made with the last scan, and those of them that differ.
+  /// Tiles whose triangles were made with the last scan.
   int Tiles = 0;
   int TilesThatDiffer = 0;
 };
