@@ -109,8 +109,8 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
     return false;
   }
   const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
-  const auto u = static_cast<std::int32_t>(std::floor(place[0]));
-  const auto v = static_cast<std::int32_t>(std::floor(place[1]));
+  const auto u = lms3dGetCellOf(place[0]);
+  const auto v = lms3dGetCellOf(place[1]);
   const int blockNumber = plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
   lms3dRasterBlock& block = plane.Raster.GetBlock(blockNumber);
   std::uint64_t& word = block.Must[lms3dRaster::GetPlaceOf(v)];
@@ -178,8 +178,8 @@ bool lms3dFusedPlanes::Shows(const lms3dFusedPlane& plane, const lms3dMappedRetu
     return false;
   }
   const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
-  const auto u = static_cast<std::int32_t>(std::floor(place[0]));
-  const auto v = static_cast<std::int32_t>(std::floor(place[1]));
+  const auto u = lms3dGetCellOf(place[0]);
+  const auto v = lms3dGetCellOf(place[1]);
   return plane.Raster.Has(&lms3dRasterBlock::May, u, v) &&
     !plane.Raster.Has(&lms3dRasterBlock::Open, u, v) &&
     !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) && IsAtVerbatim(plane, mapped.Point, bound);

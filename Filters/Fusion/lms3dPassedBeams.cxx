@@ -20,6 +20,7 @@ constexpr double LargestCell = 2e9;
 void lms3dPassedBeams::Mark(const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock)
 {
   this->Passages.Find(ranges, plane, firstBlock);
+  this->LastBlock = {};
   for (std::size_t i = 0; i < this->Passages.GetSize(); ++i)
   {
     this->MarkBeam(ranges, plane, firstBlock, i);
@@ -27,17 +28,17 @@ void lms3dPassedBeams::Mark(const lms3dSeenRanges& ranges, lms3dFusedPlane& plan
 }
 
 void lms3dPassedBeams::MarkBeam(
-  const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock, std::size_t number) const
+  const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock, std::size_t number)
 {
   const lms3dPoint2& place = this->Passages.GetPlace(number);
   if (std::abs(place[0]) > LargestCell || std::abs(place[1]) > LargestCell)
   {
     return;
   }
-  const auto column = static_cast<std::int32_t>(std::floor(place[0]));
-  const auto row = static_cast<std::int32_t>(std::floor(place[1]));
-  const int block =
-    plane.Raster.Find(lms3dRaster::GetBlockOf(column), lms3dRaster::GetBlockOf(row));
+  const auto column = lms3dGetCellOf(place[0]);
+  const auto row = lms3dGetCellOf(place[1]);
+  const int block = this->LastBlock.Find(
+    lms3dRaster::GetBlockOf(column), lms3dRaster::GetBlockOf(row), plane.Raster);
   if (block < firstBlock)
   {
     return;
@@ -61,12 +62,19 @@ void lms3dPassedBeams::MarkBeam(
   this->MarkAround(ranges.GetTable(), plane, number);
 }
 
+bool lms3dPassedBeams::IsOpen(const lms3dRaster& raster, const lms3dCellBox& box) const
+{
+  return this->LastBlock.Has(box)
+    ? raster.HasAll(&lms3dRasterBlock::Open, this->LastBlock.GetNumber(), box)
+    : raster.HasAll(&lms3dRasterBlock::Open, box);
+}
+
 // Opens a convex polygon between beams that passed, unless a return lies in it.
 template <typename Points>
 void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
 {
   const lms3dCellBox box = lms3dGetTouchedBox(points);
-  if (!this->Forgets && plane.Raster.HasAll(&lms3dRasterBlock::Open, box))
+  if (!this->Forgets && this->IsOpen(plane.Raster, box))
   {
     return;
   }
