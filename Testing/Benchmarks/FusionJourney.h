@@ -33,7 +33,7 @@ struct FusionSizes
 {
   vtkIdType Triangles;
   vtkIdType TrianglesOfAllMaps;
-  /// Of the part of the scene that the beams hit (VisibleScene).
+  /// What the part of the scene that the beams hit needs (VisibleScene).
   vtkIdType TrianglesOfScene;
   /// The share of what some of the poses see that is within 1 cm of the map.
   double Completeness;
