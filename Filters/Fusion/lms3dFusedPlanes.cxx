@@ -72,6 +72,11 @@ void lms3dFusedPlanes::GuessTriangle(int number, const lms3dLocalMap& local, int
 void lms3dFusedPlanes::AcceptGuesses(int number)
 {
   lms3dRaster& raster = this->Planes[number].Raster;
+  if (!raster.MayHaveGuess())
+  {
+    return;
+  }
+  raster.ForgetGuesses();
   const std::vector<int>& marked = raster.GetMarked();
   for (const int i : marked)
   {

@@ -203,7 +203,8 @@ private:
     {
       for (const int other : hiding)
       {
-        if (guess != other && this->MayHide(around, guess, other))
+        if (guess != other && this->Planes[guess].Raster.MayHaveGuess() &&
+          this->MayHide(around, guess, other))
         {
           this->TakeOutBehind(around, guess, other);
         }
@@ -252,7 +253,7 @@ private:
         this->Planes[other].Frame.GetHeight(plane.Frame.ToWorld(corners[i].Place));
     }
     const Polygon hidden = Clip(corners, -BehindShare * this->Planes.GetMaximumError());
-    if (hidden.size() < 3)
+    if (hidden.size() < 3 || !plane.Raster.MayHaveGuess(lms3dGetTouchedBox(hidden)))
     {
       return;
     }

@@ -120,13 +120,16 @@ void lms3dRaster::AcceptGuess(int number)
   lms3dRasterBlock& block = this->Blocks[number];
   std::uint64_t added = 0;
   std::uint64_t passed = 0;
+  std::uint64_t all = ~std::uint64_t{ 0 };
   for (int row = 0; row < Size; ++row)
   {
-    const std::uint64_t guess = block.Guess[row] & ~block.May[row];
+    const std::uint64_t guess = block.Guess[row];
     added |= guess;
     passed |= guess & block.Passed[row];
     block.May[row] |= guess;
+    all &= block.May[row];
   }
+  block.IsFull = all == ~std::uint64_t{ 0 };
   block.Guess = {};
   if (added != 0)
   {
@@ -163,16 +166,32 @@ void lms3dRaster::MakeBlocks(const lms3dCellStrip& strip)
 
 void lms3dRaster::SetGuess(const lms3dCellStrip& strip)
 {
-  this->MakeBlocks(strip);
+  if (!this->HasBlocks(strip))
+  {
+    this->MakeBlocks(strip);
+  }
   const std::int32_t v = GetBlockOf(strip.Row);
   for (std::int32_t u = GetBlockOf(strip.Left); !strip.IsEmpty() && u <= GetBlockOf(strip.Right);
        ++u)
   {
     const int number = this->Find(u, v);
-    if (number >= 0)
+    if (number < 0 || this->Blocks[number].IsFull)
+    {
+      continue;
+    }
+    lms3dRasterBlock& block = this->Blocks[number];
+    std::uint64_t added = 0;
+    for (int i = 0; i < strip.Count; ++i)
+    {
+      const int row = GetPlaceOf(strip.Row) + i;
+      const std::uint64_t guess = strip.GetBits(i, u * Size) & ~block.May[row];
+      block.Guess[row] |= guess;
+      added |= guess;
+    }
+    if (added != 0)
     {
       this->SetMark(number, GUESSED);
+      this->HasGuess = true;
     }
   }
-  this->Set(&lms3dRasterBlock::Guess, strip, true);
 }

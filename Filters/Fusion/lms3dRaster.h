@@ -16,7 +16,7 @@
 /// May are the cells where a local map has surface.
 struct lms3dRasterBlock : lms3dRegionBlock
 {
-  /// The local map that joins has surface here.
+  /// The local map that joins has surface here, and no map before it has.
   lms3dBits Guess = {};
   /// Here is a place between beams that all passed, without a return among them.
   lms3dBits Open = {};
@@ -41,6 +41,8 @@ struct lms3dRasterBlock : lms3dRegionBlock
   int DifferenceAtCreases = 0;
   /// How many cells of creases are new since the mesh was made.
   int NewCreaseCells = 0;
+  /// Whether all bits of May are set.
+  bool IsFull = false;
   /// Whether a bit of Passed is set.
   bool HasPassed = false;
   /// Whether more returns in cells of the shape make no shape anew.
@@ -78,6 +80,14 @@ public:
   /// Clears Must of the cells of a strip that lie in blocks.
   void Forget(const lms3dCellStrip& strip);
 
+  /// Whether a cell of a box may have Guess.
+  bool MayHaveGuess(const lms3dCellBox& box) const
+  {
+    return this->HasGuess && this->HasAny(&lms3dRasterBlock::Guess, box);
+  }
+  bool MayHaveGuess() const { return this->HasGuess; }
+  void ForgetGuesses() { this->HasGuess = false; }
+
   /// Sets May of a block where Guess is set, and clears Guess.
   void AcceptGuess(int number);
 
@@ -92,8 +102,8 @@ public:
     }
   }
 
-  /// Sets Guess of the cells of a strip. Makes the blocks that do not exist, and marks them as
-  /// guessed.
+  /// Sets Guess of the cells of a strip without May. Makes the blocks that do not exist. Marks
+  /// blocks with Guess as guessed.
   void SetGuess(const lms3dCellStrip& strip);
 
   /// Adds a mark to a block.
@@ -123,6 +133,8 @@ private:
   std::vector<int> Marked;
   /// Whether a cell has Must and Open.
   bool HasDisputed = false;
+  /// Whether a cell may have Guess.
+  bool HasGuess = false;
 };
 
 #endif
