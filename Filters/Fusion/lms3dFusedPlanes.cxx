@@ -29,6 +29,20 @@ bool IsAtVerbatim(const lms3dFusedPlane& plane, const lms3dVector& point, double
       [&](const std::array<lms3dVector, 3>& corners)
       { return lms3dGetDistance(point, corners[0], corners[1], corners[2]) <= bound; });
 }
+
+// Lets a scan have seen a block.
+void See(
+  const lms3dMappedReturn& mapped, const lms3dVector& normal, int scan, lms3dRasterBlock& block)
+{
+  block.Sightings.ScanCount += block.Sightings.LastScan != scan ? 1 : 0;
+  block.Sightings.LastScan = scan;
+  const double quality = -lms3dDot(normal, mapped.Direction) / (mapped.Range * mapped.Range);
+  if (quality > block.Quality)
+  {
+    block.Quality = quality;
+    block.Sightings.BestScan = scan;
+  }
+}
 } // namespace
 
 lms3dFusedPlanes::lms3dFusedPlanes(double maximumError)
@@ -146,16 +160,7 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   {
     plane.Raster.SetMark(blockNumber, lms3dRaster::STALE);
   }
-  const int scan = this->Scan;
-  block.Sightings.ScanCount += block.Sightings.LastScan != scan ? 1 : 0;
-  block.Sightings.LastScan = scan;
-  const double quality =
-    -lms3dDot(plane.Frame.GetNormal(), mapped.Direction) / (mapped.Range * mapped.Range);
-  if (quality > block.Quality)
-  {
-    block.Quality = quality;
-    block.Sightings.BestScan = scan;
-  }
+  See(mapped, plane.Frame.GetNormal(), this->Scan, block);
   return true;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dHiddenGuesses.h"
 
+#include "Fusion/lms3dCutPolygon.h"
 #include "Fusion/lms3dRasterRows.h"
 
 #include <algorithm>
@@ -25,28 +26,6 @@ constexpr std::array<int, 4> Middle = { 5, 6, 10, 9 };
 // How many beams of a turn are looked at together.
 constexpr int BeamsAtOnce = 16;
 
-/// A corner of a polygon in a plane, and its height above another plane, metres.
-struct Corner
-{
-  lms3dPoint2 Place;
-  double Height;
-};
-
-/// The corners of a small polygon.
-class Polygon
-{
-public:
-  void Add(const lms3dPoint2& point) { this->Points[this->Count++] = point; }
-  std::size_t size() const { return this->Count; }
-  const lms3dPoint2& operator[](std::size_t i) const { return this->Points[i]; }
-  const lms3dPoint2* begin() const { return this->Points.data(); }
-  const lms3dPoint2* end() const { return this->Points.data() + this->Count; }
-
-private:
-  std::array<lms3dPoint2, 8> Points = {};
-  std::size_t Count = 0;
-};
-
 /// The planes of a few beams, each once.
 class PlanesOfBeams
 {
@@ -66,28 +45,6 @@ private:
   std::array<int, 16> Numbers = {};
   std::size_t Count = 0;
 };
-
-/// The part of a convex polygon that lies lower than a height.
-Polygon Clip(const std::array<Corner, 4>& corners, double height)
-{
-  Polygon clipped;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    const Corner& a = corners[i];
-    const Corner& b = corners[(i + 1) % corners.size()];
-    if (a.Height < height)
-    {
-      clipped.Add(a.Place);
-    }
-    if ((a.Height < height) != (b.Height < height))
-    {
-      const double share = (height - a.Height) / (b.Height - a.Height);
-      clipped.Add({ a.Place[0] + share * (b.Place[0] - a.Place[0]),
-        a.Place[1] + share * (b.Place[1] - a.Place[1]) });
-    }
-  }
-  return clipped;
-}
 
 class HiddenGuesses
 {
@@ -236,7 +193,7 @@ private:
       largest = std::max(largest, this->Ranges.GetRange(around[i]));
     }
     largest += LargestOvershoot;
-    std::array<Corner, 4> corners = {};
+    std::array<lms3dCutCorner, 4> corners = {};
     for (std::size_t i = 0; i < Middle.size(); ++i)
     {
       const lms3dVector start = this->Ranges.GetStart(around[Middle[i]]);
@@ -252,7 +209,8 @@ private:
       corners[i].Height =
         this->Planes[other].Frame.GetHeight(plane.Frame.ToWorld(corners[i].Place));
     }
-    const Polygon hidden = Clip(corners, -BehindShare * this->Planes.GetMaximumError());
+    const lms3dCutPolygon hidden =
+      lms3dClip(corners, -BehindShare * this->Planes.GetMaximumError());
     if (hidden.size() < 3 || !plane.Raster.MayHaveGuess(lms3dGetTouchedBox(hidden)))
     {
       return;
