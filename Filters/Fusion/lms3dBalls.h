@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 /// A block with the half of each neighbour that is next to it.
 class lms3dBlockWindow
@@ -21,10 +22,11 @@ public:
   /// Cells: the largest radius of a ball.
   static constexpr int LargestRadius = (Margin - 1) / 2;
 
-  /// The blocks that a grid does not have are empty.
-  template <typename Block>
-  lms3dBlockWindow(const lms3dBlockGrid<Block>& grid, const lms3dRegionBlock& block,
-    typename lms3dBlockGrid<Block>::BitsOf bits)
+  /// The cells that `getBits`, a member or a function, returns for a block. The blocks that a grid
+  /// does not have are empty.
+  template <typename Block, typename Getter>
+  lms3dBlockWindow(
+    const lms3dBlockGrid<Block>& grid, const lms3dRegionBlock& block, const Getter& getBits)
   {
     for (int v = -1; v <= 1; ++v)
     {
@@ -33,7 +35,7 @@ public:
         const int number = grid.Find(block.U + u, block.V + v);
         if (number >= 0)
         {
-          this->Add(u, v, grid.GetBlock(number).*bits);
+          this->Add(u, v, std::invoke(getBits, grid.GetBlock(number)));
         }
       }
     }

@@ -84,6 +84,19 @@ public:
     return !this->HasDifferent(bits, box, ~std::uint64_t{ 0 });
   }
 
+  /// The same for a box that lies in one block.
+  bool HasAll(BitsOf bits, int number, const lms3dCellBox& box) const
+  {
+    const lms3dBits& words = this->Blocks[number].*bits;
+    const std::uint64_t mask = GetMask(GetBlockOf(box.Left), box.Left, box.Right);
+    std::uint64_t missing = 0;
+    for (int row = GetPlaceOf(box.Bottom); row <= GetPlaceOf(box.Top); ++row)
+    {
+      missing |= ~words[row] & mask;
+    }
+    return missing == 0;
+  }
+
   /// Returns whether all cells of a box lie in blocks.
   bool HasBlocks(const lms3dCellBox& box) const;
 

@@ -12,6 +12,21 @@
 #include <cstdint>
 #include <limits>
 
+///@{
+/// The next whole number downwards, or upwards. Faster than the functions of the C library, which
+/// are for all numbers.
+inline std::int32_t lms3dGetCellOf(double place)
+{
+  const auto cell = static_cast<std::int32_t>(place);
+  return place < cell ? cell - 1 : cell;
+}
+
+inline std::int32_t lms3dGetCellFrom(double place)
+{
+  return -lms3dGetCellOf(-place);
+}
+///@}
+
 /// The first and the last cells of both axes.
 struct lms3dCellBox
 {

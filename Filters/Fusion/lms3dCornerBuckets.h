@@ -11,7 +11,6 @@
 #include "Fusion/lms3dRasterRows.h"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -122,8 +121,8 @@ private:
 
   int GetBucket(const lms3dPoint2& point)
   {
-    const auto u = static_cast<std::int32_t>(std::floor(point[0] / Size));
-    const auto v = static_cast<std::int32_t>(std::floor(point[1] / Size));
+    const auto u = lms3dGetCellOf(point[0] / Size);
+    const auto v = lms3dGetCellOf(point[1] / Size);
     int number = this->Numbers.Find(u, v);
     if (number < 0)
     {

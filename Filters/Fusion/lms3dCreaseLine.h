@@ -16,6 +16,15 @@
 /// direction.
 using lms3dCreaseParts = std::vector<std::pair<double, double>>;
 
+/// The parts of a line at which two planes end.
+struct lms3dCrease
+{
+  /// As local maps have them.
+  lms3dCreaseParts Seen;
+  /// The same when they last changed the shapes of the planes: a few cells more do not count.
+  lms3dCreaseParts Drawn;
+};
+
 /// A line, and the parts of it at which the other plane ends. Coordinates are cells.
 struct lms3dCreaseLine
 {
@@ -23,7 +32,7 @@ struct lms3dCreaseLine
   /// With length 1.
   lms3dPoint2 Direction;
   /// Along the direction from the point.
-  lms3dCreaseParts Parts;
+  lms3dCrease Parts;
 };
 
 #endif

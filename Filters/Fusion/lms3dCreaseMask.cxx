@@ -17,7 +17,7 @@ constexpr double ReachAcross = 8.0;
 void lms3dCreaseMask::Draw(const lms3dCreaseLine& crease, lms3dRaster& raster)
 {
   this->Blocks.resize(static_cast<std::size_t>(raster.GetNumberOfBlocks()));
-  for (const auto& [first, last] : crease.Parts)
+  for (const auto& [first, last] : crease.Parts.Drawn)
   {
     for (const double width : { 0.0, ReachAcross })
     {

@@ -73,7 +73,7 @@ NearCreases FindCreases(const lms3dPoint2& point, const std::vector<lms3dCreaseL
   for (const lms3dCreaseLine& crease : creases)
   {
     const Foot foot = GetFoot(point, crease);
-    if (foot.Distance > Reach || !IsOn(crease.Parts, foot.Along))
+    if (foot.Distance > Reach || !IsOn(crease.Parts.Seen, foot.Along))
     {
       continue;
     }

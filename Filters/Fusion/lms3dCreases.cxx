@@ -17,16 +17,16 @@ constexpr double CreaseReach = 6.0;
 // Cells: how much a crease grows before it changes its planes.
 constexpr double CreaseGrowth = 16.0;
 
-// Returns whether the parts grew by more than the gap that they may have.
-bool Merge(lms3dCreaseParts& parts, double first, double last, double gap)
+// Whether the parts have a part, apart from the gap that they may have.
+bool Have(const lms3dCreaseParts& parts, double first, double last, double gap)
 {
-  for (const auto& part : parts)
-  {
-    if (first >= part.first - gap && last <= part.second + gap)
-    {
-      return false;
-    }
-  }
+  return std::any_of(parts.begin(), parts.end(),
+    [&](const auto& part) { return first >= part.first - gap && last <= part.second + gap; });
+}
+
+// Parts become one if the gap between them is not larger.
+void Merge(lms3dCreaseParts& parts, double first, double last, double gap)
+{
   parts.emplace_back(first, last);
   std::sort(parts.begin(), parts.end());
   lms3dCreaseParts merged;
@@ -42,7 +42,6 @@ bool Merge(lms3dCreaseParts& parts, double first, double last, double gap)
     }
   }
   parts = merged;
-  return true;
 }
 
 /// The line in which two planes meet.
@@ -90,12 +89,27 @@ void AddEdge(
       return;
     }
   }
-  lms3dCreaseParts& parts = planes[first].Creases[second];
+  lms3dCrease& crease = planes[first].Creases[second];
   const auto [from, to] = std::minmax(along[0], along[1]);
-  const bool isLonger = Merge(parts, from, to, CreaseGrowth * planes.GetCell());
-  planes[second].Creases[first] = parts;
-  planes[first].HasNewCreases = planes[first].HasNewCreases || isLonger;
-  planes[second].HasNewCreases = planes[second].HasNewCreases || isLonger;
+  const double gap = CreaseGrowth * planes.GetCell();
+  Merge(crease.Seen, from, to, gap);
+  if (!Have(crease.Drawn, from, to, gap))
+  {
+    crease.Drawn = crease.Seen;
+    planes[first].HasNewCreases = true;
+    planes[second].HasNewCreases = true;
+  }
+  planes[second].Creases[first] = crease;
+}
+
+lms3dCreaseParts ToCells(lms3dCreaseParts parts, double cell)
+{
+  for (auto& [first, last] : parts)
+  {
+    first /= cell;
+    last /= cell;
+  }
+  return parts;
 }
 } // namespace
 
@@ -131,7 +145,7 @@ std::vector<lms3dCreaseLine> lms3dGetCreaseLines(const lms3dFusedPlanes& planes,
 {
   const lms3dFusedPlane& plane = planes[number];
   std::vector<lms3dCreaseLine> lines;
-  for (const auto& [other, parts] : plane.Creases)
+  for (const auto& [other, crease] : plane.Creases)
   {
     Line line;
     const lms3dPlaneFrame& first = planes[std::min(number, other)].Frame;
@@ -145,10 +159,8 @@ std::vector<lms3dCreaseLine> lms3dGetCreaseLines(const lms3dFusedPlanes& planes,
     const lms3dPoint2 ahead = plane.Frame.ToCells(lms3dAdd(line.Point, line.Direction));
     inCells.Direction = { (ahead[0] - inCells.Point[0]) * planes.GetCell(),
       (ahead[1] - inCells.Point[1]) * planes.GetCell() };
-    for (const auto& [from, to] : parts)
-    {
-      inCells.Parts.emplace_back(from / planes.GetCell(), to / planes.GetCell());
-    }
+    inCells.Parts = { ToCells(crease.Seen, planes.GetCell()),
+      ToCells(crease.Drawn, planes.GetCell()) };
     lines.push_back(inCells);
   }
   return lines;

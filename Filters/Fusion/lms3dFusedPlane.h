@@ -55,6 +55,7 @@ struct lms3dFusedPlane
     {
       tile.Blocks.clear();
       tile.Difference = 0;
+      tile.DifferenceAtCreases = 0;
       tile.IsStale = true;
     }
   }
@@ -95,7 +96,7 @@ struct lms3dFusedPlane
   bool IsWeak = false;
   std::vector<lms3dMappedReturn> Returns;
   /// The creases with other planes, by their numbers, metres.
-  std::map<int, lms3dCreaseParts> Creases;
+  std::map<int, lms3dCrease> Creases;
   /// The triangle of a local map, if the region is nothing else. It need not lie exactly in the
   /// plane.
   std::vector<std::array<lms3dVector, 3>> Verbatim;

@@ -29,6 +29,20 @@ bool IsAtVerbatim(const lms3dFusedPlane& plane, const lms3dVector& point, double
       [&](const std::array<lms3dVector, 3>& corners)
       { return lms3dGetDistance(point, corners[0], corners[1], corners[2]) <= bound; });
 }
+
+// Lets a scan have seen a block.
+void See(
+  const lms3dMappedReturn& mapped, const lms3dVector& normal, int scan, lms3dRasterBlock& block)
+{
+  block.Sightings.ScanCount += block.Sightings.LastScan != scan ? 1 : 0;
+  block.Sightings.LastScan = scan;
+  const double quality = -lms3dDot(normal, mapped.Direction) / (mapped.Range * mapped.Range);
+  if (quality > block.Quality)
+  {
+    block.Quality = quality;
+    block.Sightings.BestScan = scan;
+  }
+}
 } // namespace
 
 lms3dFusedPlanes::lms3dFusedPlanes(double maximumError)
@@ -72,6 +86,11 @@ void lms3dFusedPlanes::GuessTriangle(int number, const lms3dLocalMap& local, int
 void lms3dFusedPlanes::AcceptGuesses(int number)
 {
   lms3dRaster& raster = this->Planes[number].Raster;
+  if (!raster.MayHaveGuess())
+  {
+    return;
+  }
+  raster.ForgetGuesses();
   const std::vector<int>& marked = raster.GetMarked();
   for (const int i : marked)
   {
@@ -79,18 +98,7 @@ void lms3dFusedPlanes::AcceptGuesses(int number)
     {
       continue;
     }
-    lms3dRasterBlock& block = raster.GetBlock(i);
-    std::uint64_t added = 0;
-    for (int row = 0; row < lms3dRaster::Size; ++row)
-    {
-      added |= block.Guess[row] & ~block.May[row];
-      block.May[row] |= block.Guess[row];
-    }
-    block.Guess = {};
-    if (added != 0)
-    {
-      raster.SetMark(i, lms3dRaster::DIRTY);
-    }
+    raster.AcceptGuess(i);
   }
 }
 
@@ -120,8 +128,8 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
     return false;
   }
   const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
-  const auto u = static_cast<std::int32_t>(std::floor(place[0]));
-  const auto v = static_cast<std::int32_t>(std::floor(place[1]));
+  const auto u = lms3dGetCellOf(place[0]);
+  const auto v = lms3dGetCellOf(place[1]);
   const int blockNumber = plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
   lms3dRasterBlock& block = plane.Raster.GetBlock(blockNumber);
   std::uint64_t& word = block.Must[lms3dRaster::GetPlaceOf(v)];
@@ -138,6 +146,10 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   }
   const std::uint64_t shape =
     block.IsCalm ? block.Shape[lms3dRaster::GetPlaceOf(v)] : std::uint64_t{ 0 };
+  if ((bit & ~word) != 0)
+  {
+    plane.Raster.MarkReturns(blockNumber, (bit & block.Open[lms3dRaster::GetPlaceOf(v)]) != 0);
+  }
   if ((bit & ~word & ~shape) != 0)
   {
     plane.Raster.SetMark(blockNumber, lms3dRaster::DIRTY);
@@ -148,16 +160,7 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   {
     plane.Raster.SetMark(blockNumber, lms3dRaster::STALE);
   }
-  const int scan = this->Scan;
-  block.Sightings.ScanCount += block.Sightings.LastScan != scan ? 1 : 0;
-  block.Sightings.LastScan = scan;
-  const double quality =
-    -lms3dDot(plane.Frame.GetNormal(), mapped.Direction) / (mapped.Range * mapped.Range);
-  if (quality > block.Quality)
-  {
-    block.Quality = quality;
-    block.Sightings.BestScan = scan;
-  }
+  See(mapped, plane.Frame.GetNormal(), this->Scan, block);
   return true;
 }
 
@@ -185,8 +188,8 @@ bool lms3dFusedPlanes::Shows(const lms3dFusedPlane& plane, const lms3dMappedRetu
     return false;
   }
   const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
-  const auto u = static_cast<std::int32_t>(std::floor(place[0]));
-  const auto v = static_cast<std::int32_t>(std::floor(place[1]));
+  const auto u = lms3dGetCellOf(place[0]);
+  const auto v = lms3dGetCellOf(place[1]);
   return plane.Raster.Has(&lms3dRasterBlock::May, u, v) &&
     !plane.Raster.Has(&lms3dRasterBlock::Open, u, v) &&
     !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) && IsAtVerbatim(plane, mapped.Point, bound);

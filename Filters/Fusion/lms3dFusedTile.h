@@ -52,6 +52,19 @@ struct lms3dFusedTile
     return this->Has({ (u + 0.5) * lms3dRaster::Size, (v + 0.5) * lms3dRaster::Size });
   }
 
+  /// Whether the mesh differs so much from the shape that it is made anew. A large tile may differ
+  /// by a share of its cells, so that a surface which grows little by little is not made anew with
+  /// each scan; but not near creases, where it would leave gaps to other planes.
+  bool HasOtherShape() const
+  {
+    constexpr int Largest = 256;
+    constexpr int LargestOfBlock = 16;
+    constexpr int LargestAtCreases = 64;
+    return this->DifferenceAtCreases > LargestAtCreases ||
+      (this->Difference > Largest &&
+        this->Difference / LargestOfBlock > static_cast<int>(this->Blocks.size()));
+  }
+
   /// Cells: the sides.
   std::int32_t Left = std::numeric_limits<std::int32_t>::min();
   std::int32_t Bottom = std::numeric_limits<std::int32_t>::min();
@@ -61,8 +74,10 @@ struct lms3dFusedTile
   std::vector<int> Blocks;
   lms3dFusedMesh Mesh;
   int Revision = 0;
-  /// How many cells of its blocks differ between Shape and Meshed.
+  /// How many cells of its blocks differ between Shape and Meshed, and how many of them are near
+  /// creases.
   int Difference = 0;
+  int DifferenceAtCreases = 0;
   /// Whether the mesh does not explain what scans saw.
   bool IsStale = true;
   /// Whether the last scan has returns here.

@@ -27,8 +27,6 @@ constexpr double TimeOfMarking = 0.5;
 constexpr double TimeOfShapes = 0.3;
 // How many tiles get new triangles between two looks at the progress.
 constexpr std::size_t TilesOfStep = 64;
-// Cells: if the shape of a tile differs more from that of its mesh, the mesh is made anew.
-constexpr int LargestDifference = 256;
 } // namespace
 
 lms3dGrowingMap::lms3dGrowingMap(const lms3dFusionSettings& settings)
@@ -157,10 +155,12 @@ void lms3dGrowingMap::RenewShape(int planeNumber)
   {
     lms3dFusedTile& tile = plane.Tiles[tileNumber];
     tile.Difference = 0;
+    tile.DifferenceAtCreases = 0;
     for (const int i : tile.Blocks)
     {
       const lms3dRasterBlock& block = plane.Raster.GetBlock(i);
       tile.Difference += block.Difference + block.NewCreaseCells;
+      tile.DifferenceAtCreases += block.DifferenceAtCreases;
     }
   }
   plane.ShapedBlocks = plane.OldBlocks;
@@ -182,7 +182,7 @@ std::vector<lms3dGrowingMap::TileToRenew> lms3dGrowingMap::FindTiles(const std::
     plane.Raster.ClearMarks();
     for (lms3dFusedTile& tile : plane.Tiles)
     {
-      tile.IsStale = tile.IsStale || tile.Difference > LargestDifference;
+      tile.IsStale = tile.IsStale || tile.HasOtherShape();
       if (tile.IsStale || tile.IsSeen)
       {
         tiles.push_back({ number, &tile });
@@ -202,6 +202,7 @@ void lms3dGrowingMap::RenewTile(const TileToRenew& place)
       plane, tile, lms3dGetCreaseLines(this->Planes, place.Plane), this->Settings.MaximumError);
     tile.Revision = this->GetNumberOfScans();
     tile.Difference = 0;
+    tile.DifferenceAtCreases = 0;
   }
   lms3dSetSightings(plane, tile);
   tile.IsStale = false;

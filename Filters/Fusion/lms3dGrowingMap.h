@@ -28,6 +28,7 @@ public:
 
   int GetNumberOfScans() const { return static_cast<int>(this->Positions.size()); }
   const std::vector<lms3dVector>& GetPositions() const { return this->Positions; }
+  const lms3dFusedPlanes& GetPlanes() const { return this->Planes; }
   /// A region keeps its number.
   const std::vector<const lms3dFusedTile*>& GetRegions() const { return this->Regions; }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dHiddenGuesses.h"
 
+#include "Fusion/lms3dCutPolygon.h"
 #include "Fusion/lms3dRasterRows.h"
 
 #include <algorithm>
@@ -22,50 +23,28 @@ constexpr double SmallestCosine = 1e-6;
 /// Four beams in each of four turns. The guesses lie between the four in the middle.
 using Around = std::array<int, 16>;
 constexpr std::array<int, 4> Middle = { 5, 6, 10, 9 };
+// How many beams of a turn are looked at together.
+constexpr int BeamsAtOnce = 16;
 
-/// A corner of a polygon in a plane, and its height above another plane, metres.
-struct Corner
-{
-  lms3dPoint2 Place;
-  double Height;
-};
-
-/// The corners of a small polygon.
-class Polygon
+/// The planes of a few beams, each once.
+class PlanesOfBeams
 {
 public:
-  void Add(const lms3dPoint2& point) { this->Points[this->Count++] = point; }
-  std::size_t size() const { return this->Count; }
-  const lms3dPoint2& operator[](std::size_t i) const { return this->Points[i]; }
-  const lms3dPoint2* begin() const { return this->Points.data(); }
-  const lms3dPoint2* end() const { return this->Points.data() + this->Count; }
-
-private:
-  std::array<lms3dPoint2, 8> Points = {};
-  std::size_t Count = 0;
-};
-
-/// The part of a convex polygon that lies lower than a height.
-Polygon Clip(const std::array<Corner, 4>& corners, double height)
-{
-  Polygon clipped;
-  for (std::size_t i = 0; i < corners.size(); ++i)
+  void Add(int plane)
   {
-    const Corner& a = corners[i];
-    const Corner& b = corners[(i + 1) % corners.size()];
-    if (a.Height < height)
+    if (plane >= 0 && std::find(this->begin(), this->end(), plane) == this->end())
     {
-      clipped.Add(a.Place);
-    }
-    if ((a.Height < height) != (b.Height < height))
-    {
-      const double share = (height - a.Height) / (b.Height - a.Height);
-      clipped.Add({ a.Place[0] + share * (b.Place[0] - a.Place[0]),
-        a.Place[1] + share * (b.Place[1] - a.Place[1]) });
+      this->Numbers[this->Count++] = plane;
     }
   }
-  return clipped;
-}
+
+  const int* begin() const { return this->Numbers.data(); }
+  const int* end() const { return this->Numbers.data() + this->Count; }
+
+private:
+  std::array<int, 16> Numbers = {};
+  std::size_t Count = 0;
+};
 
 class HiddenGuesses
 {
@@ -117,6 +96,10 @@ public:
         {
           this->TakeOutBetween(GetAround(turns, last - 3));
         }
+        else if (same <= last - 3 && this->HaveOnePlane(turns, last, beams))
+        {
+          last += BeamsAtOnce;
+        }
       }
     }
   }
@@ -141,30 +124,44 @@ private:
       0;
   }
 
+  /// Whether the beams of the turns behind one beam, and this beam, have one plane.
+  bool HaveOnePlane(const std::array<int, 4>& turns, int beam, int beams) const
+  {
+    if (beam + BeamsAtOnce >= beams)
+    {
+      return false;
+    }
+    const int plane = this->PlaneOfBeam[turns[0] + beam];
+    int different = 0;
+    for (const int turn : turns)
+    {
+      const int* const planes = this->PlaneOfBeam.data() + turn + beam;
+      for (int i = 1; i <= BeamsAtOnce; ++i)
+      {
+        different |= planes[i] ^ plane;
+      }
+    }
+    return different == 0;
+  }
+
   void TakeOutBetween(const Around& around)
   {
-    std::vector<int> guessed;
-    guessed.reserve(around.size());
+    PlanesOfBeams guessed;
     for (const int id : around)
     {
-      guessed.push_back(this->PlaneOfBeam[id]);
+      guessed.Add(this->PlaneOfBeam[id]);
     }
-    std::vector<int> hiding;
-    hiding.reserve(Middle.size());
+    PlanesOfBeams hiding;
     for (const int i : Middle)
     {
-      hiding.push_back(guessed[i]);
-    }
-    for (std::vector<int>* planes : { &guessed, &hiding })
-    {
-      std::sort(planes->begin(), planes->end());
-      planes->erase(std::unique(planes->begin(), planes->end()), planes->end());
+      hiding.Add(this->PlaneOfBeam[around[i]]);
     }
     for (const int guess : guessed)
     {
       for (const int other : hiding)
       {
-        if (guess >= 0 && other >= 0 && guess != other && this->MayHide(around, guess, other))
+        if (guess != other && this->Planes[guess].Raster.MayHaveGuess() &&
+          this->MayHide(around, guess, other))
         {
           this->TakeOutBehind(around, guess, other);
         }
@@ -196,7 +193,7 @@ private:
       largest = std::max(largest, this->Ranges.GetRange(around[i]));
     }
     largest += LargestOvershoot;
-    std::array<Corner, 4> corners = {};
+    std::array<lms3dCutCorner, 4> corners = {};
     for (std::size_t i = 0; i < Middle.size(); ++i)
     {
       const lms3dVector start = this->Ranges.GetStart(around[Middle[i]]);
@@ -212,8 +209,9 @@ private:
       corners[i].Height =
         this->Planes[other].Frame.GetHeight(plane.Frame.ToWorld(corners[i].Place));
     }
-    const Polygon hidden = Clip(corners, -BehindShare * this->Planes.GetMaximumError());
-    if (hidden.size() < 3)
+    const lms3dCutPolygon hidden =
+      lms3dClip(corners, -BehindShare * this->Planes.GetMaximumError());
+    if (hidden.size() < 3 || !plane.Raster.MayHaveGuess(lms3dGetTouchedBox(hidden)))
     {
       return;
     }

@@ -3,6 +3,7 @@
 #include "Fusion/lms3dLocalMap.h"
 
 #include "Casting/lms3dRayCaster.h"
+#include "Scan/lms3dScanner.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace
@@ -97,25 +99,36 @@ void CastFree(const lms3dRayCaster& caster, const lms3dSeenRanges& ranges, doubl
   }
 }
 
-/// Casts beams that start at the sensor's position.
-void Cast(const lms3dRayCaster& caster, const lms3dSeenRanges& ranges, double maximumError,
-  lms3dMappedReturn* returns, std::size_t count)
+/// Casts beams that start at the sensor's position as a scan does, which decides most of them many
+/// at a time.
+class CentredHits
 {
-  constexpr std::size_t Size = lms3dBeamPacket::Size;
-  std::vector<lms3dBeamPacket> packets((count + Size - 1) / Size);
-  for (std::size_t i = 0; i < packets.size(); ++i)
+public:
+  CentredHits(const lms3dRayCaster& caster, const lms3dSeenRanges& ranges)
+    : Ranges(static_cast<std::size_t>(ranges.GetTable().GetSize()))
+    , Triangles(Ranges.size())
   {
-    Fill(returns + i * Size, std::min(Size, count - i * Size), packets[i]);
+    lms3dScan({ caster, ranges.GetTable().GetGeometry(), ranges.GetPose(),
+                { 0.0, std::numeric_limits<double>::infinity() },
+                { this->Ranges.data(), this->Triangles.data() } },
+      [](double) { return true; });
   }
-  const lms3dVector& position = ranges.GetPosition();
-  caster.Cast(
-    { { position[0], position[1], position[2] }, std::numeric_limits<double>::infinity() },
-    packets.data(), static_cast<int>(packets.size()));
-  for (std::size_t i = 0; i < packets.size(); ++i)
+
+  void SetTriangles(double maximumError, lms3dMappedReturn* returns, std::size_t count) const
   {
-    SetTriangles(packets[i], std::min(Size, count - i * Size), maximumError, returns + i * Size);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const int id = returns[i].BeamId;
+      const bool isHit = std::abs(this->Ranges[id] - returns[i].Range) <= maximumError;
+      returns[i].Triangle = isHit ? this->Triangles[id] : -1;
+    }
   }
-}
+
+private:
+  /// NaN for a beam that hits nothing.
+  std::vector<double> Ranges;
+  std::vector<std::int32_t> Triangles;
+};
 } // namespace
 
 lms3dLocalMap::lms3dLocalMap(
@@ -132,7 +145,11 @@ lms3dLocalMap::lms3dLocalMap(
   this->Returns.resize(count);
   const std::unique_ptr<lms3dRayCaster> caster =
     lms3dRayCaster::New(lms3dRayCaster::EXACT, this->Mesh);
-  const bool isFree = ranges.GetTable().HasStarts();
+  std::optional<CentredHits> hits;
+  if (!ranges.GetTable().HasStarts())
+  {
+    hits.emplace(*caster, ranges);
+  }
   tbb::parallel_for(std::size_t{ 0 }, (count + BeamsOfTask - 1) / BeamsOfTask,
     [&](std::size_t task)
     {
@@ -146,7 +163,14 @@ lms3dLocalMap::lms3dLocalMap(
         this->Returns[i] = { lms3dAdd(ranges.GetStart(id), lms3dScale(direction, range)), direction,
           range, id, -1 };
       }
-      (isFree ? CastFree : Cast)(*caster, ranges, maximumError, &this->Returns[first], end - first);
+      if (hits)
+      {
+        hits->SetTriangles(maximumError, &this->Returns[first], end - first);
+      }
+      else
+      {
+        CastFree(*caster, ranges, maximumError, &this->Returns[first], end - first);
+      }
     });
   this->Returns.erase(std::remove_if(this->Returns.begin(), this->Returns.end(),
                         [](const lms3dMappedReturn& mapped) { return mapped.Triangle < 0; }),

@@ -3,6 +3,7 @@
 #include "Fusion/lms3dOutlineSimplifier.h"
 
 #include "Fusion/lms3dRasterRows.h"
+#include "Fusion/lms3dSegment2.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,38 +13,9 @@ namespace
 {
 // Squared cells: corners nearer than this to a line lie on it.
 constexpr double OnLine = 1e-12;
+// Squared cells: how far a border that is straightened first may move.
+constexpr double ToleranceOfSteps = 1.0;
 constexpr double Infinite = 1e300;
-
-/// The squared distances of points from a line segment.
-class Segment
-{
-public:
-  Segment(const lms3dPoint2& a, const lms3dPoint2& b)
-    : Start(a)
-    , Du(b[0] - a[0])
-    , Dv(b[1] - a[1])
-    , Square(this->Du * this->Du + this->Dv * this->Dv)
-  {
-  }
-
-  double GetSquaredDistance(const lms3dPoint2& p) const
-  {
-    const double pu = p[0] - this->Start[0];
-    const double pv = p[1] - this->Start[1];
-    const double share = this->Square > 0.0
-      ? std::clamp((pu * this->Du + pv * this->Dv) / this->Square, 0.0, 1.0)
-      : 0.0;
-    const double u = pu - share * this->Du;
-    const double v = pv - share * this->Dv;
-    return u * u + v * v;
-  }
-
-private:
-  const lms3dPoint2& Start;
-  const double Du;
-  const double Dv;
-  const double Square;
-};
 
 bool IsIn(const lms3dPoint2& p, const std::array<lms3dPoint2, 3>& triangle, int orientation)
 {
@@ -94,7 +66,7 @@ double lms3dOutlineSimplifier::GetCost(Corner corner) const
 {
   const Corner from = this->Previous[corner];
   const Corner to = this->Next[corner];
-  const Segment line(this->Points[from], this->Points[to]);
+  const lms3dSegment2 line(this->Points[from], this->Points[to]);
   double cost = 0.0;
   for (Corner original = this->NextOriginal[from]; original != to && cost <= this->Tolerance;
        original = this->NextOriginal[original])
@@ -110,7 +82,7 @@ void lms3dOutlineSimplifier::Queue(Corner corner)
   ++this->Versions[corner];
   if (cost <= this->Tolerance)
   {
-    this->Later.push({ cost, corner, this->Versions[corner] });
+    this->Candidates.Add({ cost, corner, this->Versions[corner] });
   }
 }
 
@@ -143,7 +115,7 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
   {
     return true;
   }
-  if (Segment(triangle[0], triangle[2]).GetSquaredDistance(triangle[1]) <= OnLine)
+  if (lms3dSegment2(triangle[0], triangle[2]).GetSquaredDistance(triangle[1]) <= OnLine)
   {
     return this->IsEmpty(triangle, corner);
   }
@@ -179,23 +151,21 @@ void lms3dOutlineSimplifier::Remove(Corner corner)
   this->Buckets.Remove(corner);
   this->Next[previous] = next;
   this->Previous[next] = previous;
-  this->Queue(previous);
-  this->Queue(next);
 }
 
-// Takes the next candidate out of the first ones, which are sorted, or out of those that came
-// later.
-lms3dOutlineSimplifier::Candidate lms3dOutlineSimplifier::TakeNext()
+// Takes out the steps of borders that are not along an axis, corner by corner, before the corners
+// that are left go in order of their costs.
+void lms3dOutlineSimplifier::RemoveSteps()
 {
-  const bool isFirst = this->NextOfFirst < this->First.size() &&
-    (this->Later.empty() || this->Later.top() < this->First[this->NextOfFirst]);
-  if (isFirst)
+  const auto count = static_cast<Corner>(this->Points.size());
+  for (Corner corner = 0; corner < count; ++corner)
   {
-    return this->First[this->NextOfFirst++];
+    const bool isTriangle = this->Next[this->Next[corner]] == this->Previous[corner];
+    if (!isTriangle && this->GetCost(corner) <= ToleranceOfSteps && this->MayGo(corner))
+    {
+      this->Remove(corner);
+    }
   }
-  const Candidate candidate = this->Later.top();
-  this->Later.pop();
-  return candidate;
 }
 
 void lms3dOutlineSimplifier::FindCandidates()
@@ -203,28 +173,32 @@ void lms3dOutlineSimplifier::FindCandidates()
   const auto count = static_cast<Corner>(this->Points.size());
   for (Corner corner = 0; corner < count; ++corner)
   {
-    const double cost = this->GetCost(corner);
+    const double cost = this->IsGone[corner] ? Infinite : this->GetCost(corner);
     if (cost <= this->Tolerance)
     {
-      this->First.push_back({ cost, corner, 0 });
+      this->Candidates.AddFirst({ cost, corner, 0 });
     }
   }
-  std::sort(this->First.begin(), this->First.end(),
-    [](const Candidate& a, const Candidate& b) { return b < a; });
+  this->Candidates.SortFirst();
 }
 
 std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
 {
+  this->RemoveSteps();
   this->FindCandidates();
-  while (this->NextOfFirst < this->First.size() || !this->Later.empty())
+  while (!this->Candidates.IsEmpty())
   {
-    const Candidate candidate = this->TakeNext();
+    const lms3dCornerCandidate candidate = this->Candidates.TakeNext();
     const Corner corner = candidate.Number;
     const bool isCurrent = !this->IsGone[corner] && candidate.Version == this->Versions[corner];
     const bool isTriangle = isCurrent && this->Next[this->Next[corner]] == this->Previous[corner];
     if (isCurrent && !isTriangle && this->MayGo(corner))
     {
+      const Corner previous = this->Previous[corner];
+      const Corner next = this->Next[corner];
       this->Remove(corner);
+      this->Queue(previous);
+      this->Queue(next);
     }
   }
   return this->GetLoops();

@@ -8,13 +8,12 @@
 #define lms3dOutlineSimplifier_h
 
 #include "Fusion/lms3dCornerBuckets.h"
+#include "Fusion/lms3dCornerCandidates.h"
 #include "Fusion/lms3dRaster.h"
 #include "Fusion/lms3dRasterOutline.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <queue>
 #include <vector>
 
 /**
@@ -22,14 +21,14 @@
  * within a tolerance, and if the triangle between corner and line holds no other corner, so
  * outlines never cross. If the region loses the triangle, no cell of Must may have its centre
  * there; if the region gains it, no cell of Passed may touch it, and all its cells must lie in
- * blocks. The corners that cost least go first (M. Visvalingam and J. Whyatt 1993, "Line
- * generalisation by repeated elimination of points").
+ * blocks. Corners of steps go first, then those that cost least (M. Visvalingam and J. Whyatt 1993,
+ * "Line generalisation by repeated elimination of points").
  */
 class lms3dOutlineSimplifier
 {
 public:
-  /// `region` is that of lms3dMakeRegion. The tolerance is in cells. Corners of `isFixed`, in the
-  /// order of the loops, go only if they lie on a straight line.
+  /// `region` has the bits of lms3dMakeRegionCells(). The tolerance is in cells. Corners of
+  /// `isFixed`, in the order of the loops, go only if they lie on a straight line.
   lms3dOutlineSimplifier(const lms3dRegion& region, const std::vector<lms3dLoop>& loops,
     const std::vector<bool>& isFixed, double tolerance);
 
@@ -38,20 +37,9 @@ public:
 private:
   using Corner = std::int32_t;
 
-  struct Candidate
-  {
-    double Cost;
-    Corner Number;
-    int Version;
-    bool operator<(const Candidate& other) const
-    {
-      return this->Cost != other.Cost ? this->Cost > other.Cost : this->Number > other.Number;
-    }
-  };
-
   void Link(const std::vector<lms3dLoop>& loops);
+  void RemoveSteps();
   void FindCandidates();
-  Candidate TakeNext();
   void Queue(Corner corner);
   double GetCost(Corner corner) const;
   bool MayGo(Corner corner) const;
@@ -76,10 +64,7 @@ private:
   std::vector<bool> IsGone;
   /// The corners that did not go.
   lms3dCornerBuckets Buckets;
-  /// The candidates at the start in the order in which they go, and those that came later.
-  std::vector<Candidate> First;
-  std::size_t NextOfFirst = 0;
-  std::priority_queue<Candidate> Later;
+  lms3dCornerCandidates Candidates;
 };
 
 #endif

@@ -15,29 +15,12 @@ namespace
 constexpr double LargestDistance = 128.0;
 // Cells: no block lies farther away.
 constexpr double LargestCell = 2e9;
-// Cells: how far around a beam the shape may change.
-constexpr int ShapeReach = 15;
-
-// Whether the shape has a cell of the block near a cell.
-bool HasShapeNear(const lms3dRasterBlock& cells, int u, int v)
-{
-  const int from = std::max(u - ShapeReach, 0);
-  const int to = std::min(u + ShapeReach, lms3dRaster::Size - 1);
-  const std::uint64_t mask =
-    (~std::uint64_t{ 0 } << from) & (~std::uint64_t{ 0 } >> (lms3dRaster::Size - 1 - to));
-  std::uint64_t found = 0;
-  const int end = std::min(v + ShapeReach, lms3dRaster::Size - 1);
-  for (int row = std::max(v - ShapeReach, 0); row <= end; ++row)
-  {
-    found |= cells.Shape[row];
-  }
-  return (found & mask) != 0;
-}
 } // namespace
 
 void lms3dPassedBeams::Mark(const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock)
 {
   this->Passages.Find(ranges, plane, firstBlock);
+  this->LastBlock = {};
   for (std::size_t i = 0; i < this->Passages.GetSize(); ++i)
   {
     this->MarkBeam(ranges, plane, firstBlock, i);
@@ -45,17 +28,17 @@ void lms3dPassedBeams::Mark(const lms3dSeenRanges& ranges, lms3dFusedPlane& plan
 }
 
 void lms3dPassedBeams::MarkBeam(
-  const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock, std::size_t number) const
+  const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock, std::size_t number)
 {
   const lms3dPoint2& place = this->Passages.GetPlace(number);
   if (std::abs(place[0]) > LargestCell || std::abs(place[1]) > LargestCell)
   {
     return;
   }
-  const auto column = static_cast<std::int32_t>(std::floor(place[0]));
-  const auto row = static_cast<std::int32_t>(std::floor(place[1]));
-  const int block =
-    plane.Raster.Find(lms3dRaster::GetBlockOf(column), lms3dRaster::GetBlockOf(row));
+  const auto column = lms3dGetCellOf(place[0]);
+  const auto row = lms3dGetCellOf(place[1]);
+  const int block = this->LastBlock.Find(
+    lms3dRaster::GetBlockOf(column), lms3dRaster::GetBlockOf(row), plane.Raster);
   if (block < firstBlock)
   {
     return;
@@ -63,25 +46,27 @@ void lms3dPassedBeams::MarkBeam(
   lms3dRasterBlock& cells = plane.Raster.GetBlock(block);
   const int u = lms3dRaster::GetPlaceOf(column);
   const int v = lms3dRaster::GetPlaceOf(row);
-  std::uint64_t& word = cells.Passed[v];
   const std::uint64_t bit = std::uint64_t{ 1 } << u;
-  if ((~word & bit) != 0 && HasShapeNear(cells, u, v))
-  {
-    plane.Raster.SetMark(block, lms3dRaster::DIRTY);
-    plane.Raster.SetMark(block, lms3dRaster::DIRTY_AROUND);
-  }
-  if ((~word & cells.Touched[v] & bit) != 0)
+  if ((~cells.Passed[v] & cells.Touched[v] & bit) != 0)
   {
     plane.Raster.SetMark(block, lms3dRaster::STALE);
   }
-  word |= bit;
-  cells.HasPassed = true;
+  plane.Raster.Pass(block, u, v);
   if (this->Forgets)
   {
-    cells.Must[v] &= ~bit;
-    plane.Raster.SetMark(block, lms3dRaster::DIRTY);
+    lms3dCellStrip cell;
+    cell.Row = row;
+    cell.Add(column, column);
+    plane.Raster.Forget(cell);
   }
   this->MarkAround(ranges.GetTable(), plane, number);
+}
+
+bool lms3dPassedBeams::IsOpen(const lms3dRaster& raster, const lms3dCellBox& box) const
+{
+  return this->LastBlock.Has(box)
+    ? raster.HasAll(&lms3dRasterBlock::Open, this->LastBlock.GetNumber(), box)
+    : raster.HasAll(&lms3dRasterBlock::Open, box);
 }
 
 // Opens a convex polygon between beams that passed, unless a return lies in it.
@@ -89,7 +74,7 @@ template <typename Points>
 void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
 {
   const lms3dCellBox box = lms3dGetTouchedBox(points);
-  if (!this->Forgets && plane.Raster.HasAll(&lms3dRasterBlock::Open, box))
+  if (!this->Forgets && this->IsOpen(plane.Raster, box))
   {
     return;
   }
@@ -98,7 +83,7 @@ void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
     lms3dForTouchedStrips(points,
       [&](const lms3dCellStrip& strip)
       {
-        plane.Raster.SetAndMark(&lms3dRasterBlock::Must, strip, false);
+        plane.Raster.Forget(strip);
         return true;
       });
   }
@@ -111,7 +96,7 @@ void lms3dPassedBeams::Open(lms3dFusedPlane& plane, const Points& points) const
     lms3dForTouchedStrips(points,
       [&](const lms3dCellStrip& strip)
       {
-        plane.Raster.SetAndMark(&lms3dRasterBlock::Open, strip, true);
+        plane.Raster.Open(strip);
         return true;
       });
   }

@@ -12,6 +12,7 @@
 #include "Fusion/lms3dSeenRanges.h"
 
 #include <cstddef>
+#include <cstdint>
 
 /// Keeps memory from plane to plane.
 class lms3dPassedBeams
@@ -30,14 +31,58 @@ public:
   void Mark(const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock);
 
 private:
-  void MarkBeam(const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock,
-    std::size_t number) const;
+  /// The block that was found last: successive beams often pass through one block.
+  class LastFound
+  {
+  public:
+    /// The number of a block, -1 if there is none.
+    int Find(std::int32_t u, std::int32_t v, const lms3dRaster& raster)
+    {
+      if (!this->IsKnown || u != this->U || v != this->V)
+      {
+        *this = LastFound(u, v, raster.Find(u, v));
+      }
+      return this->Number;
+    }
+
+    int GetNumber() const { return this->Number; }
+
+    /// Whether all cells of a box lie in the block.
+    bool Has(const lms3dCellBox& box) const
+    {
+      return this->Number >= 0 && lms3dRaster::GetBlockOf(box.Left) == this->U &&
+        lms3dRaster::GetBlockOf(box.Right) == this->U &&
+        lms3dRaster::GetBlockOf(box.Bottom) == this->V &&
+        lms3dRaster::GetBlockOf(box.Top) == this->V;
+    }
+
+    LastFound() = default;
+
+  private:
+    LastFound(std::int32_t u, std::int32_t v, int number)
+      : U(u)
+      , V(v)
+      , Number(number)
+      , IsKnown(true)
+    {
+    }
+
+    std::int32_t U = 0;
+    std::int32_t V = 0;
+    int Number = -1;
+    bool IsKnown = false;
+  };
+
+  void MarkBeam(
+    const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock, std::size_t number);
+  bool IsOpen(const lms3dRaster& raster, const lms3dCellBox& box) const;
   void MarkAround(const lms3dBeamTable& table, lms3dFusedPlane& plane, std::size_t number) const;
   template <typename Points>
   void Open(lms3dFusedPlane& plane, const Points& points) const;
 
   const bool Forgets;
   lms3dPassages Passages;
+  LastFound LastBlock;
 };
 
 #endif

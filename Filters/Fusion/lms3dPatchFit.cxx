@@ -16,6 +16,8 @@ constexpr std::size_t SmallestCount = 6;
 // Returns farther from a plane than this multiple of the root mean square do not belong to it.
 constexpr double LargestShare = 2.5;
 constexpr int Rounds = 4;
+// Larger patches are fitted to a part of their returns, at least half of this number.
+constexpr std::size_t SufficientCount = 4096;
 // With fewer, a plane through two columns of returns would fit without any error.
 constexpr double SmallestKeptShare = 0.9;
 
@@ -133,12 +135,14 @@ std::vector<std::vector<int>> lms3dGetReturnsOfPatches(const lms3dLocalMap& map)
 std::optional<lms3dFittedPlane> lms3dFitPlane(
   const lms3dLocalMap& map, const std::vector<int>& returns, double smallestWidth)
 {
-  Members members = { returns, {} };
-  members.Points.reserve(returns.size());
-  for (const int i : returns)
+  const std::size_t step = returns.size() / SufficientCount + 1;
+  Members members;
+  for (std::size_t i = 0; i < returns.size(); i += step)
   {
-    members.Points.push_back(map.Returns[i].Point);
+    members.Returns.push_back(returns[i]);
+    members.Points.push_back(map.Returns[returns[i]].Point);
   }
+  const auto count = static_cast<double>(members.Returns.size());
   const auto fitTo = [&](const Members& some) -> std::optional<lms3dFittedPlane>
   {
     return some.Returns.empty()
@@ -150,8 +154,7 @@ std::optional<lms3dFittedPlane> lms3dFitPlane(
   {
     Members kept = Keep(members, *fit);
     const std::optional<lms3dFittedPlane> next = fitTo(kept);
-    const bool isMost = static_cast<double>(kept.Points.size()) >=
-      SmallestKeptShare * static_cast<double>(returns.size());
+    const bool isMost = static_cast<double>(kept.Points.size()) >= SmallestKeptShare * count;
     if (kept.Points.size() == members.Points.size() || !isMost || !next)
     {
       break;

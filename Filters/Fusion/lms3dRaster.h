@@ -16,10 +16,12 @@
 /// May are the cells where a local map has surface.
 struct lms3dRasterBlock : lms3dRegionBlock
 {
-  /// The local map that joins has surface here.
+  /// The local map that joins has surface here, and no map before it has.
   lms3dBits Guess = {};
   /// Here is a place between beams that all passed, without a return among them.
   lms3dBits Open = {};
+  /// The cells of lms3dMakeRegionCells() when the shape was made.
+  lms3dBits Region = {};
   /// The region covers the cell, before its borders are straightened: now, and when the mesh was
   /// made.
   lms3dBits Shape = {};
@@ -35,8 +37,12 @@ struct lms3dRasterBlock : lms3dRegionBlock
   int Tile = -1;
   /// How many cells differ between Shape and Meshed.
   int Difference = 0;
+  /// How many of them are near creases.
+  int DifferenceAtCreases = 0;
   /// How many cells of creases are new since the mesh was made.
   int NewCreaseCells = 0;
+  /// Whether all bits of May are set.
+  bool IsFull = false;
   /// Whether a bit of Passed is set.
   bool HasPassed = false;
   /// Whether more returns in cells of the shape make no shape anew.
@@ -51,7 +57,7 @@ public:
   /// What happened to a block since the region was made.
   enum Mark : unsigned
   {
-    /// The shape of the region may change.
+    /// The block's own cells changed, or its disputed ones, so that its shape may change.
     DIRTY = 1,
     /// A return lies here.
     SEEN = 2,
@@ -59,15 +65,45 @@ public:
     STALE = 4,
     /// The local map that joins has surface here.
     GUESSED = 8,
-    /// The shape of the neighbours may change, too.
-    DIRTY_AROUND = 16
+    /// Cells changed for which returns and beams that passed dispute; see lms3dDisputedCells.
+    DISPUTED = 16,
+    /// Cells changed which decide about the disputed cells of the neighbours.
+    AROUND = 32
   };
 
-  /// The same, but marks the blocks in which a cell of the shape changes as dirty.
-  void SetAndMark(BitsOf bits, const lms3dCellStrip& strip, bool value);
+  /// Sets Passed of a cell of a block.
+  void Pass(int number, int u, int v);
 
-  /// Sets Guess of the cells of a strip. Makes the blocks that do not exist, and marks them as
-  /// guessed.
+  /// Sets Open of the cells of a strip that lie in blocks.
+  void Open(const lms3dCellStrip& strip);
+
+  /// Clears Must of the cells of a strip that lie in blocks.
+  void Forget(const lms3dCellStrip& strip);
+
+  /// Whether a cell of a box may have Guess.
+  bool MayHaveGuess(const lms3dCellBox& box) const
+  {
+    return this->HasGuess && this->HasAny(&lms3dRasterBlock::Guess, box);
+  }
+  bool MayHaveGuess() const { return this->HasGuess; }
+  void ForgetGuesses() { this->HasGuess = false; }
+
+  /// Sets May of a block where Guess is set, and clears Guess.
+  void AcceptGuess(int number);
+
+  /// Marks a block in which cells got Must.
+  void MarkReturns(int number, bool isOpen)
+  {
+    this->SetMark(number, AROUND);
+    if (isOpen)
+    {
+      this->SetMark(number, DISPUTED);
+      this->HasDisputed = true;
+    }
+  }
+
+  /// Sets Guess of the cells of a strip without May. Makes the blocks that do not exist. Marks
+  /// blocks with Guess as guessed.
   void SetGuess(const lms3dCellStrip& strip);
 
   /// Adds a mark to a block.
@@ -90,7 +126,15 @@ public:
   void MakeBlocks(const lms3dCellStrip& strip);
 
 private:
+  template <typename Visitor>
+  void ForWords(const lms3dCellStrip& strip, const Visitor& visit);
+  void MarkReturnsBeside(int number, std::int32_t u, std::int32_t v);
+
   std::vector<int> Marked;
+  /// Whether a cell has Must and Open.
+  bool HasDisputed = false;
+  /// Whether a cell may have Guess.
+  bool HasGuess = false;
 };
 
 #endif

@@ -47,9 +47,8 @@ public:
   {
     const auto [low, high] = std::minmax(a[1], b[1]);
     const double end = this->Count;
-    const auto first = static_cast<int>(std::clamp(std::floor(low - this->FirstLine), 0.0, end));
-    const auto last =
-      static_cast<int>(std::clamp(std::ceil(high - this->FirstLine), -1.0, end - 1.0));
+    const auto first = static_cast<int>(std::clamp(low - this->FirstLine, 0.0, end));
+    const auto last = lms3dGetCellFrom(std::clamp(high - this->FirstLine, -1.0, end - 1.0));
     for (int line = first; line <= last; ++line)
     {
       const double height = this->FirstLine + line;
@@ -81,9 +80,8 @@ lms3dCellBox lms3dGetTouchedBox(const Points& points)
       high[axis] = std::max(high[axis], point[axis]);
     }
   }
-  return { static_cast<std::int32_t>(std::floor(low[0])),
-    static_cast<std::int32_t>(std::floor(high[0])), static_cast<std::int32_t>(std::floor(low[1])),
-    static_cast<std::int32_t>(std::floor(high[1])) };
+  return { lms3dGetCellOf(low[0]), lms3dGetCellOf(high[0]), lms3dGetCellOf(low[1]),
+    lms3dGetCellOf(high[1]) };
 }
 
 /// The lowest and the highest coordinate along the second axis.
@@ -110,7 +108,7 @@ lms3dCellStrip lms3dGetTouchedStrip(const Points& points, std::int32_t row, std:
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     lines.AddEdge(points[i], points[(i + 1) % points.size()]);
-    const double floor = std::floor(points[i][1]);
+    const double floor = lms3dGetCellOf(points[i][1]);
     const double place = floor - row;
     if (place >= 0.0 && place <= count)
     {
@@ -129,8 +127,7 @@ lms3dCellStrip lms3dGetTouchedStrip(const Points& points, std::int32_t row, std:
       strip.AddEmpty();
       continue;
     }
-    strip.Add(
-      static_cast<std::int32_t>(std::floor(from)), static_cast<std::int32_t>(std::floor(to)));
+    strip.Add(lms3dGetCellOf(from), lms3dGetCellOf(to));
   }
   return strip;
 }
@@ -159,8 +156,7 @@ lms3dCellStrip lms3dGetCentreStrip(const Points& points, std::int32_t row, std::
       strip.AddEmpty();
       continue;
     }
-    strip.Add(static_cast<std::int32_t>(std::ceil(lines.GetFirst(i) - 0.5)),
-      static_cast<std::int32_t>(std::floor(lines.GetLast(i) - 0.5)));
+    strip.Add(lms3dGetCellFrom(lines.GetFirst(i) - 0.5), lms3dGetCellOf(lines.GetLast(i) - 0.5));
   }
   return strip;
 }
@@ -187,8 +183,7 @@ template <typename Points, typename Visitor>
 bool lms3dForTouchedStrips(const Points& points, const Visitor& visit)
 {
   const auto [low, high] = lms3dGetHeights(points);
-  return lms3dForRowsOfBlocks(static_cast<std::int32_t>(std::floor(low)),
-    static_cast<std::int32_t>(std::floor(high)),
+  return lms3dForRowsOfBlocks(lms3dGetCellOf(low), lms3dGetCellOf(high),
     [&](std::int32_t first, std::int32_t last)
     { return visit(lms3dGetTouchedStrip(points, first, last)); });
 }
@@ -198,8 +193,7 @@ template <typename Points, typename Visitor>
 bool lms3dForCentreStrips(const Points& points, const Visitor& visit)
 {
   const auto [low, high] = lms3dGetHeights(points);
-  return lms3dForRowsOfBlocks(static_cast<std::int32_t>(std::ceil(low - 0.5)),
-    static_cast<std::int32_t>(std::floor(high - 0.5)),
+  return lms3dForRowsOfBlocks(lms3dGetCellFrom(low - 0.5), lms3dGetCellOf(high - 0.5),
     [&](std::int32_t first, std::int32_t last)
     { return visit(lms3dGetCentreStrip(points, first, last)); });
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -93,7 +92,7 @@ std::vector<Crossing> FindCrossings(const std::vector<Edge>& border)
     const bool isUp = edge[0][1] <= edge[1][1];
     const lms3dPoint2& a = edge[isUp ? 0 : 1];
     const lms3dPoint2& b = edge[isUp ? 1 : 0];
-    for (auto row = static_cast<std::int32_t>(std::ceil(a[1] - 0.5)); row + 0.5 < b[1]; ++row)
+    for (auto row = lms3dGetCellFrom(a[1] - 0.5); row + 0.5 < b[1]; ++row)
     {
       crossings.push_back({ row, a[0] + (b[0] - a[0]) * ((row + 0.5 - a[1]) / (b[1] - a[1])) });
     }
@@ -125,8 +124,8 @@ public:
         this->Flush();
       }
       span = isNewRow ? 0 : span + 1;
-      this->Add(span, row, static_cast<std::int32_t>(std::ceil(crossings[i].Place - 0.5)),
-        static_cast<std::int32_t>(std::floor(crossings[i + 1].Place - 0.5)));
+      this->Add(span, row, lms3dGetCellFrom(crossings[i].Place - 0.5),
+        lms3dGetCellOf(crossings[i + 1].Place - 0.5));
     }
     this->Flush();
   }

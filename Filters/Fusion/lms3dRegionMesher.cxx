@@ -72,6 +72,7 @@ public:
       block.Touched = cells.Touched;
       block.Meshed = block.Shape;
       block.Difference = 0;
+      block.DifferenceAtCreases = 0;
       block.NewCreaseCells = 0;
     }
   }
@@ -83,6 +84,11 @@ private:
     for (const int number : this->Tile.Blocks)
     {
       const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(number);
+      if (this->Tile.HasBlock(block.U - 1, block.V - 1) &&
+        this->Tile.HasBlock(block.U + 1, block.V + 1))
+      {
+        continue;
+      }
       for (std::int32_t v = block.V - 1; v <= block.V + 1; ++v)
       {
         for (std::int32_t u = block.U - 1; u <= block.U + 1; ++u)

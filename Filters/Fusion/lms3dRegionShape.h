@@ -11,19 +11,19 @@
 #include "Fusion/lms3dCreaseLine.h"
 #include "Fusion/lms3dCreaseMask.h"
 #include "Fusion/lms3dRaster.h"
+#include "Fusion/lms3dReachedParts.h"
+#include "Fusion/lms3dRegionRaster.h"
 
-#include <array>
-#include <cstdint>
 #include <vector>
 
 /**
- * The shape are the cells of lms3dMakeRegion() that are joined to a return without a way across a
- * crease: a scan from afar guesses surface beyond the crease, and a scan from nearby sees that the
- * surface ends there. Returns keep their cells, and a few cells beyond the crease stay, from which
- * corners move to the crease.
+ * The shape are the cells of lms3dMakeRegionCells() that are joined to a return without a way
+ * across a crease: a scan from afar guesses surface beyond the crease, and a scan from nearby sees
+ * that the surface ends there. Returns keep their cells, and a few cells beyond the crease stay,
+ * from which corners move to the crease.
  *
  * Only blocks that changed are made anew. For the others, the parts into which creases and borders
- * divide a block are kept, and how they touch the sides of the block.
+ * divide a block are kept.
  */
 class lms3dRegionShape
 {
@@ -33,47 +33,24 @@ public:
   std::vector<int> Update(const std::vector<lms3dCreaseLine>& creases, lms3dRaster& raster);
 
 private:
-  /// The sides of a block: left, right, bottom, top.
-  using Sides = std::array<std::uint64_t, 4>;
-
-  struct Part
-  {
-    Sides Cells;
-    bool HasReturn;
-    bool IsReached;
-  };
-
-  struct BlockState
-  {
-    int Right = -1;
-    int Above = -1;
-    /// The number of the first part when all parts are numbered.
-    int FirstPart = 0;
-    std::vector<Part> Parts;
-  };
-
   /// Blocks with their cells and parts.
   struct Round
   {
     std::vector<int> Blocks;
-    lms3dRegion Region;
+    std::vector<lms3dRegionCells> Cells;
     std::vector<lms3dBlockParts> Parts;
   };
 
-  void AddBlocks(const lms3dRaster& raster);
   Round MakeRound(std::vector<int> blocks, const lms3dRaster& raster);
-  /// Returns the parts of each block.
-  std::vector<lms3dBlockParts> FindParts(
-    const std::vector<int>& blocks, const lms3dRegion& region, const lms3dRaster& raster);
-  std::vector<int> FindReached();
-  void Connect(std::vector<int>& links) const;
-  void MakeShape(int number, const lms3dBlockParts& parts, const lms3dRegionBlock& cells,
+  void MakeShape(int number, const lms3dBlockParts& parts, const lms3dRegionCells& cells,
     lms3dRaster& raster, std::vector<int>& changed) const;
-  lms3dBits GetShape(int number, const lms3dBlockParts& parts, const lms3dRegionBlock& cells) const;
-  lms3dBits GetFree(int number, const lms3dRegionBlock& cells) const;
+  lms3dBits GetShape(int number, const lms3dBlockParts& parts, const lms3dRegionCells& cells) const;
+  lms3dBits GetFree(int number, const lms3dRegionCells& cells) const;
+  lms3dBits GetReturns(int number, const lms3dRasterBlock& block) const;
 
   lms3dCreaseMask Creases;
-  std::vector<BlockState> Blocks;
+  lms3dDisputedCells Disputed;
+  lms3dReachedParts Reached;
 };
 
 #endif

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionSightings.h"
 
-#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -35,8 +34,7 @@ const lms3dRasterBlock* FindNearest(
 lms3dSightings GetSightings(const lms3dRaster& raster, const lms3dFusedTile& tile,
   const lms3dPoint2& place, const lms3dRasterBlock*& other)
 {
-  const int number = raster.Find(static_cast<std::int32_t>(std::floor(place[0])),
-    static_cast<std::int32_t>(std::floor(place[1])));
+  const int number = raster.Find(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
   if (number >= 0 && raster.GetBlock(number).Sightings.ScanCount > 0)
   {
     return raster.GetBlock(number).Sightings;

@@ -22,6 +22,7 @@ public:
   lms3dSeenRanges(const lms3dScanInput& scan, std::shared_ptr<const lms3dBeamTable> table);
 
   const lms3dBeamTable& GetTable() const { return *this->Table; }
+  const lms3dPose& GetPose() const { return this->Pose; }
   const lms3dVector& GetPosition() const { return this->Pose.Position; }
   /// The box of all beams with returns, from their starts to their returns.
   const lms3dWorldBox& GetBox() const { return this->Box; }

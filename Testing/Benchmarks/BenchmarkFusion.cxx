@@ -25,7 +25,10 @@ void AddRow(
   table.AddRow({ std::to_string(poses), std::to_string(threads), Table::Format(times.Scan, 2),
     Table::Format(times.Map, 2), Table::Format(times.Fusion, 2),
     Table::Format(times.SlowestFusion, 2), std::to_string(sizes.Triangles),
-    std::to_string(sizes.TrianglesOfAllMaps), Table::Format(Percent * sizes.Completeness, 2),
+    std::to_string(sizes.TrianglesOfAllMaps), std::to_string(sizes.TrianglesOfScene),
+    Table::Format(
+      static_cast<double>(sizes.Triangles) / static_cast<double>(sizes.TrianglesOfScene), 1),
+    Table::Format(Percent * sizes.Completeness, 2),
     Table::Format(Percent * sizes.CompletenessOfAllMaps, 2),
     Table::Format(sizes.ChangedBytes / BytesPerKilobyte, 1),
     Table::Format(sizes.Bytes / BytesPerKilobyte, 1) });
@@ -35,9 +38,9 @@ void AddRow(
 void RunFusionBenchmark(const BenchmarkOptions& options)
 {
   const std::vector<int>& stops = options.IsQuick ? Quick : Whole;
-  Table table(
-    { "poses", "threads", "scan ms", "map ms", "fusion ms", "slowest fusion ms", "triangles",
-      "triangles of all maps", "complete %", "all maps complete %", "changed kB", "whole kB" });
+  Table table({ "poses", "threads", "scan ms", "map ms", "fusion ms", "slowest fusion ms",
+    "triangles", "triangles of all maps", "triangles of the visible scene", "x visible scene",
+    "complete %", "all maps complete %", "changed kB", "whole kB" });
   for (const int threads : NumbersOfThreads)
   {
     FusionJourney journey(threads);

@@ -3,6 +3,7 @@
 #include "FusionJourney.h"
 
 #include "Timer.h"
+#include "VisibleScene.h"
 
 #include "vtkLMS3DMapComparison.h"
 #include "vtkLMS3DMapFusion.h"
@@ -56,6 +57,7 @@ FusionJourney::FusionJourney(int threads)
   {
     throw std::runtime_error("cannot read building.wrl and building_journey.vtp");
   }
+  this->Visible = std::make_unique<VisibleScene>(this->Scene);
   this->Sensor->SetInputData(this->Scene);
   this->Sensor->SetTrajectoryData(journey->GetOutput());
   this->Mapper->SetInputConnection(this->Sensor->GetOutputPort());
@@ -97,6 +99,7 @@ void FusionJourney::DriveOneStep(FusionTimes& sum)
     });
   sum.Fusion += ms;
   sum.SlowestFusion = std::max(sum.SlowestFusion, ms);
+  this->Visible->Add(this->Sensor->GetOutput());
   this->Maps.push_back(Copy(this->Mapper->GetOutput()));
   if (pose % PosesPerView == 0)
   {
@@ -118,7 +121,8 @@ FusionSizes FusionJourney::Measure()
   const vtkIdType regions =
     changes->GetFieldData()->GetArray("ChangedRegions")->GetNumberOfTuples();
   return { map->GetNumberOfCells(), all->GetOutput()->GetNumberOfCells(),
-    this->GetCompleteness(map), this->GetCompleteness(all->GetOutput()),
+    this->Visible->CountTriangles(), this->GetCompleteness(map),
+    this->GetCompleteness(all->GetOutput()),
     GetBytes(changes) + BytesPerRegion * static_cast<double>(regions), GetBytes(map) };
 }
 

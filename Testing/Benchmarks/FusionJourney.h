@@ -12,8 +12,10 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
+#include <memory>
 #include <vector>
 
+class VisibleScene;
 class vtkLMS3DMapFusion;
 class vtkLMS3DScanFilter;
 class vtkLMS3DSurfaceReconstructionFilter;
@@ -31,6 +33,8 @@ struct FusionSizes
 {
   vtkIdType Triangles;
   vtkIdType TrianglesOfAllMaps;
+  /// What the part of the scene that the beams hit needs (VisibleScene).
+  vtkIdType TrianglesOfScene;
   /// The share of what some of the poses see that is within 1 cm of the map.
   double Completeness;
   double CompletenessOfAllMaps;
@@ -59,6 +63,7 @@ private:
   double GetCompleteness(vtkPolyData* map) const;
 
   vtkSmartPointer<vtkPolyData> Scene;
+  std::unique_ptr<VisibleScene> Visible;
   vtkNew<vtkLMS3DScanFilter> Sensor;
   vtkNew<vtkLMS3DSurfaceReconstructionFilter> Mapper;
   vtkNew<vtkLMS3DMapFusion> Fusion;
