@@ -49,10 +49,13 @@ public:
     if (triangles <= MaximumTrianglesPerPacket * grid.CountPackets() &&
       candidates.IsInBoundingSphere(origin.Position))
     {
-      this->View.MakeNarrowTriangles();
       if (lms3dTileSearch::IsSuitable(grid, triangles))
       {
         this->Tiles = lms3dTileSearch::New(this->View, grid);
+      }
+      else
+      {
+        this->View.MakeNarrowTriangles();
       }
     }
     else
