@@ -19,6 +19,7 @@
 #include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 
 vtkStandardNewMacro(vtkLMS3DScanFilter);
 
@@ -132,11 +133,18 @@ const char* vtkLMS3DScanFilter::GetIntersectionMethodName(int method)
   return isMethod ? lms3dRayCaster::GetMethodName(method) : nullptr;
 }
 
+vtkExecutive* vtkLMS3DScanFilter::CreateDefaultExecutive()
+{
+  return vtkStreamingDemandDrivenPipeline::New();
+}
+
 int vtkLMS3DScanFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    // RequestInformation refuses it, in words of its own.
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
@@ -161,7 +169,6 @@ int vtkLMS3DScanFilter::RequestInformation(
     vtkPolyData* poses = vtkPolyData::GetData(inputVector[1]);
     if (!poses)
     {
-      // For a composite trajectory the executive would run the filter once for each block.
       vtkErrorMacro("The trajectory is not a vtkPolyData. Connect a polyline or points. If it is a "
                     "composite data set, extract the block.");
       this->ErrorCode = vtkErrorCode::UserError;

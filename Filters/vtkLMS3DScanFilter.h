@@ -694,6 +694,9 @@ protected:
   vtkLMS3DScanFilter();
   ~vtkLMS3DScanFilter() override;
 
+  /// Returns an executive without the loops over composite inputs, which the filter takes whole.
+  vtkExecutive* CreateDefaultExecutive() override;
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,

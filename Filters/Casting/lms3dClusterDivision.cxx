@@ -89,7 +89,8 @@ std::vector<lms3dClusterDivision::Groups> lms3dClusterDivision::DivideGrid() con
     [&](int group)
     {
       lms3dTiles tiles;
-      const std::uint32_t present = this->Grid.FillGroup(group, tiles);
+      this->Grid.FillGroup(group, tiles);
+      const std::uint32_t present = this->Grid.GetBlocksOfGroup(group);
       Groups* const first = result.data() + static_cast<std::ptrdiff_t>(group) * lms3dTiles::Size;
       for (std::size_t i = 0; i < this->Chosen.size(); ++i)
       {

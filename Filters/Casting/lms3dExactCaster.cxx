@@ -49,10 +49,13 @@ public:
     if (triangles <= MaximumTrianglesPerPacket * grid.CountPackets() &&
       candidates.IsInBoundingSphere(origin.Position))
     {
-      this->View.MakeNarrowTriangles();
       if (lms3dTileSearch::IsSuitable(grid, triangles))
       {
         this->Tiles = lms3dTileSearch::New(this->View, grid);
+      }
+      else
+      {
+        this->View.MakeNarrowTriangles();
       }
     }
     else
@@ -64,13 +67,15 @@ public:
     {
       this->Tiles =
         lms3dTileSearch::New(this->View, grid, *clusters, candidates.GetNormalization());
+      // Some tiles take long, and a thread must not be left alone with several of them.
+      this->Columns = lms3dTileSearch::PacketsPerSide;
     }
   }
 
   // Nearly square rectangles, whose packets meet the same triangles, also where there are no tiles.
   int GetRows() const override { return lms3dTileSearch::PacketsPerSide; }
 
-  int GetColumns() const override { return MaximumPackets / this->GetRows(); }
+  int GetColumns() const override { return this->Columns; }
 
   int GetColumnsAtOnce() const override
   {
@@ -160,6 +165,7 @@ private:
   const lms3dCone Cone;
   lms3dExactView View;
   std::unique_ptr<lms3dTileSearch> Tiles;
+  int Columns = MaximumPackets / lms3dTileSearch::PacketsPerSide;
 };
 
 /// Embree finds candidates, lms3dExactView decides. Once the nearest triangle is known, its range

@@ -41,17 +41,25 @@ lms3dExactView::lms3dExactView(
 
 void lms3dExactView::MakeNarrowTriangles()
 {
+  this->AllocateNarrowTriangles();
   const std::size_t count = this->Mesh.GetNumberOfTriangles();
-  // A vector would write zeros first.
-  this->NarrowTriangles.reset(new lms3dNarrowTriangle[count]);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, TrianglesOfTask),
     [this](const tbb::blocked_range<std::size_t>& range)
-    {
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
-      {
-        this->NarrowTriangles[i] = this->MakeNarrowTriangle(i);
-      }
-    });
+    { this->MakeNarrowTriangles(range.begin(), range.end()); });
+}
+
+void lms3dExactView::AllocateNarrowTriangles()
+{
+  // A vector would write zeros first.
+  this->NarrowTriangles.reset(new lms3dNarrowTriangle[this->Mesh.GetNumberOfTriangles()]);
+}
+
+void lms3dExactView::MakeNarrowTriangles(std::size_t begin, std::size_t end)
+{
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    this->NarrowTriangles[i] = this->MakeNarrowTriangle(i);
+  }
 }
 
 lms3dNarrowTriangle lms3dExactView::MakeNarrowTriangle(std::size_t triangle) const

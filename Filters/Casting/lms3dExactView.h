@@ -53,6 +53,13 @@ public:
   /// KeepNarrowTriangles.
   void MakeNarrowTriangles();
 
+  ///@{
+  /// The same in steps: memory for all triangles, then the triangles from `begin` up to, but not
+  /// including, `end`. Several threads can compute different triangles at the same time.
+  void AllocateNarrowTriangles();
+  void MakeNarrowTriangles(std::size_t begin, std::size_t end);
+  ///@}
+
   /// Keeps the narrow triangles that each thread used last. Pays for many packets.
   void KeepNarrowTriangles() { this->Kept = std::make_unique<NarrowCaches>(); }
 

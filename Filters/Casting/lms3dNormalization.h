@@ -30,7 +30,7 @@ class lms3dNormalization
 {
 public:
   /// Takes the bounds of the mesh without the `excluded` triangles, which are in increasing order.
-  /// At least one triangle must remain.
+  /// At least one triangle must remain. Uses the threads of the calling TBB arena.
   explicit lms3dNormalization(
     const lms3dTriangleMesh& mesh, const std::vector<std::uint32_t>& excluded = {});
 

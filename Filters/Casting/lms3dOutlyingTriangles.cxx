@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting/lms3dOutlyingTriangles.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +21,9 @@ constexpr double MinimumSizeRatio = 100.0;
 
 // The median of a sample of this size does not move because of a few outliers.
 constexpr std::size_t SampleSize = 1001;
+
+// Enough for the preparations of a task to cost little.
+constexpr std::size_t TrianglesOfTask = 4096;
 
 /// The largest distance of a triangle's corners from the scene's median, along any axis, and the
 /// triangle's index.
@@ -59,28 +65,52 @@ double GetExtent(
 
 /// Returns the triangles with the largest extents, the largest first: one more than the maximum
 /// number of outliers.
+/// The triangles with the largest extents, the largest first: one more than there may be outliers.
+struct Farthest
+{
+  double GetMinimum() const
+  {
+    return this->Extents.size() > MaximumOutliers ? this->Extents.back().first : -1.0;
+  }
+
+  void Add(const Extent& found)
+  {
+    if (found.first <= this->GetMinimum())
+    {
+      return;
+    }
+    this->Extents.insert(
+      std::upper_bound(this->Extents.begin(), this->Extents.end(), found, std::greater<>()), found);
+    if (this->Extents.size() > MaximumOutliers + 1)
+    {
+      this->Extents.pop_back();
+    }
+  }
+
+  std::vector<Extent> Extents;
+};
+
+// If several triangles have the extent of the last one, it does not matter which of them are found.
 std::vector<Extent> FindFarthest(const lms3dTriangleMesh& mesh)
 {
   const std::array<double, 3> median = GetMedian(mesh);
-  std::vector<Extent> farthest;
-  double minimum = -1.0;
-  for (std::size_t triangle = 0; triangle < mesh.GetNumberOfTriangles(); ++triangle)
-  {
-    const double extent = GetExtent(mesh, triangle, median);
-    if (extent <= minimum)
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, mesh.GetNumberOfTriangles(), TrianglesOfTask), Farthest(),
+    [&](const tbb::blocked_range<std::size_t>& range, Farthest farthest)
     {
-      continue;
-    }
-    const Extent found(extent, static_cast<std::uint32_t>(triangle));
-    farthest.insert(
-      std::upper_bound(farthest.begin(), farthest.end(), found, std::greater<>()), found);
-    if (farthest.size() > MaximumOutliers + 1)
+      for (std::size_t triangle = range.begin(); triangle < range.end(); ++triangle)
+      {
+        farthest.Add({ GetExtent(mesh, triangle, median), static_cast<std::uint32_t>(triangle) });
+      }
+      return farthest;
+    },
+    [](Farthest a, const Farthest& b)
     {
-      farthest.pop_back();
-    }
-    minimum = farthest.size() > MaximumOutliers ? farthest.back().first : -1.0;
-  }
-  return farthest;
+      std::for_each(
+        b.Extents.begin(), b.Extents.end(), [&a](const Extent& extent) { a.Add(extent); });
+      return a;
+    })
+    .Extents;
 }
 } // namespace
 

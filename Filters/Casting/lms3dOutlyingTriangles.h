@@ -15,7 +15,7 @@
 /**
  * Returns at most 16 triangles, in increasing order, without which the scene is a hundred times
  * smaller: an endless floor, a backdrop, a stray vertex. Returns none if there are no such
- * triangles.
+ * triangles. Uses the threads of the calling TBB arena.
  *
  * Single precision resolves a fixed share of the scene's size. If the caller tests the outliers one
  * by one, single precision resolves the rest a hundred times better.

@@ -15,6 +15,14 @@
 
 struct lms3dTileBlock
 {
+  lms3dTileBlock() = default;
+
+  explicit lms3dTileBlock(const lms3dTileCandidateLists& tiles)
+    : Decided(tiles.GetDecided())
+  {
+    tiles.GetCandidates(this->Candidates, this->First);
+  }
+
   /// Ends the list of candidates of a tile.
   void EndTile(int tile)
   {

@@ -10,9 +10,11 @@
 #include "Casting/lms3dBitMask.h"
 #include "Kernels/lms3dPacketKernels.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 /// A triangle that may be the nearest in a tile.
@@ -86,6 +88,21 @@ public:
     }
   }
 
+  /// Sets `candidates` to the candidates of all tiles, one tile after the other, each in this order,
+  /// and `first` to where each tile's begin.
+  void GetCandidates(
+    lms3dTileCandidates& candidates, std::array<std::uint32_t, lms3dTiles::Size + 1>& first) const
+  {
+    std::array<std::uint32_t, lms3dTiles::Size> next = {};
+    this->ForEachPair([&next](int tile, const lms3dTileCandidate&) { ++next[tile]; });
+    std::partial_sum(next.begin(), next.end(), first.begin() + 1);
+    first[0] = 0;
+    std::copy_n(first.begin(), next.size(), next.begin());
+    candidates.resize(first.back());
+    this->ForEachPair(
+      [&](int tile, const lms3dTileCandidate& candidate) { candidates[next[tile]++] = candidate; });
+  }
+
 private:
   static constexpr int NoCover = -1;
 
@@ -108,6 +125,32 @@ private:
         this->Triangles[cover].Met &= ~(tiles & -tiles);
       }
       cover = static_cast<int>(this->Triangles.size());
+    }
+  }
+
+  // Calls `function` with a tile and a candidate, for all pairs.
+  template <typename Function>
+  void ForEachPair(const Function& function) const
+  {
+    for (int tile = 0; tile < lms3dTiles::Size; ++tile)
+    {
+      if (this->Covers[tile] != NoCover)
+      {
+        function(tile, lms3dTileCandidate{ this->Triangles[this->Covers[tile]].Number, true });
+      }
+    }
+    for (int i = 0; i < static_cast<int>(this->Triangles.size()); ++i)
+    {
+      const Triangle& triangle = this->Triangles[i];
+      for (std::uint32_t rest = triangle.Met; rest != 0; rest &= rest - 1)
+      {
+        const int tile = lms3dGetFirstBit(rest);
+        if (i != this->Covers[tile])
+        {
+          function(
+            tile, lms3dTileCandidate{ triangle.Number, lms3dHasBit(triangle.Covered, tile) });
+        }
+      }
     }
   }
 

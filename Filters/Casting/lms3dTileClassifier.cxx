@@ -4,26 +4,17 @@
 
 #include "Casting/lms3dTriangle.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
-namespace
-{
-// Enough for the preparations of a task to cost little.
-constexpr std::size_t TrianglesOfTask = 64;
-} // namespace
-
-void lms3dTileClassifier::MakeCorners()
+void lms3dTileClassifier::AllocateCorners()
 {
   this->Corners.resize(this->View.GetMesh().GetNumberOfTriangles());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Corners.size(), TrianglesOfTask),
-    [this](const tbb::blocked_range<std::size_t>& range)
-    {
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
-      {
-        this->Corners[i] = this->GetCorners(i);
-      }
-    });
+}
+
+void lms3dTileClassifier::MakeCorners(std::size_t begin, std::size_t end)
+{
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    this->Corners[i] = this->GetCorners(i);
+  }
 }
 
 lms3dTileCandidateLists lms3dTileClassifier::Classify(const lms3dTileCandidate* candidates,

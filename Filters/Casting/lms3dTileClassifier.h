@@ -24,9 +24,13 @@ public:
   {
   }
 
-  /// Computes the directions of all corners at once, with the threads of the calling TBB arena.
-  /// Otherwise they are computed where they are needed.
-  void MakeCorners();
+  ///@{
+  /// Computes the directions of the triangles' corners beforehand: memory for all triangles, then
+  /// the triangles from `begin` up to, but not including, `end`. Without AllocateCorners, they are
+  /// computed where they are needed.
+  void AllocateCorners();
+  void MakeCorners(std::size_t begin, std::size_t end);
+  ///@}
 
   /// `kept` is the view's GetKept. `present` has the parts that the grid has.
   lms3dTileCandidateLists Classify(const lms3dTileCandidate* candidates, std::size_t count,

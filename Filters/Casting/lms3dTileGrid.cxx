@@ -84,7 +84,7 @@ std::uint32_t lms3dTileGrid::FillParts(const Area& area, lms3dTiles& tiles) cons
   return present;
 }
 
-std::uint32_t lms3dTileGrid::FillGroup(int group, lms3dTiles& tiles) const
+void lms3dTileGrid::FillGroup(int group, lms3dTiles& tiles) const
 {
   const int first = group * lms3dTiles::Size;
   for (int i = 0; i < lms3dTiles::Size; ++i)
@@ -92,7 +92,12 @@ std::uint32_t lms3dTileGrid::FillGroup(int group, lms3dTiles& tiles) const
     this->FillTile(this->GetBlock(std::min(first + i, this->NumberOfBlocks - 1)), i, tiles);
   }
   this->FillCorners(tiles);
-  return (1u << std::min(lms3dTiles::Size, this->NumberOfBlocks - first)) - 1u;
+}
+
+std::uint32_t lms3dTileGrid::GetBlocksOfGroup(int group) const
+{
+  const int blocks = this->NumberOfBlocks - group * lms3dTiles::Size;
+  return (1u << std::min(lms3dTiles::Size, blocks)) - 1u;
 }
 
 void lms3dTileGrid::FillCorners(lms3dTiles& tiles) const

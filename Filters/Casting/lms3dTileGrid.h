@@ -72,12 +72,14 @@ public:
   /// or beam alone.
   void FillTile(const Area& area, int i, lms3dTiles& tiles) const;
 
-  ///@{
-  /// Fills all parts of an area, or a group of sixteen successive blocks, with their corners and
-  /// sides. Returns the parts or blocks that the grid has.
+  /// Fills all parts of an area with their corners and sides. Returns the parts that the grid has.
   std::uint32_t FillParts(const Area& area, lms3dTiles& tiles) const;
-  std::uint32_t FillGroup(int group, lms3dTiles& tiles) const;
-  ///@}
+
+  /// Does the same for a group of sixteen successive blocks.
+  void FillGroup(int group, lms3dTiles& tiles) const;
+
+  /// Returns the blocks that the grid has in a group.
+  std::uint32_t GetBlocksOfGroup(int group) const;
 
   int CountGroups() const { return (this->NumberOfBlocks - 1) / lms3dTiles::Size + 1; }
 

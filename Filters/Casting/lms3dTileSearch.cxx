@@ -4,8 +4,7 @@
 
 #include "Casting/lms3dClusterDivision.h"
 #include "Casting/lms3dPacketBeams.h"
-
-#include <tbb/parallel_for.h>
+#include "Casting/lms3dTriangleDivision.h"
 
 #include <algorithm>
 #include <utility>
@@ -63,10 +62,17 @@ bool lms3dTileSearch::IsSuitable(const lms3dBeamGrid& grid, const lms3dTriangleC
 }
 
 std::unique_ptr<lms3dTileSearch> lms3dTileSearch::New(
-  const lms3dExactView& view, const lms3dBeamGrid& grid)
+  lms3dExactView& view, const lms3dBeamGrid& grid)
 {
   std::unique_ptr<lms3dTileSearch> search(new lms3dTileSearch(view, grid));
-  return search->Divide() ? std::move(search) : nullptr;
+  const lms3dTriangleDivision division(view, search->Classifier, search->Grid);
+  if (static_cast<double>(division.CountCandidates()) >
+    MaximumCandidatesPerPacket * static_cast<double>(grid.CountPackets()))
+  {
+    return nullptr;
+  }
+  search->Blocks = division.Divide();
+  return search;
 }
 
 std::unique_ptr<lms3dTileSearch> lms3dTileSearch::New(const lms3dExactView& view,
@@ -83,65 +89,6 @@ lms3dTileSearch::lms3dTileSearch(const lms3dExactView& view, const lms3dBeamGrid
   : Classifier(view)
   , Grid(grid)
 {
-}
-
-bool lms3dTileSearch::Divide()
-{
-  this->Classifier.MakeCorners();
-  const std::vector<lms3dTileCandidates> candidates = this->DivideGrid();
-  std::size_t total = 0;
-  for (const lms3dTileCandidates& ofBlock : candidates)
-  {
-    total += ofBlock.size();
-  }
-  if (static_cast<double>(total) >
-    MaximumCandidatesPerPacket * static_cast<double>(this->Grid.GetBeams().CountPackets()))
-  {
-    return false;
-  }
-  this->Blocks.resize(candidates.size());
-  tbb::parallel_for(0, this->Grid.GetNumberOfBlocks(),
-    [&](int block) { this->Blocks[block] = this->DivideBlock(block, candidates[block]); });
-  return true;
-}
-
-std::vector<lms3dTileCandidates> lms3dTileSearch::DivideGrid() const
-{
-  lms3dTileCandidates all(this->Classifier.GetView().GetMesh().GetNumberOfTriangles());
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    all[i] = { static_cast<std::int32_t>(i), false };
-  }
-  std::vector<lms3dTileCandidates> candidates(this->Grid.GetNumberOfBlocks());
-  tbb::parallel_for(0, this->Grid.CountGroups(),
-    [&](int group)
-    {
-      lms3dTiles tiles;
-      const std::uint32_t present = this->Grid.FillGroup(group, tiles);
-      const lms3dTileCandidateLists parts =
-        this->Classifier.Classify(all.data(), all.size(), present, tiles, nullptr);
-      for (int i = 0; i < lms3dTiles::Size && lms3dHasBit(present, i); ++i)
-      {
-        parts.AppendCandidates(i, candidates[group * lms3dTiles::Size + i]);
-      }
-    });
-  return candidates;
-}
-
-lms3dTileBlock lms3dTileSearch::DivideBlock(int number, const lms3dTileCandidates& candidates) const
-{
-  lms3dTiles tiles;
-  const std::uint32_t present = this->Grid.FillParts(this->Grid.GetBlock(number), tiles);
-  const lms3dTileCandidateLists parts =
-    this->Classifier.Classify(candidates.data(), candidates.size(), present, tiles, nullptr);
-  lms3dTileBlock block;
-  block.Decided = parts.GetDecided();
-  for (int i = 0; i < lms3dTiles::Size; ++i)
-  {
-    parts.AppendCandidates(i, block.Candidates);
-    block.EndTile(i);
-  }
-  return block;
 }
 
 lms3dPacketMask lms3dTileSearch::FindNearest(

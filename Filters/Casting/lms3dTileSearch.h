@@ -10,8 +10,8 @@
  * meet. A triangle that covers a part hides all that lies behind it there. If nothing else is left,
  * the part is decided, without a look at its beams.
  *
- * In scenes too large for this, the first two divisions take clusters of triangles, see
- * lms3dClusterDivision. Tiles that few triangles can meet are then divided into packets likewise.
+ * lms3dTriangleDivision makes the first two divisions. In scenes too large for this, they take
+ * clusters of triangles, see lms3dClusterDivision. Tiles that few triangles can meet are then divided into packets likewise.
  * All others are left to Embree.
  */
 #ifndef lms3dTileSearch_h
@@ -45,12 +45,11 @@ public:
   ///@}
 
   /**
-   * Divides the grid into tiles, with the threads of the calling TBB arena. The view must have its
-   * narrow triangles. Returns null if too many triangles remain for this to pay. View and the
-   * arrays of the grid must outlive the object.
+   * Divides the grid into tiles, with the threads of the calling TBB arena. Makes the narrow
+   * triangles of the view, too. Returns null if too many
+   * triangles remain for this to pay. View and the arrays of the grid must outlive the object.
    */
-  static std::unique_ptr<lms3dTileSearch> New(
-    const lms3dExactView& view, const lms3dBeamGrid& grid);
+  static std::unique_ptr<lms3dTileSearch> New(lms3dExactView& view, const lms3dBeamGrid& grid);
 
   /// Divides a scene that is too large for that, by its clusters. The view must keep or have its
   /// narrow triangles. The sensor is within the normalization's bounding sphere.
@@ -74,9 +73,6 @@ private:
   struct PacketsOfTile;
 
   lms3dTileSearch(const lms3dExactView& view, const lms3dBeamGrid& grid);
-  bool Divide();
-  std::vector<lms3dTileCandidates> DivideGrid() const;
-  lms3dTileBlock DivideBlock(int number, const lms3dTileCandidates& candidates) const;
   void FindInTile(const PacketsOfTile& packets) const;
   void FindInParts(
     const lms3dTileCandidate* candidates, std::size_t count, const PacketsOfTile& packets) const;

@@ -212,12 +212,6 @@ struct lms3dPacketKernels
   /// Computes the world coordinates of the returns, three numbers for each.
   void (*Locate)(const lms3dReturnsOfTurn& returns, double* points);
 
-  /// Fills the arrays of a run of returns.
-  void (*FillReturnRun)(const lms3dReturnRunArrays& run);
-
-  /// Copies the numbers of triangles.
-  void (*WidenTriangles)(const std::int32_t* triangles, int count, long long* cells);
-
   /// Adds the normals of the triangles between the strip's two turns, completes the sums of the
   /// first turn and makes the second turn the first one.
   void (*AddStrip)(lms3dNormalStrip& strip);
@@ -231,6 +225,7 @@ struct lms3dPacketKernels
   void (*ReportRanges)(
     const lms3dRangeErrorModel& model, const double* deviates, int count, double* ranges);
 
+  lms3dReturnKernels Returns;
   lms3dFreeKernels Free;
 };
 

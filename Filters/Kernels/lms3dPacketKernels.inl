@@ -28,14 +28,17 @@
   NarrowDirections, LocateStarts, ShiftStarts, ClipFreeRays, UpdateFree, IntersectFreePlane, \
     IntersectFreeDoublePlane
 
+// In the order of lms3dReturnKernels.
+#define LMS3D_RETURN_KERNELS FillReturnRun, WidenTriangles, CountReturns
+
 // In the order of lms3dPacketKernels.
 #define LMS3D_PACKET_KERNELS                                                                      \
   GenerateDirections, FindInCone, ShiftOrigins, Classify, UpdateNearest, MakeNarrowTriangle,      \
     UpdateNarrow, UpdateFromCorners, NarrowRanges, ClipRays, FillTileCorners, ClassifyTiles,      \
     FindTilesOfBox, FindHits, MakeDoubleDoublePlane, MakeDoubleDoublePlanes, MakeDoublePlane,     \
     IntersectDoubleDoublePlane, IntersectTile, IntersectDoubleDoublePlanes, IntersectDoublePlane, \
-    StoreRanges, RefineRanges, StoreRangesOfBeams, ApplyMinimumRange, Locate, FillReturnRun,      \
-    WidenTriangles, AddStrip, DrawNormals, ReportRanges,                                          \
+    StoreRanges, RefineRanges, StoreRangesOfBeams, ApplyMinimumRange, Locate, AddStrip,           \
+    DrawNormals, ReportRanges, { LMS3D_RETURN_KERNELS },                                          \
   {                                                                                               \
     LMS3D_FREE_KERNELS                                                                            \
   }

@@ -54,4 +54,17 @@ struct lms3dReturnRunArrays
   ///@}
 };
 
+/// The kernels for many returns; `triangles` has one value for each beam.
+struct lms3dReturnKernels
+{
+  /// Fills the arrays of a run of returns.
+  void (*FillRun)(const lms3dReturnRunArrays& run);
+
+  /// Copies the numbers of triangles.
+  void (*WidenTriangles)(const std::int32_t* triangles, int count, long long* cells);
+
+  /// Returns how many beams have a triangle.
+  int (*CountReturns)(const std::int32_t* triangles, int count);
+};
+
 #endif

@@ -56,6 +56,17 @@ void WidenTriangles(const std::int32_t* triangles, int count, long long* __restr
     cells[i] = triangles[i];
   }
 }
+
+int CountReturns(const std::int32_t* triangles, int count)
+{
+  // As wide as the triangles, so that the compiler can vectorize the loop.
+  std::int32_t returns = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    returns += triangles[i] != lms3dBeamPacket::NoTriangle ? 1 : 0;
+  }
+  return returns;
+}
 } // namespace
 
 #endif

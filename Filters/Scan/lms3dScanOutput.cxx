@@ -4,6 +4,7 @@
 
 #include "Device/lms3dBeams.h"
 #include "Device/lms3dReturns.h"
+#include "Kernels/lms3dPacketKernels.h"
 #include "Pipeline/lms3dPooledArray.h"
 #include "Scan/lms3dProcesses.h"
 #include "Scan/lms3dRayScanner.h"
@@ -16,6 +17,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
@@ -150,18 +152,13 @@ std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& 
 {
   const int beams = geometry.GetNumberOfBeams();
   std::vector<std::size_t> first(static_cast<std::size_t>(geometry.GetNumberOfTurns()) + 1, 0);
+  const lms3dReturnKernels& kernels = lms3dGetPacketKernels().Returns;
   tbb::parallel_for(0, geometry.GetNumberOfTurns(),
     [&](int turn)
     {
-      const std::int32_t* triangle =
+      const std::int32_t* triangles =
         this->Triangles.data() + static_cast<std::ptrdiff_t>(turn) * beams;
-      // Compilers vectorize a count that is as wide as the elements.
-      std::int32_t hits = 0;
-      for (int beam = 0; beam < beams; ++beam)
-      {
-        hits += triangle[beam] != lms3dBeamPacket::NoTriangle ? 1 : 0;
-      }
-      first[turn + 1] = static_cast<std::size_t>(hits);
+      first[turn + 1] = static_cast<std::size_t>(kernels.CountReturns(triangles, beams));
     });
   std::partial_sum(first.begin(), first.end(), first.begin());
   return first;
@@ -182,11 +179,19 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeo
   const lms3dTurnReturns source = { geometry, directions, beams.get(), pose.Position,
     this->Ranges->GetPointer(0), this->Triangles.data(), mesh, this->Part.Cells.data() };
   const int turns = std::max(1, BeamsToFill / geometry.GetNumberOfBeams());
-  tbb::parallel_for(tbb::blocked_range<int>(0, geometry.GetNumberOfTurns(), turns),
-    [&](const tbb::blocked_range<int>& range)
-    { source.Fill(range.begin(), range.end(), first, returns, cellId); });
+  // The other threads fill the arrays while this one, which observers of the output may need, adds
+  // them to the output.
+  tbb::task_group filling;
+  filling.run(
+    [&]
+    {
+      tbb::parallel_for(tbb::blocked_range<int>(0, geometry.GetNumberOfTurns(), turns),
+        [&](const tbb::blocked_range<int>& range)
+        { source.Fill(range.begin(), range.end(), first, returns, cellId); });
+    });
   returns.MoveTo(geometry, pose, scan);
   scan->GetPointData()->AddArray(cellIds);
+  filling.wait();
   this->Pool.FreeUnused();
 }
 

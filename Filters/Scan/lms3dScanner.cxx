@@ -57,36 +57,24 @@ public:
   }
 
 private:
-  // Casts the packets between the parts that are cast at once.
+  // Part by part, so that the packets stay in the nearest cache.
   void CastParts(const lms3dPacketRectangle& rectangle) const
   {
     const int step = this->GridCaster->GetColumnsAtOnce();
-    const auto getPart = [&](int begin, int end)
-    {
-      return lms3dPacketRectangle{ rectangle.FirstTurn, rectangle.FirstBeam + begin * Side,
-        rectangle.Rows, end - begin };
-    };
-    int begin = 0;
     for (int column = 0; column < rectangle.Columns; column += step)
     {
-      const int end = std::min(column + step, rectangle.Columns);
-      if (this->GridCaster->CastAtOnce(
-            getPart(column, end), this->Request.Limits.Minimum, this->Request.Returns))
+      const lms3dPacketRectangle part = { rectangle.FirstTurn, rectangle.FirstBeam + column * Side,
+        rectangle.Rows, std::min(step, rectangle.Columns - column) };
+      if (!this->GridCaster->CastAtOnce(part, this->Request.Limits.Minimum, this->Request.Returns))
       {
-        this->Cast(getPart(begin, column));
-        begin = end;
+        this->Cast(part);
       }
     }
-    this->Cast(getPart(begin, rectangle.Columns));
   }
 
   void Cast(const lms3dPacketRectangle& rectangle) const
   {
     const int count = rectangle.Rows * rectangle.Columns;
-    if (count == 0)
-    {
-      return;
-    }
     lms3dBeamPacket packets[lms3dGridCaster::MaximumPackets];
     this->Generate(rectangle, packets);
     this->GridCaster->FindNearest(rectangle, packets);

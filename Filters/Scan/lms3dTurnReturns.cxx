@@ -27,7 +27,7 @@ void FillEach(T* out, int count, const ValueOf& valueOf)
 
 void Widen(const std::int32_t* triangles, int count, long long* cells)
 {
-  lms3dGetPacketKernels().WidenTriangles(triangles, count, cells);
+  lms3dGetPacketKernels().Returns.WidenTriangles(triangles, count, cells);
 }
 
 // For builds of VTK whose vtkIdType is another type.
@@ -51,10 +51,10 @@ public:
 
   void FillRuns(const std::vector<Run>& runs) const
   {
-    const lms3dPacketKernels& kernels = lms3dGetPacketKernels();
+    const lms3dReturnKernels& kernels = lms3dGetPacketKernels().Returns;
     for (const Run& run : runs)
     {
-      kernels.FillReturnRun(this->GetArrays(run));
+      kernels.FillRun(this->GetArrays(run));
       this->FillCells(run);
       this->Locate(run.Returns, this->GetGeometry().GetAlphaCosines().data() + run.FirstBeam,
         this->GetGeometry().GetAlphaSines().data() + run.FirstBeam);

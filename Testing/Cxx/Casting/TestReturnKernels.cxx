@@ -38,7 +38,7 @@ struct Arrays
   void Fill(const lms3dPacketKernels& kernels, const std::vector<double>& ranges,
     const std::vector<double>& elevations)
   {
-    kernels.FillReturnRun({ this->Count, ranges.data(), elevations.data(), 0.1f, 100000, 2345,
+    kernels.Returns.FillRun({ this->Count, ranges.data(), elevations.data(), 0.1f, 100000, 2345,
       this->Range.data(), this->Alpha.data(), this->Beta.data(), this->BeamId.data(),
       this->Offset.data(), this->Point.data() });
   }
@@ -94,6 +94,25 @@ TEST(ReturnKernels, FillRunsOfAllLengths)
   }
 }
 
+TEST(ReturnKernels, CountBeamsWithATriangle)
+{
+  std::vector<std::int32_t> triangles(MaximumLength);
+  for (int i = 0; i < MaximumLength; ++i)
+  {
+    triangles[i] = i % 3 == 0 ? lms3dBeamPacket::NoTriangle : (i % 2 == 0 ? 2147483647 : i - 1);
+  }
+  for (int k = 0; k < lms3dGetNumberOfPacketKernels(); ++k)
+  {
+    for (int count = 0; count <= MaximumLength; ++count)
+    {
+      SCOPED_TRACE(testing::Message() << lms3dGetPacketKernels(k).Name << ", " << count);
+      const auto misses = std::count(triangles.begin(), triangles.begin() + count, -1);
+      EXPECT_EQ(
+        lms3dGetPacketKernels(k).Returns.CountReturns(triangles.data(), count), count - misses);
+    }
+  }
+}
+
 TEST(ReturnKernels, WidenTheNumbersOfTriangles)
 {
   std::vector<std::int32_t> triangles(MaximumLength);
@@ -107,7 +126,7 @@ TEST(ReturnKernels, WidenTheNumbersOfTriangles)
     {
       SCOPED_TRACE(testing::Message() << lms3dGetPacketKernels(k).Name << ", " << count);
       std::vector<long long> cells(static_cast<std::size_t>(count) + 1, Guard);
-      lms3dGetPacketKernels(k).WidenTriangles(triangles.data(), count, cells.data());
+      lms3dGetPacketKernels(k).Returns.WidenTriangles(triangles.data(), count, cells.data());
       EXPECT_TRUE(std::equal(triangles.begin(), triangles.begin() + count, cells.begin()));
       EXPECT_EQ(cells.back(), Guard);
     }
