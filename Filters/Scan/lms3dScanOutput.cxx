@@ -17,7 +17,6 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
@@ -179,19 +178,11 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeo
   const lms3dTurnReturns source = { geometry, directions, beams.get(), pose.Position,
     this->Ranges->GetPointer(0), this->Triangles.data(), mesh, this->Part.Cells.data() };
   const int turns = std::max(1, BeamsToFill / geometry.GetNumberOfBeams());
-  // The other threads fill the arrays while this one, which observers of the output may need, adds
-  // them to the output.
-  tbb::task_group filling;
-  filling.run(
-    [&]
-    {
-      tbb::parallel_for(tbb::blocked_range<int>(0, geometry.GetNumberOfTurns(), turns),
-        [&](const tbb::blocked_range<int>& range)
-        { source.Fill(range.begin(), range.end(), first, returns, cellId); });
-    });
+  tbb::parallel_for(tbb::blocked_range<int>(0, geometry.GetNumberOfTurns(), turns),
+    [&](const tbb::blocked_range<int>& range)
+    { source.Fill(range.begin(), range.end(), first, returns, cellId); });
   returns.MoveTo(geometry, pose, scan);
   scan->GetPointData()->AddArray(cellIds);
-  filling.wait();
   this->Pool.FreeUnused();
 }
 
