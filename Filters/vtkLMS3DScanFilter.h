@@ -694,7 +694,8 @@ protected:
   vtkLMS3DScanFilter();
   ~vtkLMS3DScanFilter() override;
 
-  /// Returns an executive without the loops over composite inputs, which the filter takes whole.
+  /// Returns an executive without the loops over composite inputs: the filter takes a composite
+  /// scene whole, and refuses a composite trajectory.
   vtkExecutive* CreateDefaultExecutive() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;

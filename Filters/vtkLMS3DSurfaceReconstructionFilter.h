@@ -210,7 +210,7 @@ public:
    *   one turn after the other is one group.
    * - Returns at one depth with the surface that stand out of it, along the fan and along the turn,
    *   by at least 1.6 times MaximumError or, if that is more, eight standard deviations of the
-   *   noise.
+   *   noise. A group two returns wide must stand out by twice as much, and a wider one never does.
    *
    * Small objects, thin things that only some turns meet, and small windows with something behind
    * them cannot be distinguished from speckles. 0, the default, treats every return as a part of

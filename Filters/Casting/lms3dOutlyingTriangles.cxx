@@ -63,8 +63,6 @@ double GetExtent(
   return extent;
 }
 
-/// Returns the triangles with the largest extents, the largest first: one more than the maximum
-/// number of outliers.
 /// The triangles with the largest extents, the largest first: one more than there may be outliers.
 struct Farthest
 {

@@ -88,8 +88,8 @@ public:
     }
   }
 
-  /// Sets `candidates` to the candidates of all tiles, one tile after the other, each in this order,
-  /// and `first` to where each tile's begin.
+  /// Sets `candidates` to the candidates of all tiles, one tile after the other, each in this
+  /// order, and `first` to where each tile's begin.
   void GetCandidates(
     lms3dTileCandidates& candidates, std::array<std::uint32_t, lms3dTiles::Size + 1>& first) const
   {

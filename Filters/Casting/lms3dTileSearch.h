@@ -11,8 +11,8 @@
  * the part is decided, without a look at its beams.
  *
  * lms3dTriangleDivision makes the first two divisions. In scenes too large for this, they take
- * clusters of triangles, see lms3dClusterDivision. Tiles that few triangles can meet are then divided into packets likewise.
- * All others are left to Embree.
+ * clusters of triangles, see lms3dClusterDivision. Tiles that few triangles can meet are then
+ * divided into packets likewise. All others are left to Embree.
  */
 #ifndef lms3dTileSearch_h
 #define lms3dTileSearch_h
@@ -46,8 +46,8 @@ public:
 
   /**
    * Divides the grid into tiles, with the threads of the calling TBB arena. Makes the narrow
-   * triangles of the view, too. Returns null if too many
-   * triangles remain for this to pay. View and the arrays of the grid must outlive the object.
+   * triangles of the view, too. Returns null if too many triangles remain for this to pay. View and
+   * the arrays of the grid must outlive the object.
    */
   static std::unique_ptr<lms3dTileSearch> New(lms3dExactView& view, const lms3dBeamGrid& grid);
 

@@ -18,6 +18,8 @@ constexpr double LargestShare = 2.5;
 constexpr int Rounds = 4;
 // Larger patches are fitted to a part of their returns, at least half of this number.
 constexpr std::size_t SufficientCount = 4096;
+// A prime number, so that the returns of a sample lie anywhere in their fans.
+constexpr std::size_t OffsetStep = 7919;
 // With fewer, a plane through two columns of returns would fit without any error.
 constexpr double SmallestKeptShare = 0.9;
 
@@ -137,10 +139,12 @@ std::optional<lms3dFittedPlane> lms3dFitPlane(
 {
   const std::size_t step = returns.size() / SufficientCount + 1;
   Members members;
-  for (std::size_t i = 0; i < returns.size(); i += step)
+  // Not the same one of each few, which could all be of one beam of the fan.
+  for (std::size_t i = 0; i + step <= returns.size(); i += step)
   {
-    members.Returns.push_back(returns[i]);
-    members.Points.push_back(map.Returns[returns[i]].Point);
+    const int number = returns[i + i / step * OffsetStep % step];
+    members.Returns.push_back(number);
+    members.Points.push_back(map.Returns[number].Point);
   }
   const auto count = static_cast<double>(members.Returns.size());
   const auto fitTo = [&](const Members& some) -> std::optional<lms3dFittedPlane>

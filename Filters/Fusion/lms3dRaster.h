@@ -91,7 +91,7 @@ public:
   /// Sets May of a block where Guess is set, and clears Guess.
   void AcceptGuess(int number);
 
-  /// Marks a block in which cells got Must.
+  /// Marks a block in which cells got or lost Must.
   void MarkReturns(int number, bool isOpen)
   {
     this->SetMark(number, AROUND);

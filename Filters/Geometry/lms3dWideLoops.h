@@ -6,17 +6,20 @@
  *
  * LMS3D_WIDE_LOOPS stands before the definition of a function with a loop that the compiler turns
  * into vectors. The program takes the widest vectors that the processor has, and results are the
- * same to the bit: the compiler neither reorders sums nor contracts products with sums. What needs
+ * same to the bit: with LMS3D_FLOATING_POINT_OPTIONS the compiler neither reorders sums nor
+ * contracts products with sums. What needs
  * more than loops is in the room Kernels.
  *
- * Other compilers and processors make one function. So do sanitizers, whose memory is not yet
- * prepared when the program chooses.
+ * Other compilers, C libraries and processors make one function. So do sanitizers, whose memory is
+ * not yet prepared when the program chooses.
  */
 #ifndef lms3dWideLoops_h
 #define lms3dWideLoops_h
 
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
-  !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#include <cstddef>
+
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && __GNUC__ >= 12 && \
+  !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define LMS3D_WIDE_LOOPS \
   __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else

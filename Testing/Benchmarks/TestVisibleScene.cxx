@@ -13,8 +13,8 @@
 
 namespace
 {
-/// Squares of 3 x 3 fields with two triangles each: one in the plane z = 0, and, beside it, one that
-/// stands upright. Field i of the first one has the cells 2 i and 2 i + 1.
+/// Squares of 3 x 3 fields with two triangles each: one in the plane z = 0, and, beside it, one
+/// that stands upright. Field i of the first one has the cells 2 i and 2 i + 1.
 vtkSmartPointer<vtkPolyData> MakeSquares()
 {
   vtkNew<vtkPoints> points;

@@ -163,15 +163,16 @@ vtkIdType VisibleScene::CountTrianglesOf(const std::vector<int>& polygon) const
       borderOfPoint[edge.second].push_back(edge.first);
     }
   }
-  const auto corners = std::count_if(borderOfPoint.begin(), borderOfPoint.end(),
-    [this](const auto& place)
-    {
-      const auto& [point, ends] = place;
-      return ends.size() != 2 || !this->IsStraight(ends[0], point, ends[1]);
-    });
+  vtkIdType corners = 0;
+  for (const auto& [point, ends] : borderOfPoint)
+  {
+    const bool isStraight = ends.size() == 2 && this->IsStraight(ends[0], point, ends[1]);
+    // Where the border touches itself, each further pass saves what a point less would save.
+    corners += isStraight ? 0 : 2 - static_cast<vtkIdType>(ends.size() / 2);
+  }
   const auto euler = static_cast<vtkIdType>(points.size()) - static_cast<vtkIdType>(edges.size()) +
     static_cast<vtkIdType>(polygon.size());
-  return static_cast<vtkIdType>(corners) - 2 * euler;
+  return corners - 2 * euler;
 }
 
 vtkIdType VisibleScene::CountTriangles() const

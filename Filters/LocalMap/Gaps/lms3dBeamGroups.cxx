@@ -16,18 +16,13 @@ constexpr std::array<int, 4> Previous = { 0, 2, 4, 5 };
 // The number of neighbours beside a place in its fan or in its turn. They come first.
 constexpr int StraightNeighbors = 4;
 
-// On which side of the line through the ranges on both sides a range lies, farther away from it
-// than `height`, metres: 1 for nearer, -1 for farther, otherwise 0. The inverse ranges of a line
+// Whether a range lies on a side of the line through the ranges beside it, farther away from it
+// than `height`, metres. The inverse ranges of a line
 // are linear, apart from the cosine of the small angle between beams.
-int GetSide(double before, double range, double after, double height)
+bool IsOffLine(double before, double range, double after, lms3dBeamGroups::Side side, double height)
 {
   const double sum = before + after;
-  const double nearer = 2.0 * before * after - range * sum;
-  if (!(before > 0.0 && after > 0.0 && std::abs(nearer) > height * sum))
-  {
-    return 0;
-  }
-  return nearer > 0.0 ? 1 : -1;
+  return before > 0.0 && after > 0.0 && side * (2.0 * before * after - range * sum) > height * sum;
 }
 } // namespace
 
@@ -118,20 +113,21 @@ lms3dBeamGroups::Groups lms3dBeamGroups::FindAtOneDepth(int maximumSize, const l
 }
 
 lms3dBeamGroups::Groups lms3dBeamGroups::FindStandingOut(
-  int maximumSize, double height, const lms3dDepthStep& step)
+  int maximumSize, Side side, double height, const lms3dDepthStep& step)
 {
-  const std::vector<int> seeds =
-    this->FindInTurns([&](int turn) { return this->FindStandingOutOfTurn(turn, height, step); });
+  const std::vector<int> seeds = this->FindInTurns(
+    [&](int turn) { return this->FindStandingOutOfTurn(turn, side, height, step); });
   return this->FindFrom(seeds, maximumSize,
     [&](int place, const auto& visit)
     {
-      for (int neighbor : this->States.GetNeighbors(place))
-      {
-        if (std::binary_search(seeds.begin(), seeds.end(), neighbor))
+      this->ForEachNear(place,
+        [&](int near)
         {
-          visit(neighbor);
-        }
-      }
+          if (std::binary_search(seeds.begin(), seeds.end(), near))
+          {
+            visit(near);
+          }
+        });
     });
 }
 
@@ -151,15 +147,15 @@ std::vector<int> lms3dBeamGroups::FindInTurns(const Finder& findInTurn) const
 }
 
 std::vector<int> lms3dBeamGroups::FindStandingOutOfTurn(
-  int turn, double height, const lms3dDepthStep& step) const
+  int turn, Side side, double height, const lms3dDepthStep& step) const
 {
   std::vector<int> found;
   const double* const ranges = this->States.GetRanges(turn);
   const int start = turn * this->States.GetNumberOfBeams();
   for (int beam = 1; beam + 1 < this->States.GetNumberOfBeams(); ++beam)
   {
-    const int side = GetSide(ranges[beam - 1], ranges[beam], ranges[beam + 1], height);
-    if (side != 0 && this->StandsOut(start + beam, side, height, step))
+    if (IsOffLine(ranges[beam - 1], ranges[beam], ranges[beam + 1], side, height) &&
+      this->StandsOut(start + beam, side, height, step))
     {
       found.push_back(start + beam);
     }
@@ -169,7 +165,7 @@ std::vector<int> lms3dBeamGroups::FindStandingOutOfTurn(
 
 // Whether a return lies on a side of the line in its turn, and at one depth with all beside it.
 bool lms3dBeamGroups::StandsOut(
-  int place, int side, double height, const lms3dDepthStep& step) const
+  int place, Side side, double height, const lms3dDepthStep& step) const
 {
   if (this->States.GetState(place) != lms3dBeamStates::Returned || this->States.IsPole(place))
   {
@@ -184,8 +180,8 @@ bool lms3dBeamGroups::StandsOut(
         step.AreRangesEqual(range, this->States.GetRange(neighbor));
     });
   return isAtOneDepth &&
-    GetSide(this->States.GetRange(neighbors[2]), range, this->States.GetRange(neighbors[3]),
-      height) == side;
+    IsOffLine(this->States.GetRange(neighbors[2]), range, this->States.GetRange(neighbors[3]), side,
+      height);
 }
 
 // Each group that does not reach around the whole circle has a return with no other before it.
@@ -225,12 +221,25 @@ void lms3dBeamGroups::ForEachAtOneDepth(
   int place, const lms3dDepthStep& step, const Visitor& visit) const
 {
   const double range = this->States.GetRange(place);
-  const auto look = [&](int neighbor)
-  {
-    if (this->States.GetState(neighbor) == lms3dBeamStates::Returned && neighbor != place &&
-      step.AreRangesEqual(range, this->States.GetRange(neighbor)))
+  this->ForEachNear(place,
+    [&](int near)
     {
-      visit(neighbor);
+      if (step.AreRangesEqual(range, this->States.GetRange(near)))
+      {
+        visit(near);
+      }
+    });
+}
+
+// Calls visit(near) for each return beside a place or on the other side of a missing beam.
+template <typename Visitor>
+void lms3dBeamGroups::ForEachNear(int place, const Visitor& visit) const
+{
+  const auto look = [&](int near)
+  {
+    if (this->States.GetState(near) == lms3dBeamStates::Returned && near != place)
+    {
+      visit(near);
     }
   };
   for (int neighbor : this->States.GetNeighbors(place))

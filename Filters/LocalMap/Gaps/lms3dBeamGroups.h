@@ -37,13 +37,21 @@ public:
    */
   Groups FindAtOneDepth(int maximumSize, const lms3dDepthStep& step);
 
+  /// The side of a surface on which returns stand out.
+  enum Side
+  {
+    Farther = -1,
+    Nearer = 1
+  };
+
   /**
-   * The groups of at most `maximumSize` neighbouring returns, diagonals included, that stand out of
-   * a surface by more than `height`, metres, and less than the depth step: each return lies on one
-   * side of the lines through the returns beside it, in its fan and in its turn. Uses the threads
-   * of the calling TBB arena.
+   * The groups of at most `maximumSize` neighbouring returns that stand out on one side of a
+   * surface by more than `height`, metres, and less than the depth step: each return lies on this
+   * side of the lines through the returns beside it, in its fan and in its turn. Diagonal
+   * neighbours and returns on both sides of a missing beam belong to one group. Uses the threads of
+   * the calling TBB arena.
    */
-  Groups FindStandingOut(int maximumSize, double height, const lms3dDepthStep& step);
+  Groups FindStandingOut(int maximumSize, Side side, double height, const lms3dDepthStep& step);
 
 private:
   enum Mark : std::uint8_t
@@ -59,11 +67,14 @@ private:
   bool Flood(int seed, int maximumSize, const Visitor& forEachNeighbor, std::vector<int>& group);
   template <typename Visitor>
   void ForEachAtOneDepth(int place, const lms3dDepthStep& step, const Visitor& visit) const;
+  template <typename Visitor>
+  void ForEachNear(int place, const Visitor& visit) const;
   template <typename Finder>
   std::vector<int> FindInTurns(const Finder& findInTurn) const;
   std::vector<int> FindFirstOfTurn(int turn, const lms3dDepthStep& step) const;
-  std::vector<int> FindStandingOutOfTurn(int turn, double height, const lms3dDepthStep& step) const;
-  bool StandsOut(int place, int side, double height, const lms3dDepthStep& step) const;
+  std::vector<int> FindStandingOutOfTurn(
+    int turn, Side side, double height, const lms3dDepthStep& step) const;
+  bool StandsOut(int place, Side side, double height, const lms3dDepthStep& step) const;
   bool MayBeFirst(int place, const lms3dDepthStep& step) const;
 
   const lms3dBeamStates& States;

@@ -164,10 +164,13 @@ void lms3dSurfaceGaps::FindSpeckles(
                  [&](const std::vector<int>& group) { return IsJoined(states, joins, group); }),
     groups.end());
   SetStates(groups, lms3dBeamStates::Speckle, states);
-  const Groups standingOut = lms3dBeamGroups(states).FindStandingOut(
-    maximum, HeightShare * surroundings.GetTolerance(), step);
-  SetStates(standingOut, lms3dBeamStates::Speckle, states);
-  groups.insert(groups.end(), standingOut.begin(), standingOut.end());
+  for (const lms3dBeamGroups::Side side : { lms3dBeamGroups::Nearer, lms3dBeamGroups::Farther })
+  {
+    const Groups standingOut = lms3dBeamGroups(states).FindStandingOut(
+      maximum, side, HeightShare * surroundings.GetTolerance(), step);
+    groups.insert(groups.end(), standingOut.begin(), standingOut.end());
+  }
+  SetStates(groups, lms3dBeamStates::Speckle, states);
   std::vector<Filling> fillings = this->Fill(states, surroundings, groups);
   for (std::size_t i = 0; i < groups.size(); ++i)
   {

@@ -67,21 +67,82 @@ ReturnBeside FindBeside(const MapCase& map, const Beam& beam, const Beam& direct
   return {};
 }
 
-// Whether a return lies off the lines between the returns beside its speckle, in its fan and in its
-// turn. Inverse ranges are linear along a line, nearly.
+// How far a return is nearer than the line between the returns beside its speckle, metres; 0 if
+// there are none. Inverse ranges are linear along a line, nearly.
+double GetHeight(const MapCase& map, const Beam& beam, const Beam& direction)
+{
+  const ReturnBeside after = FindBeside(map, beam, direction);
+  const ReturnBeside before = FindBeside(map, beam, { -direction.Turn, -direction.Number });
+  const double onLine =
+    (before.Beams + after.Beams) / (before.Beams / after.Range + after.Beams / before.Range);
+  return before.Range > 0.0 && after.Range > 0.0
+    ? onLine - map.Grid.GetRange(map.Grid.GetReturn(beam))
+    : 0.0;
+}
+
+// Whether a return lies off these lines in its fan and in its turn, on one side.
 bool StandsOut(const MapCase& map, const Beam& beam)
 {
-  const double range = map.Grid.GetRange(map.Grid.GetReturn(beam));
-  const std::array<Beam, 2> directions = { { { 1, 0 }, { 0, 1 } } };
-  return std::all_of(directions.begin(), directions.end(),
-    [&](const Beam& direction)
+  const double inFan = GetHeight(map, beam, { 0, 1 });
+  const double inTurn = GetHeight(map, beam, { 1, 0 });
+  const double bound = map.Promise.MaximumError;
+  return std::min(inFan, inTurn) > bound || std::max(inFan, inTurn) < -bound;
+}
+
+// The returns around a speckle that has a return.
+std::set<vtkIdType> FindSurroundings(const MapCase& map, const Beam& first)
+{
+  std::set<vtkIdType> members = { map.Grid.GetReturn(first) };
+  std::vector<Beam> waiting = { first };
+  std::set<vtkIdType> around;
+  while (!waiting.empty())
+  {
+    const Beam beam = waiting.back();
+    waiting.pop_back();
+    for (int i = 0; i < 9; ++i)
     {
-      const ReturnBeside after = FindBeside(map, beam, direction);
-      const ReturnBeside before = FindBeside(map, beam, { -direction.Turn, -direction.Number });
-      const double onLine =
-        (before.Beams + after.Beams) / (before.Beams / after.Range + after.Beams / before.Range);
-      return before.Range > 0.0 && after.Range > 0.0 &&
-        std::abs(onLine - range) > map.Promise.MaximumError;
+      const Beam next = { beam.Turn + i / 3 - 1, beam.Number + i % 3 - 1 };
+      const vtkIdType number =
+        map.Grid.Contains(next) ? map.Grid.GetReturn(next) : ScanGrid::NoReturn;
+      if (number != ScanGrid::NoReturn && !map.IsSpeckle(next))
+      {
+        around.insert(number);
+      }
+      else if (number != ScanGrid::NoReturn && members.insert(number).second)
+      {
+        waiting.push_back(next);
+      }
+    }
+  }
+  return around;
+}
+
+// Whether returns lie on one plane within twice the bound or six standard deviations of the noise.
+// On a plane, the inverse range is linear in the direction: the normal equations give the plane.
+bool AreOnOnePlane(const MapCase& map, const std::set<vtkIdType>& returns)
+{
+  std::array<Vector, 3> matrix = {};
+  Vector right = {};
+  for (vtkIdType number : returns)
+  {
+    const Vector direction = Normalize(map.Grid.GetPoints()[number]);
+    const double inverse = 1.0 / GetLength(map.Grid.GetPoints()[number]);
+    for (int i = 0; i < 3; ++i)
+    {
+      matrix[i] = matrix[i] + direction[i] * direction;
+      right[i] += inverse * direction[i];
+    }
+  }
+  const auto& [p, q, r] = matrix;
+  const double determinant = Dot(p, Cross(q, r));
+  const Vector plane = { Dot(right, Cross(q, r)) / determinant,
+    Dot(p, Cross(right, r)) / determinant, Dot(p, Cross(q, right)) / determinant };
+  const double tolerance = std::max(2.0 * map.Promise.MaximumError, 6.0 * map.Promise.Noise);
+  return std::all_of(returns.begin(), returns.end(),
+    [&](vtkIdType number)
+    {
+      const Vector& point = map.Grid.GetPoints()[number];
+      return std::abs(1.0 / Dot(plane, Normalize(point)) - GetLength(point)) <= tolerance;
     });
 }
 
@@ -95,7 +156,8 @@ bool MayBeSpeckle(const MapCase& map, const Beam& beam)
   { return CountConnected(map, number, maximum, counts) <= maximum; };
   return number != ScanGrid::NoReturn &&
     (isSmall([](const Beam&) { return true; }) ||
-      (isSmall([&](const Beam& other) { return map.IsSpeckle(other); }) && StandsOut(map, beam)));
+      (isSmall([&](const Beam& other) { return map.IsSpeckle(other); }) && StandsOut(map, beam) &&
+        AreOnOnePlane(map, FindSurroundings(map, beam))));
 }
 } // namespace
 

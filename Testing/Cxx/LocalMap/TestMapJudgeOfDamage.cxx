@@ -81,10 +81,10 @@ protected:
   }
 
   /// Brings the returns of some beams half a metre nearer.
-  void BringNearer(const std::set<int>& beams)
+  void BringNearer(const std::set<int>& beams, double length = 0.5)
   {
     this->Scan = MakeGridScan([&](int turn, int number)
-      { return beams.count(turn * NumberOfBeams + number) > 0 ? Radius - 0.5 : Radius; });
+      { return beams.count(turn * NumberOfBeams + number) > 0 ? Radius - length : Radius; });
   }
 
   void ExpectLawful()
@@ -241,6 +241,19 @@ TEST_F(MapJudgeOfDamage, SeesASpeckleThatDoesNotStandOut)
   this->Promise.MaximumSpeckleSize = 1;
   this->AddValue<vtkIntArray>("NumberOfReturnsOnSpeckles", 1.0);
   this->AddNumbers("SpeckleBeamIds", { Inside });
+  this->ExpectBreach("speckle");
+}
+
+TEST_F(MapJudgeOfDamage, SeesASpeckleWithoutAPlaneAroundIt)
+{
+  constexpr double Height = 0.08;
+  this->Promise.MaximumSpeckleSize = 1;
+  this->AddValue<vtkIntArray>("NumberOfReturnsOnSpeckles", 1.0);
+  this->AddNumbers("SpeckleBeamIds", { Inside });
+  this->BringNearer({ Inside }, Height);
+  EXPECT_EQ(this->Judge().GetNumberOfBreaches("speckle"), 0u);
+  constexpr int Beside = Inside + NumberOfBeams;
+  this->BringNearer({ Inside, Beside - 1, Beside, Beside + 1 }, Height);
   this->ExpectBreach("speckle");
 }
 

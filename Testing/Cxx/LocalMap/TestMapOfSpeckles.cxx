@@ -89,6 +89,21 @@ TEST(MapOfSpeckles, StandOutByLessThanTheDepthStep)
   EXPECT_EQ(CountSpeckles(within.Set(beam, WallScan::Distance - 0.014).Make(), 4), 0.0);
 }
 
+TEST(MapOfSpeckles, StandOutOnOneSideEach)
+{
+  // The returns between two diagonal neighbours lie behind the lines through both.
+  for (double height : { 0.025, 0.05 })
+  {
+    WallScan scan;
+    for (const GapBeam& beam : { GapBeam{ 10, 10 }, GapBeam{ 11, 11 } })
+    {
+      scan.Set(beam, scan.GetRange(beam) - height);
+    }
+    EXPECT_EQ(CountSpeckles(scan.Make(), 1), 0.0) << height;
+    EXPECT_EQ(CountSpeckles(scan.Make(), 2), 1.0) << height;
+  }
+}
+
 TEST(MapOfSpeckles, AreNoEdgeAndNoCornerThatStandsOut)
 {
   // A board in front of the wall, and its corner.
