@@ -36,8 +36,8 @@ constexpr double LooseShare = 0.2;
 constexpr double SmallestCosine = 0.9;
 // A plane of a patch with fewer returns is weak.
 constexpr std::size_t SmallestStrongCount = 3000;
-// A patch with at least so many returns may be flat; fewer lie in a plane by chance.
-constexpr std::size_t SmallestFlatCount = 100;
+// A patch with fewer returns may lie in a plane by chance.
+constexpr std::size_t SmallestFlatCount = 20;
 
 // Whether a patch shows a plane so well that a curved one must not explain it.
 bool IsFlat(const std::vector<int>& returns, const lms3dFittedPlane& fit, double bound)
