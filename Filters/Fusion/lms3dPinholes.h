@@ -11,9 +11,9 @@
 #include "Fusion/lms3dRaster.h"
 
 /// The surface goes some cells beyond the last returns, and beams that pass beside an object leave
-/// holes there, each of which needs six triangles or more. Therefore cells lose May if they lie
-/// between a cell that a beam passed and the outside, along an axis, and if there are few of them
-/// and no return among them. `region` has all blocks of the tile.
+/// small holes there. A hole needs two triangles more than it has corners. Therefore cells lose May
+/// if they lie between a cell that a beam passed and the outside, along an axis, and if there are
+/// few of them and no return among them. `region` has all blocks of the tile.
 void lms3dOpenPinholes(const lms3dFusedTile& tile, lms3dRegion& region);
 
 #endif
