@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionMesher.h"
 
+#include "Fusion/lms3dPinholes.h"
 #include "Fusion/lms3dRasterRows.h"
 #include "Fusion/lms3dRegionCover.h"
 #include "Fusion/lms3dRegionRaster.h"
@@ -41,6 +42,7 @@ public:
     }
     if (plane.Verbatim.empty())
     {
+      lms3dOpenPinholes(tile, this->Region);
       lms3dCloseGapsAlongSides(tile, this->Region);
     }
     this->AddBlocksAround();

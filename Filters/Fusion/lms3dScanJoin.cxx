@@ -36,6 +36,14 @@ constexpr double LooseShare = 0.2;
 constexpr double SmallestCosine = 0.9;
 // A plane of a patch with fewer returns is weak.
 constexpr std::size_t SmallestStrongCount = 3000;
+// A patch with fewer returns may lie in a plane by chance.
+constexpr std::size_t SmallestFlatCount = 20;
+
+// Whether a patch shows a plane so well that a curved one must not explain it.
+bool IsFlat(const std::vector<int>& returns, const lms3dFittedPlane& fit, double bound)
+{
+  return returns.size() >= SmallestFlatCount && fit.Deviation <= CurvedShare * bound;
+}
 } // namespace
 
 void lms3dScanJoin::Join()
@@ -152,7 +160,7 @@ int lms3dScanJoin::FindOrMakePlane(
   const int found = this->FindPlane(returns, fit);
   const double bound = this->Planes.GetMaximumError();
   if (found >= 0 || fit.Deviation > MatchShare * bound ||
-    this->IsMostlyExplained(this->Local.Select(returns), planesBefore))
+    this->IsMostlyExplained(this->Local.Select(returns), planesBefore, IsFlat(returns, fit, bound)))
   {
     return found;
   }
@@ -195,7 +203,14 @@ int lms3dScanJoin::FindPlane(const std::vector<int>& returns, const lms3dFittedP
 }
 
 bool lms3dScanJoin::IsMostlyExplained(
-  const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
+  const std::vector<lms3dMappedReturn>& returns, std::size_t end, bool isFlat) const
 {
-  return this->Planes.ShowShare(ExplainedShare, this->Planes.FindPlanesNear(returns, end), returns);
+  std::vector<int> planes = this->Planes.FindPlanesNear(returns, end);
+  if (isFlat)
+  {
+    planes.erase(std::remove_if(planes.begin(), planes.end(),
+                   [this](int plane) { return this->Planes[plane].IsCurved; }),
+      planes.end());
+  }
+  return this->Planes.ShowShare(ExplainedShare, planes, returns);
 }

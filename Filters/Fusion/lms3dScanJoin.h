@@ -51,7 +51,9 @@ private:
   void AddLoose(const PatchesOfPlanes& patches, std::vector<char>& isExplained);
   void AddTriangles(const std::vector<int>& planeOfPatch);
   int FindPlane(const std::vector<int>& returns, const lms3dFittedPlane& fit) const;
-  bool IsMostlyExplained(const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
+  /// Curved planes do not explain a flat patch.
+  bool IsMostlyExplained(
+    const std::vector<lms3dMappedReturn>& returns, std::size_t end, bool isFlat) const;
 
   const lms3dLocalMap& Local;
   const lms3dSeenRanges& Ranges;
