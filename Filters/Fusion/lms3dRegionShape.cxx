@@ -27,33 +27,29 @@ void CountDifferences(const lms3dCreaseMask::Cells* crease, lms3dRasterBlock& bl
   block.Difference = static_cast<int>(count);
   block.DifferenceAtCreases = static_cast<int>(near);
 }
+
+// The cells that are not in a mask.
+lms3dBits Without(lms3dBits cells, const lms3dBits& mask)
+{
+  for (int row = 0; row <= Last; ++row)
+  {
+    cells[row] &= ~mask[row];
+  }
+  return cells;
+}
 } // namespace
 
 lms3dBits lms3dRegionShape::GetFree(int number, const lms3dRegionCells& cells) const
 {
-  lms3dBits free = cells.May;
-  if (const lms3dCreaseMask::Cells* crease = this->Creases.Get(number))
-  {
-    for (int row = 0; row <= Last; ++row)
-    {
-      free[row] &= ~crease->Line[row];
-    }
-  }
-  return free;
+  const lms3dCreaseMask::Cells* const crease = this->Creases.Get(number);
+  return crease ? Without(cells.May, crease->Line) : cells.May;
 }
 
 // Returns near a crease may be of the other plane.
 lms3dBits lms3dRegionShape::GetReturns(int number, const lms3dRasterBlock& block) const
 {
-  lms3dBits returns = block.Must;
-  if (const lms3dCreaseMask::Cells* crease = this->Creases.Get(number))
-  {
-    for (int row = 0; row <= Last; ++row)
-    {
-      returns[row] &= ~crease->Near[row];
-    }
-  }
-  return returns;
+  const lms3dCreaseMask::Cells* const crease = this->Creases.Get(number);
+  return crease ? Without(block.Must, crease->Near) : block.Must;
 }
 
 lms3dRegionShape::Round lms3dRegionShape::MakeRound(

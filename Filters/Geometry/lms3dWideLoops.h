@@ -7,8 +7,7 @@
  * LMS3D_WIDE_LOOPS stands before the definition of a function with a loop that the compiler turns
  * into vectors. The program takes the widest vectors that the processor has, and results are the
  * same to the bit: with LMS3D_FLOATING_POINT_OPTIONS the compiler neither reorders sums nor
- * contracts products with sums. What needs
- * more than loops is in the room Kernels.
+ * contracts products with sums. What needs more than loops is in the room Kernels.
  *
  * Other compilers, C libraries and processors make one function. So do sanitizers, whose memory is
  * not yet prepared when the program chooses.

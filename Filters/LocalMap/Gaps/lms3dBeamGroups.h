@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Groups of neighbouring beams without a return, of neighbouring returns at one depth, and
- * of neighbouring returns that stand out of the surface.
+ * @brief Finds groups of neighbouring beams: beams without a return, returns at one depth, and
+ * returns that stand out from the surface around them.
  */
 #ifndef lms3dBeamGroups_h
 #define lms3dBeamGroups_h

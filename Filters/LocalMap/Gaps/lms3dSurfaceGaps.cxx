@@ -168,9 +168,9 @@ void lms3dSurfaceGaps::FindSpeckles(
   {
     const Groups standingOut = lms3dBeamGroups(states).FindStandingOut(
       maximum, side, HeightShare * surroundings.GetTolerance(), step);
+    SetStates(standingOut, lms3dBeamStates::Speckle, states);
     groups.insert(groups.end(), standingOut.begin(), standingOut.end());
   }
-  SetStates(groups, lms3dBeamStates::Speckle, states);
   std::vector<Filling> fillings = this->Fill(states, surroundings, groups);
   for (std::size_t i = 0; i < groups.size(); ++i)
   {

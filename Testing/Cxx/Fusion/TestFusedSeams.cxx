@@ -42,8 +42,8 @@ void Record(const std::string& name, const Seams& seams, double sheets)
   testing::Test::RecordProperty(name + "Sheets", std::to_string(sheets));
 }
 
-/// Seams must be closed, and the hall must be around `Inside` once, within the tolerance. The map
-/// of the first pose alone has open seams.
+/// Seams must be closed, and the hall must be around `Inside` once, within the tolerance. After the
+/// first pose, the map still has open seams.
 void ExpectClosed(std::size_t pose, double bound, double tolerance, vtkLMS3DMapFusion* fusion)
 {
   fusion->Update();

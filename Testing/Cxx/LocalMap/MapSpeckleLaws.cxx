@@ -14,6 +14,27 @@ namespace
 {
 using Beam = ScanGrid::Beam;
 
+// The return of a beam; none if the beam is not in the grid.
+vtkIdType GetReturn(const MapCase& map, const Beam& beam)
+{
+  return map.Grid.Contains(beam) ? map.Grid.GetReturn(beam) : ScanGrid::NoReturn;
+}
+
+// Calls visit(beam, return) for a beam and its neighbours, diagonals included, if they returned.
+template <typename Visitor>
+void ForEachReturnNear(const MapCase& map, const Beam& beam, const Visitor& visit)
+{
+  for (int i = 0; i < 9; ++i)
+  {
+    const Beam next = { beam.Turn + i / 3 - 1, beam.Number + i % 3 - 1 };
+    const vtkIdType number = GetReturn(map, next);
+    if (number != ScanGrid::NoReturn)
+    {
+      visit(next, number);
+    }
+  }
+}
+
 // The returns that are certainly connected to one, at most `maximum` and one more: neighbours,
 // diagonals included, whose ranges differ by at most DepthStep, and for which `counts` is true.
 template <typename Filter>
@@ -26,19 +47,16 @@ std::size_t CountConnected(
   {
     const vtkIdType number = waiting.back();
     waiting.pop_back();
-    const Beam beam = map.Grid.GetBeam(number);
-    for (int i = 0; i < 9; ++i)
-    {
-      const Beam next = { beam.Turn + i / 3 - 1, beam.Number + i % 3 - 1 };
-      const vtkIdType other =
-        map.Grid.Contains(next) ? map.Grid.GetReturn(next) : ScanGrid::NoReturn;
-      if (other != ScanGrid::NoReturn && counts(next) &&
-        std::abs(map.Grid.GetRange(number) - map.Grid.GetRange(other)) <= map.Promise.DepthStep &&
-        found.insert(other).second)
+    const double range = map.Grid.GetRange(number);
+    ForEachReturnNear(map, map.Grid.GetBeam(number),
+      [&](const Beam& next, vtkIdType other)
       {
-        waiting.push_back(other);
-      }
-    }
+        if (counts(next) && std::abs(range - map.Grid.GetRange(other)) <= map.Promise.DepthStep &&
+          found.insert(other).second)
+        {
+          waiting.push_back(other);
+        }
+      });
   }
   return found.size();
 }
@@ -57,8 +75,7 @@ ReturnBeside FindBeside(const MapCase& map, const Beam& beam, const Beam& direct
   for (int i = 1; i <= map.Promise.MaximumSpeckleSize + 1; ++i)
   {
     next = { next.Turn + direction.Turn, next.Number + direction.Number };
-    const vtkIdType number =
-      map.Grid.Contains(next) ? map.Grid.GetReturn(next) : ScanGrid::NoReturn;
+    const vtkIdType number = GetReturn(map, next);
     if (number != ScanGrid::NoReturn && !map.IsSpeckle(next))
     {
       return { map.Grid.GetRange(number), static_cast<double>(i) };
@@ -99,20 +116,18 @@ std::set<vtkIdType> FindSurroundings(const MapCase& map, const Beam& first)
   {
     const Beam beam = waiting.back();
     waiting.pop_back();
-    for (int i = 0; i < 9; ++i)
-    {
-      const Beam next = { beam.Turn + i / 3 - 1, beam.Number + i % 3 - 1 };
-      const vtkIdType number =
-        map.Grid.Contains(next) ? map.Grid.GetReturn(next) : ScanGrid::NoReturn;
-      if (number != ScanGrid::NoReturn && !map.IsSpeckle(next))
+    ForEachReturnNear(map, beam,
+      [&](const Beam& next, vtkIdType number)
       {
-        around.insert(number);
-      }
-      else if (number != ScanGrid::NoReturn && members.insert(number).second)
-      {
-        waiting.push_back(next);
-      }
-    }
+        if (!map.IsSpeckle(next))
+        {
+          around.insert(number);
+        }
+        else if (members.insert(number).second)
+        {
+          waiting.push_back(next);
+        }
+      });
   }
   return around;
 }

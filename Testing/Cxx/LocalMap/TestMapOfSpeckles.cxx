@@ -120,6 +120,7 @@ TEST(MapOfSpeckles, AreNeverAThinThing)
   // A chair leg and a diagonal wire, each seen by one beam a turn or one turn a beam, one of them
   // with a lost beam.
   for (double range : { 2.0, 2.92 })
+  {
     for (int slope : { -1, 0, 1 })
     {
       WallScan leg;
@@ -137,6 +138,7 @@ TEST(MapOfSpeckles, AreNeverAThinThing)
         EXPECT_LE(GetLargestDistance(scan->Make(), map), 0.01) << slope;
       }
     }
+  }
 }
 
 TEST(MapOfSpeckles, MayBeSideBySideAndBesideGaps)
