@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Borders/lms3dBorderGates.h"
 
+#include "LocalMap/Patches/lms3dLabelChanges.h"
+
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -32,7 +35,15 @@ void lms3dBorderGates::FindGates()
   this->GateOf.assign(2 * static_cast<std::size_t>(this->Sphere.GetSize()), NoGate);
   const int columns = this->Sphere.GetNumberOfColumns();
   std::vector<std::vector<Gate>> ofColumns(columns);
-  tbb::parallel_for(0, columns, [&](int column) { ofColumns[column] = this->FindGates(column); });
+  tbb::parallel_for(tbb::blocked_range<int>(0, columns),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      lms3dLabelChanges changes(this->Sphere, this->Patches.Labels);
+      for (int column = range.begin(); column < range.end(); ++column)
+      {
+        this->AppendGates(column, changes, ofColumns[column]);
+      }
+    });
   std::size_t count = 0;
   for (const std::vector<Gate>& ofColumn : ofColumns)
   {
@@ -53,31 +64,22 @@ void lms3dBorderGates::FindGates()
 }
 
 // The gates in a column, and between it and the next one.
-std::vector<lms3dBorderGates::Gate> lms3dBorderGates::FindGates(int column) const
+// A depth step can end inside a patch, as a slit.
+void lms3dBorderGates::AppendGates(
+  int column, lms3dLabelChanges& changes, std::vector<Gate>& gates) const
 {
-  const int rows = this->Sphere.GetNumberOfRows();
-  const std::int32_t* labels = this->Patches.Labels.data();
-  // A depth step can end inside a patch, as a slit.
-  const auto isGate = [&](GridIndex index, int side, GridIndex neighbor)
-  {
-    return labels[index] != labels[neighbor] ||
-      (labels[index] >= 0 && !this->Sphere.IsJoined(index, side));
-  };
-  const GridIndex start = this->Sphere.GetIndex(column, 0);
-  const GridIndex toRight = this->Sphere.GetNeighbor(start, lms3dBeamSphere::Right) - start;
-  std::vector<Gate> gates;
-  for (GridIndex index = start; index < start + rows; ++index)
-  {
-    if (index + 1 < start + rows && isGate(index, lms3dBeamSphere::Up, index + 1))
+  changes.ForEach(column, lms3dLabelChanges::GateUp | lms3dLabelChanges::GateRight,
+    [&](GridIndex index, int found)
     {
-      gates.push_back(this->MakeGate(index, lms3dBeamSphere::Up));
-    }
-    if (isGate(index, lms3dBeamSphere::Right, index + toRight))
-    {
-      gates.push_back(this->MakeGate(index, lms3dBeamSphere::Right));
-    }
-  }
-  return gates;
+      if (found & lms3dLabelChanges::GateUp)
+      {
+        gates.push_back(this->MakeGate(index, lms3dBeamSphere::Up));
+      }
+      if (found & lms3dLabelChanges::GateRight)
+      {
+        gates.push_back(this->MakeGate(index, lms3dBeamSphere::Right));
+      }
+    });
 }
 
 double lms3dBorderGates::GetMargin(GridIndex index, int side) const

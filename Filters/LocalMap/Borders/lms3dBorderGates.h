@@ -41,6 +41,8 @@
 #include <cstdint>
 #include <vector>
 
+class lms3dLabelChanges;
+
 /// Finds all gates of a set of patches, and the order of the edges around each patch.
 class lms3dBorderGates
 {
@@ -139,7 +141,7 @@ public:
 
 private:
   void FindGates();
-  std::vector<Gate> FindGates(int column) const;
+  void AppendGates(int column, lms3dLabelChanges& changes, std::vector<Gate>& gates) const;
   Gate MakeGate(GridIndex index, int side) const;
   double GetMargin(GridIndex index, int side) const;
   void Classify(Gate& gate) const;

@@ -9,8 +9,9 @@
 
 #include "LocalMap/Bounded/lms3dBoundedMap.h"
 #include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
-#include "LocalMap/Patches/lms3dBeamVector.h"
 #include "LocalMap/Patches/lms3dPatches.h"
+
+#include <tbb/tbb_allocator.h>
 
 #include <atomic>
 #include <cstddef>
@@ -79,7 +80,7 @@ private:
   const lms3dBoundedMap& Map;
   /// The number of the pass over triangles in which a beam last hit one within the threshold, by
   /// grid index.
-  lms3dBeamVector<std::atomic<std::int32_t>> Near;
+  std::vector<std::atomic<std::int32_t>, tbb::tbb_allocator<std::atomic<std::int32_t>>> Near;
   std::int32_t Pass = 0;
   /// The points of the map.
   std::vector<lms3dTriangleCorner> Corners;

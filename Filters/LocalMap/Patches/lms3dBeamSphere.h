@@ -104,6 +104,15 @@ public:
     }
   }
 
+  /// How an entry is joined with its neighbours, as bits.
+  enum Join : std::uint8_t
+  {
+    JoinedUp = 1,
+    JoinedRight = 2
+  };
+  /// By grid index.
+  const std::uint8_t* GetJoins() const { return this->Joins.data(); }
+
   /// Whether an entry and its neighbour on a side lie on one surface (lms3dRangeJoins), or are the
   /// same pole.
   bool IsJoined(GridIndex index, int side) const
@@ -220,16 +229,22 @@ public:
   const std::vector<lms3dVector>& GetPointsBeyondAxis() const { return this->PointsBeyondAxis; }
 
 private:
-  enum Join : std::uint8_t
+  /// Consecutive rows of the scan. Their beams are consecutive, too.
+  struct RowRun
   {
-    JoinedUp = 1,
-    JoinedRight = 2
+    int First;
+    int Count;
+    int FirstBeam;
+    /// 1 or -1: to the beam of the next row.
+    int Step;
   };
 
   void MakeRows(const std::vector<double>& angles, double step, bool arePoles);
+  void FindRowRuns();
   void MakeColumns(const std::vector<double>& angles, double step, bool isClosed, int seam);
   void Fill(const lms3dRangeGrid& grid);
   int FillColumn(const lms3dRangeGrid& grid, int column);
+  int MarkFilled(const lms3dRangeGrid& grid, int column);
   void FollowRays(const lms3dMapGeometry& geometry);
   void PointAtNeighbors(const lms3dMapGeometry& geometry);
   bool IsBeyondAxis(const lms3dMapGeometry& geometry, GridIndex index, double range) const;
@@ -238,7 +253,7 @@ private:
     return lms3dNormalize(this->GetPointOnRay(index, range));
   }
   void Join(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins);
-  void JoinUp(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, int column);
+  void JoinUp(const lms3dRangeJoins& joins, int column);
   void JoinRight(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins, int column);
 
   int Rows = 0;
@@ -250,6 +265,8 @@ private:
   bool HighestIsPole = false;
   std::vector<lms3dGridLine> RowLines;
   std::vector<lms3dGridLine> ColumnLines;
+  /// All rows of the scan.
+  std::vector<RowRun> RowRuns;
   std::vector<double> Cosines;
   std::vector<double> Sines;
   std::vector<double> Tangents;

@@ -32,10 +32,9 @@ lms3dPatchGrower::lms3dPatchGrower(const lms3dBeamSphere& sphere, double toleran
   , SeedPlanes(sphere, this->Result, tolerance)
 {
   this->Result.Labels.resize(sphere.GetSize());
-  for (GridIndex index = 0; index < sphere.GetSize(); ++index)
-  {
-    this->Result.Labels[index] = sphere.HasReturn(index) ? lms3dPatches::Free : lms3dPatches::None;
-  }
+  std::transform(sphere.GetRanges(), sphere.GetRanges() + sphere.GetSize(),
+    this->Result.Labels.begin(),
+    [](double range) { return range > 0.0 ? lms3dPatches::Free : lms3dPatches::None; });
 }
 
 lms3dPatches lms3dPatchGrower::Grow()

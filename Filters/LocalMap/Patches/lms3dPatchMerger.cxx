@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Patches/lms3dPatchMerger.h"
 
+#include "LocalMap/Patches/lms3dLabelChanges.h"
+
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -14,8 +17,6 @@ namespace
 // If the ratio of the returns exceeds this, the larger patch keeps its plane.
 constexpr double MuchLargerRatio = 16.0;
 constexpr int MaximumPasses = 4;
-// The number of labels that a thread writes at least.
-constexpr std::size_t LabelsOfTask = 16384;
 } // namespace
 
 lms3dPatchMerger::lms3dPatchMerger(
@@ -28,50 +29,38 @@ lms3dPatchMerger::lms3dPatchMerger(
   std::iota(this->Parents.begin(), this->Parents.end(), 0);
 }
 
+// The pairs in the columns, and between each and the next one.
 std::vector<lms3dPatchMerger::Pair> lms3dPatchMerger::FindNeighbors() const
 {
-  const int columns = this->Sphere.GetNumberOfColumns();
-  std::vector<std::vector<Pair>> ofColumns(columns);
-  tbb::parallel_for(
-    0, columns, [&](int column) { this->AppendNeighbors(column, ofColumns[column]); });
-  std::vector<Pair> pairs;
-  for (const std::vector<Pair>& ofColumn : ofColumns)
+  const std::int32_t* const labels = this->Patches.Labels.data();
+  tbb::enumerable_thread_specific<std::vector<Pair>> ofThreads;
+  const auto findInColumns = [&](const tbb::blocked_range<int>& columns)
   {
-    pairs.insert(pairs.end(), ofColumn.begin(), ofColumn.end());
+    std::vector<Pair>& found = ofThreads.local();
+    const auto add = [&](GridIndex index, GridIndex other)
+    {
+      // Along a border, the same pair repeats.
+      const Pair pair = std::minmax(labels[index], labels[other]);
+      if (found.empty() || found.back() != pair)
+      {
+        found.push_back(pair);
+      }
+    };
+    lms3dLabelChanges changes(this->Sphere, this->Patches.Labels);
+    for (int column = columns.begin(); column < columns.end(); ++column)
+    {
+      changes.ForEachBorder(column, add);
+    }
+  };
+  tbb::parallel_for(tbb::blocked_range<int>(0, this->Sphere.GetNumberOfColumns()), findInColumns);
+  std::vector<Pair> pairs;
+  for (const std::vector<Pair>& ofThread : ofThreads)
+  {
+    pairs.insert(pairs.end(), ofThread.begin(), ofThread.end());
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
-}
-
-// The pairs in a column, and between it and the next one.
-void lms3dPatchMerger::AppendNeighbors(int column, std::vector<Pair>& pairs) const
-{
-  const int rows = this->Sphere.GetNumberOfRows();
-  const GridIndex start = this->Sphere.GetIndex(column, 0);
-  const std::int32_t* const labels = this->Patches.Labels.data() + start;
-  const std::int32_t* const toRight =
-    this->Patches.Labels.data() + this->Sphere.GetNeighbor(start, lms3dBeamSphere::Right);
-  const auto add = [&](int row, std::int32_t other, int side)
-  {
-    if (labels[row] != other && this->Sphere.IsJoined(start + row, side))
-    {
-      // Along a border, the same pair repeats.
-      const Pair pair = { std::min(labels[row], other), std::max(labels[row], other) };
-      if (pairs.empty() || pairs.back() != pair)
-      {
-        pairs.push_back(pair);
-      }
-    }
-  };
-  for (int row = 0; row < rows; ++row)
-  {
-    add(row, toRight[row], lms3dBeamSphere::Right);
-    if (row + 1 < rows)
-    {
-      add(row, labels[row + 1], lms3dBeamSphere::Up);
-    }
-  }
 }
 
 int lms3dPatchMerger::FindRoot(int patch)
@@ -104,7 +93,6 @@ void lms3dPatchMerger::Merge()
       hasMerged |= large != small && this->TryToMerge(large, small);
     }
   }
-  this->WriteLabels();
 }
 
 bool lms3dPatchMerger::TryToMerge(int large, int small)
@@ -158,25 +146,12 @@ void lms3dPatchMerger::Join(int large, int small, const lms3dPlane& plane)
   lms3dPatches::Patch& b = this->Patches.Patches[small];
   a.Plane = plane;
   a.Fit.Add(b.Fit);
+  for (const lms3dPatches::Span& span : b.Spans)
+  {
+    std::fill(this->Patches.Labels.begin() + span.First,
+      this->Patches.Labels.begin() + span.Last + 1, large);
+  }
   a.Spans.insert(a.Spans.end(), b.Spans.begin(), b.Spans.end());
   b.Spans.clear();
   this->Parents[small] = large;
-}
-
-void lms3dPatchMerger::WriteLabels()
-{
-  std::vector<std::int32_t> roots(this->Parents.size());
-  for (std::size_t i = 0; i < roots.size(); ++i)
-  {
-    roots[i] = this->FindRoot(static_cast<int>(i));
-  }
-  lms3dBeamVector<std::int32_t>& labels = this->Patches.Labels;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, labels.size(), LabelsOfTask),
-    [&](const tbb::blocked_range<std::size_t>& range)
-    {
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
-      {
-        labels[i] = labels[i] < 0 ? labels[i] : roots[labels[i]];
-      }
-    });
 }

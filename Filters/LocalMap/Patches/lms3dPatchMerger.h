@@ -34,12 +34,10 @@ private:
   using Pair = std::pair<std::int32_t, std::int32_t>;
 
   std::vector<Pair> FindNeighbors() const;
-  void AppendNeighbors(int column, std::vector<Pair>& pairs) const;
   int FindRoot(int patch);
   bool TryToMerge(int large, int small);
   bool Explains(const lms3dPlane& plane, const lms3dPatches::Patch& patch) const;
   void Join(int large, int small, const lms3dPlane& plane);
-  void WriteLabels();
 
   const lms3dBeamSphere& Sphere;
   lms3dPatches& Patches;

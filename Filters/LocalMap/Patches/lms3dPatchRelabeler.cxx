@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Patches/lms3dPatchRelabeler.h"
 
+#include "LocalMap/Patches/lms3dLabelChanges.h"
+
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -67,42 +70,34 @@ void lms3dPatchRelabeler::SetLabel(GridIndex index, std::int32_t label)
 // The entries on both sides of all borders, sorted.
 std::vector<lms3dPatchRelabeler::GridIndex> lms3dPatchRelabeler::FindBorder() const
 {
-  const int columns = this->Sphere.GetNumberOfColumns();
-  std::vector<std::vector<GridIndex>> ofColumns(columns);
-  tbb::parallel_for(0, columns, [&](int column) { this->AppendBorder(column, ofColumns[column]); });
+  const GridIndex size = this->Sphere.GetSize();
+  // Two threads never write the same mark: one is for entries beside the column on their left.
+  std::vector<std::uint8_t> isBorder(size, 0);
+  std::vector<std::uint8_t> isRightOfBorder(size, 0);
+  tbb::parallel_for(tbb::blocked_range<int>(0, this->Sphere.GetNumberOfColumns()),
+    [&](const tbb::blocked_range<int>& columns)
+    {
+      lms3dLabelChanges changes(this->Sphere, this->Patches.Labels);
+      for (int column = columns.begin(); column < columns.end(); ++column)
+      {
+        changes.ForEachBorder(column,
+          [&](GridIndex index, GridIndex other)
+          {
+            isBorder[index] = 1;
+            (other == index + 1 ? isBorder : isRightOfBorder)[other] = 1;
+          });
+      }
+    });
+  std::transform(isBorder.begin(), isBorder.end(), isRightOfBorder.begin(), isBorder.begin(),
+    [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a | b); });
   std::vector<GridIndex> border;
-  for (const std::vector<GridIndex>& ofColumn : ofColumns)
+  const auto findFrom = [&](GridIndex index)
+  { return lms3dLabelChanges::FindFirst(isBorder.data(), index, size, 1); };
+  for (GridIndex index = findFrom(0); index < size; index = findFrom(index + 1))
   {
-    border.insert(border.end(), ofColumn.begin(), ofColumn.end());
+    border.push_back(index);
   }
-  std::sort(border.begin(), border.end());
-  border.erase(std::unique(border.begin(), border.end()), border.end());
   return border;
-}
-
-// The border in a column, and between it and the next one.
-void lms3dPatchRelabeler::AppendBorder(int column, std::vector<GridIndex>& border) const
-{
-  const int rows = this->Sphere.GetNumberOfRows();
-  const GridIndex start = this->Sphere.GetIndex(column, 0);
-  const GridIndex toRight = this->Sphere.GetNeighbor(start, lms3dBeamSphere::Right) - start;
-  const std::int32_t* const labels = this->Patches.Labels.data();
-  const auto look = [&](GridIndex index, GridIndex other, int side)
-  {
-    if (labels[index] != labels[other] && this->Sphere.IsJoined(index, side))
-    {
-      border.push_back(index);
-      border.push_back(other);
-    }
-  };
-  for (GridIndex index = start; index < start + rows; ++index)
-  {
-    look(index, index + toRight, lms3dBeamSphere::Right);
-    if (index + 1 < start + rows)
-    {
-      look(index, index + 1, lms3dBeamSphere::Up);
-    }
-  }
 }
 
 void lms3dPatchRelabeler::RelabelBorders()

@@ -37,7 +37,6 @@ private:
   using GridIndex = lms3dBeamSphere::GridIndex;
 
   std::vector<GridIndex> FindBorder() const;
-  void AppendBorder(int column, std::vector<GridIndex>& border) const;
   bool MoveToBestNeighbor(GridIndex index);
   bool IsBetter(GridIndex index, std::int32_t label, std::int32_t than) const;
   double GetDeviation(GridIndex index, int patch) const;
