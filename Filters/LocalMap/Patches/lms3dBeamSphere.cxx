@@ -77,6 +77,12 @@ lms3dBeamSphere::lms3dBeamSphere(
     static_cast<std::int64_t>(this->ColumnLines.size()));
   this->Rows = static_cast<int>(this->RowLines.size());
   this->Columns = static_cast<int>(this->ColumnLines.size());
+  while ((MaximumSize + 1) * static_cast<std::int64_t>(this->Rows) > std::int64_t(1)
+      << this->InverseShift)
+  {
+    ++this->InverseShift;
+  }
+  this->InverseOfRows = ((std::uint64_t(1) << this->InverseShift) - 1) / this->Rows + 1;
   this->LastColumn = this->Rows * (this->Columns - 1);
   this->Fill(grid);
   if (!isRegular)

@@ -79,8 +79,13 @@ public:
   /// The number of entries, halo included.
   GridIndex GetSize() const { return this->Rows * this->Columns; }
   GridIndex GetIndex(int column, int row) const { return column * this->Rows + row; }
-  int GetColumn(GridIndex index) const { return index / this->Rows; }
-  int GetRow(GridIndex index) const { return index % this->Rows; }
+  int GetColumn(GridIndex index) const
+  {
+    // Instead of a division, which takes three times as long.
+    return static_cast<int>(
+      (static_cast<std::uint64_t>(index) * this->InverseOfRows) >> this->InverseShift);
+  }
+  int GetRow(GridIndex index) const { return index - this->GetColumn(index) * this->Rows; }
 
   /// False below the lowest row and above the highest.
   bool HasNeighbor(GridIndex index, int side) const
@@ -258,6 +263,10 @@ private:
 
   int Rows = 0;
   int Columns = 0;
+  /// The smallest power of 2 that is at least 2^28 * Rows, as its exponent, and that power / Rows,
+  /// rounded up. Indices are below 2^28, so rounding adds less than 1 / Rows to index / Rows.
+  int InverseShift = 28;
+  std::uint64_t InverseOfRows = 0;
   /// The index of the lowest entry of the last column.
   GridIndex LastColumn = 0;
   int Returns = 0;
