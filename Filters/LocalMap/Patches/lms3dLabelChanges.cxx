@@ -9,7 +9,7 @@
 
 namespace
 {
-// Compares labels with those of neighbours on one side. Sets `border` and `gate` in the changes.
+// Compares labels with the labels of neighbours on one side. Sets `border` and `gate` in the changes.
 // `joins` has the bit `join` where neighbours lie on one surface. Without branches, so that the
 // compiler makes it a loop over vectors.
 LMS3D_WIDE_LOOPS

@@ -99,5 +99,5 @@ void JudgeDistances(const MapCase& map, const TriangleTree& surface, MapVerdict&
         deviations[i]);
     }
   }
-  JudgeSpeckles(map, leftOut, verdict);
+  JudgeSpeckles(map, surface, leftOut, verdict);
 }

@@ -74,6 +74,7 @@ void JudgeFieldData(const MapCase& map, MapVerdict& verdict);
 /// Beams without a return that meet surface, in gaps that are closed and elsewhere.
 void JudgeGaps(const MapCase& map, const TriangleTree& surface, MapVerdict& verdict);
 /// Returns beyond the bound, if speckles are left out, and the speckles that the map names.
-void JudgeSpeckles(const MapCase& map, const std::vector<vtkIdType>& leftOut, MapVerdict& verdict);
+void JudgeSpeckles(const MapCase& map, const TriangleTree& surface,
+  const std::vector<vtkIdType>& leftOut, MapVerdict& verdict);
 
 #endif

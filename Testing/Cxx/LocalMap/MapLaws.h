@@ -50,6 +50,9 @@
  * - bridge: the surface does not join what lies apart in the ideal scan.
  * - speckle: the field data name and count the returns of speckles, groups of at most
  *   MaximumSpeckleSize neighbouring returns. Without KeepSpeckles, only these may exceed the bound.
+ * - hole: where all returns around a speckle lie on one plane, within a quarter of the bound, the
+ *   surface goes on behind the speckle, or before it: its beam meets surface within twice the bound
+ *   of the plane.
  */
 #ifndef MapLaws_h
 #define MapLaws_h

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/MapJudge.h"
+#include "LocalMap/SpeckleSurroundings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -14,26 +14,8 @@ namespace
 {
 using Beam = ScanGrid::Beam;
 
-// The return of a beam; none if the beam is not in the grid.
-vtkIdType GetReturn(const MapCase& map, const Beam& beam)
-{
-  return map.Grid.Contains(beam) ? map.Grid.GetReturn(beam) : ScanGrid::NoReturn;
-}
-
-// Calls visit(beam, return) for a beam and its neighbours, diagonals included, if they returned.
-template <typename Visitor>
-void ForEachReturnNear(const MapCase& map, const Beam& beam, const Visitor& visit)
-{
-  for (int i = 0; i < 9; ++i)
-  {
-    const Beam next = { beam.Turn + i / 3 - 1, beam.Number + i % 3 - 1 };
-    const vtkIdType number = GetReturn(map, next);
-    if (number != ScanGrid::NoReturn)
-    {
-      visit(next, number);
-    }
-  }
-}
+// The returns around a speckle are flat if they lie on a plane within this share of the bound.
+constexpr double FlatShare = 0.25;
 
 // The returns that are certainly connected to one, at most `maximum` and one more: neighbours,
 // diagonals included, whose ranges differ by at most DepthStep, and for which `counts` is true.
@@ -75,7 +57,7 @@ ReturnBeside FindBeside(const MapCase& map, const Beam& beam, const Beam& direct
   for (int i = 1; i <= map.Promise.MaximumSpeckleSize + 1; ++i)
   {
     next = { next.Turn + direction.Turn, next.Number + direction.Number };
-    const vtkIdType number = GetReturn(map, next);
+    const vtkIdType number = GetReturnOf(map, next);
     if (number != ScanGrid::NoReturn && !map.IsSpeckle(next))
     {
       return { map.Grid.GetRange(number), static_cast<double>(i) };
@@ -106,61 +88,6 @@ bool StandsOut(const MapCase& map, const Beam& beam)
   return std::min(inFan, inTurn) > bound || std::max(inFan, inTurn) < -bound;
 }
 
-// The returns around a speckle that has a return.
-std::set<vtkIdType> FindSurroundings(const MapCase& map, const Beam& first)
-{
-  std::set<vtkIdType> members = { map.Grid.GetReturn(first) };
-  std::vector<Beam> waiting = { first };
-  std::set<vtkIdType> around;
-  while (!waiting.empty())
-  {
-    const Beam beam = waiting.back();
-    waiting.pop_back();
-    ForEachReturnNear(map, beam,
-      [&](const Beam& next, vtkIdType number)
-      {
-        if (!map.IsSpeckle(next))
-        {
-          around.insert(number);
-        }
-        else if (members.insert(number).second)
-        {
-          waiting.push_back(next);
-        }
-      });
-  }
-  return around;
-}
-
-// Whether returns lie on one plane within twice the bound or six standard deviations of the noise.
-// On a plane, the inverse range is linear in the direction: the normal equations give the plane.
-bool AreOnOnePlane(const MapCase& map, const std::set<vtkIdType>& returns)
-{
-  std::array<Vector, 3> matrix = {};
-  Vector right = {};
-  for (vtkIdType number : returns)
-  {
-    const Vector direction = Normalize(map.Grid.GetPoints()[number]);
-    const double inverse = 1.0 / GetLength(map.Grid.GetPoints()[number]);
-    for (int i = 0; i < 3; ++i)
-    {
-      matrix[i] = matrix[i] + direction[i] * direction;
-      right[i] += inverse * direction[i];
-    }
-  }
-  const auto& [p, q, r] = matrix;
-  const double determinant = Dot(p, Cross(q, r));
-  const Vector plane = { Dot(right, Cross(q, r)) / determinant,
-    Dot(p, Cross(right, r)) / determinant, Dot(p, Cross(q, right)) / determinant };
-  const double tolerance = std::max(2.0 * map.Promise.MaximumError, 6.0 * map.Promise.Noise);
-  return std::all_of(returns.begin(), returns.end(),
-    [&](vtkIdType number)
-    {
-      const Vector& point = map.Grid.GetPoints()[number];
-      return std::abs(1.0 / Dot(plane, Normalize(point)) - GetLength(point)) <= tolerance;
-    });
-}
-
 // Whether a named return may be that of a speckle: with the returns at its depth, it is a small
 // group, or it stands out of them in one.
 bool MayBeSpeckle(const MapCase& map, const Beam& beam)
@@ -172,12 +99,49 @@ bool MayBeSpeckle(const MapCase& map, const Beam& beam)
   return number != ScanGrid::NoReturn &&
     (isSmall([](const Beam&) { return true; }) ||
       (isSmall([&](const Beam& other) { return map.IsSpeckle(other); }) && StandsOut(map, beam) &&
-        AreOnOnePlane(map, FindSurroundings(map, beam))));
+        SpeckleSurroundings(map, beam).AreOnOnePlane(
+          std::max(2.0 * map.Promise.MaximumError, 6.0 * map.Promise.Noise))));
+}
+
+// Whether the beam of a speckle meets surface at the plane around the speckle. True, too, if there is
+// no such plane. The surface may be off by the bound where this plane is off by it to the other side.
+bool HasSurface(const MapCase& map, const TriangleTree& surface, const Beam& beam)
+{
+  const SpeckleSurroundings around(map, beam);
+  const double bound = map.Promise.MaximumError;
+  if (!around.AreWhole() || !around.AreOnOnePlane(FlatShare * bound))
+  {
+    return true;
+  }
+  const Vector direction =
+    map.Grid.GetDirection({ static_cast<double>(beam.Turn), static_cast<double>(beam.Number) });
+  const double range = around.GetRange(direction);
+  std::vector<TriangleTree::Hit> hits;
+  surface.Cast(direction, BeamMargin, hits);
+  return std::any_of(hits.begin(), hits.end(),
+    [&](const TriangleTree::Hit& hit) { return std::abs(hit.Range - range) <= 2.0 * bound; });
+}
+
+void JudgeSurface(const MapCase& map, const TriangleTree& surface, MapVerdict& verdict)
+{
+  for (int id : map.Speckles)
+  {
+    const Beam beam = { id / map.Grid.GetNumberOfBeams(), id % map.Grid.GetNumberOfBeams() };
+    if (GetReturnOf(map, beam) != ScanGrid::NoReturn && !HasSurface(map, surface, beam))
+    {
+      verdict.Add("hole", map.Grid.Describe(beam) + " is a speckle without surface behind it");
+    }
+  }
 }
 } // namespace
 
-void JudgeSpeckles(const MapCase& map, const std::vector<vtkIdType>& leftOut, MapVerdict& verdict)
+void JudgeSpeckles(const MapCase& map, const TriangleTree& surface,
+  const std::vector<vtkIdType>& leftOut, MapVerdict& verdict)
 {
+  if (!map.IsPlain())
+  {
+    JudgeSurface(map, surface, verdict);
+  }
   for (int id : map.Speckles)
   {
     const Beam beam = { id / map.Grid.GetNumberOfBeams(), id % map.Grid.GetNumberOfBeams() };

@@ -16,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -255,6 +256,21 @@ TEST_F(MapJudgeOfDamage, SeesASpeckleWithoutAPlaneAroundIt)
   constexpr int Beside = Inside + NumberOfBeams;
   this->BringNearer({ Inside, Beside - 1, Beside, Beside + 1 }, Height);
   this->ExpectBreach("speckle");
+}
+
+TEST_F(MapJudgeOfDamage, SeesAHoleBehindASpeckle)
+{
+  this->BringNearer({ Inside });
+  this->Promise.MaximumSpeckleSize = 1;
+  this->Promise.KeepSpeckles = false;
+  this->AddValue<vtkIntArray>("NumberOfReturnsOnSpeckles", 1.0);
+  this->AddNumbers("SpeckleBeamIds", { Inside });
+  EXPECT_EQ(this->Judge().GetNumberOfBreaches("hole"), 0u);
+  const auto isAtSpeckle = [](const Triangle& triangle)
+  { return std::find(triangle.begin(), triangle.end(), Inside) != triangle.end(); };
+  this->Triangles.erase(std::remove_if(this->Triangles.begin(), this->Triangles.end(), isAtSpeckle),
+    this->Triangles.end());
+  this->ExpectBreach("hole");
 }
 
 TEST_F(MapJudgeOfDamage, SeesAThingThatIsTooLargeForASpeckle)
