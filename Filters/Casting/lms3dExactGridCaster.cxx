@@ -13,7 +13,8 @@ namespace
 // need them.
 constexpr std::size_t MaximumTrianglesPerPacket = 1;
 
-// Measured: with more, packets share too few triangles for it to pay to keep what is computed.
+// Measured: with more, packets share too few triangles for it to pay to keep what is computed,
+// unless Embree casts each packet in parts, which meet the same triangles.
 constexpr std::size_t MaximumTrianglesPerPacketToKeep = 64;
 } // namespace
 
@@ -26,33 +27,29 @@ lms3dExactGridCaster::lms3dExactGridCaster(const lms3dTriangleMesh& mesh,
   , Cone(candidates.GetCone(origin.Position))
   , View(mesh, origin, candidates.GetUnit())
 {
-  if (mesh.GetNumberOfTriangles() <= MaximumTrianglesPerPacketToKeep * grid.CountPackets())
-  {
-    this->PrepareTriangles(clusters);
-  }
-}
-
-void lms3dExactGridCaster::PrepareTriangles(const lms3dTriangleClusters* clusters)
-{
-  const std::size_t triangles = this->View.GetMesh().GetNumberOfTriangles();
+  const std::size_t triangles = mesh.GetNumberOfTriangles();
+  const bool areShared = triangles <= MaximumTrianglesPerPacketToKeep * grid.CountPackets();
   // From outside, a scene fills a small part of the view, and Embree misses it at once.
-  const bool isInside = this->Candidates.IsInBoundingSphere(this->View.GetOrigin().Position);
-  if (isInside && lms3dTileSearch::IsSuitable(this->Grid, triangles))
+  const bool isInside = candidates.IsInBoundingSphere(origin.Position);
+  if (isInside && triangles <= MaximumTrianglesPerPacket * grid.CountPackets())
   {
-    this->Tiles = lms3dTileSearch::New(this->View, this->Grid);
+    if (lms3dTileSearch::IsSuitable(grid, triangles))
+    {
+      this->Tiles = lms3dTileSearch::New(this->View, grid);
+    }
+    else
+    {
+      this->View.MakeNarrowTriangles();
+    }
   }
-  else if (isInside && triangles <= MaximumTrianglesPerPacket * this->Grid.CountPackets())
-  {
-    this->View.MakeNarrowTriangles();
-  }
-  else
+  else if (areShared || lms3dGetPacketKernels().RaysAtOnce < lms3dBeamPacket::Size)
   {
     this->View.KeepNarrowTriangles();
   }
-  if (!this->Tiles && isInside && clusters && lms3dTileSearch::IsSuitable(this->Grid, *clusters))
+  if (!this->Tiles && areShared && isInside && clusters &&
+    lms3dTileSearch::IsSuitable(grid, *clusters))
   {
-    this->Tiles =
-      lms3dTileSearch::New(this->View, this->Grid, *clusters, this->Candidates.GetNormalization());
+    this->Tiles = lms3dTileSearch::New(this->View, grid, *clusters, candidates.GetNormalization());
     // Some tiles take long, and a thread must not be left alone with several of them.
     this->Columns = lms3dTileSearch::PacketsPerSide;
   }

@@ -49,7 +49,6 @@ public:
   void FindNearest(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const override;
 
 private:
-  void PrepareTriangles(const lms3dTriangleClusters* clusters);
   std::ptrdiff_t GetSlot(int turn, int beam) const
   {
     return static_cast<std::ptrdiff_t>(turn) * this->Grid.Beams + beam;
