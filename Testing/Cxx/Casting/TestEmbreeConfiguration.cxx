@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 namespace
 {
 /// Returns how many rays of a packet a device casts by one instruction for all.
