@@ -10,7 +10,6 @@
 #include "Casting/lms3dBitMask.h"
 #include "Kernels/lms3dPacketKernels.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -68,22 +67,21 @@ public:
   void GetCandidates(
     lms3dTileCandidates& candidates, std::array<std::uint32_t, lms3dTiles::Size + 1>& first) const
   {
-    first[0] = 0;
-    std::fill(first.begin() + 1, first.end(), 0u);
+    first.fill(0u);
     this->ForEachPair([&first](int, int tile) { ++first[tile + 1]; });
     std::partial_sum(first.begin(), first.end(), first.begin());
-    std::array<std::uint32_t, lms3dTiles::Size> next;
+    std::array<std::uint32_t, lms3dTiles::Size> next = {};
     for (int tile = 0; tile < lms3dTiles::Size; ++tile)
     {
-      next[tile] = first[tile] + (this->Covers[tile] == NoCover ? 0 : 1);
+      next[tile] = first[tile] + (this->Covers[tile] == NoCover ? 0u : 1u);
     }
     candidates.resize(first.back());
     this->ForEachPair(
       [&](int i, int tile)
       {
         const Triangle& triangle = this->Triangles[i];
-        candidates[i == this->Covers[tile] ? first[tile] : next[tile]++] = { triangle.Number,
-          lms3dHasBit(triangle.Covered, tile) };
+        const std::uint32_t place = i == this->Covers[tile] ? first[tile] : next[tile]++;
+        candidates[place] = { triangle.Number, lms3dHasBit(triangle.Covered, tile) };
       });
   }
 
