@@ -63,4 +63,10 @@ public:
 /// Some packets of a rectangle, numbered row by row.
 using lms3dPacketMask = std::bitset<lms3dGridCaster::MaximumPackets>;
 
+/// Returns the first `count` packets, at least one.
+inline lms3dPacketMask lms3dGetFirstPackets(int count)
+{
+  return ~lms3dPacketMask() >> (lms3dGridCaster::MaximumPackets - count);
+}
+
 #endif

@@ -23,6 +23,14 @@ struct lms3dTileBlock
     tiles.GetCandidates(this->Candidates, this->First);
   }
 
+  /// Returns the first candidate of a tile, or lms3dBeamPacket::NoTriangle.
+  std::int32_t GetTriangle(int tile) const
+  {
+    const std::uint32_t first = this->First[tile];
+    return first == this->First[tile + 1] ? lms3dBeamPacket::NoTriangle
+                                          : this->Candidates[first].Triangle;
+  }
+
   /// Ends the list of candidates of a tile.
   void EndTile(int tile)
   {

@@ -10,7 +10,6 @@
 #include "Casting/lms3dBitMask.h"
 #include "Kernels/lms3dPacketKernels.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -49,7 +48,7 @@ public:
     }
   }
 
-  /// Returns the tiles all of whose beams have the triangle of GetTriangle.
+  /// Returns the tiles all of whose beams hit their only candidate, or have none and hit nothing.
   std::uint32_t GetDecided() const
   {
     std::uint32_t once = 0;
@@ -62,45 +61,28 @@ public:
     return ~once | (~twice & this->Covered);
   }
 
-  /// Returns the nearest triangle that covers a tile, or lms3dBeamPacket::NoTriangle.
-  std::int32_t GetTriangle(int tile) const
-  {
-    const int cover = this->Covers[tile];
-    return cover == NoCover ? lms3dBeamPacket::NoTriangle : this->Triangles[cover].Number;
-  }
-
-  /// Appends the candidates of a tile to a list. The nearest one that covers the tile comes first,
-  /// so that the next division drops at once what lies behind it.
-  void AppendCandidates(int tile, lms3dTileCandidates& candidates) const
-  {
-    const int cover = this->Covers[tile];
-    if (cover != NoCover)
-    {
-      candidates.push_back({ this->Triangles[cover].Number, true });
-    }
-    for (int i = 0; i < static_cast<int>(this->Triangles.size()); ++i)
-    {
-      const Triangle& triangle = this->Triangles[i];
-      if (lms3dHasBit(triangle.Met, tile) && i != cover)
-      {
-        candidates.push_back({ triangle.Number, lms3dHasBit(triangle.Covered, tile) });
-      }
-    }
-  }
-
-  /// Sets `candidates` to the candidates of all tiles, one tile after the other, each in this
-  /// order, and `first` to where each tile's begin.
+  /// Sets `candidates` to the candidates of all tiles, one tile after the other, and `first` to
+  /// where each tile's begin. The nearest one that covers a tile comes first, so that the next
+  /// division drops at once what lies behind it.
   void GetCandidates(
     lms3dTileCandidates& candidates, std::array<std::uint32_t, lms3dTiles::Size + 1>& first) const
   {
+    first.fill(0u);
+    this->ForEachPair([&first](int, int tile) { ++first[tile + 1]; });
+    std::partial_sum(first.begin(), first.end(), first.begin());
     std::array<std::uint32_t, lms3dTiles::Size> next = {};
-    this->ForEachPair([&next](int tile, const lms3dTileCandidate&) { ++next[tile]; });
-    std::partial_sum(next.begin(), next.end(), first.begin() + 1);
-    first[0] = 0;
-    std::copy_n(first.begin(), next.size(), next.begin());
+    for (int tile = 0; tile < lms3dTiles::Size; ++tile)
+    {
+      next[tile] = first[tile] + (this->Covers[tile] == NoCover ? 0u : 1u);
+    }
     candidates.resize(first.back());
     this->ForEachPair(
-      [&](int tile, const lms3dTileCandidate& candidate) { candidates[next[tile]++] = candidate; });
+      [&](int i, int tile)
+      {
+        const Triangle& triangle = this->Triangles[i];
+        const std::uint32_t place = i == this->Covers[tile] ? first[tile] : next[tile]++;
+        candidates[place] = { triangle.Number, lms3dHasBit(triangle.Covered, tile) };
+      });
   }
 
 private:
@@ -128,28 +110,16 @@ private:
     }
   }
 
-  // Calls `function` with a tile and a candidate, for all pairs.
+  // Calls `function` with where a triangle stands in Triangles and a tile that it may meet, for all
+  // such pairs.
   template <typename Function>
   void ForEachPair(const Function& function) const
   {
-    for (int tile = 0; tile < lms3dTiles::Size; ++tile)
-    {
-      if (this->Covers[tile] != NoCover)
-      {
-        function(tile, lms3dTileCandidate{ this->Triangles[this->Covers[tile]].Number, true });
-      }
-    }
     for (int i = 0; i < static_cast<int>(this->Triangles.size()); ++i)
     {
-      const Triangle& triangle = this->Triangles[i];
-      for (std::uint32_t rest = triangle.Met; rest != 0; rest &= rest - 1)
+      for (std::uint32_t rest = this->Triangles[i].Met; rest != 0; rest &= rest - 1)
       {
-        const int tile = lms3dGetFirstBit(rest);
-        if (i != this->Covers[tile])
-        {
-          function(
-            tile, lms3dTileCandidate{ triangle.Number, lms3dHasBit(triangle.Covered, tile) });
-        }
+        function(i, lms3dGetFirstBit(rest));
       }
     }
   }

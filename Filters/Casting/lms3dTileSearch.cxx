@@ -110,9 +110,7 @@ bool lms3dTileSearch::IsDecided(int turn, int beam, std::int32_t& triangle) cons
 {
   const lms3dTileBlock& block = this->Blocks[this->Grid.FindBlock(turn, beam)];
   const int part = lms3dTileGrid::FindPart(turn, beam);
-  triangle = block.First[part] == block.First[part + 1]
-    ? lms3dBeamPacket::NoTriangle
-    : block.Candidates[block.First[part]].Triangle;
+  triangle = block.GetTriangle(part);
   return lms3dHasBit(block.Decided, part);
 }
 
@@ -161,35 +159,32 @@ void lms3dTileSearch::FindInParts(
   lms3dTiles tiles;
   const std::uint32_t present =
     this->Grid.FillParts({ 1, packets.Tile.FirstTurn, packets.Tile.FirstBeam }, tiles);
-  const lms3dTileCandidateLists parts =
-    this->Classifier.Classify(candidates, count, present, tiles, packets.Kept);
-  const std::uint32_t decided = parts.GetDecided();
-  lms3dTileCandidates ofPacket;
-  ofPacket.reserve(count);
+  const lms3dTileBlock parts(
+    this->Classifier.Classify(candidates, count, present, tiles, packets.Kept));
   packets.ForEach(
     [&](int i, lms3dBeamPacket& packet)
     {
-      if (lms3dHasBit(decided, i))
+      if (lms3dHasBit(parts.Decided, i))
       {
         lms3dSetTriangle(parts.GetTriangle(i), packet);
-        return true;
       }
-      ofPacket.clear();
-      parts.AppendCandidates(i, ofPacket);
-      this->TestCandidates(ofPacket, packets.Kept, packet);
+      else
+      {
+        this->TestCandidates(parts, i, packets.Kept, packet);
+      }
       return true;
     });
 }
 
 void lms3dTileSearch::TestCandidates(
-  const lms3dTileCandidates& candidates, lms3dNarrowCache* kept, lms3dBeamPacket& packet) const
+  const lms3dTileBlock& parts, int part, lms3dNarrowCache* kept, lms3dBeamPacket& packet) const
 {
   lms3dPacketSearch search;
   search.Kept = kept;
   this->Classifier.GetView().Begin(packet, search);
-  for (const lms3dTileCandidate& candidate : candidates)
+  for (std::uint32_t i = parts.First[part]; i < parts.First[part + 1]; ++i)
   {
     this->Classifier.GetView().Test(
-      static_cast<std::uint32_t>(candidate.Triangle), packet.Active, search);
+      static_cast<std::uint32_t>(parts.Candidates[i].Triangle), packet.Active, search);
   }
 }

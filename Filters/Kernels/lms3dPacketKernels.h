@@ -97,6 +97,9 @@ struct lms3dPacketKernels
 {
   const char* Name;
 
+  /// How many rays of a packet Embree casts at once with the same instruction set.
+  int RaysAtOnce;
+
   /// Fills Direction and NarrowDirection of a packet.
   void (*GenerateDirections)(
     const lms3dElevations& elevations, const lms3dFanAxes& axes, lms3dBeamPacket& packet);

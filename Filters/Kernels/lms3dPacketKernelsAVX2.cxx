@@ -4,4 +4,4 @@
 
 #include "Kernels/lms3dPacketKernelSets.h"
 
-const lms3dPacketKernels lms3dPacketKernelsAVX2 = { "AVX2", LMS3D_PACKET_KERNELS };
+const lms3dPacketKernels lms3dPacketKernelsAVX2 = { "AVX2", 8, LMS3D_PACKET_KERNELS };

@@ -4,4 +4,4 @@
 
 #include "Kernels/lms3dPacketKernelSets.h"
 
-const lms3dPacketKernels lms3dPacketKernelsAVX512 = { "AVX512", LMS3D_PACKET_KERNELS };
+const lms3dPacketKernels lms3dPacketKernelsAVX512 = { "AVX512", 16, LMS3D_PACKET_KERNELS };

@@ -4,4 +4,4 @@
 
 #include "Kernels/lms3dPacketKernelSets.h"
 
-const lms3dPacketKernels lms3dPacketKernelsBaseline = { "Baseline", LMS3D_PACKET_KERNELS };
+const lms3dPacketKernels lms3dPacketKernelsBaseline = { "Baseline", 4, LMS3D_PACKET_KERNELS };

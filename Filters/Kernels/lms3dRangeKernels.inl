@@ -146,48 +146,20 @@ void IntersectDoublePlane(
   }
 }
 
-// Returns whether all ranges are above 0 and not above a maximum.
-bool AreWithin(const double* ranges, double maximumRange)
-{
-  // As wide as the ranges, so that the compiler can vectorize the loop.
-  std::int64_t areWithin = -1;
-  for (int i = 0; i < Size; ++i)
-  {
-    areWithin &= (ranges[i] > 0.0) & (ranges[i] <= maximumRange) ? -1 : 0;
-  }
-  return areWithin != 0;
-}
-
-// For packets with several triangles, and where hits are lost.
-void StoreSomeRanges(
-  const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet)
-{
-  Mask lost;
-  for (int i = 0; i < Size; ++i)
-  {
-    const bool isMeasured = packet.Triangle[i] == triangle;
-    const bool isHit = (ranges[i] > 0.0) & (ranges[i] <= maximumRange);
-    packet.Range[i] = isMeasured ? (isHit ? ranges[i] : lms3dBeamPacket::NoRange) : packet.Range[i];
-    lost.Set(i, isMeasured & !isHit);
-  }
-  for (int i = 0; i < Size; ++i)
-  {
-    packet.Triangle[i] |= lost.Beams[i];
-  }
-}
-
-void StoreRangesOfBeams(
-  const double* ranges, std::uint32_t beams, double maximumRange, lms3dBeamPacket& packet)
+// `ranges` must not overlap the packet, so that the compiler can vectorize the loops.
+void StoreRangesOfBeams(const double* __restrict ranges, std::uint32_t beams, double maximumRange,
+  lms3dBeamPacket& packet)
 {
   Mask isHit;
   for (int i = 0; i < Size; ++i)
   {
     isHit.Set(i, (ranges[i] > 0.0) & (ranges[i] <= maximumRange));
+    packet.Range[i] = (beams >> i) & 1u ? ranges[i] : packet.Range[i];
   }
   const std::uint32_t lost = beams & ~isHit.GetBits();
-  for (int i = 0; i < Size; ++i)
+  if (lost == 0)
   {
-    packet.Range[i] = (beams >> i) & 1u ? ranges[i] : packet.Range[i];
+    return;
   }
   for (int i = 0; i < Size; ++i)
   {
@@ -199,23 +171,14 @@ void StoreRangesOfBeams(
 std::uint32_t StoreRanges(
   const double* ranges, std::int32_t triangle, double maximumRange, lms3dBeamPacket& packet)
 {
-  constexpr std::uint32_t all = (1u << Size) - 1u;
-  Mask measured;
+  Mask isMeasured;
   for (int i = 0; i < Size; ++i)
   {
-    measured.Set(i, packet.Triangle[i] == triangle);
+    isMeasured.Set(i, packet.Triangle[i] == triangle);
   }
-  const std::uint32_t bits = measured.GetBits();
-  if (bits != all || !AreWithin(ranges, maximumRange))
-  {
-    StoreSomeRanges(ranges, triangle, maximumRange, packet);
-    return bits;
-  }
-  for (int i = 0; i < Size; ++i)
-  {
-    packet.Range[i] = ranges[i];
-  }
-  return bits;
+  const std::uint32_t beams = isMeasured.GetBits();
+  StoreRangesOfBeams(ranges, beams, maximumRange, packet);
+  return beams;
 }
 
 std::uint32_t RefineRanges(const lms3dDoubleDoublePlane& plane, std::int32_t triangle,

@@ -45,15 +45,17 @@ constexpr float MaximumOpposite = 0.75f;
 
 using TileVector = float[3][Size];
 
-void FillTileCorner(
-  const lms3dTiles& tiles, const float* cosine, const float* sine, int turn, TileVector& corner)
+// `turn` and `beam` are 0 at the tiles' first turn or beam and 1 at the last. The corner does not
+// overlap its input, so that the compiler can vectorize the loop.
+void FillTileCorner(const lms3dTiles& tiles, int turn, int beam, TileVector& __restrict corner)
 {
-  for (int axis = 0; axis < 3; ++axis)
+  for (int i = 0; i < Size; ++i)
   {
-    for (int i = 0; i < Size; ++i)
-    {
-      corner[axis][i] = cosine[i] * tiles.Fan[turn][axis][i] + sine[i] * tiles.Up[axis];
-    }
+    const float cosine = tiles.Cosine[beam][i];
+    const float sine = tiles.Sine[beam][i];
+    corner[0][i] = cosine * tiles.Fan[turn][0][i] + sine * tiles.Up[0];
+    corner[1][i] = cosine * tiles.Fan[turn][1][i] + sine * tiles.Up[1];
+    corner[2][i] = cosine * tiles.Fan[turn][2][i] + sine * tiles.Up[2];
   }
 }
 
@@ -89,10 +91,10 @@ void FillTileSide(
 
 void FillTileCorners(lms3dTiles& tiles)
 {
-  FillTileCorner(tiles, tiles.Cosine[0], tiles.Sine[0], 0, tiles.Corner[0]);
-  FillTileCorner(tiles, tiles.Cosine[0], tiles.Sine[0], 1, tiles.Corner[1]);
-  FillTileCorner(tiles, tiles.Cosine[1], tiles.Sine[1], 1, tiles.Corner[2]);
-  FillTileCorner(tiles, tiles.Cosine[1], tiles.Sine[1], 0, tiles.Corner[3]);
+  FillTileCorner(tiles, 0, 0, tiles.Corner[0]);
+  FillTileCorner(tiles, 1, 0, tiles.Corner[1]);
+  FillTileCorner(tiles, 1, 1, tiles.Corner[2]);
+  FillTileCorner(tiles, 0, 1, tiles.Corner[3]);
   alignas(64) TileVector inside;
   for (int side = 0; side < 4; ++side)
   {
