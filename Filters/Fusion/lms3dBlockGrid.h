@@ -28,6 +28,8 @@ struct lms3dRegionBlock
   lms3dBits May = {};
   /// A return lies here.
   lms3dBits Must = {};
+  /// A return lies here that is far from the plane.
+  lms3dBits Far = {};
   /// A beam passed here.
   lms3dBits Passed = {};
   /// A triangle of the mesh covers the centre of the cell.

@@ -37,6 +37,7 @@ struct Snapped
 {
   lms3dPoint2 Point;
   bool IsMoved;
+  bool IsBlocked;
 };
 
 // Whether a side of an outline moves inwards, or no beam passed where it moves over.
@@ -62,12 +63,12 @@ void MoveBack(const lms3dLoop& loop, const lms3dRegion& region, std::vector<Snap
       Snapped& b = corners[next];
       if (b.IsMoved && !IsSweepFree({ loop[i], loop[next], b.Point }, region))
       {
-        b = { loop[next], false };
+        b = { loop[next], false, true };
         isChanged = true;
       }
       if (a.IsMoved && !IsSweepFree({ loop[i], b.Point, a.Point }, region))
       {
-        a = { loop[i], false };
+        a = { loop[i], false, true };
         isChanged = true;
       }
     }
@@ -128,9 +129,11 @@ void FreeShortRuns(std::vector<Snapped>& corners)
       const lms3dPoint2& b = corners[end % count].Point;
       length = std::max(length, std::hypot(b[0] - a[0], b[1] - a[1]));
     }
+    static const double sb = getenv("SB") ? atof(getenv("SB")) : 300.0;
+    const bool isBlocked = corners[end % count].IsBlocked || corners[(i + count - 1) % count].IsBlocked;
     for (; i < end; ++i)
     {
-      corners[i % count].IsMoved = length >= ShortestRun;
+      corners[i % count].IsMoved = length >= (isBlocked ? sb : ShortestRun);
     }
     ++i;
   }
@@ -150,7 +153,7 @@ std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
     {
       const std::optional<lms3dPoint2> place = lms3dFindPlaceOnCrease(point, creases, tile);
       const bool moves = place && tile.Has(*place) && IsWayFree(point, *place, region);
-      corners.push_back({ moves ? *place : point, moves });
+      corners.push_back({ moves ? *place : point, moves, place && !moves });
     }
     MoveBack(loop, region, corners);
     Clean(corners);

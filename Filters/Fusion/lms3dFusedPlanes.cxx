@@ -109,10 +109,11 @@ bool lms3dFusedPlanes::IsCovered(
   {
     return true;
   }
-  const int reach = lms3dGetCoveredReach(block.Deviation, this->Cell, this->MaximumError);
+  const int reach = (block.Far[lms3dRaster::GetPlaceOf(v)] >> lms3dRaster::GetPlaceOf(u) & 1U) != 0 ? lms3dGetCoveredReach(block.Deviation, this->Cell, this->MaximumError) : 2;
   for (std::int32_t row = v - reach; row <= v + reach; ++row)
   {
-    if (plane.Raster.HasAny(&lms3dRasterBlock::Covered, row, u - reach, u + reach))
+    const int width = reach == 2 && std::abs(row - v) == 2 ? 1 : reach;
+    if (plane.Raster.HasAny(&lms3dRasterBlock::Covered, row, u - width, u + width))
     {
       return true;
     }
@@ -148,14 +149,18 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
     block.IsCalm ? block.Shape[lms3dRaster::GetPlaceOf(v)] : std::uint64_t{ 0 };
   if ((bit & ~word) != 0)
   {
-    plane.Raster.MarkReturns(blockNumber, (bit & block.Open[lms3dRaster::GetPlaceOf(v)]) != 0);
+    plane.Raster.AddChanges(blockNumber, lms3dRaster::GetPlaceOf(v), bit);
   }
   if ((bit & ~word & ~shape) != 0)
   {
     plane.Raster.SetMark(blockNumber, lms3dRaster::DIRTY);
   }
   word |= bit;
-  block.Deviation = std::max(block.Deviation, std::abs(plane.Frame.GetHeight(mapped.Point)));
+  if (lms3dGetCoveredReach(std::abs(plane.Frame.GetHeight(mapped.Point)), this->Cell, this->MaximumError) < 2)
+  {
+    block.Far[lms3dRaster::GetPlaceOf(v)] |= bit;
+    block.Deviation = std::max(block.Deviation, std::abs(plane.Frame.GetHeight(mapped.Point)));
+  }
   if (!this->IsCovered(plane, block, u, v))
   {
     plane.Raster.SetMark(blockNumber, lms3dRaster::STALE);

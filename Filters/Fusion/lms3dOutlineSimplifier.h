@@ -9,6 +9,7 @@
 
 #include "Fusion/lms3dCornerBuckets.h"
 #include "Fusion/lms3dCornerCandidates.h"
+#include "Fusion/lms3dCutReturns.h"
 #include "Fusion/lms3dRaster.h"
 #include "Fusion/lms3dRasterOutline.h"
 
@@ -30,7 +31,7 @@ public:
   /// `region` has the bits of lms3dMakeRegionCells(). The tolerance is in cells. Corners of
   /// `isFixed`, in the order of the loops, go only if they lie on a straight line.
   lms3dOutlineSimplifier(const lms3dRegion& region, const std::vector<lms3dLoop>& loops,
-    const std::vector<bool>& isFixed, double tolerance);
+    const std::vector<bool>& isFixed, double tolerance, double reach);
 
   std::vector<lms3dLoop> Simplify();
 
@@ -43,8 +44,8 @@ private:
   void Queue(Corner corner);
   double GetCost(Corner corner) const;
   bool MayGo(Corner corner) const;
-  bool MayLose(const std::array<lms3dPoint2, 3>& triangle) const;
   bool MayGain(const std::array<lms3dPoint2, 3>& triangle) const;
+  std::array<lms3dPoint2, 3> GetTriangle(Corner corner) const;
   bool IsEmpty(const std::array<lms3dPoint2, 3>& triangle, Corner corner) const;
   void Remove(Corner corner);
   std::vector<lms3dLoop> GetLoops() const;
@@ -62,6 +63,8 @@ private:
   std::vector<int> SizeOfLoop;
   std::vector<int> Versions;
   std::vector<bool> IsGone;
+  /// The number of an edge is its first corner.
+  lms3dCutReturns Cut;
   /// The corners that did not go.
   lms3dCornerBuckets Buckets;
   lms3dCornerCandidates Candidates;

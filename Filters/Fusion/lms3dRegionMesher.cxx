@@ -58,7 +58,7 @@ public:
     else
     {
       const std::vector<Corners2> triangles = lms3dTriangulateRegion(this->Region, this->Creases,
-        this->Tile, BorderShare * this->MaximumError / this->Plane.Frame.GetCell());
+        this->Tile, BorderShare * this->MaximumError / this->Plane.Frame.GetCell(), this->GetReachOfBorder());
       lms3dCoverRegion(triangles, this->Region);
       for (const Corners2& triangle : triangles)
       {
@@ -174,11 +174,19 @@ private:
     this->Tile.Mesh.Triangles.push_back(corners);
   }
 
+  double GetReachOfBorder() const
+  {
+    static const char* e = getenv("REACH");
+    static const double r = e ? atof(e) : 2.2;
+    return r;
+  }
+
   bool IsCovered(std::int32_t u, std::int32_t v, int reach) const
   {
     for (std::int32_t row = v - reach; row <= v + reach; ++row)
     {
-      if (this->Region.HasAny(&lms3dRasterBlock::Covered, row, u - reach, u + reach))
+      const int width = reach == 2 && std::abs(row - v) == 2 ? 1 : reach;
+      if (this->Region.HasAny(&lms3dRasterBlock::Covered, row, u - width, u + width))
       {
         return true;
       }
@@ -193,7 +201,7 @@ private:
     {
       const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(this->Tile.Blocks[i]);
       const lms3dBits& covered = this->Region.GetBlock(static_cast<int>(i)).Covered;
-      const int reach =
+      const int reachOfFar =
         lms3dGetCoveredReach(block.Deviation, this->Plane.Frame.GetCell(), this->MaximumError);
       for (int row = 0; row < lms3dRaster::Size; ++row)
       {
@@ -202,6 +210,7 @@ private:
         {
           const std::int32_t u = block.U * lms3dRaster::Size + place;
           const std::int32_t v = block.V * lms3dRaster::Size + row;
+          const int reach = (block.Far[row] >> place & 1U) != 0 ? reachOfFar : 2;
           if ((open >> place & 1U) != 0 && !this->IsCovered(u, v, reach))
           {
             this->AddFacet({ u + 0.5, v + 0.5 });
@@ -234,7 +243,7 @@ private:
 
 int lms3dGetCoveredReach(double deviation, double cell, double maximumError)
 {
-  return std::hypot(deviation, NeighbourDistance * cell) <= maximumError ? 1 : 0;
+  return std::hypot(deviation, 2.9154759474226504 * cell) <= maximumError ? 2 : std::hypot(deviation, NeighbourDistance * cell) <= maximumError ? 1 : 0;
 }
 
 void lms3dMakeTileMesh(lms3dFusedPlane& plane, lms3dFusedTile& tile,

@@ -17,6 +17,6 @@
 /// Borders move to creases, and are straightened within a tolerance, cells, as far as triangles can
 /// be made of them. `region` has the bits of lms3dMakeRegionCells().
 std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRegion& region,
-  const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance);
+  const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance, double reach);
 
 #endif

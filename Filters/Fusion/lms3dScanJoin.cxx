@@ -83,8 +83,10 @@ void lms3dScanJoin::AddReturns(PatchesOfPlanes& patches, std::vector<char>& isEx
       const lms3dPlaneFrame& frame = this->Planes[place.first].Frame;
       for (PatchOfPlane& patch : place.second)
       {
+        static const double ls = getenv("LS") ? atof(getenv("LS")) : LooseShare;
+        static const double nf = getenv("NF") ? atof(getenv("NF")) : NoiseFactor;
         const double near =
-          std::max(LooseShare * this->Planes.GetMaximumError(), NoiseFactor * patch.Deviation);
+          std::max(ls * this->Planes.GetMaximumError(), nf * patch.Deviation);
         for (const int i : *patch.Returns)
         {
           if (std::abs(frame.GetHeight(this->Local.Returns[i].Point)) > near)
