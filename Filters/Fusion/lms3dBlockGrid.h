@@ -28,7 +28,7 @@ struct lms3dRegionBlock
   lms3dBits May = {};
   /// A return lies here.
   lms3dBits Must = {};
-  /// A return lies here that is far from the plane.
+  /// A return lies here that is so far from the plane that a border must not cut it off.
   lms3dBits Far = {};
   /// A beam passed here.
   lms3dBits Passed = {};

@@ -14,6 +14,8 @@ namespace
 {
 // Cells: how far the border follows a crease at least.
 constexpr double ShortestRun = 48.0;
+// The same where beams that passed keep the border off the crease before or behind.
+constexpr double ShortestRunBesideBeams = 48.0;
 
 // Samples the way at half cells.
 bool IsWayFree(const lms3dPoint2& from, const lms3dPoint2& to, const lms3dRegion& region)
@@ -37,6 +39,7 @@ struct Snapped
 {
   lms3dPoint2 Point;
   bool IsMoved;
+  /// Whether beams that passed keep it off a crease.
   bool IsBlocked;
 };
 
@@ -129,11 +132,11 @@ void FreeShortRuns(std::vector<Snapped>& corners)
       const lms3dPoint2& b = corners[end % count].Point;
       length = std::max(length, std::hypot(b[0] - a[0], b[1] - a[1]));
     }
-    static const double sb = getenv("SB") ? atof(getenv("SB")) : 300.0;
-    const bool isBlocked = corners[end % count].IsBlocked || corners[(i + count - 1) % count].IsBlocked;
+    const bool isBlocked =
+      corners[end % count].IsBlocked || corners[(i + count - 1) % count].IsBlocked;
     for (; i < end; ++i)
     {
-      corners[i % count].IsMoved = length >= (isBlocked ? sb : ShortestRun);
+      corners[i % count].IsMoved = length >= (isBlocked ? ShortestRunBesideBeams : ShortestRun);
     }
     ++i;
   }

@@ -7,9 +7,14 @@
 
 #include <algorithm>
 
-lms3dCutReturns::lms3dCutReturns(const lms3dRegion& region, double reach, std::size_t edges)
+namespace
+{
+// Cells: a border need not cut off a return that is farther from all beams that passed.
+constexpr int NearBeams = 3;
+} // namespace
+
+lms3dCutReturns::lms3dCutReturns(const lms3dRegion& region, std::size_t edges)
   : Region(region)
-  , Reach(reach * reach)
   , Returns(edges)
 {
 }
@@ -43,16 +48,18 @@ bool lms3dCutReturns::ForReturns(const Triangle& triangle, const Visitor& visit)
     });
 }
 
-bool lms3dCutReturns::MayCut(
-  const Triangle& triangle, std::size_t first, std::size_t second) const
+bool lms3dCutReturns::MayCut(const Triangle& triangle, std::size_t first, std::size_t second) const
 {
   const lms3dSegment2 line(triangle[0], triangle[2]);
   const auto isNear = [&](const lms3dPoint2& place)
   { return line.GetSquaredDistance(place) <= this->Reach; };
   const auto mayGo = [&](const lms3dPoint2& place)
   {
-    return isNear(place) &&
-      !this->Region.Has(&lms3dRegionBlock::Far, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
+    const auto u = lms3dGetCellOf(place[0]);
+    const auto v = lms3dGetCellOf(place[1]);
+    return isNear(place) && !this->Region.Has(&lms3dRegionBlock::Far, u, v) &&
+      this->Region.HasAny(&lms3dRegionBlock::Passed,
+        lms3dCellBox{ u - NearBeams, u + NearBeams, v - NearBeams, v + NearBeams });
   };
   return std::all_of(this->Returns[first].begin(), this->Returns[first].end(), isNear) &&
     std::all_of(this->Returns[second].begin(), this->Returns[second].end(), isNear) &&

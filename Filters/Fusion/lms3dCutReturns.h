@@ -24,9 +24,11 @@ class lms3dCutReturns
 public:
   using Triangle = std::array<lms3dPoint2, 3>;
 
-  /// `region` has returns that no border may cut off unless it is at most `reach` away. Edges have
-  /// numbers from 0 on.
-  lms3dCutReturns(const lms3dRegion& region, double reach, std::size_t edges);
+  /// `region` has the returns. Edges have numbers from 0 on.
+  lms3dCutReturns(const lms3dRegion& region, std::size_t edges);
+
+  /// How far a border may be away from a return that it cuts off. At first, none may be cut off.
+  void SetReach(double reach) { this->Reach = reach * reach; }
 
   /// Whether the third side of a triangle may take the place of two edges, if the region loses the
   /// triangle. The first edge goes from the triangle's first corner to its second one.
@@ -40,8 +42,8 @@ private:
   bool ForReturns(const Triangle& triangle, const Visitor& visit) const;
 
   const lms3dRegion& Region;
-  /// Squared.
-  const double Reach;
+  /// Squared; below 0 for none.
+  double Reach = -1.0;
   /// The centres of their cells, for each edge.
   std::vector<std::vector<lms3dPoint2>> Returns;
 };

@@ -41,11 +41,13 @@ bool IsIn(const lms3dPoint2& p, const std::array<lms3dPoint2, 3>& triangle, int 
 } // namespace
 
 lms3dOutlineSimplifier::lms3dOutlineSimplifier(const lms3dRegion& region,
-  const std::vector<lms3dLoop>& loops, const std::vector<bool>& isFixed, double tolerance, double reach)
+  const std::vector<lms3dLoop>& loops, const std::vector<bool>& isFixed, double tolerance,
+  double reach)
   : Region(region)
   , IsFixed(isFixed)
   , Tolerance(tolerance * tolerance)
-  , Cut(region, reach, CountCorners(loops))
+  , Reach(reach)
+  , Cut(region, CountCorners(loops))
 {
   this->Link(loops);
 }
@@ -196,6 +198,7 @@ void lms3dOutlineSimplifier::FindCandidates()
 std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
 {
   this->RemoveSteps();
+  this->Cut.SetReach(this->Reach);
   this->FindCandidates();
   while (!this->Candidates.IsEmpty())
   {

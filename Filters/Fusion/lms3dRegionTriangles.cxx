@@ -8,7 +8,8 @@
 #include <optional>
 
 std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRegion& region,
-  const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance, double reach)
+  const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance,
+  double reach)
 {
   const std::vector<lms3dLoop> outlines = lms3dTraceOutlines(region);
   // Without creases, the corners on the sides of the tile alone are fixed.
