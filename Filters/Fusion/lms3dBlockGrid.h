@@ -28,6 +28,8 @@ struct lms3dRegionBlock
   lms3dBits May = {};
   /// A return lies here.
   lms3dBits Must = {};
+  /// A return lies here that is so far from the plane that a border must not cut it off.
+  lms3dBits Far = {};
   /// A beam passed here.
   lms3dBits Passed = {};
   /// A triangle of the mesh covers the centre of the cell.

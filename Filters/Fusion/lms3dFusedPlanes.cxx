@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dFusedPlanes.h"
 
+#include "Fusion/lms3dCoveredCells.h"
 #include "Fusion/lms3dRasterRows.h"
-#include "Fusion/lms3dRegionMesher.h"
 #include "Geometry/lms3dTriangleDistance.h"
 
 #include <algorithm>
@@ -16,6 +16,8 @@ namespace
 constexpr double CellsPerBound = 3.0;
 // Bounds: the size of the cubes in which planes are looked for.
 constexpr double CubeShare = 50.0;
+// Cells: how far a covered cell may be from a return in the plane.
+constexpr int LargestReach = 2;
 // Cells: the circumradius of a facet.
 constexpr double FacetRadius = 0.25;
 // A weak plane with more returns is not weak any more.
@@ -102,22 +104,19 @@ void lms3dFusedPlanes::AcceptGuesses(int number)
   }
 }
 
+// Whether the mesh explains a return in a cell. Most cells are covered themselves.
 bool lms3dFusedPlanes::IsCovered(
   const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u, std::int32_t v) const
 {
-  if ((block.Covered[lms3dRaster::GetPlaceOf(v)] >> lms3dRaster::GetPlaceOf(u) & 1U) != 0)
+  const int row = lms3dRaster::GetPlaceOf(v);
+  const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
+  if ((block.Covered[row] & bit) != 0)
   {
     return true;
   }
-  const int reach = lms3dGetCoveredReach(block.Deviation, this->Cell, this->MaximumError);
-  for (std::int32_t row = v - reach; row <= v + reach; ++row)
-  {
-    if (plane.Raster.HasAny(&lms3dRasterBlock::Covered, row, u - reach, u + reach))
-    {
-      return true;
-    }
-  }
-  return false;
+  const double deviation = (block.Far[row] & bit) != 0 ? block.Deviation : 0.0;
+  return lms3dIsCovered(
+    plane.Raster, u, v, lms3dGetCoveredReach(deviation, this->Cell, this->MaximumError));
 }
 
 bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
@@ -148,14 +147,19 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
     block.IsCalm ? block.Shape[lms3dRaster::GetPlaceOf(v)] : std::uint64_t{ 0 };
   if ((bit & ~word) != 0)
   {
-    plane.Raster.MarkReturns(blockNumber, (bit & block.Open[lms3dRaster::GetPlaceOf(v)]) != 0);
+    plane.Raster.AddChanges(blockNumber, lms3dRaster::GetPlaceOf(v), bit);
   }
   if ((bit & ~word & ~shape) != 0)
   {
     plane.Raster.SetMark(blockNumber, lms3dRaster::DIRTY);
   }
   word |= bit;
-  block.Deviation = std::max(block.Deviation, std::abs(plane.Frame.GetHeight(mapped.Point)));
+  const double height = std::abs(plane.Frame.GetHeight(mapped.Point));
+  if (lms3dGetCoveredReach(height, this->Cell, this->MaximumError) < LargestReach)
+  {
+    block.Far[lms3dRaster::GetPlaceOf(v)] |= bit;
+    block.Deviation = std::max(block.Deviation, height);
+  }
   if (!this->IsCovered(plane, block, u, v))
   {
     plane.Raster.SetMark(blockNumber, lms3dRaster::STALE);

@@ -11,6 +11,16 @@
 
 namespace
 {
+std::size_t CountCorners(const std::vector<lms3dLoop>& loops)
+{
+  std::size_t count = 0;
+  for (const lms3dLoop& loop : loops)
+  {
+    count += loop.size();
+  }
+  return count;
+}
+
 // Squared cells: corners nearer than this to a line lie on it.
 constexpr double OnLine = 1e-12;
 // Squared cells: how far a border that is straightened first may move.
@@ -31,10 +41,13 @@ bool IsIn(const lms3dPoint2& p, const std::array<lms3dPoint2, 3>& triangle, int 
 } // namespace
 
 lms3dOutlineSimplifier::lms3dOutlineSimplifier(const lms3dRegion& region,
-  const std::vector<lms3dLoop>& loops, const std::vector<bool>& isFixed, double tolerance)
+  const std::vector<lms3dLoop>& loops, const std::vector<bool>& isFixed, double tolerance,
+  double reach)
   : Region(region)
   , IsFixed(isFixed)
   , Tolerance(tolerance * tolerance)
+  , Reach(reach)
+  , Cut(region, CountCorners(loops))
 {
   this->Link(loops);
 }
@@ -106,10 +119,16 @@ bool lms3dOutlineSimplifier::IsEmpty(
   return this->Buckets.AllOf(triangle, isFree);
 }
 
+// A corner between its neighbours.
+std::array<lms3dPoint2, 3> lms3dOutlineSimplifier::GetTriangle(Corner corner) const
+{
+  return { this->Points[this->Previous[corner]], this->Points[corner],
+    this->Points[this->Next[corner]] };
+}
+
 bool lms3dOutlineSimplifier::MayGo(Corner corner) const
 {
-  const std::array<lms3dPoint2, 3> triangle = { this->Points[this->Previous[corner]],
-    this->Points[corner], this->Points[this->Next[corner]] };
+  const std::array<lms3dPoint2, 3> triangle = this->GetTriangle(corner);
   const int orientation = lms3dGetOrientation(triangle[0], triangle[1], triangle[2]);
   if (orientation == 0)
   {
@@ -119,16 +138,9 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
   {
     return this->IsEmpty(triangle, corner);
   }
-  return (orientation > 0 ? this->MayLose(triangle) : this->MayGain(triangle)) &&
+  return (orientation > 0 ? this->Cut.MayCut(triangle, this->Previous[corner], corner)
+                          : this->MayGain(triangle)) &&
     this->IsEmpty(triangle, corner);
-}
-
-bool lms3dOutlineSimplifier::MayLose(const std::array<lms3dPoint2, 3>& triangle) const
-{
-  return !this->Region.HasAny(&lms3dRasterBlock::Must, lms3dGetTouchedBox(triangle)) ||
-    lms3dForCentreStrips(triangle,
-      [&](const lms3dCellStrip& strip)
-      { return !this->Region.HasAny(&lms3dRasterBlock::Must, strip); });
 }
 
 bool lms3dOutlineSimplifier::MayGain(const std::array<lms3dPoint2, 3>& triangle) const
@@ -147,6 +159,7 @@ void lms3dOutlineSimplifier::Remove(Corner corner)
 {
   const Corner previous = this->Previous[corner];
   const Corner next = this->Next[corner];
+  this->Cut.Join(this->GetTriangle(corner), previous, corner);
   this->IsGone[corner] = true;
   this->Buckets.Remove(corner);
   this->Next[previous] = next;
@@ -185,6 +198,7 @@ void lms3dOutlineSimplifier::FindCandidates()
 std::vector<lms3dLoop> lms3dOutlineSimplifier::Simplify()
 {
   this->RemoveSteps();
+  this->Cut.SetReach(this->Reach);
   this->FindCandidates();
   while (!this->Candidates.IsEmpty())
   {

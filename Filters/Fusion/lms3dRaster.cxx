@@ -37,47 +37,23 @@ void lms3dRaster::Pass(int number, int u, int v)
   }
   block.Passed[v] |= bit;
   block.HasPassed = true;
-  if ((block.Region[v] & bit) != 0)
-  {
-    this->SetMark(number, DIRTY);
-  }
-  if ((block.May[v] & bit) != 0)
-  {
-    this->SetMark(number, DISPUTED);
-  }
-  if (this->HasDisputed)
-  {
-    this->SetMark(number, AROUND);
-  }
-  this->MarkReturnsBeside(number, block.U * Size + u, block.V * Size + v);
+  this->AddChanges(number, v, bit);
 }
 
-// Marks the blocks with returns in a cell of a block or beside it, which are not sure any more.
-void lms3dRaster::MarkReturnsBeside(int number, std::int32_t u, std::int32_t v)
+void lms3dRaster::AddChanges(int number, int row, std::uint64_t cells)
 {
-  const int left = GetPlaceOf(u) - 1;
-  const int bottom = GetPlaceOf(v) - 1;
-  if (left >= 0 && left < Size - 2 && bottom >= 0 && bottom < Size - 2)
+  if (cells == 0)
   {
-    const lms3dBits& must = this->Blocks[number].Must;
-    if (((must[bottom] | must[bottom + 1] | must[bottom + 2]) >> left & 7U) != 0)
-    {
-      this->SetMark(number, DIRTY);
-    }
     return;
   }
-  for (std::int32_t row = v - 1; row <= v + 1; ++row)
-  {
-    for (std::int32_t block = GetBlockOf(u - 1); block <= GetBlockOf(u + 1); ++block)
-    {
-      const int other = this->Find(block, GetBlockOf(row));
-      if (other >= 0 &&
-        (this->Blocks[other].Must[GetPlaceOf(row)] & GetMask(block, u - 1, u + 1)) != 0)
-      {
-        this->SetMark(other, DIRTY);
-      }
-    }
-  }
+  // Bit 8 i says whether one of the eight cells from 8 i on changed.
+  cells |= cells >> 4;
+  cells |= cells >> 2;
+  cells |= cells >> 1;
+  cells &= 0x0101010101010101U;
+  // The product has these bits in its last byte.
+  this->Blocks[number].Changes |= (cells * 0x0102040810204080U) >> 56 << (row / 8 * 8);
+  this->SetMark(number, CHANGED);
 }
 
 void lms3dRaster::Open(const lms3dCellStrip& strip)
@@ -88,14 +64,8 @@ void lms3dRaster::Open(const lms3dCellStrip& strip)
       lms3dRasterBlock& block = this->Blocks[number];
       const std::uint64_t opened = bits & ~block.Open[row];
       block.Open[row] |= bits;
-      if ((opened & block.Region[row]) != 0)
-      {
-        this->SetMark(number, DIRTY);
-      }
-      if ((opened & block.Must[row]) != 0)
-      {
-        this->MarkReturns(number, true);
-      }
+      block.HasOpen = true;
+      this->AddChanges(number, row, opened);
     });
 }
 
@@ -107,39 +77,23 @@ void lms3dRaster::Forget(const lms3dCellStrip& strip)
       lms3dRasterBlock& block = this->Blocks[number];
       const std::uint64_t gone = bits & block.Must[row];
       block.Must[row] &= ~bits;
-      if (gone != 0)
-      {
-        this->SetMark(number, DIRTY);
-        this->MarkReturns(number, (gone & block.Open[row]) != 0);
-      }
+      block.Far[row] &= ~bits;
+      this->AddChanges(number, row, gone);
     });
 }
 
 void lms3dRaster::AcceptGuess(int number)
 {
   lms3dRasterBlock& block = this->Blocks[number];
-  std::uint64_t added = 0;
-  std::uint64_t passed = 0;
   std::uint64_t all = ~std::uint64_t{ 0 };
   for (int row = 0; row < Size; ++row)
   {
-    const std::uint64_t guess = block.Guess[row];
-    added |= guess;
-    passed |= guess & block.Passed[row];
-    block.May[row] |= guess;
+    block.May[row] |= block.Guess[row];
     all &= block.May[row];
+    this->AddChanges(number, row, block.Guess[row]);
   }
   block.IsFull = all == ~std::uint64_t{ 0 };
   block.Guess = {};
-  if (added != 0)
-  {
-    this->SetMark(number, DIRTY);
-    this->SetMark(number, AROUND);
-  }
-  if (passed != 0)
-  {
-    this->SetMark(number, DISPUTED);
-  }
 }
 
 void lms3dRaster::MakeBlocks(const lms3dCellStrip& strip)

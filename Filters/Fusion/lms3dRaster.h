@@ -20,14 +20,12 @@ struct lms3dRasterBlock : lms3dRegionBlock
   lms3dBits Guess = {};
   /// Here is a place between beams that all passed, without a return among them.
   lms3dBits Open = {};
-  /// The cells of lms3dMakeRegionCells() when the shape was made.
-  lms3dBits Region = {};
   /// The region covers the cell, before its borders are straightened: now, and when the mesh was
   /// made.
   lms3dBits Shape = {};
   lms3dBits Meshed = {};
 
-  /// The largest distance of a return from the plane, metres.
+  /// The largest distance of a return in Far from the plane, metres.
   double Deviation = 0.0;
   lms3dSightings Sightings;
   /// How well BestScan saw the block: larger is better.
@@ -43,12 +41,29 @@ struct lms3dRasterBlock : lms3dRegionBlock
   int NewCreaseCells = 0;
   /// Whether all bits of May are set.
   bool IsFull = false;
-  /// Whether a bit of Passed is set.
+  /// Whether a bit of Passed, or of Open, is set.
   bool HasPassed = false;
+  bool HasOpen = false;
+  /// Whether the region had all cells when the shape was made.
+  bool IsWhole = false;
   /// Whether more returns in cells of the shape make no shape anew.
   bool IsCalm = false;
   /// Bits of lms3dRaster::Mark.
   unsigned Marks = 0;
+  /// The squares of 8 x 8 cells, row by row, in which May, Must, Open or Passed changed since
+  /// lms3dMarkDependents().
+  std::uint64_t Changes = 0;
+
+  /// Whether cells changed that are at most 16 cells away from the block that is `u` and `v` blocks
+  /// away.
+  bool HasChangesNear(int u, int v) const
+  {
+    constexpr std::uint64_t All = ~std::uint64_t{ 0 };
+    constexpr std::uint64_t Column = 0x0303030303030303U;
+    const std::uint64_t columns = u < 0 ? Column : (u > 0 ? Column << 6 : All);
+    const std::uint64_t rows = v < 0 ? All >> 48 : (v > 0 ? All << 48 : All);
+    return (this->Changes & columns & rows) != 0;
+  }
 };
 
 class lms3dRaster : public lms3dBlockGrid<lms3dRasterBlock>
@@ -65,10 +80,8 @@ public:
     STALE = 4,
     /// The local map that joins has surface here.
     GUESSED = 8,
-    /// Cells changed for which returns and beams that passed dispute; see lms3dDisputedCells.
-    DISPUTED = 16,
-    /// Cells changed which decide about the disputed cells of the neighbours.
-    AROUND = 32
+    /// The block has Changes.
+    CHANGED = 16
   };
 
   /// Sets Passed of a cell of a block.
@@ -91,16 +104,8 @@ public:
   /// Sets May of a block where Guess is set, and clears Guess.
   void AcceptGuess(int number);
 
-  /// Marks a block in which cells got or lost Must.
-  void MarkReturns(int number, bool isOpen)
-  {
-    this->SetMark(number, AROUND);
-    if (isOpen)
-    {
-      this->SetMark(number, DISPUTED);
-      this->HasDisputed = true;
-    }
-  }
+  /// Adds the squares of cells of a row to the Changes of a block.
+  void AddChanges(int number, int row, std::uint64_t cells);
 
   /// Sets Guess of the cells of a strip without May. Makes the blocks that do not exist. Marks
   /// blocks with Guess as guessed.
@@ -128,11 +133,8 @@ public:
 private:
   template <typename Visitor>
   void ForWords(const lms3dCellStrip& strip, const Visitor& visit);
-  void MarkReturnsBeside(int number, std::int32_t u, std::int32_t v);
 
   std::vector<int> Marked;
-  /// Whether a cell has Must and Open.
-  bool HasDisputed = false;
   /// Whether a cell may have Guess.
   bool HasGuess = false;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionMesher.h"
 
+#include "Fusion/lms3dCoveredCells.h"
 #include "Fusion/lms3dPinholes.h"
 #include "Fusion/lms3dRasterRows.h"
 #include "Fusion/lms3dRegionCover.h"
@@ -17,8 +18,8 @@ namespace
 {
 // As a share of the bound: how far the border of a region may move when it is straightened.
 constexpr double BorderShare = 3.0;
-// Cells: the largest distance from a point of a cell to the centre of one of its eight neighbours.
-constexpr double NeighbourDistance = 2.1213203435596424;
+// Cells: how far a border may stay away from the centre of a cell with a return.
+constexpr double ReachOfBorder = 1.2;
 // Cells: the circumradius of a facet.
 constexpr double FacetRadius = 0.25;
 
@@ -58,7 +59,7 @@ public:
     else
     {
       const std::vector<Corners2> triangles = lms3dTriangulateRegion(this->Region, this->Creases,
-        this->Tile, BorderShare * this->MaximumError / this->Plane.Frame.GetCell());
+        this->Tile, BorderShare * this->MaximumError / this->Plane.Frame.GetCell(), ReachOfBorder);
       lms3dCoverRegion(triangles, this->Region);
       for (const Corners2& triangle : triangles)
       {
@@ -174,18 +175,6 @@ private:
     this->Tile.Mesh.Triangles.push_back(corners);
   }
 
-  bool IsCovered(std::int32_t u, std::int32_t v, int reach) const
-  {
-    for (std::int32_t row = v - reach; row <= v + reach; ++row)
-    {
-      if (this->Region.HasAny(&lms3dRasterBlock::Covered, row, u - reach, u + reach))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
   /// Adds facets at returns that the triangles do not explain.
   void AddFacets()
   {
@@ -193,8 +182,9 @@ private:
     {
       const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(this->Tile.Blocks[i]);
       const lms3dBits& covered = this->Region.GetBlock(static_cast<int>(i)).Covered;
-      const int reach =
-        lms3dGetCoveredReach(block.Deviation, this->Plane.Frame.GetCell(), this->MaximumError);
+      const double cell = this->Plane.Frame.GetCell();
+      const int reachOfFar = lms3dGetCoveredReach(block.Deviation, cell, this->MaximumError);
+      const int reachOfOthers = lms3dGetCoveredReach(0.0, cell, this->MaximumError);
       for (int row = 0; row < lms3dRaster::Size; ++row)
       {
         const std::uint64_t open = block.Must[row] & ~covered[row];
@@ -202,7 +192,8 @@ private:
         {
           const std::int32_t u = block.U * lms3dRaster::Size + place;
           const std::int32_t v = block.V * lms3dRaster::Size + row;
-          if ((open >> place & 1U) != 0 && !this->IsCovered(u, v, reach))
+          const int reach = (block.Far[row] >> place & 1U) != 0 ? reachOfFar : reachOfOthers;
+          if ((open >> place & 1U) != 0 && !lms3dIsCovered(this->Region, u, v, reach))
           {
             this->AddFacet({ u + 0.5, v + 0.5 });
           }
@@ -231,11 +222,6 @@ private:
   std::map<lms3dPoint2, std::int32_t> Numbers;
 };
 } // namespace
-
-int lms3dGetCoveredReach(double deviation, double cell, double maximumError)
-{
-  return std::hypot(deviation, NeighbourDistance * cell) <= maximumError ? 1 : 0;
-}
 
 void lms3dMakeTileMesh(lms3dFusedPlane& plane, lms3dFusedTile& tile,
   const std::vector<lms3dCreaseLine>& creases, double maximumError)

@@ -59,7 +59,7 @@ lms3dRegionShape::Round lms3dRegionShape::MakeRound(
   cells.reserve(blocks.size());
   for (const int number : blocks)
   {
-    cells.push_back(lms3dMakeRegionCells(raster, number, this->Disputed));
+    cells.push_back(lms3dMakeRegionCells(raster, number));
   }
   std::vector<lms3dBlockParts> parts;
   parts.reserve(blocks.size());
@@ -103,7 +103,8 @@ void lms3dRegionShape::MakeShape(int number, const lms3dBlockParts& parts,
 {
   lms3dRasterBlock& block = raster.GetBlock(number);
   block.IsCalm = this->Reached.HaveReturns(number);
-  block.Region = cells.May;
+  block.IsWhole = std::all_of(cells.May.begin(), cells.May.end(),
+    [](std::uint64_t word) { return word == ~std::uint64_t{ 0 }; });
   const lms3dBits shape = this->GetShape(number, parts, cells);
   if (shape != block.Shape || block.NewCreaseCells > 0)
   {
@@ -123,7 +124,7 @@ std::vector<int> lms3dRegionShape::Update(
   }
   std::vector<Round> rounds;
   std::vector<int> all;
-  this->Disputed.Update(raster);
+  lms3dMarkDependents(raster);
   std::vector<int> blocks;
   for (const int number : raster.GetMarked())
   {

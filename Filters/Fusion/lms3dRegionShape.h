@@ -49,7 +49,6 @@ private:
   lms3dBits GetReturns(int number, const lms3dRasterBlock& block) const;
 
   lms3dCreaseMask Creases;
-  lms3dDisputedCells Disputed;
   lms3dReachedParts Reached;
 };
 

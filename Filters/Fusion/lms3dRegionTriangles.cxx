@@ -8,7 +8,8 @@
 #include <optional>
 
 std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRegion& region,
-  const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance)
+  const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance,
+  double reach)
 {
   const std::vector<lms3dLoop> outlines = lms3dTraceOutlines(region);
   // Without creases, the corners on the sides of the tile alone are fixed.
@@ -17,7 +18,7 @@ std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRegion& region,
     std::vector<bool> isFixed;
     const std::vector<lms3dLoop> snapped =
       lms3dSnapToCreases(outlines, lines, region, tile, isFixed);
-    lms3dOutlineSimplifier simplifier(region, snapped, isFixed, tolerance);
+    lms3dOutlineSimplifier simplifier(region, snapped, isFixed, tolerance, reach);
     if (const auto triangles = lms3dTriangulateOutlines(simplifier.Simplify()))
     {
       return *triangles;

@@ -29,9 +29,10 @@ constexpr double SmallestCorrelation = 0.5;
 constexpr double ExplainedShare = 0.7;
 // The share of a patch's returns that need not fit the plane.
 constexpr double MisfitShare = 0.05;
-// As a share of the bound: returns farther from the plane of their patch may lie on another plane
-// beside it.
-constexpr double LooseShare = 0.2;
+// Returns farther from the plane of their patch may lie on another plane beside it: farther than
+// this share of the bound, and than this multiple of the root mean square of the patch.
+constexpr double LooseShare = 0.05;
+constexpr double NearFactor = 2.0;
 // The cosine of the largest angle between a patch and the plane that it joins.
 constexpr double SmallestCosine = 0.9;
 // A plane of a patch with fewer returns is weak.
@@ -84,7 +85,7 @@ void lms3dScanJoin::AddReturns(PatchesOfPlanes& patches, std::vector<char>& isEx
       for (PatchOfPlane& patch : place.second)
       {
         const double near =
-          std::max(LooseShare * this->Planes.GetMaximumError(), NoiseFactor * patch.Deviation);
+          std::max(LooseShare * this->Planes.GetMaximumError(), NearFactor * patch.Deviation);
         for (const int i : *patch.Returns)
         {
           if (std::abs(frame.GetHeight(this->Local.Returns[i].Point)) > near)

@@ -42,12 +42,9 @@ void MakeAtOnce(const lms3dFusedPlanes& planes, std::size_t number, lms3dFusedPl
   for (int i = 0; i < made.Raster.GetNumberOfBlocks(); ++i)
   {
     lms3dRasterBlock& block = made.Raster.GetBlock(i);
-    block.Region = {};
+    block.IsWhole = false;
     block.Shape = {};
-    for (const auto mark : { lms3dRaster::DIRTY, lms3dRaster::DISPUTED })
-    {
-      made.Raster.SetMark(i, mark);
-    }
+    made.Raster.SetMark(i, lms3dRaster::DIRTY);
   }
   made.Shape.Update(lms3dGetCreaseLines(planes, static_cast<int>(number)), made.Raster);
 }

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The cells of a block and of those around it, all at once.
+ */
+#ifndef lms3dCellWindow_h
+#define lms3dCellWindow_h
+
+#include "Fusion/lms3dBlockGrid.h"
+
+#include <array>
+#include <cstdint>
+
+/// A block with the cells around it: those at most Reach cells away are right after Widen() and
+/// Close(), if those beyond the window are not known.
+class lms3dCellWindow
+{
+public:
+  static constexpr int Size = 64;
+  static constexpr int Reach = 16;
+  static constexpr int Rows = Size + 2 * Reach;
+  using Column = std::array<std::uint64_t, Rows>;
+
+  /// Sets the cells of the block that is `u` and `v` blocks away.
+  void Add(int u, int v, const lms3dBits& bits);
+
+  bool IsEmpty() const;
+
+  /// The block in the middle.
+  lms3dBits GetMiddle() const;
+
+  /// Adds the neighbours of each cell: four, or eight.
+  void Widen(int neighbours);
+
+  /// Adds the cells between cells, in gaps that are narrower than 16 cells along an axis.
+  void Close();
+
+  lms3dCellWindow& operator|=(const lms3dCellWindow& other);
+  lms3dCellWindow& operator&=(const lms3dCellWindow& other);
+  /// Takes the cells of another window out.
+  lms3dCellWindow& operator-=(const lms3dCellWindow& other);
+
+private:
+  void WidenBy(int shift);
+  void Invert();
+
+  /// 32 cells beside the block, then its first half; its second half, then 32 cells beside it.
+  Column Left = {};
+  Column Right = {};
+};
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Which cells of a mesh explain the returns of a cell.
+ */
+#ifndef lms3dCoveredCells_h
+#define lms3dCoveredCells_h
+
+#include "Fusion/lms3dBlockGrid.h"
+
+#include <cmath>
+#include <cstdint>
+
+/// How many cells away from a return a covered cell may be, so that the return is within the bound:
+/// 2 (but not along both axes), 1 or 0. `deviation` is the return's distance from the plane; all
+/// lengths are in metres.
+inline int lms3dGetCoveredReach(double deviation, double cell, double maximumError)
+{
+  // Cells: from the farthest point of a cell to the centre of a cell that is 2 and 1, or 1 and 1,
+  // cells away.
+  constexpr double FarDistance = 2.9154759474226504;
+  constexpr double NearDistance = 2.1213203435596424;
+  if (std::hypot(deviation, FarDistance * cell) <= maximumError)
+  {
+    return 2;
+  }
+  return std::hypot(deviation, NearDistance * cell) <= maximumError ? 1 : 0;
+}
+
+/// Whether a cell within a reach of lms3dGetCoveredReach() is covered.
+template <typename Block>
+bool lms3dIsCovered(const lms3dBlockGrid<Block>& grid, std::int32_t u, std::int32_t v, int reach)
+{
+  for (std::int32_t row = v - reach; row <= v + reach; ++row)
+  {
+    const int width = row == v - 2 || row == v + 2 ? 1 : reach;
+    if (grid.HasAny(&lms3dRegionBlock::Covered, row, u - width, u + width))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+#endif
