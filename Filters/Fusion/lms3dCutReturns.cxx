@@ -19,8 +19,8 @@ lms3dCutReturns::lms3dCutReturns(const lms3dRegion& region, std::size_t edges)
 {
 }
 
-// Calls `visit` with the centre of each cell with a sure return that has its centre in the triangle.
-// Stops, and returns false, if `visit` returns false.
+// Calls `visit` with the centres in the triangle of cells with a sure return. Stops, and returns
+// false, if `visit` returns false.
 template <typename Visitor>
 bool lms3dCutReturns::ForReturns(const Triangle& triangle, const Visitor& visit) const
 {
