@@ -16,7 +16,8 @@
 #include <utility>
 #include <vector>
 
-/// Leaves new entries without a value unless they get one, so that no thread has to fill them twice.
+/// Leaves new entries without a value unless they get one, so that no thread has to fill them
+/// twice.
 template <typename T>
 class lms3dBeamAllocator : public tbb::tbb_allocator<T>
 {

@@ -9,9 +9,9 @@
 
 namespace
 {
-// Compares labels with the labels of neighbours on one side. Sets `border` and `gate` in the changes.
-// `joins` has the bit `join` where neighbours lie on one surface. Without branches, so that the
-// compiler makes it a loop over vectors.
+// Compares labels with the labels of neighbours on one side. Sets `border` and `gate` in the
+// changes. `joins` has the bit `join` where neighbours lie on one surface. Without branches, so
+// that the compiler makes it a loop over vectors.
 LMS3D_WIDE_LOOPS
 void AddChanges(const std::int32_t* labels, const std::int32_t* neighbors,
   const std::uint8_t* joins, int count, int join, std::uint8_t* changes)

@@ -103,8 +103,9 @@ bool MayBeSpeckle(const MapCase& map, const Beam& beam)
           std::max(2.0 * map.Promise.MaximumError, 6.0 * map.Promise.Noise))));
 }
 
-// Whether the beam of a speckle meets surface at the plane around the speckle. True, too, if there is
-// no such plane. The surface may be off by the bound where this plane is off by it to the other side.
+// Whether the beam of a speckle meets surface at the plane around the speckle. True, too, if there
+// is no such plane. The surface may be off by the bound where this plane is off by it to the other
+// side.
 bool HasSurface(const MapCase& map, const TriangleTree& surface, const Beam& beam)
 {
   const SpeckleSurroundings around(map, beam);
