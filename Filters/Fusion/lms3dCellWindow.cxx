@@ -75,16 +75,6 @@ void lms3dCellWindow::Add(int u, int v, const lms3dBits& bits)
   }
 }
 
-bool lms3dCellWindow::IsEmpty() const
-{
-  std::uint64_t any = 0;
-  for (int row = 0; row < Rows; ++row)
-  {
-    any |= this->Left[row] | this->Right[row];
-  }
-  return any == 0;
-}
-
 lms3dBits lms3dCellWindow::GetMiddle() const
 {
   lms3dBits bits;

@@ -25,8 +25,6 @@ public:
   /// Sets the cells of the block that is `u` and `v` blocks away.
   void Add(int u, int v, const lms3dBits& bits);
 
-  bool IsEmpty() const;
-
   /// The block in the middle.
   lms3dBits GetMiddle() const;
 

@@ -14,8 +14,6 @@ namespace
 {
 // Cells: how far the border follows a crease at least.
 constexpr double ShortestRun = 48.0;
-// The same where beams that passed keep the border off the crease before or behind.
-constexpr double ShortestRunBesideBeams = 48.0;
 
 // Samples the way at half cells.
 bool IsWayFree(const lms3dPoint2& from, const lms3dPoint2& to, const lms3dRegion& region)
@@ -39,8 +37,6 @@ struct Snapped
 {
   lms3dPoint2 Point;
   bool IsMoved;
-  /// Whether beams that passed keep it off a crease.
-  bool IsBlocked;
 };
 
 // Whether a side of an outline moves inwards, or no beam passed where it moves over.
@@ -66,12 +62,12 @@ void MoveBack(const lms3dLoop& loop, const lms3dRegion& region, std::vector<Snap
       Snapped& b = corners[next];
       if (b.IsMoved && !IsSweepFree({ loop[i], loop[next], b.Point }, region))
       {
-        b = { loop[next], false, true };
+        b = { loop[next], false };
         isChanged = true;
       }
       if (a.IsMoved && !IsSweepFree({ loop[i], b.Point, a.Point }, region))
       {
-        a = { loop[i], false, true };
+        a = { loop[i], false };
         isChanged = true;
       }
     }
@@ -132,11 +128,9 @@ void FreeShortRuns(std::vector<Snapped>& corners)
       const lms3dPoint2& b = corners[end % count].Point;
       length = std::max(length, std::hypot(b[0] - a[0], b[1] - a[1]));
     }
-    const bool isBlocked =
-      corners[end % count].IsBlocked || corners[(i + count - 1) % count].IsBlocked;
     for (; i < end; ++i)
     {
-      corners[i % count].IsMoved = length >= (isBlocked ? ShortestRunBesideBeams : ShortestRun);
+      corners[i % count].IsMoved = length >= ShortestRun;
     }
     ++i;
   }
@@ -156,7 +150,7 @@ std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
     {
       const std::optional<lms3dPoint2> place = lms3dFindPlaceOnCrease(point, creases, tile);
       const bool moves = place && tile.Has(*place) && IsWayFree(point, *place, region);
-      corners.push_back({ moves ? *place : point, moves, place && !moves });
+      corners.push_back({ moves ? *place : point, moves });
     }
     MoveBack(loop, region, corners);
     Clean(corners);

@@ -13,49 +13,9 @@ namespace
 {
 constexpr int Last = lms3dRaster::Size - 1;
 
-/// The passed cells of a block and of its eight neighbours.
-class PassedAround
-{
-public:
-  explicit PassedAround(const lms3dRaster& raster)
-    : Raster(raster)
-  {
-  }
-
-  /// Returns whether there is a passed cell.
-  bool MoveTo(const lms3dRasterBlock& block)
-  {
-    bool hasAny = false;
-    for (int v = 0; v < 3; ++v)
-    {
-      for (int u = 0; u < 3; ++u)
-      {
-        const int number = this->Raster.Find(block.U + u - 1, block.V + v - 1);
-        const bool isPassed = number >= 0 && this->Raster.GetBlock(number).HasPassed;
-        this->Bits[v][u] = isPassed ? &this->Raster.GetBlock(number).Passed : &this->None;
-        hasAny = hasAny || isPassed;
-      }
-    }
-    return hasAny;
-  }
-
-  /// A row, from -1 to 64, widened by one cell on both sides.
-  std::uint64_t GetWideWord(int row) const
-  {
-    const auto& bits = this->Bits[row < 0 ? 0 : (row > Last ? 2 : 1)];
-    const std::uint64_t word = (*bits[1])[row & Last];
-    return word | word << 1 | word >> 1 | (*bits[0])[row & Last] >> Last |
-      (*bits[2])[row & Last] << Last;
-  }
-
-private:
-  const lms3dRaster& Raster;
-  const lms3dBits None = {};
-  std::array<std::array<const lms3dBits*, 3>, 3> Bits = {};
-};
-
 /// A block and those around it, row by row; nullptr where there is none.
 using Around = std::array<const lms3dRasterBlock*, 9>;
+constexpr int Middle = 4;
 
 Around FindAround(const lms3dRaster& raster, int number)
 {
@@ -111,6 +71,25 @@ void Share(lms3dCellWindow& returns, lms3dCellWindow& beams)
   }
 }
 
+// Returns the cells with returns that no border may cut off: those without a beam that passed
+// beside them.
+lms3dBits GetSureReturns(const Around& around)
+{
+  lms3dBits sure = around[Middle]->Must;
+  if (std::any_of(around.begin(), around.end(),
+        [](const lms3dRasterBlock* block) { return block && block->HasPassed; }))
+  {
+    lms3dCellWindow passed = MakeWindow(around, &lms3dRasterBlock::Passed);
+    passed.Widen(8);
+    const lms3dBits beside = passed.GetMiddle();
+    for (int row = 0; row <= Last; ++row)
+    {
+      sure[row] &= ~beside[row];
+    }
+  }
+  return sure;
+}
+
 lms3dBits FindRegion(const Around& around)
 {
   const lms3dCellWindow passed = MakeWindow(around, &lms3dRasterBlock::Passed);
@@ -133,21 +112,6 @@ lms3dBits FindRegion(const Around& around)
 }
 } // namespace
 
-lms3dBits lms3dGetSureReturns(const lms3dRaster& raster, const lms3dRasterBlock& block)
-{
-  lms3dBits sure = block.Must;
-  PassedAround passed(raster);
-  if (passed.MoveTo(block))
-  {
-    for (int row = 0; row <= Last; ++row)
-    {
-      sure[row] &=
-        ~(passed.GetWideWord(row - 1) | passed.GetWideWord(row) | passed.GetWideWord(row + 1));
-    }
-  }
-  return sure;
-}
-
 lms3dRegion lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<int>& blocks)
 {
   lms3dRegion region;
@@ -155,7 +119,7 @@ lms3dRegion lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<in
   {
     const lms3dRasterBlock& block = raster.GetBlock(number);
     lms3dRegionBlock& cells = region.GetBlock(region.Make(block.U, block.V));
-    cells.Must = lms3dGetSureReturns(raster, block);
+    cells.Must = GetSureReturns(FindAround(raster, number));
     for (int row = 0; row <= Last; ++row)
     {
       cells.Far[row] = cells.Must[row] & block.Far[row];
@@ -173,7 +137,7 @@ lms3dRegionCells lms3dMakeRegionCells(const lms3dRaster& raster, int number)
   {
     return { block.May, block.Must };
   }
-  lms3dRegionCells cells = { FindRegion(around), lms3dGetSureReturns(raster, block) };
+  lms3dRegionCells cells = { FindRegion(around), GetSureReturns(around) };
   for (int row = 0; row <= Last; ++row)
   {
     cells.May[row] |= cells.Must[row];

@@ -11,12 +11,8 @@
 
 #include <vector>
 
-/// Returns the cells of a block with returns that no border may cut off: those without a beam that
-/// passed beside them.
-lms3dBits lms3dGetSureReturns(const lms3dRaster& raster, const lms3dRasterBlock& block);
-
 /// Returns a raster of some of the blocks, in their order, with the bits Must, Far and Passed
-/// alone. Must and Far are of sure returns.
+/// alone. Must and Far are of sure returns: those without a beam that passed beside them.
 lms3dRegion lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<int>& blocks);
 
 /// The cells of a region in a block. Must are the sure returns.

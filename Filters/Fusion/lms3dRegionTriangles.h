@@ -15,8 +15,8 @@
 #include <vector>
 
 /// Borders move to creases, and are straightened within a tolerance, as far as triangles can be
-/// made of them. They may cut off returns within a reach. Both are in cells. `region` has the bits
-/// of lms3dCopySureReturns(), and May.
+/// made of them. They may cut off returns within a reach. Both are in cells. `region` has May, and
+/// the bits of lms3dCopySureReturns().
 std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRegion& region,
   const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance,
   double reach);
