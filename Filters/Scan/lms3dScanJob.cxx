@@ -137,9 +137,8 @@ bool lms3dScanJob::CastAlone(const Scan& scan)
   this->Threads.Run(scan.Request.Settings.NumberOfThreads,
     [&]
     {
-      this->Output.FillScan(&mesh, scan.Geometry, scan.Start.Pose, scan.Points);
+      this->Output.Fill(&mesh, scan.Geometry, scan.Start.Pose, scan.Points, scan.Image);
       AddPoses(scan);
-      this->Output.FillRangeImage(scan.Geometry, scan.Image);
       this->AddSurfaceAttributes(scan, scan.Points->GetPointData());
     });
   this->Detection.AddStatus(scan.Geometry, scan.Points, scan.Image);

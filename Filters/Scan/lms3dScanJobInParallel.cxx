@@ -49,7 +49,7 @@ void lms3dScanJob::FillOutputsInParallel(const Scan& scan)
         run(
           [&]
           {
-            this->Output.FillScan(nullptr, scan.Geometry, scan.Start.Pose, scan.Points);
+            this->Output.Fill(nullptr, scan.Geometry, scan.Start.Pose, scan.Points, nullptr);
             AddPoses(scan);
           });
       }

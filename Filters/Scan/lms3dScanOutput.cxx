@@ -17,6 +17,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
@@ -163,8 +164,8 @@ std::vector<std::size_t> lms3dScanOutput::CountReturns(const lms3dScanGeometry& 
   return first;
 }
 
-void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry,
-  const lms3dPose& pose, vtkPolyData* scan)
+void lms3dScanOutput::Fill(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry,
+  const lms3dPose& pose, vtkPolyData* scan, vtkImageData* image)
 {
   const std::vector<std::size_t> first = this->CountReturns(geometry);
   const vtkIdType count = static_cast<vtkIdType>(first.back());
@@ -178,18 +179,23 @@ void lms3dScanOutput::FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeo
   const lms3dTurnReturns source = { geometry, directions, beams.get(), pose.Position,
     this->Ranges->GetPointer(0), this->Triangles.data(), mesh, this->Part.Cells.data() };
   const int turns = std::max(1, BeamsToFill / geometry.GetNumberOfBeams());
-  tbb::parallel_for(tbb::blocked_range<int>(0, geometry.GetNumberOfTurns(), turns),
-    [&](const tbb::blocked_range<int>& range)
-    { source.Fill(range.begin(), range.end(), first, returns, cellId); });
+  // The other threads fill the arrays while this one adds them to the outputs.
+  tbb::task_group filling;
+  filling.run(
+    [&]
+    {
+      tbb::parallel_for(tbb::blocked_range<int>(0, geometry.GetNumberOfTurns(), turns),
+        [&](const tbb::blocked_range<int>& range)
+        { source.Fill(range.begin(), range.end(), first, returns, cellId); });
+    });
   returns.MoveTo(geometry, pose, scan);
   scan->GetPointData()->AddArray(cellIds);
+  if (image)
+  {
+    lms3dFillRangeImage(geometry, this->Ranges, image);
+  }
+  filling.wait();
   this->Pool.FreeUnused();
-}
-
-void lms3dScanOutput::FillRangeImage(const lms3dScanGeometry& geometry, vtkImageData* image)
-{
-  lms3dFillRangeImage(geometry, this->Ranges, image);
-  this->Ranges = nullptr;
 }
 
 void lms3dScanOutput::FillRangeImagePiece(

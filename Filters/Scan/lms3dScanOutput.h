@@ -29,9 +29,9 @@ class vtkPolyData;
 /**
  * Fills the outputs of one scan after another, in memory that is reused.
  *
- * One scan is Cast (or CastPart and ReduceToNearest in several processes), then FillScan, then
- * FillRangeImage (or FillRangeImagePiece), all with the same arguments. Cast, CastPart and FillScan
- * use the threads of the calling TBB arena.
+ * One scan is Cast and Fill, or, in several processes, CastPart, ReduceToNearest, Fill and
+ * FillRangeImagePiece, all with the same arguments. Cast, CastPart and Fill use the threads of the
+ * calling TBB arena.
  */
 class lms3dScanOutput
 {
@@ -68,11 +68,10 @@ public:
     return this->Part.Triangles.empty() ? this->Triangles : this->Part.Triangles;
   }
 
-  /// Returns the range of each beam, metres, NaN without a return. Valid until FillRangeImage or
-  /// Discard.
+  /// Returns the range of each beam, metres, NaN without a return. Valid until Discard.
   const double* GetRanges() const { return this->Ranges->GetPointer(0); }
 
-  /// Copies the range of each beam. Valid until FillRangeImage or Discard.
+  /// Copies the range of each beam. Valid until Discard.
   void CopyRanges(vtkDoubleArray* ranges) const;
 
   /// Returns whether some beams have no return.
@@ -81,13 +80,10 @@ public:
   /// Removes the returns of the beams for which `isRemoved` is not 0. It has a value for each beam.
   void RemoveReturns(const std::vector<unsigned char>& isRemoved);
 
-  /// Fills output 0, which must be empty. `mesh` is that of the caster, or null after
-  /// ReduceToNearest.
-  void FillScan(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry,
-    const lms3dPose& pose, vtkPolyData* scan);
-
-  /// Fills output 1, which takes the array of ranges over.
-  void FillRangeImage(const lms3dScanGeometry& geometry, vtkImageData* image);
+  /// Fills output 0 and, unless `image` is null, output 1, which shares the array of ranges. Both
+  /// must be empty. `mesh` is that of the caster, or null after ReduceToNearest.
+  void Fill(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry, const lms3dPose& pose,
+    vtkPolyData* scan, vtkImageData* image);
 
   /// Fills a piece of output 1 with a copy of its ranges, after ReduceToNearest.
   void FillRangeImagePiece(
