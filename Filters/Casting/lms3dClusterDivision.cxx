@@ -21,6 +21,9 @@ constexpr float NearDistance = 4.0f;
 constexpr std::uint32_t MaximumOfDivided = 16;
 constexpr int MinimumTilesOfDivided = 8;
 
+// Few enough to share the work among threads.
+constexpr std::size_t ClustersOfPart = 64;
+
 // Margins of the boxes cover the rounding of the position and of these four operations.
 lms3dTileBox MakeTileBox(const lms3dNormalizedBox& box, const float (&position)[3])
 {
@@ -54,74 +57,90 @@ lms3dClusterDivision::lms3dClusterDivision(const lms3dTriangleClusters& clusters
   , Grid(grid)
 {
   const double(&origin)[3] = classifier.GetView().GetOrigin().Position;
-  float position[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    position[axis] = static_cast<float>(normalization.NormalizeCoordinate(origin, axis));
+    this->Position[axis] = static_cast<float>(normalization.NormalizeCoordinate(origin, axis));
   }
-  const auto add = [&](const lms3dTriangleClusters::Group& group) {
-    this->Chosen.push_back({ MakeTileBox(group.Box, position), group.First, group.Count });
-  };
-  for (std::size_t i = 0; i < clusters.GetCount(); ++i)
+  std::vector<lms3dTiles> blocks(grid.CountGroups());
+  for (std::size_t group = 0; group < blocks.size(); ++group)
   {
-    add(clusters.GetCluster(i));
-    if (IsNear(this->Chosen.back().Box))
+    grid.FillGroup(static_cast<int>(group), blocks[group]);
+  }
+  this->Parts.resize((clusters.GetCount() + ClustersOfPart - 1) / ClustersOfPart);
+  tbb::parallel_for(std::size_t(0), this->Parts.size(),
+    [&](std::size_t part)
     {
-      this->Chosen.pop_back();
-      clusters.ForEachPart(i, add);
+      const std::size_t begin = part * ClustersOfPart;
+      const std::size_t end = std::min(begin + ClustersOfPart, clusters.GetCount());
+      this->Parts[part] = this->DividePart(begin, end, blocks);
+    });
+}
+
+std::vector<lms3dClusterDivision::Group> lms3dClusterDivision::Choose(
+  std::size_t begin, std::size_t end) const
+{
+  std::vector<Group> chosen;
+  const auto add = [&](const lms3dTriangleClusters::Group& group) {
+    chosen.push_back({ MakeTileBox(group.Box, this->Position), group.First, group.Count });
+  };
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    add(this->All.GetCluster(i));
+    if (IsNear(chosen.back().Box))
+    {
+      chosen.pop_back();
+      this->All.ForEachPart(i, add);
     }
   }
+  return chosen;
+}
+
+lms3dClusterDivision::Part lms3dClusterDivision::DividePart(
+  std::size_t begin, std::size_t end, const std::vector<lms3dTiles>& blocks) const
+{
+  Part part;
+  part.Chosen = this->Choose(begin, end);
+  const std::size_t stride = blocks.size() * lms3dTiles::Size;
+  part.Met.resize((part.Chosen.size() + 31) / 32 * stride);
+  for (std::size_t i = 0; i < part.Chosen.size(); ++i)
+  {
+    std::uint32_t* const ofBlocks = part.Met.data() + i / 32 * stride;
+    for (std::size_t group = 0; group < blocks.size(); ++group)
+    {
+      std::uint32_t met = this->Grid.GetBlocksOfGroup(static_cast<int>(group)) &
+        this->Kernels.FindTilesOfBox(blocks[group], part.Chosen[i].Box);
+      for (; met != 0; met &= met - 1)
+      {
+        ofBlocks[group * lms3dTiles::Size + lms3dGetFirstBit(met)] |= 1u << i % 32;
+      }
+    }
+  }
+  return part;
 }
 
 std::vector<lms3dTileBlock> lms3dClusterDivision::Divide(std::size_t maximum) const
 {
-  const std::vector<Groups> groups = this->DivideGrid();
-  std::vector<lms3dTileBlock> blocks(groups.size());
+  std::vector<lms3dTileBlock> blocks(this->Grid.GetNumberOfBlocks());
   tbb::parallel_for(0, this->Grid.GetNumberOfBlocks(),
-    [&](int block) { blocks[block] = this->DivideBlock(block, groups[block], maximum); });
+    [&](int block) { blocks[block] = this->DivideBlock(block, maximum); });
   return blocks;
 }
 
-std::vector<lms3dClusterDivision::Groups> lms3dClusterDivision::DivideGrid() const
-{
-  std::vector<Groups> result(this->Grid.GetNumberOfBlocks());
-  tbb::parallel_for(0, this->Grid.CountGroups(),
-    [&](int group)
-    {
-      lms3dTiles tiles;
-      this->Grid.FillGroup(group, tiles);
-      const std::uint32_t present = this->Grid.GetBlocksOfGroup(group);
-      Groups* const first = result.data() + static_cast<std::ptrdiff_t>(group) * lms3dTiles::Size;
-      for (std::size_t i = 0; i < this->Chosen.size(); ++i)
-      {
-        std::uint32_t met = present & this->Kernels.FindTilesOfBox(tiles, this->Chosen[i].Box);
-        for (; met != 0; met &= met - 1)
-        {
-          first[lms3dGetFirstBit(met)].push_back(static_cast<std::uint32_t>(i));
-        }
-      }
-    });
-  return result;
-}
-
-lms3dTileBlock lms3dClusterDivision::DivideBlock(
-  int number, const Groups& groups, std::size_t maximum) const
+lms3dTileBlock lms3dClusterDivision::DivideBlock(int number, std::size_t maximum) const
 {
   lms3dTiles tiles;
   const std::uint32_t present = this->Grid.FillParts(this->Grid.GetBlock(number), tiles);
+  const std::size_t stride = static_cast<std::size_t>(this->Grid.CountGroups()) * lms3dTiles::Size;
   std::array<Contents, lms3dTiles::Size> ofTiles;
-  for (std::uint32_t groupNumber : groups)
+  for (const Part& part : this->Parts)
   {
-    const Group& group = this->Chosen[groupNumber];
-    std::uint32_t met = present & this->Kernels.FindTilesOfBox(tiles, group.Box);
-    if (group.Count <= MaximumOfDivided && lms3dCountBits(met) >= MinimumTilesOfDivided)
+    const Group* first = part.Chosen.data();
+    for (std::size_t word = number; word < part.Met.size(); word += stride, first += 32)
     {
-      this->AddTriangles(group, met, tiles, ofTiles);
-      continue;
-    }
-    for (; met != 0; met &= met - 1)
-    {
-      ofTiles[lms3dGetFirstBit(met)].Whole.push_back(groupNumber);
+      for (std::uint32_t met = part.Met[word]; met != 0; met &= met - 1)
+      {
+        this->AddGroup(first[lms3dGetFirstBit(met)], present, tiles, ofTiles);
+      }
     }
   }
   lms3dTileBlock block;
@@ -145,6 +164,21 @@ lms3dTileBlock lms3dClusterDivision::DivideBlock(
   return block;
 }
 
+void lms3dClusterDivision::AddGroup(const Group& group, std::uint32_t present,
+  const lms3dTiles& tiles, std::array<Contents, lms3dTiles::Size>& ofTiles) const
+{
+  std::uint32_t met = present & this->Kernels.FindTilesOfBox(tiles, group.Box);
+  if (group.Count <= MaximumOfDivided && lms3dCountBits(met) >= MinimumTilesOfDivided)
+  {
+    this->AddTriangles(group, met, tiles, ofTiles);
+    return;
+  }
+  for (; met != 0; met &= met - 1)
+  {
+    ofTiles[lms3dGetFirstBit(met)].Whole.push_back(&group);
+  }
+}
+
 // Adds the triangles of a group whose box says little.
 void lms3dClusterDivision::AddTriangles(const Group& group, std::uint32_t met,
   const lms3dTiles& tiles, std::array<Contents, lms3dTiles::Size>& ofTiles) const
@@ -162,12 +196,12 @@ void lms3dClusterDivision::AddTriangles(const Group& group, std::uint32_t met,
   }
 }
 
-std::size_t lms3dClusterDivision::CountTriangles(const Contents& contents) const
+std::size_t lms3dClusterDivision::CountTriangles(const Contents& contents)
 {
   std::size_t count = contents.Triangles.size();
-  for (std::uint32_t group : contents.Whole)
+  for (const Group* group : contents.Whole)
   {
-    count += this->Chosen[group].Count;
+    count += group->Count;
   }
   return count;
 }
@@ -182,8 +216,8 @@ void lms3dClusterDivision::AppendTriangles(const Contents& contents, lms3dTileBl
       });
   };
   append(contents.Triangles.data(), contents.Triangles.size());
-  for (std::uint32_t group : contents.Whole)
+  for (const Group* group : contents.Whole)
   {
-    append(this->All.GetTriangles() + this->Chosen[group].First, this->Chosen[group].Count);
+    append(this->All.GetTriangles() + group->First, group->Count);
   }
 }

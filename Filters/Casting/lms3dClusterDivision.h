@@ -26,7 +26,7 @@ class lms3dClusterDivision
 {
 public:
   /// The sensor of the classifier's view is within the normalization's bounding sphere. References
-  /// must outlive the object.
+  /// must outlive the object. Uses the threads of the calling TBB arena.
   lms3dClusterDivision(const lms3dTriangleClusters& clusters,
     const lms3dNormalization& normalization, const lms3dTileClassifier& classifier,
     const lms3dTileGrid& grid);
@@ -47,32 +47,43 @@ private:
     std::uint32_t Count;
   };
 
-  /// Groups, by their numbers.
-  using Groups = std::vector<std::uint32_t>;
+  /// Some clusters that are far from the sensor, and the parts of others that are near to it.
+  struct Part
+  {
+    std::vector<Group> Chosen;
+
+    /// Which of them each block can meet, in words of 32 groups: a word for each block, then the
+    /// next words.
+    std::vector<std::uint32_t> Met;
+  };
 
   /// What a tile can meet.
   struct Contents
   {
-    Groups Whole;
+    std::vector<const Group*> Whole;
 
     /// Triangles of other groups.
-    Groups Triangles;
+    std::vector<std::uint32_t> Triangles;
   };
 
-  std::vector<Groups> DivideGrid() const;
-  lms3dTileBlock DivideBlock(int number, const Groups& groups, std::size_t maximum) const;
+  std::vector<Group> Choose(std::size_t begin, std::size_t end) const;
+  Part DividePart(std::size_t begin, std::size_t end, const std::vector<lms3dTiles>& blocks) const;
+  lms3dTileBlock DivideBlock(int number, std::size_t maximum) const;
+  void AddGroup(const Group& group, std::uint32_t present, const lms3dTiles& tiles,
+    std::array<Contents, lms3dTiles::Size>& ofTiles) const;
   void AddTriangles(const Group& group, std::uint32_t met, const lms3dTiles& tiles,
     std::array<Contents, lms3dTiles::Size>& ofTiles) const;
   void AppendTriangles(const Contents& contents, lms3dTileBlock& block) const;
-  std::size_t CountTriangles(const Contents& contents) const;
+  static std::size_t CountTriangles(const Contents& contents);
 
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dTriangleClusters& All;
   const lms3dTileClassifier& Classifier;
   const lms3dTileGrid& Grid;
 
-  /// The clusters that are far from the sensor, and the parts of those near to it.
-  std::vector<Group> Chosen;
+  /// The sensor, in diagonals of the scene.
+  float Position[3];
+  std::vector<Part> Parts;
 };
 
 #endif

@@ -178,15 +178,17 @@ void lms3dScanOutput::Fill(const lms3dTriangleMesh* mesh, const lms3dScanGeometr
     : std::make_unique<lms3dBeams>(geometry, pose);
   const lms3dTurnReturns source = { geometry, directions, beams.get(), pose.Position,
     this->Ranges->GetPointer(0), this->Triangles.data(), mesh, this->Part.Cells.data() };
-  const int turns = std::max(1, BeamsToFill / geometry.GetNumberOfBeams());
-  // The other threads fill the arrays while this one adds them to the outputs.
+  const int turns = geometry.GetNumberOfTurns();
+  const int grain = std::max(1, BeamsToFill / geometry.GetNumberOfBeams());
+  // The other threads fill the arrays while this one adds them to the outputs. They begin at the
+  // end, since they cast the last turns and have these in their caches.
   tbb::task_group filling;
   filling.run(
     [&]
     {
-      tbb::parallel_for(tbb::blocked_range<int>(0, geometry.GetNumberOfTurns(), turns),
+      tbb::parallel_for(tbb::blocked_range<int>(0, turns, grain),
         [&](const tbb::blocked_range<int>& range)
-        { source.Fill(range.begin(), range.end(), first, returns, cellId); });
+        { source.Fill(turns - range.end(), turns - range.begin(), first, returns, cellId); });
     });
   returns.MoveTo(geometry, pose, scan);
   scan->GetPointData()->AddArray(cellIds);
