@@ -24,6 +24,8 @@ constexpr int MinimumTilesOfDivided = 8;
 // Few enough to share the work among threads.
 constexpr std::size_t ClustersOfPart = 64;
 
+constexpr std::size_t GroupsOfWord = 32;
+
 // Margins of the boxes cover the rounding of the position and of these four operations.
 lms3dTileBox MakeTileBox(const lms3dNormalizedBox& box, const float (&position)[3])
 {
@@ -101,17 +103,17 @@ lms3dClusterDivision::Part lms3dClusterDivision::DividePart(
   Part part;
   part.Chosen = this->Choose(begin, end);
   const std::size_t stride = blocks.size() * lms3dTiles::Size;
-  part.Met.resize((part.Chosen.size() + 31) / 32 * stride);
+  part.Met.resize((part.Chosen.size() + GroupsOfWord - 1) / GroupsOfWord * stride);
   for (std::size_t i = 0; i < part.Chosen.size(); ++i)
   {
-    std::uint32_t* const ofBlocks = part.Met.data() + i / 32 * stride;
+    std::uint32_t* const ofBlocks = part.Met.data() + i / GroupsOfWord * stride;
     for (std::size_t group = 0; group < blocks.size(); ++group)
     {
       std::uint32_t met = this->Grid.GetBlocksOfGroup(static_cast<int>(group)) &
         this->Kernels.FindTilesOfBox(blocks[group], part.Chosen[i].Box);
       for (; met != 0; met &= met - 1)
       {
-        ofBlocks[group * lms3dTiles::Size + lms3dGetFirstBit(met)] |= 1u << i % 32;
+        ofBlocks[group * lms3dTiles::Size + lms3dGetFirstBit(met)] |= 1u << i % GroupsOfWord;
       }
     }
   }
@@ -134,12 +136,12 @@ lms3dTileBlock lms3dClusterDivision::DivideBlock(int number, std::size_t maximum
   std::array<Contents, lms3dTiles::Size> ofTiles;
   for (const Part& part : this->Parts)
   {
-    const Group* first = part.Chosen.data();
-    for (std::size_t word = number; word < part.Met.size(); word += stride, first += 32)
+    for (std::size_t first = 0; first < part.Chosen.size(); first += GroupsOfWord)
     {
-      for (std::uint32_t met = part.Met[word]; met != 0; met &= met - 1)
+      std::uint32_t met = part.Met[first / GroupsOfWord * stride + number];
+      for (; met != 0; met &= met - 1)
       {
-        this->AddGroup(first[lms3dGetFirstBit(met)], present, tiles, ofTiles);
+        this->AddGroup(part.Chosen[first + lms3dGetFirstBit(met)], present, tiles, ofTiles);
       }
     }
   }
