@@ -131,8 +131,6 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   const auto v = lms3dGetCellOf(place[1]);
   const int blockNumber = plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
   lms3dRasterBlock& block = plane.Raster.GetBlock(blockNumber);
-  std::uint64_t& word = block.Must[lms3dRaster::GetPlaceOf(v)];
-  const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
   plane.Raster.SetMark(blockNumber, lms3dRaster::SEEN);
   if (plane.IsWeak)
   {
@@ -143,21 +141,11 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
       plane.Returns = {};
     }
   }
-  const std::uint64_t shape =
-    block.IsCalm ? block.Shape[lms3dRaster::GetPlaceOf(v)] : std::uint64_t{ 0 };
-  if ((bit & ~word) != 0)
-  {
-    plane.Raster.AddChanges(blockNumber, lms3dRaster::GetPlaceOf(v), bit);
-  }
-  if ((bit & ~word & ~shape) != 0)
-  {
-    plane.Raster.SetMark(blockNumber, lms3dRaster::DIRTY);
-  }
-  word |= bit;
+  plane.Raster.SetReturn(blockNumber, lms3dRaster::GetPlaceOf(u), lms3dRaster::GetPlaceOf(v));
   const double height = std::abs(plane.Frame.GetHeight(mapped.Point));
   if (lms3dGetCoveredReach(height, this->Cell, this->MaximumError) < LargestReach)
   {
-    block.Far[lms3dRaster::GetPlaceOf(v)] |= bit;
+    block.Far[lms3dRaster::GetPlaceOf(v)] |= std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
     block.Deviation = std::max(block.Deviation, height);
   }
   if (!this->IsCovered(plane, block, u, v))
