@@ -51,27 +51,6 @@ lms3dCellWindow MakeWindow(const Around& around, lms3dRaster::BitsOf bits)
   return window;
 }
 
-// Widens returns and beams that passed, step by step, until they meet. Octagons are nearly round.
-void Share(lms3dCellWindow& returns, lms3dCellWindow& beams)
-{
-  for (int step = 1; step < lms3dCellWindow::Reach; ++step)
-  {
-    const int neighbours = step % 2 == 0 ? 8 : 4;
-    lms3dCellWindow nextReturns = returns;
-    nextReturns.Widen(neighbours);
-    nextReturns -= beams;
-    lms3dCellWindow nextBeams = beams;
-    nextBeams.Widen(neighbours);
-    nextBeams -= returns;
-    lms3dCellWindow both = nextReturns;
-    both &= nextBeams;
-    returns = nextReturns;
-    returns -= both;
-    beams = nextBeams;
-    beams -= both;
-  }
-}
-
 // Returns the cells with returns that no border may cut off: those without a beam that passed
 // beside them.
 lms3dBits GetSureReturns(const Around& around)
@@ -81,7 +60,7 @@ lms3dBits GetSureReturns(const Around& around)
         [](const lms3dRasterBlock* block) { return block && block->HasPassed; }))
   {
     lms3dCellWindow passed = MakeWindow(around, &lms3dRasterBlock::Passed);
-    passed.Widen(8);
+    passed.Widen();
     const lms3dBits beside = passed.GetMiddle();
     for (int row = 0; row <= Last; ++row)
     {
@@ -106,12 +85,16 @@ lms3dRegionCells FindRegion(const Around& around)
   near |= may;
   lms3dCellWindow disputed = near;
   disputed -= passed;
-  lms3dCellWindow beams = passed;
+  near -= region;
   returns -= passed;
-  Share(returns, beams);
-  near &= returns;
-  region -= beams;
-  region |= near;
+  if (passed.HasCells() || near.HasCells())
+  {
+    lms3dCellWindow beams = passed;
+    lms3dCellWindow::Race(returns, beams);
+    near &= returns;
+    region -= beams;
+    region |= near;
+  }
   disputed -= region;
   lms3dRegionCells cells = { region.GetMiddle(), {}, {} };
   cells.Squares.Disputed = lms3dGetSquares(disputed.GetMiddle());
