@@ -28,17 +28,20 @@ void lms3dRaster::ForWords(const lms3dCellStrip& strip, const Visitor& visit)
 }
 
 // A region has no cell of a beam that passed. More returns in a calm block change its shape only
-// beside it.
-void lms3dRaster::SetReturn(int number, int u, int v)
+// beside it. Most blocks say for all of their cells what is known of them, which saves looks at
+// memory.
+void lms3dRaster::NoteReturn(int number, int row, std::uint64_t bit)
 {
-  lms3dRasterBlock& block = this->Blocks[number];
-  const std::uint64_t added = std::uint64_t{ 1 } << u & ~block.Must[v];
-  block.Must[v] |= added;
-  const std::uint64_t inRegion = block.May[v] & ~block.Open[v];
-  const std::uint64_t free = added & ~block.Passed[v];
-  this->AddChanges(number, &lms3dChangedSquares::Returns, v, free & inRegion);
-  this->AddChanges(number, &lms3dChangedSquares::More, v, free & ~inRegion);
-  if ((free & ~(block.IsCalm ? block.Shape[v] : 0)) != 0)
+  const lms3dRasterBlock& block = this->Blocks[number];
+  if (block.HasPassed && (block.Passed[row] & bit) != 0)
+  {
+    return;
+  }
+  const bool isInRegion = (block.IsFull || (block.May[row] & bit) != 0) &&
+    !(block.HasOpen && (block.Open[row] & bit) != 0);
+  this->AddChanges(
+    number, isInRegion ? &lms3dChangedSquares::Returns : &lms3dChangedSquares::More, row, bit);
+  if (!block.IsCalm || (block.Shape[row] & bit) == 0)
   {
     this->SetMark(number, DIRTY);
   }

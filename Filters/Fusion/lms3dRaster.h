@@ -74,7 +74,16 @@ public:
   };
 
   /// Sets Must of a cell of a block.
-  void SetReturn(int number, int u, int v);
+  void SetReturn(int number, int u, int v)
+  {
+    std::uint64_t& word = this->Blocks[number].Must[v];
+    const std::uint64_t bit = std::uint64_t{ 1 } << u;
+    if ((word & bit) == 0)
+    {
+      word |= bit;
+      this->NoteReturn(number, v, bit);
+    }
+  }
 
   /// Sets Passed of a cell of a block.
   void Pass(int number, int u, int v);
@@ -121,6 +130,9 @@ public:
 
 private:
   using ChangeOf = lms3dSquares lms3dChangedSquares::*;
+
+  /// Notes what a new return in a cell can change.
+  void NoteReturn(int number, int row, std::uint64_t bit);
 
   /// Adds the squares of cells of a row to the Changes of a block.
   void AddChanges(int number, ChangeOf change, int row, std::uint64_t cells);
