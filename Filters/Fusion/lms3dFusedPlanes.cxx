@@ -65,7 +65,7 @@ void lms3dFusedPlanes::GrowBox(int number, const lms3dLocalMap& local, int trian
 {
   for (int corner = 0; corner < 3; ++corner)
   {
-    this->Boxes.Grow(static_cast<std::size_t>(number), local.GetCorner(triangle, corner));
+    this->GrowBox(number, local.GetCorner(triangle, corner));
   }
 }
 
@@ -101,6 +101,7 @@ void lms3dFusedPlanes::AcceptGuesses(int number)
       continue;
     }
     raster.AcceptGuess(i);
+    this->Planes[number].HasSurface = true;
   }
 }
 
@@ -168,6 +169,8 @@ void lms3dFusedPlanes::AddFacet(const lms3dMappedReturn& mapped)
     { frame.ToWorld({ centre[0] - half, centre[1] - FacetRadius / 2.0 }),
       frame.ToWorld({ centre[0] + half, centre[1] - FacetRadius / 2.0 }),
       frame.ToWorld({ centre[0], centre[1] + FacetRadius }) });
+  this->Planes[number].IsWeak = true;
+  this->GrowBox(number, mapped.Point);
   this->AddReturn(number, mapped);
 }
 
@@ -187,7 +190,6 @@ bool lms3dFusedPlanes::Shows(const lms3dFusedPlane& plane, const lms3dMappedRetu
     !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) && IsAtVerbatim(plane, mapped.Point, bound);
 }
 
-// The planes, out of the first `end`, whose boxes meet the box of returns.
 std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
 {
@@ -196,7 +198,11 @@ std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   {
     box.Add(mapped.Point);
   }
-  return this->Boxes.Find(box, this->MaximumError, end);
+  std::vector<int> planes = this->Boxes.Find(box, this->MaximumError, end);
+  planes.erase(std::remove_if(planes.begin(), planes.end(),
+                 [this](int plane) { return !this->Planes[plane].HasSurface; }),
+    planes.end());
+  return planes;
 }
 
 bool lms3dFusedPlanes::ShowShare(

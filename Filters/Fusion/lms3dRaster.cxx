@@ -104,8 +104,10 @@ void lms3dRaster::AcceptGuess(int number)
 {
   lms3dRasterBlock& block = this->Blocks[number];
   std::uint64_t all = ~std::uint64_t{ 0 };
+  std::uint64_t added = 0;
   for (int row = 0; row < Size; ++row)
   {
+    added |= block.Guess[row];
     block.May[row] |= block.Guess[row];
     all &= block.May[row];
     this->AddChanges(number, &lms3dChangedSquares::More, row,
@@ -113,6 +115,10 @@ void lms3dRaster::AcceptGuess(int number)
   }
   block.IsFull = all == ~std::uint64_t{ 0 };
   block.Guess = {};
+  if (added != 0)
+  {
+    this->SetMark(number, GREW);
+  }
 }
 
 void lms3dRaster::MakeBlocks(const lms3dCellStrip& strip)

@@ -70,7 +70,9 @@ public:
     /// The local map that joins has surface here.
     GUESSED = 8,
     /// The block may have Changes, or has new cells with Open.
-    CHANGED = 16
+    CHANGED = 16,
+    /// The local map that joined has surface where no map before it had.
+    GREW = 32
   };
 
   /// Sets Must of a cell of a block.
@@ -102,7 +104,7 @@ public:
   bool MayHaveGuess() const { return this->HasGuess; }
   void ForgetGuesses() { this->HasGuess = false; }
 
-  /// Sets May of a block where Guess is set, and clears Guess.
+  /// Sets May of a block where Guess is set, and clears Guess. Marks the block if it grew.
   void AcceptGuess(int number);
 
   /// Sets Guess of the cells of a strip without May. Makes the blocks that do not exist. Marks
