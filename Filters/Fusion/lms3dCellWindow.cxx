@@ -121,6 +121,18 @@ LMS3D_WIDE_LOOPS void Subtract(const Column& other, Column& column)
   }
 }
 
+// Adds half of each word: its second half to the first half of a row, or the reverse.
+LMS3D_WIDE_LOOPS void AddShifted(
+  const std::uint64_t* words, int count, bool isSecond, std::uint64_t* rows)
+{
+  const int right = isSecond ? Half : 0;
+  const int left = Half - right;
+  for (int row = 0; row < count; ++row)
+  {
+    rows[row] |= words[row] >> right << left;
+  }
+}
+
 LMS3D_WIDE_LOOPS bool HasBits(const Column& column)
 {
   std::uint64_t all = 0;
@@ -135,13 +147,15 @@ LMS3D_WIDE_LOOPS bool HasBits(const Column& column)
 void lms3dCellWindow::Add(int u, int v, const lms3dBits& bits)
 {
   const int first = std::max(v * Size, -Reach);
-  const int end = std::min((v + 1) * Size, Size + Reach);
-  for (int row = first; row < end; ++row)
+  const int count = std::min((v + 1) * Size, Size + Reach) - first;
+  const std::uint64_t* const words = bits.data() + first - v * Size;
+  if (u <= 0)
   {
-    const std::uint64_t word = bits[row - v * Size];
-    const int place = row + Reach;
-    this->Left[place] |= u < 0 ? word >> Half : (u > 0 ? 0 : word << Half);
-    this->Right[place] |= u > 0 ? word << Half : (u < 0 ? 0 : word >> Half);
+    AddShifted(words, count, u < 0, this->Left.data() + first + Reach);
+  }
+  if (u >= 0)
+  {
+    AddShifted(words, count, u == 0, this->Right.data() + first + Reach);
   }
 }
 

@@ -66,7 +66,8 @@ public:
   /// Whether a plane explains a return, and has surface there.
   bool Shows(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const;
 
-  /// The planes with surface, out of the first `end`, whose boxes meet the box of returns.
+  /// The planes with surface, out of the first `end`, that can show a return: they and their boxes
+  /// meet the box of the returns.
   std::vector<int> FindPlanesNear(
     const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
 

@@ -158,8 +158,9 @@ void lms3dMarkDependents(lms3dRaster& raster)
     {
       const int u = i % 3 - 1;
       const int v = i / 3 - 1;
-      const int other = raster.Find(block.U + u, block.V + v);
-      if (other >= 0 && raster.GetBlock(other).Region.DependOn(changes, -u, -v))
+      const int other = changes.AreNear(u, v) ? raster.Find(block.U + u, block.V + v) : -1;
+      if (other >= 0 && !raster.HasMark(other, lms3dRaster::DIRTY) &&
+        raster.GetBlock(other).Region.DependOn(changes, -u, -v))
       {
         raster.SetMark(other, lms3dRaster::DIRTY);
       }

@@ -67,6 +67,12 @@ struct lms3dChangedSquares
   lms3dSquares More = 0;
   /// Beams that passed, or returns that went: the region may shrink.
   lms3dSquares Less = 0;
+
+  /// Whether they are near the block that is `u` and `v` blocks away.
+  bool AreNear(int u, int v) const
+  {
+    return lms3dGetSquaresNear(this->Returns | this->More | this->Less, u, v) != 0;
+  }
 };
 
 /// Squares of the region of a plane. A new block has not been looked at.
