@@ -32,18 +32,6 @@ bool IsAtVerbatim(const lms3dFusedPlane& plane, const lms3dVector& point, double
       { return lms3dGetDistance(point, corners[0], corners[1], corners[2]) <= bound; });
 }
 
-// Whether a plane is nearer to a box than a distance, metres.
-bool Meets(const lms3dPlaneFrame& frame, const lms3dWorldBox& box, double distance)
-{
-  double nearest =
-    std::abs(frame.GetHeight(lms3dScale(lms3dAdd(box.Low, box.High), 0.5))) - distance;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    nearest -= 0.5 * std::abs(frame.GetNormal()[axis]) * (box.High[axis] - box.Low[axis]);
-  }
-  return nearest <= 0.0;
-}
-
 // Lets a scan have seen a block.
 void See(
   const lms3dMappedReturn& mapped, const lms3dVector& normal, int scan, lms3dRasterBlock& block)
@@ -215,7 +203,7 @@ std::vector<int> lms3dFusedPlanes::FindPlanesNear(
                  [&](int plane)
                  {
                    return !this->Planes[plane].HasSurface ||
-                     !Meets(this->Planes[plane].Frame, box, this->MaximumError);
+                     !this->Planes[plane].Frame.IsNear(box, this->MaximumError);
                  }),
     planes.end());
   return planes;
