@@ -12,8 +12,8 @@
 #include <array>
 #include <cstdint>
 
-/// A block with the cells around it: those at most Reach cells away are right after Widen() and
-/// Close(), if those beyond the window are not known.
+/// A block with the cells around it: those at most Reach cells away are right after Widen(), Race()
+/// or Close(), if those beyond the window are not known.
 class lms3dCellWindow
 {
 public:
@@ -28,8 +28,15 @@ public:
   /// The block in the middle.
   lms3dBits GetMiddle() const;
 
-  /// Adds the neighbours of each cell: four, or eight.
-  void Widen(int neighbours);
+  bool HasCells() const;
+
+  /// Adds the eight neighbours of each cell.
+  void Widen();
+
+  /// Widens two sides, which share no cell, step by step until they meet. A cell that both reach
+  /// with one step stays without a side. Four neighbours and eight take turns: octagons are nearly
+  /// round.
+  static void Race(lms3dCellWindow& first, lms3dCellWindow& second);
 
   /// Adds the cells between cells, in gaps that are narrower than 16 cells along an axis.
   void Close();
@@ -40,7 +47,6 @@ public:
   lms3dCellWindow& operator-=(const lms3dCellWindow& other);
 
 private:
-  void WidenBy(int shift);
   void Invert();
 
   /// 32 cells beside the block, then its first half; its second half, then 32 cells beside it.

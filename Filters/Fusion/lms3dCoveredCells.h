@@ -9,7 +9,6 @@
 
 #include "Fusion/lms3dBlockGrid.h"
 
-#include <cmath>
 #include <cstdint>
 
 /// How many cells away from a return a covered cell may be, so that the return is within the bound:
@@ -21,11 +20,11 @@ inline int lms3dGetCoveredReach(double deviation, double cell, double maximumErr
   // cells away.
   constexpr double FarDistance = 2.9154759474226504;
   constexpr double NearDistance = 2.1213203435596424;
-  if (std::hypot(deviation, FarDistance * cell) <= maximumError)
+  const auto isWithin = [&](double distance)
   {
-    return 2;
-  }
-  return std::hypot(deviation, NearDistance * cell) <= maximumError ? 1 : 0;
+    return deviation * deviation + distance * distance * cell * cell <= maximumError * maximumError;
+  };
+  return isWithin(FarDistance) ? 2 : (isWithin(NearDistance) ? 1 : 0);
 }
 
 /// Whether a cell within a reach of lms3dGetCoveredReach() is covered.

@@ -44,6 +44,7 @@ struct lms3dFusedPlane
     this->Returns.clear();
     this->Verbatim.clear();
     this->IsWeak = false;
+    this->HasSurface = false;
     this->TileNumbers = {};
     this->TiledBlocks = 0;
     this->ShapedBlocks = 0;
@@ -60,20 +61,27 @@ struct lms3dFusedPlane
     }
   }
 
+  lms3dWorldBox GetBoxOfBlock(int number) const
+  {
+    lms3dWorldBox box;
+    const lms3dRasterBlock& block = this->Raster.GetBlock(number);
+    for (const double u : { block.U + 0.0, block.U + 1.0 })
+    {
+      for (const double v : { block.V + 0.0, block.V + 1.0 })
+      {
+        box.Add(this->Frame.ToWorld({ u * lms3dRaster::Size, v * lms3dRaster::Size }));
+      }
+    }
+    return box;
+  }
+
   /// The box of the blocks from one on.
   lms3dWorldBox GetBoxOfBlocks(int first) const
   {
     lms3dWorldBox box;
     for (int number = first; number < this->Raster.GetNumberOfBlocks(); ++number)
     {
-      const lms3dRasterBlock& block = this->Raster.GetBlock(number);
-      for (const double u : { block.U + 0.0, block.U + 1.0 })
-      {
-        for (const double v : { block.V + 0.0, block.V + 1.0 })
-        {
-          box.Add(this->Frame.ToWorld({ u * lms3dRaster::Size, v * lms3dRaster::Size }));
-        }
-      }
+      box.Add(this->GetBoxOfBlock(number));
     }
     return box;
   }
@@ -95,6 +103,8 @@ struct lms3dFusedPlane
   /// are then kept.
   bool IsWeak = false;
   std::vector<lms3dMappedReturn> Returns;
+  /// Whether a local map has surface here. A facet has none, nor has a plane that went.
+  bool HasSurface = false;
   /// The creases with other planes, by their numbers, metres.
   std::map<int, lms3dCrease> Creases;
   /// The triangle of a local map, if the region is nothing else. It need not lie exactly in the

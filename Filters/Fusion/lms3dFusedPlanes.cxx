@@ -65,7 +65,7 @@ void lms3dFusedPlanes::GrowBox(int number, const lms3dLocalMap& local, int trian
 {
   for (int corner = 0; corner < 3; ++corner)
   {
-    this->Boxes.Grow(static_cast<std::size_t>(number), local.GetCorner(triangle, corner));
+    this->GrowBox(number, local.GetCorner(triangle, corner));
   }
 }
 
@@ -101,6 +101,7 @@ void lms3dFusedPlanes::AcceptGuesses(int number)
       continue;
     }
     raster.AcceptGuess(i);
+    this->Planes[number].HasSurface = true;
   }
 }
 
@@ -131,8 +132,6 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   const auto v = lms3dGetCellOf(place[1]);
   const int blockNumber = plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
   lms3dRasterBlock& block = plane.Raster.GetBlock(blockNumber);
-  std::uint64_t& word = block.Must[lms3dRaster::GetPlaceOf(v)];
-  const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
   plane.Raster.SetMark(blockNumber, lms3dRaster::SEEN);
   if (plane.IsWeak)
   {
@@ -143,21 +142,11 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
       plane.Returns = {};
     }
   }
-  const std::uint64_t shape =
-    block.IsCalm ? block.Shape[lms3dRaster::GetPlaceOf(v)] : std::uint64_t{ 0 };
-  if ((bit & ~word) != 0)
-  {
-    plane.Raster.AddChanges(blockNumber, lms3dRaster::GetPlaceOf(v), bit);
-  }
-  if ((bit & ~word & ~shape) != 0)
-  {
-    plane.Raster.SetMark(blockNumber, lms3dRaster::DIRTY);
-  }
-  word |= bit;
+  plane.Raster.SetReturn(blockNumber, lms3dRaster::GetPlaceOf(u), lms3dRaster::GetPlaceOf(v));
   const double height = std::abs(plane.Frame.GetHeight(mapped.Point));
   if (lms3dGetCoveredReach(height, this->Cell, this->MaximumError) < LargestReach)
   {
-    block.Far[lms3dRaster::GetPlaceOf(v)] |= bit;
+    block.Far[lms3dRaster::GetPlaceOf(v)] |= std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
     block.Deviation = std::max(block.Deviation, height);
   }
   if (!this->IsCovered(plane, block, u, v))
@@ -180,6 +169,8 @@ void lms3dFusedPlanes::AddFacet(const lms3dMappedReturn& mapped)
     { frame.ToWorld({ centre[0] - half, centre[1] - FacetRadius / 2.0 }),
       frame.ToWorld({ centre[0] + half, centre[1] - FacetRadius / 2.0 }),
       frame.ToWorld({ centre[0], centre[1] + FacetRadius }) });
+  this->Planes[number].IsWeak = true;
+  this->GrowBox(number, mapped.Point);
   this->AddReturn(number, mapped);
 }
 
@@ -199,7 +190,6 @@ bool lms3dFusedPlanes::Shows(const lms3dFusedPlane& plane, const lms3dMappedRetu
     !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) && IsAtVerbatim(plane, mapped.Point, bound);
 }
 
-// The planes, out of the first `end`, whose boxes meet the box of returns.
 std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
 {
@@ -208,7 +198,15 @@ std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   {
     box.Add(mapped.Point);
   }
-  return this->Boxes.Find(box, this->MaximumError, end);
+  std::vector<int> planes = this->Boxes.Find(box, this->MaximumError, end);
+  planes.erase(std::remove_if(planes.begin(), planes.end(),
+                 [&](int plane)
+                 {
+                   return !this->Planes[plane].HasSurface ||
+                     !this->Planes[plane].Frame.IsNear(box, this->MaximumError);
+                 }),
+    planes.end());
+  return planes;
 }
 
 bool lms3dFusedPlanes::ShowShare(

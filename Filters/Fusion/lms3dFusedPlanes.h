@@ -36,8 +36,14 @@ public:
   /// Returns the number of a new plane.
   int MakePlane(const lms3dVector& point, const lms3dVector& normal);
 
-  /// Lets the box of a plane have a triangle of a local map.
+  ///@{
+  /// Lets the box of a plane have a point, or a triangle of a local map.
+  void GrowBox(int number, const lms3dVector& point)
+  {
+    this->Boxes.Grow(static_cast<std::size_t>(number), point);
+  }
   void GrowBox(int number, const lms3dLocalMap& local, int triangle);
+  ///@}
 
   ///@{
   /// Threads may call these for different planes at the same time. Lets a plane have surface where
@@ -54,13 +60,14 @@ public:
   /// Adds a return to the first plane that shows it. Returns false if none does.
   bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);
 
-  /// Makes a small triangle around a return, across its beam.
+  /// Makes a small triangle around a return, across its beam. It goes when a plane shows the return.
   void AddFacet(const lms3dMappedReturn& mapped);
 
   /// Whether a plane explains a return, and has surface there.
   bool Shows(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const;
 
-  /// The planes, out of the first `end`, whose boxes meet the box of returns.
+  /// The planes with surface, out of the first `end`, that can show a return: they and their boxes
+  /// meet the box of the returns.
   std::vector<int> FindPlanesNear(
     const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
 

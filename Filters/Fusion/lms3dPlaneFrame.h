@@ -7,6 +7,7 @@
 #ifndef lms3dPlaneFrame_h
 #define lms3dPlaneFrame_h
 
+#include "Fusion/lms3dWorldBox.h"
 #include "Geometry/lms3dVector.h"
 #include "Triangulation/lms3dOrientation.h"
 
@@ -34,6 +35,17 @@ public:
   double GetHeight(const lms3dVector& point) const
   {
     return lms3dDot(this->Normal, point) - this->Offset;
+  }
+
+  /// Whether a box is nearer than a distance, metres.
+  bool IsNear(const lms3dWorldBox& box, double distance) const
+  {
+    double nearest = std::abs(this->GetHeight(lms3dScale(lms3dAdd(box.Low, box.High), 0.5)));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      nearest -= 0.5 * std::abs(this->Normal[axis]) * (box.High[axis] - box.Low[axis]);
+    }
+    return nearest <= distance;
   }
 
   /// The foot of a point, cells.

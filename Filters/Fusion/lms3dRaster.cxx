@@ -27,6 +27,26 @@ void lms3dRaster::ForWords(const lms3dCellStrip& strip, const Visitor& visit)
   }
 }
 
+// A region has no cell of a beam that passed. More returns in a calm block change its shape only
+// beside it. Most blocks say for all of their cells what is known of them, which saves looks at
+// memory.
+void lms3dRaster::NoteReturn(int number, int row, std::uint64_t bit)
+{
+  const lms3dRasterBlock& block = this->Blocks[number];
+  if (block.HasPassed && (block.Passed[row] & bit) != 0)
+  {
+    return;
+  }
+  const bool isInRegion = (block.IsFull || (block.May[row] & bit) != 0) &&
+    !(block.HasOpen && (block.Open[row] & bit) != 0);
+  this->AddChanges(
+    number, isInRegion ? &lms3dChangedSquares::Returns : &lms3dChangedSquares::More, row, bit);
+  if (!block.IsCalm || (block.Shape[row] & bit) == 0)
+  {
+    this->SetMark(number, DIRTY);
+  }
+}
+
 void lms3dRaster::Pass(int number, int u, int v)
 {
   lms3dRasterBlock& block = this->Blocks[number];
@@ -37,23 +57,16 @@ void lms3dRaster::Pass(int number, int u, int v)
   }
   block.Passed[v] |= bit;
   block.HasPassed = true;
-  this->AddChanges(number, v, bit);
+  this->AddChanges(number, &lms3dChangedSquares::Less, v, bit);
 }
 
-void lms3dRaster::AddChanges(int number, int row, std::uint64_t cells)
+void lms3dRaster::AddChanges(int number, ChangeOf change, int row, std::uint64_t cells)
 {
-  if (cells == 0)
+  if (cells != 0)
   {
-    return;
+    this->Blocks[number].Changes.*change |= lms3dGetSquares(row, cells);
+    this->SetMark(number, CHANGED);
   }
-  // Bit 8 i says whether one of the eight cells from 8 i on changed.
-  cells |= cells >> 4;
-  cells |= cells >> 2;
-  cells |= cells >> 1;
-  cells &= 0x0101010101010101U;
-  // The product has these bits in its last byte.
-  this->Blocks[number].Changes |= (cells * 0x0102040810204080U) >> 56 << (row / 8 * 8);
-  this->SetMark(number, CHANGED);
 }
 
 void lms3dRaster::Open(const lms3dCellStrip& strip)
@@ -63,9 +76,14 @@ void lms3dRaster::Open(const lms3dCellStrip& strip)
     {
       lms3dRasterBlock& block = this->Blocks[number];
       const std::uint64_t opened = bits & ~block.Open[row];
+      const std::uint64_t inRegion = block.May[row] & ~(block.Must[row] | block.Passed[row]);
       block.Open[row] |= bits;
       block.HasOpen = true;
-      this->AddChanges(number, row, opened);
+      this->AddChanges(number, &lms3dChangedSquares::Less, row, opened & inRegion);
+      if (opened != 0)
+      {
+        this->SetMark(number, CHANGED);
+      }
     });
 }
 
@@ -78,7 +96,7 @@ void lms3dRaster::Forget(const lms3dCellStrip& strip)
       const std::uint64_t gone = bits & block.Must[row];
       block.Must[row] &= ~bits;
       block.Far[row] &= ~bits;
-      this->AddChanges(number, row, gone);
+      this->AddChanges(number, &lms3dChangedSquares::Less, row, gone);
     });
 }
 
@@ -86,14 +104,21 @@ void lms3dRaster::AcceptGuess(int number)
 {
   lms3dRasterBlock& block = this->Blocks[number];
   std::uint64_t all = ~std::uint64_t{ 0 };
+  std::uint64_t added = 0;
   for (int row = 0; row < Size; ++row)
   {
+    added |= block.Guess[row];
     block.May[row] |= block.Guess[row];
     all &= block.May[row];
-    this->AddChanges(number, row, block.Guess[row]);
+    this->AddChanges(number, &lms3dChangedSquares::More, row,
+      block.Guess[row] & ~(block.Must[row] | block.Passed[row]));
   }
   block.IsFull = all == ~std::uint64_t{ 0 };
   block.Guess = {};
+  if (added != 0)
+  {
+    this->SetMark(number, GREW);
+  }
 }
 
 void lms3dRaster::MakeBlocks(const lms3dCellStrip& strip)

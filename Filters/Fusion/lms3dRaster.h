@@ -9,6 +9,7 @@
 
 #include "Fusion/lms3dBlockGrid.h"
 #include "Fusion/lms3dFusedMesh.h"
+#include "Fusion/lms3dSquares.h"
 
 #include <cstdint>
 #include <vector>
@@ -44,26 +45,14 @@ struct lms3dRasterBlock : lms3dRegionBlock
   /// Whether a bit of Passed, or of Open, is set.
   bool HasPassed = false;
   bool HasOpen = false;
-  /// Whether the region had all cells when the shape was made.
-  bool IsWhole = false;
   /// Whether more returns in cells of the shape make no shape anew.
   bool IsCalm = false;
   /// Bits of lms3dRaster::Mark.
   unsigned Marks = 0;
-  /// The squares of 8 x 8 cells, row by row, in which May, Must, Open or Passed changed since
-  /// lms3dMarkDependents().
-  std::uint64_t Changes = 0;
-
-  /// Whether cells changed that are at most 16 cells away from the block that is `u` and `v` blocks
-  /// away.
-  bool HasChangesNear(int u, int v) const
-  {
-    constexpr std::uint64_t All = ~std::uint64_t{ 0 };
-    constexpr std::uint64_t Column = 0x0303030303030303U;
-    const std::uint64_t columns = u < 0 ? Column : (u > 0 ? Column << 6 : All);
-    const std::uint64_t rows = v < 0 ? All >> 48 : (v > 0 ? All << 48 : All);
-    return (this->Changes & columns & rows) != 0;
-  }
+  /// What changed since lms3dMarkDependents().
+  lms3dChangedSquares Changes;
+  /// The region when the shape was made.
+  lms3dRegionSquares Region;
 };
 
 class lms3dRaster : public lms3dBlockGrid<lms3dRasterBlock>
@@ -80,9 +69,23 @@ public:
     STALE = 4,
     /// The local map that joins has surface here.
     GUESSED = 8,
-    /// The block has Changes.
-    CHANGED = 16
+    /// The block may have Changes, or has new cells with Open.
+    CHANGED = 16,
+    /// The local map that joined has surface where no map before it had.
+    GREW = 32
   };
+
+  /// Sets Must of a cell of a block.
+  void SetReturn(int number, int u, int v)
+  {
+    std::uint64_t& word = this->Blocks[number].Must[v];
+    const std::uint64_t bit = std::uint64_t{ 1 } << u;
+    if ((word & bit) == 0)
+    {
+      word |= bit;
+      this->NoteReturn(number, v, bit);
+    }
+  }
 
   /// Sets Passed of a cell of a block.
   void Pass(int number, int u, int v);
@@ -101,11 +104,8 @@ public:
   bool MayHaveGuess() const { return this->HasGuess; }
   void ForgetGuesses() { this->HasGuess = false; }
 
-  /// Sets May of a block where Guess is set, and clears Guess.
+  /// Sets May of a block where Guess is set, and clears Guess. Marks the block if it grew.
   void AcceptGuess(int number);
-
-  /// Adds the squares of cells of a row to the Changes of a block.
-  void AddChanges(int number, int row, std::uint64_t cells);
 
   /// Sets Guess of the cells of a strip without May. Makes the blocks that do not exist. Marks
   /// blocks with Guess as guessed.
@@ -131,6 +131,13 @@ public:
   void MakeBlocks(const lms3dCellStrip& strip);
 
 private:
+  using ChangeOf = lms3dSquares lms3dChangedSquares::*;
+
+  /// Notes what a new return in a cell can change.
+  void NoteReturn(int number, int row, std::uint64_t bit);
+
+  /// Adds the squares of cells of a row to the Changes of a block.
+  void AddChanges(int number, ChangeOf change, int row, std::uint64_t cells);
   template <typename Visitor>
   void ForWords(const lms3dCellStrip& strip, const Visitor& visit);
 

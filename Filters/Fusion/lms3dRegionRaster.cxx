@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace
@@ -50,27 +51,6 @@ lms3dCellWindow MakeWindow(const Around& around, lms3dRaster::BitsOf bits)
   return window;
 }
 
-// Widens returns and beams that passed, step by step, until they meet. Octagons are nearly round.
-void Share(lms3dCellWindow& returns, lms3dCellWindow& beams)
-{
-  for (int step = 1; step < lms3dCellWindow::Reach; ++step)
-  {
-    const int neighbours = step % 2 == 0 ? 8 : 4;
-    lms3dCellWindow nextReturns = returns;
-    nextReturns.Widen(neighbours);
-    nextReturns -= beams;
-    lms3dCellWindow nextBeams = beams;
-    nextBeams.Widen(neighbours);
-    nextBeams -= returns;
-    lms3dCellWindow both = nextReturns;
-    both &= nextBeams;
-    returns = nextReturns;
-    returns -= both;
-    beams = nextBeams;
-    beams -= both;
-  }
-}
-
 // Returns the cells with returns that no border may cut off: those without a beam that passed
 // beside them.
 lms3dBits GetSureReturns(const Around& around)
@@ -80,7 +60,7 @@ lms3dBits GetSureReturns(const Around& around)
         [](const lms3dRasterBlock* block) { return block && block->HasPassed; }))
   {
     lms3dCellWindow passed = MakeWindow(around, &lms3dRasterBlock::Passed);
-    passed.Widen(8);
+    passed.Widen();
     const lms3dBits beside = passed.GetMiddle();
     for (int row = 0; row <= Last; ++row)
     {
@@ -90,7 +70,8 @@ lms3dBits GetSureReturns(const Around& around)
   return sure;
 }
 
-lms3dBits FindRegion(const Around& around)
+// Finds May and the disputed squares of a region.
+lms3dRegionCells FindRegion(const Around& around)
 {
   const lms3dCellWindow passed = MakeWindow(around, &lms3dRasterBlock::Passed);
   lms3dCellWindow returns = MakeWindow(around, &lms3dRasterBlock::Must);
@@ -102,13 +83,22 @@ lms3dBits FindRegion(const Around& around)
   lms3dCellWindow near = region;
   near.Close();
   near |= may;
-  lms3dCellWindow beams = passed;
+  lms3dCellWindow disputed = near;
+  disputed -= passed;
+  near -= region;
   returns -= passed;
-  Share(returns, beams);
-  near &= returns;
-  region -= beams;
-  region |= near;
-  return region.GetMiddle();
+  if (passed.HasCells() || near.HasCells())
+  {
+    lms3dCellWindow beams = passed;
+    lms3dCellWindow::Race(returns, beams);
+    near &= returns;
+    region -= beams;
+    region |= near;
+  }
+  disputed -= region;
+  lms3dRegionCells cells = { region.GetMiddle(), {}, {} };
+  cells.Squares.Disputed = lms3dGetSquares(disputed.GetMiddle());
+  return cells;
 }
 } // namespace
 
@@ -135,34 +125,45 @@ lms3dRegionCells lms3dMakeRegionCells(const lms3dRaster& raster, int number)
   const Around around = FindAround(raster, number);
   if (IsWhole(around))
   {
-    return { block.May, block.Must };
+    return { block.May, block.Must, { ~lms3dSquares{ 0 }, 0, 0 } };
   }
-  lms3dRegionCells cells = { FindRegion(around), GetSureReturns(around) };
+  lms3dRegionCells cells = FindRegion(around);
+  cells.Must = GetSureReturns(around);
+  lms3dBits gaps;
   for (int row = 0; row <= Last; ++row)
   {
     cells.May[row] |= cells.Must[row];
+    gaps[row] = ~cells.May[row];
   }
+  cells.Squares.Some = lms3dGetSquares(cells.May);
+  cells.Squares.Gaps = lms3dGetSquares(gaps);
   return cells;
 }
 
+// What changed since the region was made can be judged one by one, in any order: as long as none
+// of the changes has an effect, the squares of the region stay right.
 void lms3dMarkDependents(lms3dRaster& raster)
 {
   // Marking adds blocks to the marked ones.
   const std::vector<int> marked = raster.GetMarked();
   for (const int number : marked)
   {
-    const lms3dRasterBlock& block = raster.GetBlock(number);
-    for (int i = 0; i < 9 && block.Changes != 0; ++i)
+    if (!raster.HasMark(number, lms3dRaster::CHANGED))
+    {
+      continue;
+    }
+    lms3dRasterBlock& block = raster.GetBlock(number);
+    const lms3dChangedSquares changes = std::exchange(block.Changes, {});
+    for (int i = 0; i < 9; ++i)
     {
       const int u = i % 3 - 1;
       const int v = i / 3 - 1;
-      const int other = raster.Find(block.U + u, block.V + v);
-      if (other >= 0 && block.HasChangesNear(u, v) &&
-        !(raster.GetBlock(other).IsWhole && IsWhole(FindAround(raster, other))))
+      const int other = changes.AreNear(u, v) ? raster.Find(block.U + u, block.V + v) : -1;
+      if (other >= 0 && !raster.HasMark(other, lms3dRaster::DIRTY) &&
+        raster.GetBlock(other).Region.DependOn(changes, -u, -v))
       {
         raster.SetMark(other, lms3dRaster::DIRTY);
       }
     }
-    raster.GetBlock(number).Changes = 0;
   }
 }

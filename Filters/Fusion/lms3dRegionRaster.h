@@ -20,6 +20,7 @@ struct lms3dRegionCells
 {
   lms3dBits May;
   lms3dBits Must;
+  lms3dRegionSquares Squares;
 };
 
 /**
@@ -32,6 +33,7 @@ struct lms3dRegionCells
 lms3dRegionCells lms3dMakeRegionCells(const lms3dRaster& raster, int number);
 
 /// Marks the blocks whose lms3dRegionCells may change, since cells near them changed, as dirty.
+/// Forgets the changes.
 void lms3dMarkDependents(lms3dRaster& raster);
 
 #endif

@@ -103,8 +103,7 @@ void lms3dRegionShape::MakeShape(int number, const lms3dBlockParts& parts,
 {
   lms3dRasterBlock& block = raster.GetBlock(number);
   block.IsCalm = this->Reached.HaveReturns(number);
-  block.IsWhole = std::all_of(cells.May.begin(), cells.May.end(),
-    [](std::uint64_t word) { return word == ~std::uint64_t{ 0 }; });
+  block.Region = cells.Squares;
   const lms3dBits shape = this->GetShape(number, parts, cells);
   if (shape != block.Shape || block.NewCreaseCells > 0)
   {

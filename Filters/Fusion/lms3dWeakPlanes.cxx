@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
@@ -14,7 +15,7 @@ namespace
 {
 // The share of a weak plane's returns that other planes must explain to take its place.
 constexpr double DissolvedShare = 0.9;
-/// A weak plane that the last scan changed.
+/// A weak plane near new surface.
 struct WeakPlane
 {
   std::size_t Number;
@@ -25,9 +26,26 @@ struct WeakPlane
   bool IsShown;
 };
 
-bool MayGo(const lms3dFusedPlane& plane)
+// The weak planes near surface that the last scan added, in order.
+std::vector<int> FindNearNewSurface(const lms3dFusedPlanes& planes)
 {
-  return plane.IsWeak && !plane.Raster.GetMarked().empty() && !plane.Returns.empty();
+  std::vector<int> found;
+  for (const lms3dFusedPlane& plane : planes.GetAll())
+  {
+    for (const int block : plane.Raster.GetMarked())
+    {
+      if (plane.Raster.HasMark(block, lms3dRaster::GREW))
+      {
+        const std::vector<int> near =
+          planes.FindPlanesNear(plane.GetBoxOfBlock(block), planes.GetMaximumError());
+        std::copy_if(near.begin(), near.end(), std::back_inserter(found),
+          [&](int i) { return planes[i].IsWeak && !planes[i].Returns.empty(); });
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 WeakPlane Judge(const lms3dFusedPlanes& planes, std::size_t number, std::size_t end)
@@ -39,19 +57,13 @@ WeakPlane Judge(const lms3dFusedPlanes& planes, std::size_t number, std::size_t 
   return { number, returns.size(), std::move(others), isShown };
 }
 
-/// Judges all weak planes at once.
-std::vector<WeakPlane> JudgeAll(const lms3dFusedPlanes& planes)
+/// Judges some weak planes at once.
+std::vector<WeakPlane> JudgeAll(const lms3dFusedPlanes& planes, const std::vector<int>& numbers)
 {
-  std::vector<WeakPlane> weak;
-  for (std::size_t i = 0; i < planes.GetSize(); ++i)
-  {
-    if (MayGo(planes[i]))
-    {
-      weak.push_back({ i, 0, {}, false });
-    }
-  }
+  std::vector<WeakPlane> weak(numbers.size());
   tbb::parallel_for(std::size_t{ 0 }, weak.size(),
-    [&](std::size_t i) { weak[i] = Judge(planes, weak[i].Number, planes.GetSize()); });
+    [&](std::size_t i)
+    { weak[i] = Judge(planes, static_cast<std::size_t>(numbers[i]), planes.GetSize()); });
   return weak;
 }
 } // namespace
@@ -61,30 +73,25 @@ std::vector<WeakPlane> JudgeAll(const lms3dFusedPlanes& planes)
 void lms3dDissolveWeakPlanes(lms3dFusedPlanes& planes)
 {
   const std::size_t end = planes.GetSize();
-  const std::vector<WeakPlane> judged = JudgeAll(planes);
   std::set<int> gone;
-  auto next = judged.begin();
-  for (std::size_t i = 0; i < end; ++i)
+  for (const WeakPlane& judged : JudgeAll(planes, FindNearNewSurface(planes)))
   {
-    const bool isJudged = next != judged.end() && next->Number == i;
-    const bool isValid = isJudged && next->Count == planes[i].Returns.size() &&
-      std::none_of(
-        next->Others.begin(), next->Others.end(), [&](int other) { return gone.count(other) > 0; });
-    const WeakPlane* const known = isValid ? &*next : nullptr;
-    next += isJudged ? 1 : 0;
-    lms3dFusedPlane& plane = planes[i];
-    if (!MayGo(plane) || (known && !known->IsShown))
+    lms3dFusedPlane& plane = planes[judged.Number];
+    const bool isValid = judged.Count == plane.Returns.size() &&
+      std::none_of(judged.Others.begin(), judged.Others.end(),
+        [&](int other) { return gone.count(other) > 0; });
+    if (!plane.IsWeak || (isValid && !judged.IsShown))
     {
       continue;
     }
-    const WeakPlane weak = known ? *known : Judge(planes, i, end);
+    const WeakPlane weak = isValid ? judged : Judge(planes, judged.Number, end);
     if (!weak.IsShown)
     {
       continue;
     }
     const std::vector<lms3dMappedReturn> returns = plane.Returns;
     plane.Clear();
-    gone.insert(static_cast<int>(i));
+    gone.insert(static_cast<int>(judged.Number));
     for (const lms3dMappedReturn& mapped : returns)
     {
       if (!planes.AddToPlanes(weak.Others, mapped))

@@ -9,8 +9,8 @@
 
 #include "Fusion/lms3dFusedPlanes.h"
 
-/// A weak plane that the last scan changed goes if other planes explain nearly all of its returns.
-/// The rest of them get facets.
+/// A weak plane near surface that the last scan added goes if other planes explain nearly all of its
+/// returns. The rest of them get facets, which are weak, too.
 void lms3dDissolveWeakPlanes(lms3dFusedPlanes& planes);
 
 #endif

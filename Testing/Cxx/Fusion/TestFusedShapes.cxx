@@ -42,7 +42,6 @@ void MakeAtOnce(const lms3dFusedPlanes& planes, std::size_t number, lms3dFusedPl
   for (int i = 0; i < made.Raster.GetNumberOfBlocks(); ++i)
   {
     lms3dRasterBlock& block = made.Raster.GetBlock(i);
-    block.IsWhole = false;
     block.Shape = {};
     made.Raster.SetMark(i, lms3dRaster::DIRTY);
   }
