@@ -14,6 +14,15 @@ namespace
 {
 // Cells: how far the border follows a crease at least.
 constexpr double ShortestRun = 48.0;
+// Cells: how near to a place corners stay where they are.
+constexpr double ReachOfPlaces = 24.0;
+
+bool IsNearAny(const lms3dPoint2& point, const std::vector<lms3dPoint2>& places)
+{
+  return std::any_of(places.begin(), places.end(),
+    [&](const lms3dPoint2& place)
+    { return std::hypot(place[0] - point[0], place[1] - point[1]) <= ReachOfPlaces; });
+}
 
 // Samples the way at half cells.
 bool IsWayFree(const lms3dPoint2& from, const lms3dPoint2& to, const lms3dRegion& region)
@@ -139,7 +148,7 @@ void FreeShortRuns(std::vector<Snapped>& corners)
 
 std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
   const std::vector<lms3dCreaseLine>& creases, const lms3dRegion& region,
-  const lms3dFusedTile& tile, std::vector<bool>& isFixed)
+  const lms3dFusedTile& tile, const std::vector<lms3dPoint2>& places, std::vector<bool>& isFixed)
 {
   std::vector<lms3dLoop> result;
   isFixed.clear();
@@ -149,7 +158,8 @@ std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
     for (const lms3dPoint2& point : loop)
     {
       const std::optional<lms3dPoint2> place = lms3dFindPlaceOnCrease(point, creases, tile);
-      const bool moves = place && tile.Has(*place) && IsWayFree(point, *place, region);
+      const bool moves =
+        place && tile.Has(*place) && !IsNearAny(point, places) && IsWayFree(point, *place, region);
       corners.push_back({ moves ? *place : point, moves });
     }
     MoveBack(loop, region, corners);

@@ -60,7 +60,8 @@ public:
   /// Adds a return to the first plane that shows it. Returns false if none does.
   bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);
 
-  /// Makes a small triangle around a return, across its beam. It goes when a plane shows the return.
+  /// Makes a small triangle around a return, across its beam. It goes when a plane shows the
+  /// return.
   void AddFacet(const lms3dMappedReturn& mapped);
 
   /// Whether a plane explains a return, and has surface there.

@@ -17,12 +17,12 @@
 
 struct lms3dFusedTile
 {
-  /// The blocks along a side. So a tile is 341 times as wide as the error bound.
-  static constexpr int Size = 16;
+  /// The blocks along a side. So a tile is 683 times as wide as the error bound.
+  static constexpr int Size = 32;
 
   /// The number of the tile along an axis with a block. Tiles are shifted by half of their size,
   /// since many planes end at the axes of the world.
-  static std::int32_t GetTileOf(std::int32_t block) { return (block + Size / 2) >> 4; }
+  static std::int32_t GetTileOf(std::int32_t block) { return (block + Size / 2) >> 5; }
 
   /// The tile with all cells of its plane.
   lms3dFusedTile() = default;

@@ -17,9 +17,9 @@
 namespace
 {
 // As a share of the bound: how far the border of a region may move when it is straightened.
-constexpr double BorderShare = 3.0;
+constexpr double BorderShare = 6.0;
 // Cells: how far a border may stay away from the centre of a cell with a return.
-constexpr double ReachOfBorder = 1.2;
+constexpr double ReachOfBorder = 1.5;
 // Cells: the circumradius of a facet.
 constexpr double FacetRadius = 0.25;
 

@@ -2,27 +2,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegionTriangles.h"
 
+#include "Fusion/lms3dBorderLimits.h"
+#include "Fusion/lms3dCornerMerger.h"
 #include "Fusion/lms3dCreaseSnapping.h"
+#include "Fusion/lms3dOutlineCorners.h"
+#include "Fusion/lms3dOutlineCrossings.h"
 #include "Fusion/lms3dOutlineSimplifier.h"
 
 #include <optional>
+
+namespace
+{
+// How often borders move to creases.
+constexpr int Attempts = 4;
+
+/// Makes the outlines of a region simpler.
+class Straightener
+{
+public:
+  Straightener(
+    const lms3dRegion& region, const lms3dFusedTile& tile, double tolerance, double reach)
+    : Region(region)
+    , Tile(tile)
+    , Tolerance(tolerance)
+    , Reach(reach)
+    , Outlines(lms3dTraceOutlines(region))
+  {
+  }
+
+  const std::vector<lms3dLoop>& GetOutlines() const { return this->Outlines; }
+
+  /// Corners near the places do not move to creases.
+  std::vector<lms3dLoop> Straighten(
+    const std::vector<lms3dCreaseLine>& creases, const std::vector<lms3dPoint2>& places) const
+  {
+    std::vector<bool> isFixed;
+    const std::vector<lms3dLoop> snapped =
+      lms3dSnapToCreases(this->Outlines, creases, this->Region, this->Tile, places, isFixed);
+    lms3dOutlineCorners corners(snapped, isFixed);
+    lms3dBorderLimits limits(this->Region, corners.GetPoints().size(), this->Reach);
+    lms3dOutlineSimplifier(this->Tolerance, corners, limits).Simplify();
+    lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits).Merge();
+    return corners.GetLoops();
+  }
+
+private:
+  const lms3dRegion& Region;
+  const lms3dFusedTile& Tile;
+  const double Tolerance;
+  const double Reach;
+  const std::vector<lms3dLoop> Outlines;
+};
+} // namespace
 
 std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRegion& region,
   const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance,
   double reach)
 {
-  const std::vector<lms3dLoop> outlines = lms3dTraceOutlines(region);
-  // Without creases, the corners on the sides of the tile alone are fixed.
-  for (const std::vector<lms3dCreaseLine>& lines : { creases, std::vector<lms3dCreaseLine>() })
+  const Straightener straightener(region, tile, tolerance, reach);
+  std::vector<lms3dPoint2> crossings;
+  for (int attempt = 0; attempt < Attempts; ++attempt)
   {
-    std::vector<bool> isFixed;
-    const std::vector<lms3dLoop> snapped =
-      lms3dSnapToCreases(outlines, lines, region, tile, isFixed);
-    lms3dOutlineSimplifier simplifier(region, snapped, isFixed, tolerance, reach);
-    if (const auto triangles = lms3dTriangulateOutlines(simplifier.Simplify()))
+    const std::vector<lms3dLoop> loops = straightener.Straighten(creases, crossings);
+    if (const auto triangles = lms3dTriangulateOutlines(loops))
+    {
+      return *triangles;
+    }
+    const std::vector<lms3dPoint2> found = lms3dFindCrossings(loops);
+    if (found.empty())
+    {
+      break;
+    }
+    crossings.insert(crossings.end(), found.begin(), found.end());
+  }
+  // Without creases, the corners on the sides of the tile alone are fixed.
+  for (const std::vector<lms3dLoop>& loops :
+    { straightener.Straighten({}, {}), straightener.GetOutlines() })
+  {
+    if (const auto triangles = lms3dTriangulateOutlines(loops))
     {
       return *triangles;
     }
   }
-  return lms3dTriangulateOutlines(outlines).value_or(std::vector<lms3dTriangle2>());
+  return {};
 }

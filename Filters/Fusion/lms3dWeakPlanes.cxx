@@ -13,15 +13,18 @@
 
 namespace
 {
-// The share of a weak plane's returns that other planes must explain to take its place.
+// The share of a weak plane's returns that other planes must show to take its place, and that share
+// if the facets of the others are fewer than the plane's triangles.
 constexpr double DissolvedShare = 0.9;
+constexpr double SmallestShare = 0.5;
+
 /// A weak plane near new surface.
 struct WeakPlane
 {
   std::size_t Number;
   /// How many returns it has.
   std::size_t Count;
-  /// The other planes near its returns, and whether they show nearly all of these.
+  /// The other planes near its returns, and whether they show enough of these.
   std::vector<int> Others;
   bool IsShown;
 };
@@ -48,12 +51,25 @@ std::vector<int> FindNearNewSurface(const lms3dFusedPlanes& planes)
   return found;
 }
 
+// The share of a weak plane's returns that others must show.
+double GetNeededShare(const lms3dFusedPlane& plane)
+{
+  std::size_t triangles = 0;
+  for (const lms3dFusedTile& tile : plane.Tiles)
+  {
+    triangles += tile.Mesh.Triangles.size();
+  }
+  const double saved = static_cast<double>(triangles) - 1.0;
+  return std::clamp(
+    1.0 - saved / static_cast<double>(plane.Returns.size()), SmallestShare, DissolvedShare);
+}
+
 WeakPlane Judge(const lms3dFusedPlanes& planes, std::size_t number, std::size_t end)
 {
   const std::vector<lms3dMappedReturn>& returns = planes[number].Returns;
   std::vector<int> others = planes.FindPlanesNear(returns, end);
   others.erase(std::remove(others.begin(), others.end(), static_cast<int>(number)), others.end());
-  const bool isShown = planes.ShowShare(DissolvedShare, others, returns);
+  const bool isShown = planes.ShowShare(GetNeededShare(planes[number]), others, returns);
   return { number, returns.size(), std::move(others), isShown };
 }
 

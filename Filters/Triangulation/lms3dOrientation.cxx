@@ -36,6 +36,19 @@ int lms3dGetOrientation(const lms3dPoint2& a, const lms3dPoint2& b, const lms3dP
   return exact.GetSign();
 }
 
+bool lms3dIsInTriangle(
+  const lms3dPoint2& point, const std::array<lms3dPoint2, 3>& triangle, int orientation)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (lms3dGetOrientation(triangle[i], triangle[(i + 1) % 3], point) * orientation < 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool lms3dIsInCircle(
   const lms3dPoint2& a, const lms3dPoint2& b, const lms3dPoint2& c, const lms3dPoint2& d)
 {

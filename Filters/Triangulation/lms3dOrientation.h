@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The orientation and in-circle predicates of points in the plane.
+ * @brief The orientation, in-triangle and in-circle predicates of points in the plane.
  */
 #ifndef lms3dOrientation_h
 #define lms3dOrientation_h
@@ -15,6 +15,11 @@ using lms3dPoint2 = std::array<double, 2>;
 /// 1 if c lies left of the line from a to b, -1 if right of it, 0 if on it. Exact for all finite
 /// coordinates whose products neither overflow nor underflow.
 int lms3dGetOrientation(const lms3dPoint2& a, const lms3dPoint2& b, const lms3dPoint2& c);
+
+/// Whether a point lies in a triangle, or on its border. `orientation` is that of the triangle, not
+/// 0.
+bool lms3dIsInTriangle(
+  const lms3dPoint2& point, const std::array<lms3dPoint2, 3>& triangle, int orientation);
 
 /// Whether d lies inside the circle through a, b and c (counter-clockwise) by more than a rounding
 /// error. Therefore, of the two diagonals of four points, at most one is ever preferred.

@@ -13,7 +13,7 @@
 
 namespace
 {
-/// The tile with the cells from -512 to 511.
+/// The tile with the cells from -1024 to 1023.
 const lms3dFusedTile Tile(0, 0);
 
 void Set(lms3dRegion::BitsOf bits, std::int32_t u, std::int32_t v, bool value, lms3dRegion& region)
@@ -92,9 +92,9 @@ TEST(LMS3DPinholes, DoNotJoinAnotherTile)
   lms3dRegion region;
   for (std::int32_t v = 0; v <= 60; ++v)
   {
-    region.SetRow(&lms3dRegionBlock::May, v, 400, 511, true, true, [](int) {});
+    region.SetRow(&lms3dRegionBlock::May, v, 900, 1023, true, true, [](int) {});
   }
-  Pass(510, 30, region);
+  Pass(1022, 30, region);
   lms3dOpenPinholes(Tile, region);
-  EXPECT_TRUE(region.Has(&lms3dRegionBlock::May, 511, 30));
+  EXPECT_TRUE(region.Has(&lms3dRegionBlock::May, 1023, 30));
 }

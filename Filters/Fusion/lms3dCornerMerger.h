@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Merges corners of outlines.
+ */
+#ifndef lms3dCornerMerger_h
+#define lms3dCornerMerger_h
+
+#include "Fusion/lms3dBorderLimits.h"
+#include "Fusion/lms3dCornerMerge.h"
+#include "Fusion/lms3dFusedTile.h"
+#include "Fusion/lms3dOutlineCorners.h"
+
+#include <array>
+#include <vector>
+
+/**
+ * Two successive corners that are not fixed become one, which may lie anywhere: where the edges
+ * beside the two meet, or between the two. So a border that goes to and fro between returns and
+ * beams that passed becomes straight, although none of its corners can go. Then corners move
+ * outwards a little, so that the region has returns beside its border. The outline stays within a
+ * tolerance of what it was, keeps the limits of borders, and crosses no other edge.
+ */
+class lms3dCornerMerger
+{
+public:
+  /// Keeps references. The tolerance is in cells. The edges of the limits have the numbers of their
+  /// first corners. New corners lie in the tile.
+  lms3dCornerMerger(double tolerance, const lms3dFusedTile& tile, lms3dOutlineCorners& corners,
+    lms3dBorderLimits& limits);
+
+  void Merge();
+
+private:
+  using Corner = lms3dOutlineCorners::Corner;
+  using Triangle = lms3dOutlineCorners::Triangle;
+
+  bool MergeAt(Corner corner);
+  void MoveOutwards(Corner corner);
+  bool MayMerge(const lms3dCornerMerge& merge, Corner first, Corner last) const;
+  std::array<lms3dBorderLimits::Edge, 3> GetEdges(Corner first, Corner last) const;
+  bool IsApart(const lms3dCornerMerge& merge, Corner first, Corner last) const;
+  void Queue(Corner corner);
+
+  /// Squared.
+  const double Tolerance;
+  const lms3dFusedTile& Tile;
+  lms3dOutlineCorners& Corners;
+  lms3dBorderLimits& Limits;
+  /// The corners that have not gone, and perhaps some that have.
+  std::vector<Corner> Left;
+  /// The corners at which a merge may be possible.
+  std::vector<Corner> Queued;
+  std::vector<bool> IsQueued;
+};
+
+#endif

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks which corners of outlines become one, and where the one lies.
+ */
+#include "Fusion/lms3dCornerMerger.h"
+#include "Fusion/lms3dOutlineSimplifier.h"
+#include "Fusion/lms3dRasterOutline.h"
+#include "Fusion/lms3dRasterRows.h"
+#include "Fusion/lms3dSegment2.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace
+{
+constexpr double Tolerance = 18.0;
+constexpr double Reach = 1.2;
+/// The tile with the cells from -1024 to 1023.
+const lms3dFusedTile Tile(0, 0);
+
+void Set(lms3dRegion::BitsOf bits, std::int32_t u, std::int32_t v, lms3dRegion& region)
+{
+  region.SetRow(bits, v, u, u, true, true, [](int) {});
+}
+
+/// Surface below row 100, and a saw with teeth of four cells above. Beams passed beside the upper
+/// halves of the teeth and above them, and each tooth has returns in its middle.
+lms3dRegion MakeSaw()
+{
+  lms3dRegion region;
+  for (std::int32_t v = 0; v < 128; ++v)
+  {
+    for (std::int32_t u = 0; u < 256; ++u)
+    {
+      const bool isTooth = u / 8 % 2 == 0 && u >= 16 && u < 240;
+      region.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
+      if (v < 100 || (isTooth && v < 104))
+      {
+        Set(&lms3dRegionBlock::May, u, v, region);
+      }
+      if (v == 105 || (v == 103 && !isTooth))
+      {
+        Set(&lms3dRegionBlock::Passed, u, v, region);
+      }
+      if ((v == 102 && isTooth) || (v == 90 && u % 8 == 4))
+      {
+        Set(&lms3dRegionBlock::Must, u, v, region);
+      }
+    }
+  }
+  return region;
+}
+
+std::vector<lms3dLoop> Straighten(
+  const std::vector<lms3dLoop>& loops, const lms3dRegion& region, bool merges)
+{
+  std::size_t count = 0;
+  for (const lms3dLoop& loop : loops)
+  {
+    count += loop.size();
+  }
+  lms3dOutlineCorners corners(loops, std::vector<bool>(count, false));
+  lms3dBorderLimits limits(region, count, Reach);
+  lms3dOutlineSimplifier(Tolerance, corners, limits).Simplify();
+  if (merges)
+  {
+    lms3dCornerMerger(Tolerance, Tile, corners, limits).Merge();
+  }
+  return corners.GetLoops();
+}
+
+bool IsInside(const lms3dPoint2& point, const lms3dLoop& loop)
+{
+  bool isInside = false;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const lms3dPoint2& a = loop[i];
+    const lms3dPoint2& b = loop[(i + 1) % loop.size()];
+    isInside ^= (a[1] > point[1]) != (b[1] > point[1]) &&
+      point[0] < a[0] + (b[0] - a[0]) * (point[1] - a[1]) / (b[1] - a[1]);
+  }
+  return isInside;
+}
+
+double GetDistance(const lms3dPoint2& point, const lms3dLoop& loop)
+{
+  double least = 1e300;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const lms3dSegment2 edge(loop[i], loop[(i + 1) % loop.size()]);
+    least = std::min(least, edge.GetSquaredDistance(point));
+  }
+  return std::sqrt(least);
+}
+
+/// Judges cells one by one.
+void ExpectLimitsKept(const lms3dLoop& loop, const lms3dRegion& region)
+{
+  for (std::int32_t v = 0; v < 128; ++v)
+  {
+    for (std::int32_t u = 0; u < 256; ++u)
+    {
+      const lms3dPoint2 centre = { u + 0.5, v + 0.5 };
+      if (region.Has(&lms3dRegionBlock::Must, u, v) && !IsInside(centre, loop))
+      {
+        EXPECT_LE(GetDistance(centre, loop), Reach) << u << " " << v;
+      }
+      if (region.Has(&lms3dRegionBlock::Passed, u, v))
+      {
+        EXPECT_FALSE(IsInside(centre, loop)) << u << " " << v;
+        EXPECT_GE(GetDistance(centre, loop), 0.5) << u << " " << v;
+      }
+    }
+  }
+}
+} // namespace
+
+TEST(LMS3DCornerMerger, MakesBordersBetweenReturnsAndBeamsStraight)
+{
+  const lms3dRegion region = MakeSaw();
+  const std::vector<lms3dLoop> traced = lms3dTraceOutlines(region);
+  ASSERT_EQ(traced.size(), 1U);
+  const lms3dLoop simple = Straighten(traced, region, false).front();
+  const lms3dLoop merged = Straighten(traced, region, true).front();
+  EXPECT_GT(simple.size(), 20U);
+  EXPECT_LE(merged.size(), 6U);
+  ExpectLimitsKept(simple, region);
+  ExpectLimitsKept(merged, region);
+}
+
+TEST(LMS3DCornerMerger, KeepsTheBorderOfBeamsThatPassedAllAround)
+{
+  lms3dRegion region = MakeSaw();
+  for (std::int32_t u = 16; u < 240; ++u)
+  {
+    if (u / 8 % 2 == 0)
+    {
+      Set(&lms3dRegionBlock::Must, u, 103, region);
+      Set(&lms3dRegionBlock::Far, u, 103, region);
+    }
+    else
+    {
+      Set(&lms3dRegionBlock::Passed, u, 101, region);
+    }
+  }
+  const lms3dLoop merged = Straighten(lms3dTraceOutlines(region), region, true).front();
+  EXPECT_GT(merged.size(), 40U);
+  ExpectLimitsKept(merged, region);
+}
+
+TEST(LMS3DCornerMerger, KeepsFixedCorners)
+{
+  const lms3dRegion region = MakeSaw();
+  const std::vector<lms3dLoop> loops = { { { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 60.0 },
+    { 150.0, 62.0 }, { 100.0, 60.0 }, { 50.0, 62.0 }, { 0.0, 60.0 } } };
+  lms3dOutlineCorners corners(loops, std::vector<bool>(7, true));
+  lms3dBorderLimits limits(region, 7, Reach);
+  lms3dCornerMerger(Tolerance, Tile, corners, limits).Merge();
+  EXPECT_EQ(corners.GetLoops(), loops);
+}
+
+/// The edges beside two corners meet far above, in the other outline and beyond the tile.
+TEST(LMS3DCornerMerger, StaysApartFromOtherOutlinesAndInTheTile)
+{
+  lms3dRegion region;
+  for (std::int32_t v = -17; v <= 17; ++v)
+  {
+    for (std::int32_t u = -17; u <= 17; ++u)
+    {
+      region.Make(u, v);
+    }
+  }
+  const lms3dLoop cut = { { 900.0, 0.0 }, { 1023.0, 0.0 }, { 1023.0, 100.0 }, { 1022.0, 104.0 },
+    { 904.0, 104.0 }, { 900.0, 100.0 } };
+  const lms3dLoop above = { { 899.0, 104.5 }, { 905.0, 104.5 }, { 902.0, 110.0 } };
+  for (const lms3dLoop& loop : { cut, above })
+  {
+    for (const lms3dPoint2& point : loop)
+    {
+      ASSERT_TRUE(Tile.Has(point));
+    }
+  }
+  lms3dOutlineCorners corners({ cut, above }, std::vector<bool>(9, false));
+  lms3dBorderLimits limits(region, 9, Reach);
+  lms3dCornerMerger(1000.0, Tile, corners, limits).Merge();
+  const std::vector<lms3dLoop> loops = corners.GetLoops();
+  ASSERT_EQ(loops.size(), 2U);
+  EXPECT_LT(loops[0].size(), cut.size());
+  EXPECT_EQ(loops[1].size(), above.size());
+  for (int i = 0; i < 2; ++i)
+  {
+    for (const lms3dPoint2& point : loops[i])
+    {
+      EXPECT_TRUE(Tile.Has(point));
+      EXPECT_FALSE(IsInside(point, loops[1 - i]));
+      EXPECT_GT(GetDistance(point, loops[1 - i]), 0.0);
+    }
+  }
+}
+
+/// A border between returns and beams moves towards the beams.
+TEST(LMS3DCornerMerger, MovesBordersOutwards)
+{
+  lms3dRegion region;
+  for (std::int32_t u = 0; u < 128; ++u)
+  {
+    region.Make(lms3dRaster::GetBlockOf(u), 0);
+    Set(&lms3dRegionBlock::Passed, u, 41, region);
+  }
+  const lms3dLoop square = { { 10.0, 10.0 }, { 100.0, 10.0 }, { 100.0, 40.0 }, { 10.0, 40.0 } };
+  lms3dOutlineCorners corners({ square }, { true, true, false, false });
+  lms3dBorderLimits limits(region, 4, Reach);
+  lms3dCornerMerger(Tolerance, Tile, corners, limits).Merge();
+  const lms3dLoop loop = corners.GetLoops().front();
+  ASSERT_EQ(loop.size(), square.size());
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(loop[i], square[i]);
+    EXPECT_GT(loop[i + 2][1], 40.4);
+    EXPECT_LT(loop[i + 2][1], 41.0);
+  }
+}
