@@ -12,8 +12,11 @@
 
 namespace
 {
-// Cells: how far the border follows a crease at least.
+// Cells: how far the border follows a crease at least, and how far if it comes back to a crease
+// behind a gap that is not large.
 constexpr double ShortestRun = 48.0;
+constexpr double ShortestRunAmongOthers = 400.0;
+constexpr double LargestGap = 48.0;
 // Cells: how near to a place corners stay where they are.
 constexpr double ReachOfPlaces = 24.0;
 
@@ -118,30 +121,69 @@ void Clean(std::vector<Snapped>& corners)
   }
 }
 
-// A border that touches a crease now and then is free to leave it.
-void FreeShortRuns(std::vector<Snapped>& corners)
+/// Successive corners that moved to creases. Numbers go on behind the last corner.
+struct Run
+{
+  std::size_t First;
+  std::size_t End;
+  /// The largest distance from the first corner, cells.
+  double Length;
+};
+
+double GetDistance(const std::vector<Snapped>& corners, std::size_t first, std::size_t second)
+{
+  const lms3dPoint2& a = corners[first % corners.size()].Point;
+  const lms3dPoint2& b = corners[second % corners.size()].Point;
+  return std::hypot(b[0] - a[0], b[1] - a[1]);
+}
+
+// Returns none if all corners moved.
+std::vector<Run> FindRuns(const std::vector<Snapped>& corners)
 {
   const std::size_t count = corners.size();
+  const auto isMoved = [&](std::size_t i) { return corners[i % count].IsMoved; };
   std::size_t start = 0;
-  while (start < count && corners[start].IsMoved)
+  while (start < count && isMoved(start))
   {
     ++start;
   }
-  for (std::size_t i = start; i < start + count && start < count;)
+  std::vector<Run> runs;
+  for (std::size_t i = start; start < count && i < start + count; ++i)
   {
-    std::size_t end = i;
-    double length = 0.0;
-    for (; corners[end % count].IsMoved; ++end)
+    if (!isMoved(i))
     {
-      const lms3dPoint2& a = corners[i % count].Point;
-      const lms3dPoint2& b = corners[end % count].Point;
-      length = std::max(length, std::hypot(b[0] - a[0], b[1] - a[1]));
+      continue;
     }
-    for (; i < end; ++i)
+    Run run = { i, i, 0.0 };
+    for (; isMoved(run.End); ++run.End)
     {
-      corners[i % count].IsMoved = length >= ShortestRun;
+      run.Length = std::max(run.Length, GetDistance(corners, i, run.End));
     }
-    ++i;
+    runs.push_back(run);
+    i = run.End;
+  }
+  return runs;
+}
+
+// A border that touches a crease now and then, or that leaves it again and again for beams that
+// passed, is free to leave it.
+void FreeShortRuns(std::vector<Snapped>& corners)
+{
+  const std::vector<Run> runs = FindRuns(corners);
+  const std::size_t count = runs.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Run& run = runs[i];
+    const Run& before = runs[(i + count - 1) % count];
+    const Run& behind = runs[(i + 1) % count];
+    const bool isAmongOthers = count > 1 &&
+      (GetDistance(corners, before.End - 1, run.First) < LargestGap ||
+        GetDistance(corners, run.End - 1, behind.First) < LargestGap);
+    const bool stays = run.Length >= (isAmongOthers ? ShortestRunAmongOthers : ShortestRun);
+    for (std::size_t corner = run.First; corner < run.End; ++corner)
+    {
+      corners[corner % corners.size()].IsMoved = stays;
+    }
   }
 }
 } // namespace
