@@ -3,7 +3,9 @@
 #include "Fusion/lms3dCreaseSnapping.h"
 
 #include "Fusion/lms3dCreasePlaces.h"
+#include "Fusion/lms3dCreaseRuns.h"
 #include "Fusion/lms3dRasterRows.h"
+#include "Fusion/lms3dSegment2.h"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +14,8 @@
 
 namespace
 {
-// Cells: how far the border follows a crease at least, and how far if it comes back to a crease
-// behind a gap that is not large.
-constexpr double ShortestRun = 48.0;
-constexpr double ShortestRunAmongOthers = 400.0;
-constexpr double LargestGap = 48.0;
+// Cells: how far a return may lie outside a border that has moved to a crease.
+constexpr double ReachOfReturns = 2.0;
 // Cells: how near to a place corners stay where they are.
 constexpr double ReachOfPlaces = 24.0;
 
@@ -45,23 +44,49 @@ bool IsWayFree(const lms3dPoint2& from, const lms3dPoint2& to, const lms3dRegion
   return true;
 }
 
-struct Snapped
-{
-  lms3dPoint2 Point;
-  bool IsMoved;
-};
+using Triangle = std::array<lms3dPoint2, 3>;
 
-// Whether a side of an outline moves inwards, or no beam passed where it moves over.
-bool IsSweepFree(const std::array<lms3dPoint2, 3>& triangle, const lms3dRegion& region)
+// Whether each return in a triangle stays near a side of an outline, or inside.
+bool KeepsReturns(
+  const Triangle& triangle, const std::array<lms3dPoint2, 2>& side, const lms3dRegion& region)
 {
-  return lms3dGetOrientation(triangle[0], triangle[1], triangle[2]) >= 0 ||
-    lms3dForTouchedRows(triangle,
-      [&](std::int32_t row, std::int32_t first, std::int32_t last)
-      { return !region.HasAny(&lms3dRasterBlock::Passed, row, first, last); });
+  const lms3dSegment2 segment(side[0], side[1]);
+  return lms3dForTouchedRows(triangle,
+    [&](std::int32_t row, std::int32_t first, std::int32_t last)
+    {
+      for (std::int32_t cell = first; cell <= last; ++cell)
+      {
+        const lms3dPoint2 centre = { cell + 0.5, row + 0.5 };
+        if (region.Has(&lms3dRegionBlock::Must, cell, row) &&
+          segment.GetSquaredDistance(centre) > ReachOfReturns * ReachOfReturns &&
+          lms3dGetOrientation(side[0], side[1], centre) < 0)
+        {
+          return false;
+        }
+      }
+      return true;
+    });
 }
 
-// Moves corners back until no side moves over a beam that passed.
-void MoveBack(const lms3dLoop& loop, const lms3dRegion& region, std::vector<Snapped>& corners)
+// Whether a side of an outline may move over a triangle: inwards if returns stay near its new
+// place, outwards if no beam passed.
+bool MaySweep(
+  const Triangle& triangle, const std::array<lms3dPoint2, 2>& side, const lms3dRegion& region)
+{
+  const int orientation = lms3dGetOrientation(triangle[0], triangle[1], triangle[2]);
+  if (orientation > 0)
+  {
+    return KeepsReturns(triangle, side, region);
+  }
+  return orientation == 0 ||
+    lms3dForTouchedRows(triangle,
+      [&](std::int32_t row, std::int32_t first, std::int32_t last)
+      { return !region.HasAny(&lms3dRegionBlock::Passed, row, first, last); });
+}
+
+// Moves corners back until no side moves over a beam that passed, nor away from returns.
+void MoveBack(
+  const lms3dLoop& loop, const lms3dRegion& region, std::vector<lms3dSnappedCorner>& corners)
 {
   const std::size_t count = loop.size();
   for (bool isChanged = true; isChanged;)
@@ -70,14 +95,15 @@ void MoveBack(const lms3dLoop& loop, const lms3dRegion& region, std::vector<Snap
     for (std::size_t i = 0; i < count; ++i)
     {
       const std::size_t next = (i + 1) % count;
-      Snapped& a = corners[i];
-      Snapped& b = corners[next];
-      if (b.IsMoved && !IsSweepFree({ loop[i], loop[next], b.Point }, region))
+      lms3dSnappedCorner& a = corners[i];
+      lms3dSnappedCorner& b = corners[next];
+      const std::array<lms3dPoint2, 2> side = { a.Point, b.Point };
+      if (b.IsMoved && !MaySweep({ loop[i], loop[next], b.Point }, side, region))
       {
         b = { loop[next], false };
         isChanged = true;
       }
-      if (a.IsMoved && !IsSweepFree({ loop[i], b.Point, a.Point }, region))
+      if (a.IsMoved && !MaySweep({ loop[i], b.Point, a.Point }, { a.Point, b.Point }, region))
       {
         a = { loop[i], false };
         isChanged = true;
@@ -100,12 +126,12 @@ bool IsSpike(const lms3dPoint2& a, const lms3dPoint2& b, const lms3dPoint2& c)
 }
 
 // Removes copies and spikes until there are none.
-void Clean(std::vector<Snapped>& corners)
+void Clean(std::vector<lms3dSnappedCorner>& corners)
 {
   for (bool isChanged = true; isChanged && corners.size() >= 3;)
   {
     isChanged = false;
-    std::vector<Snapped> kept;
+    std::vector<lms3dSnappedCorner> kept;
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
       const lms3dPoint2& next = corners[(i + 1) % corners.size()].Point;
@@ -121,71 +147,6 @@ void Clean(std::vector<Snapped>& corners)
   }
 }
 
-/// Successive corners that moved to creases. Numbers go on behind the last corner.
-struct Run
-{
-  std::size_t First;
-  std::size_t End;
-  /// The largest distance from the first corner, cells.
-  double Length;
-};
-
-double GetDistance(const std::vector<Snapped>& corners, std::size_t first, std::size_t second)
-{
-  const lms3dPoint2& a = corners[first % corners.size()].Point;
-  const lms3dPoint2& b = corners[second % corners.size()].Point;
-  return std::hypot(b[0] - a[0], b[1] - a[1]);
-}
-
-// Returns none if all corners moved.
-std::vector<Run> FindRuns(const std::vector<Snapped>& corners)
-{
-  const std::size_t count = corners.size();
-  const auto isMoved = [&](std::size_t i) { return corners[i % count].IsMoved; };
-  std::size_t start = 0;
-  while (start < count && isMoved(start))
-  {
-    ++start;
-  }
-  std::vector<Run> runs;
-  for (std::size_t i = start; start < count && i < start + count; ++i)
-  {
-    if (!isMoved(i))
-    {
-      continue;
-    }
-    Run run = { i, i, 0.0 };
-    for (; isMoved(run.End); ++run.End)
-    {
-      run.Length = std::max(run.Length, GetDistance(corners, i, run.End));
-    }
-    runs.push_back(run);
-    i = run.End;
-  }
-  return runs;
-}
-
-// A border that touches a crease now and then, or that leaves it again and again for beams that
-// passed, is free to leave it.
-void FreeShortRuns(std::vector<Snapped>& corners)
-{
-  const std::vector<Run> runs = FindRuns(corners);
-  const std::size_t count = runs.size();
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const Run& run = runs[i];
-    const Run& before = runs[(i + count - 1) % count];
-    const Run& behind = runs[(i + 1) % count];
-    const bool isAmongOthers = count > 1 &&
-      (GetDistance(corners, before.End - 1, run.First) < LargestGap ||
-        GetDistance(corners, run.End - 1, behind.First) < LargestGap);
-    const bool stays = run.Length >= (isAmongOthers ? ShortestRunAmongOthers : ShortestRun);
-    for (std::size_t corner = run.First; corner < run.End; ++corner)
-    {
-      corners[corner % corners.size()].IsMoved = stays;
-    }
-  }
-}
 } // namespace
 
 std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
@@ -196,7 +157,7 @@ std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
   isFixed.clear();
   for (const lms3dLoop& loop : loops)
   {
-    std::vector<Snapped> corners;
+    std::vector<lms3dSnappedCorner> corners;
     for (const lms3dPoint2& point : loop)
     {
       const std::optional<lms3dPoint2> place = lms3dFindPlaceOnCrease(point, creases, tile);
@@ -206,13 +167,13 @@ std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
     }
     MoveBack(loop, region, corners);
     Clean(corners);
-    FreeShortRuns(corners);
+    lms3dFreeShortRuns(corners);
     if (corners.size() < 3)
     {
       continue;
     }
     lms3dLoop moved;
-    for (const Snapped& corner : corners)
+    for (const lms3dSnappedCorner& corner : corners)
     {
       moved.push_back(corner.Point);
       isFixed.push_back(
