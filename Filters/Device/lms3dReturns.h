@@ -27,8 +27,9 @@ class vtkPolyData;
  * Arrays with one slot for each return, ordered by turn, then by beam.
  *
  * Fill all slots of Point, Range, Alpha, Beta and BeamId through the pointers, and all vertices by
- * FillVertices; then call MoveTo. Threads can fill different slots at the same time. The
- * arrays own the memory that the pointers refer to.
+ * FillVertices. Threads can fill different slots at the same time. MoveTo reads no slot, so it may
+ * run before threads fill them, or meanwhile. The arrays own the memory that the pointers refer
+ * to.
  */
 struct lms3dReturns
 {

@@ -18,7 +18,7 @@
 /**
  * A region may gain cells if no beam passed through them and if they lie in blocks. A border may
  * cut off a return that stays near it, since the return is then within the bound of the region.
- * Each edge of a border knows the returns that it has cut off, so that the edge that takes its
+ * Each edge of a border keeps the returns that it has cut off, so that the edge that takes its
  * place is not farther from them. Lengths are cells.
  */
 class lms3dBorderLimits

@@ -24,6 +24,18 @@ struct lms3dCornerMerge
       lms3dSegment2(this->Corner, this->Before[3]).GetSquaredDistance(point));
   }
 
+  /// The squared distance of the new corner from the outline before the merge.
+  double GetSquaredDistanceOfCorner() const
+  {
+    double least = lms3dSegment2(this->Before[0], this->Before[1]).GetSquaredDistance(this->Corner);
+    for (int i = 1; i < 3; ++i)
+    {
+      const lms3dSegment2 edge(this->Before[i], this->Before[i + 1]);
+      least = std::min(least, edge.GetSquaredDistance(this->Corner));
+    }
+    return least;
+  }
+
   /// The triangles between the outlines before and after. The region loses those that are
   /// counter-clockwise, and gains the others.
   std::array<Triangle, 3> GetTriangles() const

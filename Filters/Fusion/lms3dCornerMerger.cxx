@@ -11,7 +11,7 @@
 
 namespace
 {
-// Cells: how far corners move outwards, in the order in which the steps are tried.
+// Cells: how far edges move outwards, in the order in which the steps are tried.
 constexpr std::array<double, 3> Steps = { 1.0, 0.5, 0.25 };
 
 using Triangle = lms3dCornerMerge::Triangle;
@@ -187,7 +187,7 @@ void lms3dCornerMerger::MoveOutwards(Corner corner)
 bool lms3dCornerMerger::MayMerge(const lms3dCornerMerge& merge, Corner first, Corner last) const
 {
   const Corner behind = this->Corners.GetNext(last);
-  return this->Tile.Has(merge.Corner) &&
+  return this->Tile.Has(merge.Corner) && merge.GetSquaredDistanceOfCorner() <= this->Tolerance &&
     lms3dGetOrientation(merge.Before[0], merge.Corner, merge.Before[3]) != 0 &&
     this->Corners.GetDeviation(this->Corners.GetPrevious(first), behind, this->Tolerance,
       [&](const lms3dPoint2& point)

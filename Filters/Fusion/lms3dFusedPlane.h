@@ -44,6 +44,7 @@ struct lms3dFusedPlane
     this->Returns.clear();
     this->Verbatim.clear();
     this->IsWeak = false;
+    this->HasGone = true;
     this->HasSurface = false;
     this->TileNumbers = {};
     this->TiledBlocks = 0;
@@ -103,6 +104,8 @@ struct lms3dFusedPlane
   /// are then kept.
   bool IsWeak = false;
   std::vector<lms3dMappedReturn> Returns;
+  /// Whether others have taken the place of the plane.
+  bool HasGone = false;
   /// Whether a local map has surface here. A facet has none, nor has a plane that went.
   bool HasSurface = false;
   /// The creases with other planes, by their numbers, metres.

@@ -36,8 +36,8 @@ bool IsAtVerbatim(const lms3dFusedPlane& plane, const lms3dVector& point, double
 void See(
   const lms3dMappedReturn& mapped, const lms3dVector& normal, int scan, lms3dRasterBlock& block)
 {
-  block.Sightings.ScanCount += block.Sightings.LastScan != scan ? 1 : 0;
-  block.Sightings.LastScan = scan;
+  block.Sightings.ScanCount += block.Sightings.LastScan < scan ? 1 : 0;
+  block.Sightings.LastScan = std::max(block.Sightings.LastScan, scan);
   const double quality = -lms3dDot(normal, mapped.Direction) / (mapped.Range * mapped.Range);
   if (quality > block.Quality)
   {
@@ -136,6 +136,7 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   if (plane.IsWeak)
   {
     plane.Returns.push_back(mapped);
+    plane.Returns.back().Scan = mapped.Scan < 0 ? this->Scan : mapped.Scan;
     if (plane.Returns.size() > LargestWeakCount)
     {
       plane.IsWeak = false;
@@ -153,7 +154,7 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   {
     plane.Raster.SetMark(blockNumber, lms3dRaster::STALE);
   }
-  See(mapped, plane.Frame.GetNormal(), this->Scan, block);
+  See(mapped, plane.Frame.GetNormal(), mapped.Scan < 0 ? this->Scan : mapped.Scan, block);
   return true;
 }
 

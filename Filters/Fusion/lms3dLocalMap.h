@@ -26,6 +26,8 @@ struct lms3dMappedReturn
   double Range;
   std::int32_t BeamId;
   std::int32_t Triangle;
+  /// The number of the scan in the fused map, -1 for the scan that joins it.
+  std::int32_t Scan = -1;
 };
 
 struct lms3dLocalMap

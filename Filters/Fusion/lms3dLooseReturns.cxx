@@ -54,7 +54,8 @@ int lms3dLooseReturns::FindPlaneBeside(const std::vector<int>& returns,
   for (const int i : this->Planes.FindPlanesNear(box, bound))
   {
     const lms3dFusedPlane& plane = this->Planes[i];
-    if (plane.Verbatim.empty() && lms3dDot(plane.Frame.GetNormal(), normal) >= SmallestCosine &&
+    if (plane.Verbatim.empty() && !plane.HasGone &&
+      lms3dDot(plane.Frame.GetNormal(), normal) >= SmallestCosine &&
       std::all_of(returns.begin(), returns.end(),
         [&](int number)
         {

@@ -89,6 +89,7 @@ void AddCrossings(const Edge& a, const Edge& b, std::vector<lms3dPoint2>& crossi
     crossings.push_back(Intersect(a, b));
   }
 }
+
 // The points at which there are several corners.
 std::vector<lms3dPoint2> FindSharedCorners(const std::vector<Edge>& edges)
 {

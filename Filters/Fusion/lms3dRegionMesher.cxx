@@ -105,9 +105,11 @@ private:
     }
   }
 
-  /// Whether no beam passed through the triangle of a local map.
+  /// Whether no beam passed through the triangle of a local map, or through a facet. Facets have no
+  /// May.
   bool IsWhole() const
   {
+    bool isSeen = false;
     for (const int number : this->Tile.Blocks)
     {
       const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(number);
@@ -117,9 +119,10 @@ private:
         {
           return false;
         }
+        isSeen = isSeen || (block.May[row] | block.Must[row]) != 0;
       }
     }
-    return true;
+    return isSeen;
   }
 
   void AddVerbatim()

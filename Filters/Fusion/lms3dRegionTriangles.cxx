@@ -9,6 +9,8 @@
 #include "Fusion/lms3dOutlineCrossings.h"
 #include "Fusion/lms3dOutlineSimplifier.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 
 namespace
@@ -68,12 +70,18 @@ std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRegion& region,
     {
       return *triangles;
     }
-    const std::vector<lms3dPoint2> found = lms3dFindCrossings(loops);
-    if (found.empty())
+    const std::size_t before = crossings.size();
+    for (const lms3dPoint2& found : lms3dFindCrossings(loops))
+    {
+      if (std::find(crossings.begin(), crossings.end(), found) == crossings.end())
+      {
+        crossings.push_back(found);
+      }
+    }
+    if (crossings.size() == before || creases.empty())
     {
       break;
     }
-    crossings.insert(crossings.end(), found.begin(), found.end());
   }
   // Without creases, the corners on the sides of the tile alone are fixed.
   for (const std::vector<lms3dLoop>& loops :

@@ -182,7 +182,7 @@ int lms3dScanJoin::FindPlane(const std::vector<int>& returns, const lms3dFittedP
   {
     const lms3dFusedPlane& plane = this->Planes[i];
     const double distance = std::abs(plane.Frame.GetHeight(fit.Centre));
-    if (!plane.Verbatim.empty() || plane.IsCurved || distance > bound ||
+    if (!plane.Verbatim.empty() || plane.IsCurved || plane.HasGone || distance > bound ||
       lms3dDot(plane.Frame.GetNormal(), fit.Normal) < SmallestCosine ||
       (best >= 0 && distance >= least))
     {

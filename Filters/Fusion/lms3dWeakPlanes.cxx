@@ -13,8 +13,8 @@
 
 namespace
 {
-// The share of a weak plane's returns that other planes must show to take its place, and that share
-// if the facets of the others are fewer than the plane's triangles.
+// The share of a weak plane's returns that other planes must show to take its place, and the
+// smallest share if facets for the other returns are fewer than the plane's triangles.
 constexpr double DissolvedShare = 0.9;
 constexpr double SmallestShare = 0.5;
 
@@ -51,6 +51,19 @@ std::vector<int> FindNearNewSurface(const lms3dFusedPlanes& planes)
   return found;
 }
 
+// Drops the returns that later scans saw through.
+void DropForgotten(lms3dFusedPlane& plane)
+{
+  const auto isForgotten = [&](const lms3dMappedReturn& mapped)
+  {
+    const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+    return !plane.Raster.Has(
+      &lms3dRasterBlock::Must, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
+  };
+  plane.Returns.erase(
+    std::remove_if(plane.Returns.begin(), plane.Returns.end(), isForgotten), plane.Returns.end());
+}
+
 // The share of a weak plane's returns that others must show.
 double GetNeededShare(const lms3dFusedPlane& plane)
 {
@@ -60,8 +73,8 @@ double GetNeededShare(const lms3dFusedPlane& plane)
     triangles += tile.Mesh.Triangles.size();
   }
   const double saved = static_cast<double>(triangles) - 1.0;
-  return std::clamp(
-    1.0 - saved / static_cast<double>(plane.Returns.size()), SmallestShare, DissolvedShare);
+  const double returns = std::max(1.0, static_cast<double>(plane.Returns.size()));
+  return std::clamp(1.0 - saved / returns, SmallestShare, DissolvedShare);
 }
 
 WeakPlane Judge(const lms3dFusedPlanes& planes, std::size_t number, std::size_t end)
@@ -90,7 +103,12 @@ void lms3dDissolveWeakPlanes(lms3dFusedPlanes& planes)
 {
   const std::size_t end = planes.GetSize();
   std::set<int> gone;
-  for (const WeakPlane& judged : JudgeAll(planes, FindNearNewSurface(planes)))
+  const std::vector<int> weakPlanes = FindNearNewSurface(planes);
+  for (const int number : weakPlanes)
+  {
+    DropForgotten(planes[number]);
+  }
+  for (const WeakPlane& judged : JudgeAll(planes, weakPlanes))
   {
     lms3dFusedPlane& plane = planes[judged.Number];
     const bool isValid = judged.Count == plane.Returns.size() &&

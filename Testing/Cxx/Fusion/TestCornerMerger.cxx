@@ -226,3 +226,25 @@ TEST(LMS3DCornerMerger, MovesBordersOutwards)
     EXPECT_LT(loop[i + 2][1], 41.0);
   }
 }
+
+/// The edges beside the upper corners meet 200 cells above them.
+TEST(LMS3DCornerMerger, AddsNoSpikes)
+{
+  lms3dRegion region;
+  for (std::int32_t v = -1; v < 8; ++v)
+  {
+    for (std::int32_t u = -1; u < 2; ++u)
+    {
+      region.Make(u, v);
+    }
+  }
+  const lms3dLoop cut = { { 0.0, 0.0 }, { 30.0, 0.0 }, { 25.0, 100.0 }, { 5.0, 100.0 } };
+  lms3dOutlineCorners corners({ cut }, { true, true, false, false });
+  lms3dBorderLimits limits(region, 4, Reach);
+  lms3dCornerMerger(Tolerance, Tile, corners, limits).Merge();
+  const lms3dLoop merged = corners.GetLoops().front();
+  for (const lms3dPoint2& point : merged)
+  {
+    EXPECT_LE(point[1], 100.0 + Tolerance);
+  }
+}

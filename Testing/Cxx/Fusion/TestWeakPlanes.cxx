@@ -9,35 +9,128 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
+
+namespace
+{
+/// A return on the plane z = 1, seen from above, in column 10 i.
+lms3dMappedReturn MakeReturn(int i)
+{
+  lms3dMappedReturn mapped;
+  mapped.Point = { (10.0 * i + 0.5) * 0.01 / 3.0, 0.001, 1.0 };
+  mapped.Direction = { 0.0, 0.0, -1.0 };
+  mapped.Range = 2.0;
+  mapped.BeamId = i;
+  mapped.Triangle = 0;
+  return mapped;
+}
+
+/// Lets a plane have surface at a return, then judges the weak planes.
+void Grow(int number, const lms3dMappedReturn& mapped, lms3dFusedPlanes& planes)
+{
+  const lms3dPoint2 place = planes[number].Frame.ToCells(mapped.Point);
+  const std::int32_t column = lms3dGetCellOf(place[0]);
+  lms3dCellStrip strip;
+  strip.Row = lms3dGetCellOf(place[1]);
+  strip.Add(column, column);
+  planes[number].Raster.SetGuess(strip);
+  planes.GrowBox(number, mapped.Point);
+  planes.AcceptGuesses(number);
+}
+
+bool HasReturn(const lms3dMappedReturn& mapped, const lms3dFusedPlane& plane)
+{
+  const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+  return plane.Raster.Has(
+    &lms3dRasterBlock::Must, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
+}
+
+/// A weak plane with ten returns and some triangles, and a plane that shows six of the returns.
+class WeakPlane
+{
+public:
+  explicit WeakPlane(std::size_t triangles)
+    : Weak(Planes.MakePlane({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 }))
+    , Other(Planes.MakePlane({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 }))
+  {
+    this->Planes[this->Weak].IsWeak = true;
+    this->Planes[this->Weak].Tiles.emplace_back();
+    this->Planes[this->Weak].Tiles.front().Mesh.Triangles.resize(triangles);
+    for (int i = 0; i < 10; ++i)
+    {
+      Grow(this->Weak, MakeReturn(i), this->Planes);
+      this->Planes.AddReturn(this->Weak, MakeReturn(i));
+    }
+    for (int i = 0; i < 6; ++i)
+    {
+      Grow(this->Other, MakeReturn(i), this->Planes);
+    }
+  }
+
+  lms3dFusedPlanes Planes{ 0.01 };
+  const int Weak;
+  const int Other;
+};
+} // namespace
 
 TEST(LMS3DFusedPlanes, LoseFacetsWhereSurfaceGrows)
 {
-  const lms3dMappedReturn mapped = { { 0.5, 0.7, 1.0 }, { 0.0, 0.0, -1.0 }, 2.0, 0, 0 };
+  const lms3dMappedReturn mapped = MakeReturn(0);
   lms3dFusedPlanes planes(0.01);
   planes.AddFacet(mapped);
   const int floor = planes.MakePlane({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 });
-  lms3dRaster& raster = planes[floor].Raster;
-  const lms3dPoint2 place = planes[floor].Frame.ToCells(mapped.Point);
-  const std::int32_t column = lms3dGetCellOf(place[0]);
-  const std::int32_t row = lms3dGetCellOf(place[1]);
-  const auto grow = [&](std::int32_t cell)
-  {
-    lms3dCellStrip strip;
-    strip.Row = row;
-    strip.Add(cell, cell);
-    raster.SetGuess(strip);
-    planes.GrowBox(floor, mapped.Point);
-    planes.AcceptGuesses(floor);
-    lms3dDissolveWeakPlanes(planes);
-  };
-  grow(column + 1);
-  EXPECT_EQ(planes[0].Verbatim.size(), 1);
-  EXPECT_EQ(planes[0].Returns.size(), 1);
-  EXPECT_FALSE(raster.Has(&lms3dRasterBlock::Must, column, row));
-  grow(column);
+  lms3dMappedReturn beside = mapped;
+  beside.Point[0] += planes.GetCell();
+  Grow(floor, beside, planes);
+  lms3dDissolveWeakPlanes(planes);
+  EXPECT_EQ(planes[0].Verbatim.size(), 1U);
+  EXPECT_EQ(planes[0].Returns.size(), 1U);
+  EXPECT_FALSE(HasReturn(mapped, planes[floor]));
+  Grow(floor, mapped, planes);
+  lms3dDissolveWeakPlanes(planes);
+  EXPECT_TRUE(planes[0].HasGone);
   EXPECT_TRUE(planes[0].Verbatim.empty());
   EXPECT_EQ(planes[0].Raster.GetNumberOfBlocks(), 0);
-  EXPECT_TRUE(raster.Has(&lms3dRasterBlock::Must, column, row));
-  EXPECT_EQ(planes.GetSize(), 2);
+  EXPECT_TRUE(HasReturn(mapped, planes[floor]));
+  EXPECT_EQ(planes.GetSize(), 2U);
+}
+
+TEST(LMS3DFusedPlanes, StayIfFacetsWereMore)
+{
+  WeakPlane few(4);
+  lms3dDissolveWeakPlanes(few.Planes);
+  EXPECT_FALSE(few.Planes[few.Weak].HasGone);
+  EXPECT_EQ(few.Planes.GetSize(), 2U);
+}
+
+TEST(LMS3DFusedPlanes, GoIfFacetsAreFewer)
+{
+  WeakPlane many(5);
+  lms3dDissolveWeakPlanes(many.Planes);
+  EXPECT_TRUE(many.Planes[many.Weak].HasGone);
+  EXPECT_TRUE(HasReturn(MakeReturn(5), many.Planes[many.Other]));
+  ASSERT_EQ(many.Planes.GetSize(), 6U);
+  for (std::size_t i = 2; i < 6; ++i)
+  {
+    EXPECT_EQ(many.Planes[i].Verbatim.size(), 1U);
+  }
+}
+
+/// Returns that later scans saw through do not come back, and sightings keep their scans.
+TEST(LMS3DFusedPlanes, TakeOverWhatIsNotForgotten)
+{
+  WeakPlane plane(5);
+  lms3dFusedPlanes& planes = plane.Planes;
+  const lms3dPoint2 place = planes[plane.Weak].Frame.ToCells(MakeReturn(9).Point);
+  lms3dCellStrip strip;
+  strip.Row = lms3dGetCellOf(place[1]);
+  strip.Add(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[0]));
+  planes[plane.Weak].Raster.Forget(strip);
+  planes.SetScan(7);
+  lms3dDissolveWeakPlanes(planes);
+  EXPECT_TRUE(planes[plane.Weak].HasGone);
+  EXPECT_EQ(planes.GetSize(), 5U);
+  EXPECT_EQ(planes[plane.Other].Raster.GetBlock(0).Sightings.LastScan, 0);
 }
