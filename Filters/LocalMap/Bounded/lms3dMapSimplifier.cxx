@@ -88,16 +88,12 @@ bool lms3dMapSimplifier::FreeSmoothVertices(
   std::vector<std::uint8_t> isFree(stars.GetNumberOfVertices());
   tbb::parallel_for(0, stars.GetNumberOfVertices(),
     [&](int i) { isFree[i] = stars.IsInside(i) && smooth.IsSmooth(stars, i); });
-  bool isAnyFree = false;
-  for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
+  if (std::find(isFree.begin(), isFree.end(), 1) == isFree.end())
   {
-    if (isFree[vertex])
-    {
-      stars.SetFree(vertex);
-      isAnyFree = true;
-    }
+    return false;
   }
-  return isAnyFree;
+  stars.SetFree(isFree);
+  return true;
 }
 
 // Each fit uses the ranges of the neighbours that come before it. So vertices of one level have no

@@ -47,8 +47,34 @@ lms3dVertexStars::lms3dVertexStars(const lms3dBoundedMap& map)
     this->Triangles.push_back({ corners });
     this->Triangles.back().IsStrip = map.PatchIds[this->Triangles.size() - 1] < 0;
   }
-  this->Quadrics.resize(map.Points.size());
-  tbb::parallel_for(0, this->GetNumberOfVertices(), [this](int i) { this->UpdateQuadric(i); });
+}
+
+// Only an edge from a free vertex has a cost, and both of its ends count.
+void lms3dVertexStars::SetFree(const std::vector<std::uint8_t>& isFree)
+{
+  this->Quadrics.resize(this->Vertices.size());
+  for (std::size_t i = 0; i < isFree.size(); ++i)
+  {
+    this->Vertices[i].IsFree = isFree[i] != 0;
+  }
+  tbb::parallel_for(0, this->GetNumberOfVertices(),
+    [this](int i)
+    {
+      if (this->IsAtFree(i))
+      {
+        this->UpdateQuadric(i);
+      }
+    });
+}
+
+// Whether a vertex or a neighbour of it is free.
+bool lms3dVertexStars::IsAtFree(std::int32_t vertex) const
+{
+  const auto isFixed = [this](std::int32_t number) { return !this->Vertices[number].IsFree; };
+  return !isFixed(vertex) ||
+    !this->ForEachTriangle(vertex,
+      [&](std::int32_t, std::int32_t next, std::int32_t last)
+      { return isFixed(next) && isFixed(last); });
 }
 
 void lms3dVertexStars::UpdateQuadric(std::int32_t vertex)

@@ -45,7 +45,7 @@ public:
     bool IsStrip = false;
   };
 
-  /// No vertex is free at first. Uses the threads of the calling TBB arena.
+  /// No vertex is free at first.
   explicit lms3dVertexStars(const lms3dBoundedMap& map);
 
   std::int32_t GetNumberOfVertices() const
@@ -53,6 +53,7 @@ public:
     return static_cast<std::int32_t>(this->Vertices.size());
   }
   const Vertex& GetVertex(std::int32_t vertex) const { return this->Vertices[vertex]; }
+  /// The vertex must be free, or a neighbour of a free one.
   const lms3dQuadric& GetQuadric(std::int32_t vertex) const { return this->Quadrics[vertex]; }
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
 
@@ -62,7 +63,8 @@ public:
     return lms3dScale(this->Vertices[vertex].Corner.Position, 1.0 / this->Vertices[vertex].Inverse);
   }
 
-  void SetFree(std::int32_t vertex) { this->Vertices[vertex].IsFree = true; }
+  /// By vertex, 1 for those that are free from now on. Uses the threads of the calling TBB arena.
+  void SetFree(const std::vector<std::uint8_t>& isFree);
   void SetInverse(std::int32_t vertex, double inverse);
 
   using Border = lms3dStarBorder;
@@ -140,6 +142,7 @@ public:
 
 private:
   void Remove(std::int32_t triangle);
+  bool IsAtFree(std::int32_t vertex) const;
   void UpdateQuadric(std::int32_t vertex);
   void UpdateStar(std::int32_t vertex);
 
