@@ -184,8 +184,8 @@ def _make_device_tables(table):
 # --- Chart G --------------------------------------------------------------------------------------
 
 FUSION_TIMES = ("scan ms", "map ms", "fusion ms", "slowest fusion ms")
-FUSION_SIZES = ("triangles", "triangles of all maps", "complete %", "all maps complete %",
-                "changed kB", "whole kB")
+FUSION_SIZES = ("triangles", "triangles of all maps", "triangles of the visible scene", "x visible scene",
+                "complete %", "all maps complete %", "changed kB", "whole kB")
 
 
 def _make_fusion_tables(table):
