@@ -28,8 +28,7 @@ void lms3dRaster::ForWords(const lms3dCellStrip& strip, const Visitor& visit)
 }
 
 // A region has no cell of a beam that passed. More returns in a calm block change its shape only
-// beside it. Most blocks say for all of their cells what is known of them, which saves looks at
-// memory.
+// beside it. IsFull, HasPassed and HasOpen spare most looks at the bits.
 void lms3dRaster::NoteReturn(int number, int row, std::uint64_t bit)
 {
   const lms3dRasterBlock& block = this->Blocks[number];

@@ -140,8 +140,8 @@ lms3dRegionCells lms3dMakeRegionCells(const lms3dRaster& raster, int number)
   return cells;
 }
 
-// What changed since the region was made can be judged one by one, in any order: as long as none
-// of the changes has an effect, the squares of the region stay right.
+// What changed since the region was made can be judged one by one, in any order: the squares of the
+// region stay right until a change has an effect.
 void lms3dMarkDependents(lms3dRaster& raster)
 {
   // Marking adds blocks to the marked ones.
