@@ -3,6 +3,7 @@
 #include "Fusion/lms3dFusedPlanes.h"
 
 #include "Fusion/lms3dCoveredCells.h"
+#include "Fusion/lms3dFacet.h"
 #include "Fusion/lms3dRasterRows.h"
 #include "Geometry/lms3dTriangleDistance.h"
 
@@ -18,8 +19,6 @@ constexpr double CellsPerBound = 3.0;
 constexpr double CubeShare = 50.0;
 // Cells: how far a covered cell may be from a return in the plane.
 constexpr int LargestReach = 2;
-// Cells: the circumradius of a facet.
-constexpr double FacetRadius = 0.25;
 // A weak plane with more returns is not weak any more.
 constexpr std::size_t LargestWeakCount = 20000;
 
@@ -163,13 +162,10 @@ void lms3dFusedPlanes::AddFacet(const lms3dMappedReturn& mapped)
 {
   const lms3dVector normal = lms3dScale(mapped.Direction, -1.0);
   const int number = this->MakePlane(mapped.Point, normal);
-  const lms3dPoint2 centre = this->Planes[number].Frame.ToCells(mapped.Point);
-  const double half = FacetRadius * std::sqrt(0.75);
   const lms3dPlaneFrame& frame = this->Planes[number].Frame;
+  const std::array<lms3dPoint2, 3> facet = lms3dMakeFacet(frame.ToCells(mapped.Point));
   this->Planes[number].Verbatim.push_back(
-    { frame.ToWorld({ centre[0] - half, centre[1] - FacetRadius / 2.0 }),
-      frame.ToWorld({ centre[0] + half, centre[1] - FacetRadius / 2.0 }),
-      frame.ToWorld({ centre[0], centre[1] + FacetRadius }) });
+    { frame.ToWorld(facet[0]), frame.ToWorld(facet[1]), frame.ToWorld(facet[2]) });
   this->Planes[number].IsWeak = true;
   this->GrowBox(number, mapped.Point);
   this->AddReturn(number, mapped);

@@ -3,6 +3,7 @@
 #include "Fusion/lms3dRegionMesher.h"
 
 #include "Fusion/lms3dCoveredCells.h"
+#include "Fusion/lms3dFacet.h"
 #include "Fusion/lms3dPinholes.h"
 #include "Fusion/lms3dRasterRows.h"
 #include "Fusion/lms3dRegionCover.h"
@@ -11,7 +12,6 @@
 #include "Fusion/lms3dTileSides.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace
@@ -20,8 +20,6 @@ namespace
 constexpr double BorderShare = 6.0;
 // Cells: how far a border may stay away from the centre of a cell with a return.
 constexpr double ReachOfBorder = 1.5;
-// Cells: the circumradius of a facet.
-constexpr double FacetRadius = 0.25;
 
 using Corners2 = lms3dTriangle2;
 
@@ -207,10 +205,7 @@ private:
 
   void AddFacet(const lms3dPoint2& centre)
   {
-    const double half = FacetRadius * std::sqrt(0.75);
-    this->Add({ { { centre[0] - half, centre[1] - FacetRadius / 2.0 },
-      { centre[0] + half, centre[1] - FacetRadius / 2.0 },
-      { centre[0], centre[1] + FacetRadius } } });
+    this->Add(lms3dMakeFacet(centre));
     // A facet explains its neighbours as well.
     this->Cover({ { { centre[0] - 0.1, centre[1] - 0.1 }, { centre[0] + 0.1, centre[1] - 0.1 },
       { centre[0], centre[1] + 0.2 } } });
