@@ -18,28 +18,52 @@ namespace
 struct TileElevations
 {
   alignas(64) double Cosine[Size];
-  alignas(64) double Sine[Size];
+
+  /// The sine times the upward axis.
+  alignas(64) double Up[3][Size];
+};
+
+// Whether the ranges of each column of beams are within the limits, -1 or 0. As wide as the ranges,
+// so that the compiler can vectorize the loops.
+struct ColumnsWithin
+{
+  ColumnsWithin()
+  {
+    for (std::int64_t& column : this->Columns)
+    {
+      column = -1;
+    }
+  }
+
+  bool AreAll() const
+  {
+    std::int64_t all = -1;
+    for (std::int64_t column : this->Columns)
+    {
+      all &= column;
+    }
+    return all != 0;
+  }
+
+  alignas(64) std::int64_t Columns[Size];
 };
 
 // Intersects the beams of one turn. Directions have the bits that GenerateDirections gives.
 // `ranges` must not overlap the input, so that the compiler can vectorize the loop.
-[[gnu::always_inline]] inline bool IntersectTurn(const lms3dDoubleDoublePlane& plane,
-  const TileElevations& elevations, const double* fan, const double* up,
-  const lms3dRangeInterval& within, double* __restrict ranges)
+[[gnu::always_inline]] inline void IntersectTurn(const lms3dDoubleDoublePlane& plane,
+  const TileElevations& elevations, const double* fan, const lms3dRangeInterval& within,
+  double* __restrict ranges, ColumnsWithin& areWithin)
 {
-  // As wide as the ranges, so that the compiler can vectorize the loop.
-  std::int64_t areWithin = -1;
   for (int i = 0; i < Size; ++i)
   {
     const double cosine = elevations.Cosine[i];
-    const double sine = elevations.Sine[i];
-    const double direction[3] = { cosine * fan[0] + sine * up[0], cosine * fan[1] + sine * up[1],
-      cosine * fan[2] + sine * up[2] };
+    const double direction[3] = { cosine * fan[0] + elevations.Up[0][i],
+      cosine * fan[1] + elevations.Up[1][i], cosine * fan[2] + elevations.Up[2][i] };
     const double range = Intersect(plane.Normal, plane.Offset, direction);
-    areWithin &= (range > 0.0) & (range >= within.Minimum) & (range <= within.Maximum) ? -1 : 0;
+    areWithin.Columns[i] &=
+      (range > 0.0) & (range >= within.Minimum) & (range <= within.Maximum) ? -1 : 0;
     ranges[i] = range;
   }
-  return areWithin != 0;
 }
 
 bool IntersectTile(const lms3dDoubleDoublePlane& plane, const lms3dBeamsOfTile& beams,
@@ -47,15 +71,17 @@ bool IntersectTile(const lms3dDoubleDoublePlane& plane, const lms3dBeamsOfTile& 
 {
   // Copies, which the ranges certainly do not overlap.
   const lms3dDoubleDoublePlane copy = plane;
-  const double up[3] = { beams.Up[0], beams.Up[1], beams.Up[2] };
   TileElevations elevations;
   for (int i = 0; i < Size; ++i)
   {
     const int beam = Minimum(i, beams.Beams - 1);
     elevations.Cosine[i] = beams.Cosines[beam];
-    elevations.Sine[i] = beams.Sines[beam];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      elevations.Up[axis][i] = beams.Sines[beam] * beams.Up[axis];
+    }
   }
-  bool areWithin = true;
+  ColumnsWithin areWithin;
   alignas(64) double ofTurn[Size];
   for (int turn = 0; turn < beams.Turns; ++turn, ranges += stride)
   {
@@ -63,13 +89,13 @@ bool IntersectTile(const lms3dDoubleDoublePlane& plane, const lms3dBeamsOfTile& 
       beams.FanAxes[turn][2] };
     if (beams.Beams == Size)
     {
-      areWithin &= IntersectTurn(copy, elevations, fan, up, within, ranges);
+      IntersectTurn(copy, elevations, fan, within, ranges, areWithin);
       continue;
     }
-    areWithin &= IntersectTurn(copy, elevations, fan, up, within, ofTurn);
+    IntersectTurn(copy, elevations, fan, within, ofTurn, areWithin);
     __builtin_memcpy(ranges, ofTurn, static_cast<std::size_t>(beams.Beams) * sizeof(double));
   }
-  return areWithin;
+  return areWithin.AreAll();
 }
 } // namespace
 

@@ -11,8 +11,11 @@
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
+#include <chrono>
 #include <memory>
 #include <optional>
+#include <thread>
 
 /**
  * A TBB arena that a filter keeps from update to update.
@@ -43,11 +46,43 @@ public:
     {
       this->Arena = std::make_unique<tbb::task_arena>(wanted);
     }
+    *this->IsAwaited = false;
     this->Arena->execute(work);
   }
 
+  /// Wakes the threads of the last Run, if it had as many. They wait for the next Run, but not
+  /// longer than MaximumWait. A thread that sleeps takes 50 us to wake up, which the calling thread
+  /// can use for other work.
+  void Wake(int threads)
+  {
+    const int wanted = threads > 0 ? threads : tbb::info::default_concurrency();
+    if (!this->Arena || this->Arena->max_concurrency() != wanted)
+    {
+      return;
+    }
+    *this->IsAwaited = true;
+    for (int i = 1; i < wanted; ++i)
+    {
+      this->Arena->enqueue([isAwaited = this->IsAwaited] { Wait(*isAwaited); });
+    }
+  }
+
 private:
+  static constexpr std::chrono::microseconds MaximumWait{ 200 };
+
+  static void Wait(const std::atomic<bool>& isAwaited)
+  {
+    const auto end = std::chrono::steady_clock::now() + MaximumWait;
+    while (isAwaited && std::chrono::steady_clock::now() < end)
+    {
+      std::this_thread::yield();
+    }
+  }
+
   std::unique_ptr<tbb::task_arena> Arena;
+
+  /// Whether threads wait for the next Run. They share it, since they can outlive this object.
+  const std::shared_ptr<std::atomic<bool>> IsAwaited = std::make_shared<std::atomic<bool>>(false);
 };
 
 #endif

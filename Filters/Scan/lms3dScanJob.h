@@ -78,6 +78,9 @@ public:
   bool CastRanges(
     const lms3dScanJobRequest& request, vtkDoubleArray* ranges, vtkUnsignedCharArray* status);
 
+  /// Prepares the threads for a run that follows soon. 0 stands for all cores.
+  void Wake(int threads) { this->Threads.Wake(threads); }
+
   /// Returns the poses, read again only if the trajectory or the orientation (degrees, for points
   /// without one) changed. Throws std::runtime_error, with a text for the user, if they are bad.
   const lms3dTrajectory& GetTrajectory(vtkPolyData* poses, const lms3dVector& orientation)
