@@ -10,6 +10,7 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <atomic>
 #include <chrono>
@@ -29,6 +30,11 @@
 class lms3dThreads
 {
 public:
+  lms3dThreads() = default;
+  ~lms3dThreads() { this->EndWait(); }
+  lms3dThreads(const lms3dThreads&) = delete;
+  lms3dThreads& operator=(const lms3dThreads&) = delete;
+
   /// Runs `work` with `threads` threads, 0 for all cores. The calling thread takes part: it is the
   /// one that calls `work`. Throws what `work` throws.
   template <typename Work>
@@ -44,45 +50,73 @@ public:
     }
     if (!this->Arena || this->Arena->max_concurrency() != wanted)
     {
+      this->EndWait();
       this->Arena = std::make_unique<tbb::task_arena>(wanted);
     }
-    *this->IsAwaited = false;
-    this->Arena->execute(work);
+    this->IsAwaited = false;
+    this->Arena->execute(
+      [&]
+      {
+        work();
+        this->EndWait();
+      });
   }
 
-  /// Wakes the threads of the last Run, if it had as many. They wait for the next Run, but not
-  /// longer than MaximumWait. A thread that sleeps takes 50 us to wake up, which the calling thread
-  /// can use for other work.
+  /// Wakes the threads of the last Run, if it had as many, and not more than there are cores. They
+  /// wait for the next Run, but not longer than MaximumWait. A thread that sleeps takes about 50 us
+  /// to wake up, which the calling thread can use for other work.
   void Wake(int threads)
   {
-    const int wanted = threads > 0 ? threads : tbb::info::default_concurrency();
-    if (!this->Arena || this->Arena->max_concurrency() != wanted)
+    const int cores = tbb::info::default_concurrency();
+    const int wanted = threads > 0 ? threads : cores;
+    if (wanted > cores || !this->Arena || this->Arena->max_concurrency() != wanted)
     {
       return;
     }
-    *this->IsAwaited = true;
-    for (int i = 1; i < wanted; ++i)
-    {
-      this->Arena->enqueue([isAwaited = this->IsAwaited] { Wait(*isAwaited); });
-    }
+    this->IsAwaited = true;
+    this->HasWaiting = true;
+    this->Arena->execute(
+      [&]
+      {
+        for (int i = 1; i < wanted; ++i)
+        {
+          this->Waiting.run([this] { this->Wait(); });
+        }
+      });
   }
 
 private:
   static constexpr std::chrono::microseconds MaximumWait{ 200 };
 
-  static void Wait(const std::atomic<bool>& isAwaited)
+  void Wait() const
   {
     const auto end = std::chrono::steady_clock::now() + MaximumWait;
-    while (isAwaited && std::chrono::steady_clock::now() < end)
+    while (this->IsAwaited && std::chrono::steady_clock::now() < end)
     {
       std::this_thread::yield();
     }
   }
 
+  void EndWait()
+  {
+    this->IsAwaited = false;
+    if (this->HasWaiting)
+    {
+      this->Arena->execute([this] { this->Waiting.wait(); });
+      this->HasWaiting = false;
+    }
+  }
+
   std::unique_ptr<tbb::task_arena> Arena;
 
-  /// Whether threads wait for the next Run. They share it, since they can outlive this object.
-  const std::shared_ptr<std::atomic<bool>> IsAwaited = std::make_shared<std::atomic<bool>>(false);
+  /// Whether threads wait for the next Run.
+  std::atomic<bool> IsAwaited{ false };
+
+  ///@{
+  /// One task for each thread that waits, and whether there can be some.
+  tbb::task_group Waiting;
+  bool HasWaiting = false;
+  ///@}
 };
 
 #endif
