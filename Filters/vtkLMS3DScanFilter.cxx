@@ -189,7 +189,7 @@ int vtkLMS3DScanFilter::RequestInformation(
 int vtkLMS3DScanFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // While the pipeline goes on.
+  // The threads wake up while the pipeline goes on.
   this->Internal->Job.Wake(this->NumberOfThreads);
   // Every beam can hit any part of the scene, whichever part of the outputs is requested.
   vtkInformation* scene = inputVector[0]->GetInformationObject(0);
