@@ -28,8 +28,8 @@ constexpr double LooseDifference = 2.0;
 constexpr double LooseTolerance = 6.0;
 constexpr double LooseGap = 5.0;
 constexpr double SmallestLooseGap = 0.5;
-// The largest tolerance at which returns can be Gentle, in depth steps. If the user wants far smaller
-// steps than the tolerance, no slope hides them.
+// The largest tolerance at which returns can be Gentle, in depth steps. If the user wants to see
+// steps that are far smaller than the tolerance, they stay.
 constexpr double GentleTolerance = 30.0;
 // A bend below this share of the angle between two planes leaves the plane's slope as it is.
 constexpr double SlightBend = 0.25;

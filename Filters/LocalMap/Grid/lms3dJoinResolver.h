@@ -75,8 +75,8 @@ public:
   /// depth steps in the same sense.
   void SeparateBesideSteps(const std::vector<lms3dUncertainJoin>& joins, double depthStep);
 
-  /// Separates Loose pairs around which at least three of the six other sides of both adjacent cells
-  /// are open. Joins Gentle pairs around which at most two are open, all in one cell.
+  /// Separates Loose pairs if at least three of the six other sides of both adjacent cells are open.
+  /// Joins Gentle pairs if at most two are open, all in one cell.
   void DecideLoose(const std::vector<lms3dUncertainJoin>& joins);
 
 private:

@@ -25,7 +25,7 @@ lms3dDepthStep::Relation Classify(const std::vector<double>& six, double step)
     .Classify(lms3dDepthStep::GetSideBefore(at), lms3dDepthStep::GetSideBehind(at));
 }
 
-/// Six turns of six beams, without poles, all of which returned.
+/// Six turns of six beams, without poles. All beams returned.
 class LooseJoins : public testing::Test
 {
 protected:
