@@ -19,8 +19,6 @@ namespace
 {
 // How often vertices are fitted to the returns, after which more edges can collapse.
 constexpr int Fits = 2;
-// How often they are fitted at the end, together with those at borders.
-constexpr int LastFits = 3;
 } // namespace
 
 lms3dMapSimplifier::lms3dMapSimplifier(
@@ -80,10 +78,7 @@ bool lms3dMapSimplifier::SimplifySmoothSurface(const std::vector<int>& members,
     lms3dEdgeCollapser::Run(demands, stars);
   }
   FreeSmoothBorders(smooth, stars);
-  for (int fit = 0; fit < LastFits; ++fit)
-  {
-    FitVertices(demands, stars);
-  }
+  FitVertices(demands, stars);
   return true;
 }
 
