@@ -14,6 +14,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -40,15 +41,13 @@ constexpr double MaximumPatchShare = 0.2;
 constexpr double SmallScan = 256.0;
 // The share of the time that finding patches takes.
 constexpr double PatchesDone = 0.4;
-// Scans of fewer returns leave too much open between the beams for vertices to move.
-constexpr int MinimumReturnsToSimplify = 5000;
+// Beams farther apart leave too much open between them for vertices to move. Square degrees between
+// four neighbours: 5000 beams all around.
+constexpr double LargestCellToSimplify = 13.0;
 // The number of attempts in which patches may give up a few returns instead of being split.
 constexpr int ReleasingAttempts = 8;
 // The same if beams are not regular: faults have more causes there.
 constexpr int ReleasingAttemptsOnRays = 16;
-// The size of a facet beyond the axis, where neighbours are close together: as if a neighbour were
-// that far away, radians.
-constexpr double AngleBeyondAxis = 1e-3;
 
 // A share of the mean range, or `length` if it is smaller.
 double LimitToShareOfMeanRange(const lms3dBeamSphere& sphere, double share, double length)
@@ -73,21 +72,6 @@ double LimitToShareOfMeanRange(const lms3dBeamSphere& sphere, double share, doub
   return std::min(length, count > 0 ? share * (sum / static_cast<double>(count)) : 0.0);
 }
 
-// The column of each turn, or the row of each beam. `getNumber` is the turn of a column or the beam
-// of a row; below 0 in the halo.
-template <typename Function>
-std::vector<int> FindPlaces(int numbers, int places, const Function& getNumber)
-{
-  std::vector<int> found(numbers, 0);
-  for (int place = 0; place < places; ++place)
-  {
-    if (getNumber(place) >= 0)
-    {
-      found[getNumber(place)] = place;
-    }
-  }
-  return found;
-}
 } // namespace
 
 lms3dBoundedMesher::lms3dBoundedMesher(const lms3dRangeGrid& grid, const lms3dRangeJoins& joins,
@@ -115,6 +99,12 @@ lms3dPatches lms3dBoundedMesher::FindPatches() const
   return patches;
 }
 
+bool lms3dBoundedMesher::IsFine() const
+{
+  const lms3dScanGeometry& geometry = this->Grid.GetGeometry();
+  return std::abs(geometry.GetAlphaStep() * geometry.GetBetaStep()) <= LargestCellToSimplify;
+}
+
 bool lms3dBoundedMesher::AreTooMany(const std::vector<int>& members) const
 {
   const std::int64_t patches =
@@ -132,29 +122,6 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakeMap(const lms3dProgress& 
     this->AddReturnsBeyondAxis(*map);
   }
   return map;
-}
-
-// Adds a facet for each return beyond the axis, unless it lies within the bound of a patch.
-void lms3dBoundedMesher::AddReturnsBeyondAxis(lms3dBoundedMap& map) const
-{
-  const std::vector<lms3dVector>& points = this->Sphere.GetPointsBeyondAxis();
-  std::vector<double> deviations(points.size(), std::numeric_limits<double>::infinity());
-  if (map.ReturnsOnPatches > 0)
-  {
-    tbb::parallel_for(std::size_t(0), points.size(),
-      [&](std::size_t i) { deviations[i] = map.GetDeviation(points[i]); });
-  }
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (deviations[i] <= this->MaximumError)
-    {
-      map.LargestDeviation = std::max(map.LargestDeviation, deviations[i]);
-      ++map.ReturnsOnPatches;
-      continue;
-    }
-    map.AddFacet(points[i], AngleBeyondAxis);
-    ++map.ReturnsOnFacets;
-  }
 }
 
 std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePlainGrid()
@@ -192,7 +159,7 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
     // The number of attempts is unknown.
     done = 0.5 * (done + 1.0);
   } while (!mesher.TryToMesh(patches, members, ++attempt < attempts, map));
-  const bool isSimplified = this->Sphere.GetNumberOfReturns() >= MinimumReturnsToSimplify &&
+  const bool isSimplified = this->IsFine() &&
     lms3dMapSimplifier(this->Sphere, patches, this->MaximumError, this->Noise)
       .Simplify(members, map);
   if (this->Sphere.IsRegular() && !isSimplified)
@@ -239,40 +206,4 @@ std::vector<int> lms3dBoundedMesher::CollectFilled() const
   }
   std::sort(places.begin(), places.end());
   return places;
-}
-
-void lms3dBoundedMesher::AddSpeckles(
-  const std::vector<lms3dGapBeam>& beams, lms3dBoundedMap& map) const
-{
-  const std::vector<int> columns =
-    FindPlaces(this->Grid.GetNumberOfTurns(), this->Sphere.GetNumberOfColumns(),
-      [this](int column) { return this->Sphere.GetTurn(this->Sphere.GetIndex(column, 0)); });
-  const std::vector<int> rows =
-    FindPlaces(this->Grid.GetNumberOfBeams(), this->Sphere.GetNumberOfRows(),
-      [this](int row) { return this->Sphere.GetBeam(this->Sphere.GetIndex(0, row)); });
-  std::vector<std::pair<GridIndex, double>> ranges;
-  ranges.reserve(beams.size());
-  for (const lms3dGapBeam& beam : beams)
-  {
-    ranges.emplace_back(this->Sphere.GetIndex(columns[beam.Turn], rows[beam.Beam]), beam.Range);
-  }
-  std::sort(ranges.begin(), ranges.end());
-  for (const auto& [index, range] : ranges)
-  {
-    map.AddFacetOnBeam(this->Sphere, index, range);
-  }
-}
-
-// Adds a facet for each return that left its patch.
-void lms3dBoundedMesher::AddFacets(const lms3dPatches& patches, lms3dBoundedMap& map) const
-{
-  for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
-  {
-    if (patches.Labels[index] == lms3dPatches::None && this->Sphere.HasReturn(index) &&
-      !this->Sphere.IsPoleCopy(index))
-    {
-      map.AddFacet(this->Sphere, index, this->Sphere.GetRange(index));
-      ++map.ReturnsOnFacets;
-    }
-  }
 }

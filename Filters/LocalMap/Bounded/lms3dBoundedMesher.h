@@ -58,6 +58,8 @@ private:
   lms3dPatches FindPatches() const;
   std::vector<int> RemoveFilled(lms3dPatches& patches);
   std::vector<int> CollectFilled() const;
+  /// Whether neighbours are near enough that vertices may move.
+  bool IsFine() const;
   bool AreTooMany(const std::vector<int>& members) const;
   void AddFacets(const lms3dPatches& patches, lms3dBoundedMap& map) const;
   void AddReturnsBeyondAxis(lms3dBoundedMap& map) const;

@@ -66,7 +66,8 @@ bool lms3dMapSimplifier::SimplifyOnRays(lms3dBoundedMap& map) const
 bool lms3dMapSimplifier::SimplifySmoothSurface(const std::vector<int>& members,
   const lms3dBoundedMap& map, const lms3dBeamDemands& demands, lms3dVertexStars& stars) const
 {
-  if (!this->FreeSmoothVertices(members, map, stars) || !lms3dEdgeCollapser::Run(demands, stars))
+  const lms3dSmoothVertices smooth(this->Patches, members, map, this->MaximumError, this->Noise);
+  if (!FreeSmoothVertices(smooth, stars) || !lms3dEdgeCollapser::Run(demands, stars))
   {
     return false;
   }
@@ -76,15 +77,15 @@ bool lms3dMapSimplifier::SimplifySmoothSurface(const std::vector<int>& members,
     stars.ReleaseChanged();
     lms3dEdgeCollapser::Run(demands, stars);
   }
+  FreeSmoothBorders(smooth, stars);
   FitVertices(demands, stars);
   return true;
 }
 
 // Returns false if there are none.
 bool lms3dMapSimplifier::FreeSmoothVertices(
-  const std::vector<int>& members, const lms3dBoundedMap& map, lms3dVertexStars& stars) const
+  const lms3dSmoothVertices& smooth, lms3dVertexStars& stars)
 {
-  const lms3dSmoothVertices smooth(this->Patches, members, map, this->MaximumError, this->Noise);
   std::vector<std::uint8_t> isFree(stars.GetNumberOfVertices());
   tbb::parallel_for(0, stars.GetNumberOfVertices(),
     [&](int i) { isFree[i] = stars.IsInside(i) && smooth.IsSmooth(stars, i); });
@@ -94,6 +95,23 @@ bool lms3dMapSimplifier::FreeSmoothVertices(
   }
   stars.SetFree(isFree);
   return true;
+}
+
+// Vertices at the border of the surface lie on the planes of patches that are gone where edges have
+// collapsed.
+void lms3dMapSimplifier::FreeSmoothBorders(
+  const lms3dSmoothVertices& smooth, lms3dVertexStars& stars)
+{
+  tbb::parallel_for(0, stars.GetNumberOfVertices(),
+    [&](int i)
+    {
+      const lms3dVertexStars::Vertex& vertex = stars.GetVertex(i);
+      if (vertex.IsChanged && !vertex.IsFree && !vertex.Triangles.empty() && !stars.HasStrip(i) &&
+        !stars.IsInside(i) && smooth.IsSmooth(stars, i))
+      {
+        stars.SetFree(i);
+      }
+    });
 }
 
 // Each fit uses the ranges of the neighbours that come before it. So vertices of one level have no

@@ -14,13 +14,15 @@
 #include <cstdint>
 #include <vector>
 
+class lms3dSmoothVertices;
+
 /**
  * On curved surfaces, and with noise, patches are small, and most vertices lie at smooth borders
  * between them. Edges between smooth vertices (lms3dSmoothVertices) collapse (lms3dEdgeCollapser),
  * as long as each return around them stays within the bound. The remaining vertex has the range
  * that fits the returns best (lms3dVertexFit), so the surface passes between the returns on both
- * sides. Vertices at the border of the surface, and at sharp creases and offsets, take no part in
- * this.
+ * sides. Vertices at the border of the surface get such ranges in the end, where edges collapsed at
+ * them. Vertices at sharp creases and offsets take no part in this.
  *
  * Then vertices of all kinds are removed (lms3dVertexRemover) without moving those that remain. If
  * beams are not regular, this is all, and borders stay (lms3dRayMoves).
@@ -42,8 +44,8 @@ private:
   bool SimplifyOnRays(lms3dBoundedMap& map) const;
   bool SimplifySmoothSurface(const std::vector<int>& members, const lms3dBoundedMap& map,
     const lms3dBeamDemands& demands, lms3dVertexStars& stars) const;
-  bool FreeSmoothVertices(
-    const std::vector<int>& members, const lms3dBoundedMap& map, lms3dVertexStars& stars) const;
+  static bool FreeSmoothVertices(const lms3dSmoothVertices& smooth, lms3dVertexStars& stars);
+  static void FreeSmoothBorders(const lms3dSmoothVertices& smooth, lms3dVertexStars& stars);
   static std::vector<std::vector<std::int32_t>> FindLevels(const lms3dVertexStars& stars);
   static void FitVertices(const lms3dBeamDemands& demands, lms3dVertexStars& stars);
   static void Replace(const lms3dVertexStars& stars, lms3dBoundedMap& map);

@@ -22,13 +22,17 @@ constexpr double MinimumFlatness = 0.001;
 constexpr double LargestGap = 1.8;
 // A crease is small if a gap beside it has at most this number of depth steps.
 constexpr double SmallGap = 2.0;
+// What makes returns within the tolerance Loose, in depth steps: how much their ranges differ, the
+// tolerance, and both gaps.
+constexpr double LooseDifference = 2.0;
+constexpr double LooseTolerance = 6.0;
+constexpr double LooseGap = 5.0;
+constexpr double SmallestLooseGap = 0.5;
+// The largest tolerance at which returns can be Gentle, in depth steps. If the user wants to see
+// steps that are far smaller than the tolerance, they stay.
+constexpr double GentleTolerance = 30.0;
 // A bend below this share of the angle between two planes leaves the plane's slope as it is.
 constexpr double SlightBend = 0.25;
-
-double Square(double x)
-{
-  return x * x;
-}
 } // namespace
 
 lms3dDepthStep::lms3dDepthStep(double depthStep, double degrees, double noise)
@@ -57,66 +61,6 @@ void lms3dDepthStep::FlagNear(
   }
 }
 
-lms3dDepthStep::Plane lms3dDepthStep::GetPlane(const Side& side) const
-{
-  const auto [last, before, first] = side.Ranges;
-  const auto& [tilt, tiltBefore] = side.Tilts;
-  Plane plane;
-  plane.Inverse = 1.0 / last;
-  plane.Variance = this->GetVariance(plane.Inverse);
-  plane.HasBend = before > 0.0 && first > 0.0;
-  if (!(before > 0.0))
-  {
-    plane.Next = plane.Inverse;
-    plane.VarianceOfNext = plane.Variance;
-    return plane;
-  }
-  const double middle = 1.0 / before;
-  const double varianceOfMiddle = this->GetVariance(middle);
-  plane.Next = this->TwoCosines * plane.Inverse - middle + tilt.Value;
-  plane.VarianceOfTilt = tilt.Variance;
-  plane.VarianceOfNext =
-    Square(this->TwoCosines) * plane.Variance + varianceOfMiddle + tilt.Variance;
-  if (plane.HasBend)
-  {
-    // The tilt is the same all over a plane.
-    const double start = 1.0 / first;
-    const double untilted = plane.Inverse + start - this->TwoCosines * middle;
-    const double bend = untilted - tilt.Value;
-    const double bendBefore = untilted - tiltBefore.Value;
-    plane.Bend = std::abs(bend) < std::abs(bendBefore) ? bend : bendBefore;
-    plane.VarianceOfBend = plane.Variance + this->GetVariance(start) +
-      Square(this->TwoCosines) * varianceOfMiddle + tiltBefore.Variance;
-  }
-  return plane;
-}
-
-bool lms3dDepthStep::IsStraight(const Plane& plane) const
-{
-  const double expected = std::max(plane.Inverse - plane.Bend, 0.0);
-  return plane.HasBend &&
-    std::abs(plane.Bend) <=
-    this->Flatness * plane.Inverse * expected + Deviations * std::sqrt(plane.VarianceOfBend);
-}
-
-// The plane that fits three returns best, if they are straight. The fit moves them in the ratio 1 :
-// -2 : 1, which takes two thirds of the bend from the continuation. (For small angles between
-// beams.)
-lms3dDepthStep::Plane lms3dDepthStep::Fit(const Plane& plane) const
-{
-  Plane fit = plane;
-  if (this->Variance > 0.0 && this->IsStraight(plane))
-  {
-    constexpr double ShareOfBend = 2.0 / 3.0;
-    const double withoutTilt = plane.VarianceOfNext - plane.VarianceOfTilt;
-    // From 5 variances of one return to 7/3.
-    constexpr double ShareOfVariance = 7.0 / 15.0;
-    fit.Next -= ShareOfBend * plane.Bend;
-    fit.VarianceOfNext = ShareOfVariance * withoutTilt + 2.0 * plane.VarianceOfTilt;
-  }
-  return fit;
-}
-
 lms3dDepthStep::Gap lms3dDepthStep::Measure(const Plane& plane, const Plane& other) const
 {
   const double across = plane.Next - other.Inverse;
@@ -127,7 +71,7 @@ lms3dDepthStep::Gap lms3dDepthStep::Measure(const Plane& plane, const Plane& oth
     across > margin ? Gap::Before : (across < -margin ? Gap::Behind : Gap::AtReturn);
   const double size =
     ofPlane > 0.0 ? std::abs(across) / ofPlane : std::numeric_limits<double>::infinity();
-  return { at, size, std::abs(across), noise > this->Absolute * Square(other.Inverse) };
+  return { at, size, std::abs(across), noise > this->Absolute * other.Inverse * other.Inverse };
 }
 
 lms3dDepthStep::Relation lms3dDepthStep::Classify(const Side& a, const Side& b) const
@@ -148,7 +92,8 @@ lms3dDepthStep::Relation lms3dDepthStep::ClassifyInFan(const double* at) const
   const Pair pair =
     this->Compare(this->GetPlane(GetSideBefore(at)), this->GetPlane(GetSideBehind(at)));
   const Relation relation = this->ClassifyAlone(pair);
-  const bool areOverlapping = relation == Separate && pair.AtFar.At == Gap::Behind;
+  const bool areOverlapping =
+    (relation == Separate || relation == Gentle) && pair.AtFar.At == Gap::Behind;
   return (areOverlapping || relation == Uncertain) && this->IsCurved(pair.Near) &&
       this->IsGentle(pair, lms3dSlopeLimits::GentleInFan)
     ? Likely
@@ -190,13 +135,33 @@ lms3dDepthStep::Relation lms3dDepthStep::Classify(const Pair& pair) const
   const Gap& atNear = pair.AtNear;
   const bool areApart = (atFar.At == Gap::Before && atNear.At == Gap::Behind) ||
     (atFar.At == Gap::Behind && atNear.At == Gap::Before);
-  if (areApart)
+  const Relation relation = areApart    ? this->ClassifyApart(pair)
+    : pair.Difference <= pair.Tolerance ? Joined
+                                        : this->ClassifyCrease(pair);
+  return relation == Joined && this->IsLoose(pair) ? Loose : relation;
+}
+
+// Where the planes do not intersect between the beams.
+lms3dDepthStep::Relation lms3dDepthStep::ClassifyApart(const Pair& pair) const
+{
+  const bool isStep = std::max(pair.AtFar.Size, pair.AtNear.Size) > LargestGap * this->Absolute ||
+    std::min(pair.AtFar.Size, pair.AtNear.Size) > pair.Tolerance;
+  if (!isStep || this->IsGentleBetween(pair))
   {
-    const bool isStep = std::max(atFar.Size, atNear.Size) > LargestGap * this->Absolute ||
-      std::min(atFar.Size, atNear.Size) > pair.Tolerance;
-    return isStep && !this->IsGentleBetween(pair) ? Separate : Joined;
+    return Joined;
   }
-  return pair.Difference <= pair.Tolerance ? Joined : this->ClassifyCrease(pair);
+  const bool isGentle = pair.Tolerance <= GentleTolerance * this->Absolute &&
+    this->Angle <= lms3dSlopeLimits::WidestGentle &&
+    this->GetSlope(pair) <= lms3dSlopeLimits::GentleWhole;
+  return isGentle ? Gentle : Separate;
+}
+
+bool lms3dDepthStep::IsLoose(const Pair& pair) const
+{
+  const auto [smaller, larger] = std::minmax(pair.AtFar.Size, pair.AtNear.Size);
+  return pair.Difference <= pair.Tolerance && pair.Difference > LooseDifference * this->Absolute &&
+    pair.Tolerance > LooseTolerance * this->Absolute && larger > LooseGap * this->Absolute &&
+    smaller > SmallestLooseGap * this->Absolute;
 }
 
 lms3dDepthStep::Relation lms3dDepthStep::ClassifyCrease(const Pair& pair) const

@@ -39,6 +39,12 @@
  * step plus a share of the nearer range: 2 % or, if neighbours are farther apart, the angle between
  * them in radians, so that a coarse scan also joins surfaces inclined by 45 degrees.
  *
+ * The surface around decides two kinds of pairs (lms3dJoinResolver). Joined pairs are Loose instead
+ * if the beams are so far apart that the tolerance exceeds six depth steps, the ranges differ by
+ * more than two depth steps, one plane misses the other return by more than five and the other
+ * plane by more than half of one. Separate pairs are Gentle instead if the slope is gentle and the
+ * tolerance is at most 30 depth steps.
+ *
  * On a plane, three consecutive inverse ranges w along a fan satisfy w[i-1] + w[i+1] = 2 cos(step)
  * w[i]. Along a turn at elevation e, the plane's tilt is added: 2 (1 - cos(step)) sin(e) h, where h
  * is the inverse range upwards along the platform's axis. Without a return before, the range stays
@@ -64,6 +70,12 @@ public:
     Likely,
     /// The same, unless the pair is beside a depth step.
     Crease,
+    /// The returns are within the tolerance, but both planes miss the other return: one surface,
+    /// unless it is open around the pair.
+    Loose,
+    /// The planes do not intersect, but the slope is gentle: no surface, unless it is whole around
+    /// the pair.
+    Gentle,
     /// The returns and those before them do not decide.
     Uncertain,
     /// The same, because of noise.
@@ -153,8 +165,11 @@ public:
   /// The plane of a side whose last beam returned.
   Plane GetPlane(const Side& side) const;
 
-  /// Whether a pair is Joined, Likely or a Crease.
-  static bool IsOneSurface(Relation relation) { return relation <= Crease && relation != Separate; }
+  /// Whether three returns show that a surface is no plane.
+  bool IsCurved(const Plane& plane) const { return plane.HasBend && !this->IsStraight(plane); }
+
+  /// Whether a pair is Joined, Likely, a Crease or Loose.
+  static bool IsOneSurface(Relation relation) { return relation <= Loose && relation != Separate; }
 
   /// Whether two neighbours in a fan lie on one surface.
   bool IsOneSurface(const double* at) const { return IsOneSurface(this->Classify(at)); }
@@ -223,8 +238,6 @@ private:
     return this->Absolute + this->Relative * (a < b ? a : b);
   }
   bool IsStraight(const Plane& plane) const;
-  /// Whether three returns show that a surface is no plane.
-  bool IsCurved(const Plane& plane) const { return plane.HasBend && !this->IsStraight(plane); }
   Plane Fit(const Plane& plane) const;
   Gap Measure(const Plane& plane, const Plane& other) const;
   Pair Compare(const Plane& a, const Plane& b) const;
@@ -243,6 +256,8 @@ private:
     return this->Relative == MinimumRelative && this->GetSlope(pair) <= gentle;
   }
   bool IsTooSteep(const Pair& pair) const;
+  bool IsLoose(const Pair& pair) const;
+  Relation ClassifyApart(const Pair& pair) const;
 
   double Absolute;
   double Relative;

@@ -11,6 +11,8 @@ namespace
 {
 // The number of pairs on each side of an uncertain pair that count.
 constexpr int MaximumPairs = 2;
+// The number of open sides around a pair on one surface.
+constexpr int MaximumOpenSides = 2;
 } // namespace
 
 // Calls visit(turn, beam) for the pair and for the pairs beside it, except at poles.
@@ -58,6 +60,13 @@ lms3dDepthStep::Relation lms3dJoinResolver::ClassifyMean(
   int pairs = 0;
   int planes = 0;
   bool hasPlanes = false;
+  // The mean of curved sides can look straight.
+  const auto getPlane = [&step](const lms3dDepthStep::Side& side)
+  {
+    lms3dDepthStep::Plane plane = step.GetPlane(side);
+    plane.HasBend = plane.HasBend && !step.IsCurved(plane);
+    return plane;
+  };
   this->ForEachParallel(join,
     [&](int turn, int beam)
     {
@@ -66,8 +75,8 @@ lms3dDepthStep::Relation lms3dJoinResolver::ClassifyMean(
       hasPlanes = pairs++ == 0 ? arePlanes : hasPlanes;
       if (arePlanes)
       {
-        before.Add(step.GetPlane(first), 1.0);
-        behind.Add(step.GetPlane(second), 1.0);
+        before.Add(getPlane(first), 1.0);
+        behind.Add(getPlane(second), 1.0);
         ++planes;
       }
     });
@@ -129,6 +138,26 @@ void lms3dJoinResolver::SeparateBesideSteps(
   }
 }
 
+// All pairs are judged before any changes, so their order does not count.
+void lms3dJoinResolver::DecideLoose(const std::vector<lms3dUncertainJoin>& joins)
+{
+  std::vector<std::uint8_t> areSurface(joins.size());
+  std::transform(joins.begin(), joins.end(), areSurface.begin(),
+    [this](const lms3dUncertainJoin& join) { return this->IsSurfaceAround(join) ? 1 : 0; });
+  for (std::size_t i = 0; i < joins.size(); ++i)
+  {
+    this->Separate(joins[i]);
+    this->Joins.GetRow(joins[i].Turn)[joins[i].Beam] |= areSurface[i] ? joins[i].Towards : 0;
+  }
+}
+
+bool lms3dJoinResolver::IsSurfaceAround(const lms3dUncertainJoin& join) const
+{
+  const auto [before, behind] = this->CountOpenSides(join);
+  return before + behind <= MaximumOpenSides &&
+    (this->IsJoined(join.Turn, join.Beam, join.Towards) || std::min(before, behind) == 0);
+}
+
 bool lms3dJoinResolver::IsBesideStep(const lms3dUncertainJoin& join, double minimum) const
 {
   const double difference = this->GetDifference(join);
@@ -167,7 +196,7 @@ void lms3dJoinResolver::Separate(const lms3dUncertainJoin& join)
 
 bool lms3dJoinResolver::DropBesideGap(const lms3dUncertainJoin& join)
 {
-  const bool isWhole = this->IsWholeAround(join);
+  const bool isWhole = this->CountOpenSides(join) == std::array<int, 2>{ 0, 0 };
   if (!isWhole)
   {
     this->Separate(join);
@@ -175,27 +204,30 @@ bool lms3dJoinResolver::DropBesideGap(const lms3dUncertainJoin& join)
   return !isWhole;
 }
 
-bool lms3dJoinResolver::IsWholeAround(const lms3dUncertainJoin& join) const
+// The sides of each adjacent cell, except the pair itself, that are not joined.
+std::array<int, 2> lms3dJoinResolver::CountOpenSides(const lms3dUncertainJoin& join) const
 {
   const int turn = join.Turn;
   const int beam = join.Beam;
+  const auto count = [](bool first, bool second, bool third)
+  { return (first ? 0 : 1) + (second ? 0 : 1) + (third ? 0 : 1); };
   if (join.Towards == lms3dJoinedAlongFan)
   {
-    const auto isWhole = [&](int cell, int beyond)
+    const auto countIn = [&](int cell, int beyond)
     {
-      return this->IsJoined(cell, beam, lms3dJoinedAlongTurn) &&
-        this->IsJoined(cell, beam + 1, lms3dJoinedAlongTurn) &&
-        this->IsJoined(beyond, beam, lms3dJoinedAlongFan);
+      return count(this->IsJoined(cell, beam, lms3dJoinedAlongTurn),
+        this->IsJoined(cell, beam + 1, lms3dJoinedAlongTurn),
+        this->IsJoined(beyond, beam, lms3dJoinedAlongFan));
     };
-    return isWhole(turn - 1, turn - 1) && isWhole(turn, turn + 1);
+    return { countIn(turn - 1, turn - 1), countIn(turn, turn + 1) };
   }
-  const auto isWhole = [&](int cell, int beyond)
+  const auto countIn = [&](int cell, int beyond)
   {
-    return this->IsJoined(turn, cell, lms3dJoinedAlongFan) &&
-      this->IsJoined(turn + 1, cell, lms3dJoinedAlongFan) &&
-      this->IsJoined(turn, beyond, lms3dJoinedAlongTurn);
+    return count(this->IsJoined(turn, cell, lms3dJoinedAlongFan),
+      this->IsJoined(turn + 1, cell, lms3dJoinedAlongFan),
+      this->IsJoined(turn, beyond, lms3dJoinedAlongTurn));
   };
-  return isWhole(beam - 1, beam - 1) && isWhole(beam, beam + 1);
+  return { countIn(beam - 1, beam - 1), countIn(beam, beam + 1) };
 }
 
 bool lms3dJoinResolver::IsInside(int turn, int beam) const

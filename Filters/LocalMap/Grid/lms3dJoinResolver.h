@@ -75,12 +75,17 @@ public:
   /// depth steps in the same sense.
   void SeparateBesideSteps(const std::vector<lms3dUncertainJoin>& joins, double depthStep);
 
+  /// Separates Loose pairs if at least three of the six other sides of both adjacent cells are open.
+  /// Joins Gentle pairs if at most two are open, all in one cell.
+  void DecideLoose(const std::vector<lms3dUncertainJoin>& joins);
+
 private:
   bool IsBesideStep(const lms3dUncertainJoin& join, double minimum) const;
   void Separate(const lms3dUncertainJoin& join);
   double GetDifference(const lms3dUncertainJoin& join) const;
   bool DropBesideGap(const lms3dUncertainJoin& join);
-  bool IsWholeAround(const lms3dUncertainJoin& join) const;
+  bool IsSurfaceAround(const lms3dUncertainJoin& join) const;
+  std::array<int, 2> CountOpenSides(const lms3dUncertainJoin& join) const;
   bool IsInside(int turn, int beam) const;
   bool IsJoined(int turn, int beam, lms3dJoinFlag towards) const;
   bool IsJoinedAcross(int turn, int beam, bool isFan, int direction) const;

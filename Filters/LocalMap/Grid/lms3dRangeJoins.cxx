@@ -28,52 +28,15 @@ double GetNoise(const lms3dRangeGrid& grid, int interlaced, double depthStep)
   return noise > depthStep ? 0.0 : std::min(noise, MaximumNoise * depthStep);
 }
 
-// With an odd number of turns, no fan continues beyond a pole in a turn that is opposite.
-bool IsBesideOddPole(const lms3dRangeGrid& grid, int beam)
+std::vector<lms3dUncertainJoin> Concatenate(
+  const std::vector<std::vector<lms3dUncertainJoin>>& joinsOfTurns)
 {
-  const lms3dScanGeometry& geometry = grid.GetGeometry();
-  return grid.GetNumberOfTurns() % 2 != 0 && (geometry.IsPole(beam) || geometry.IsPole(beam + 1));
-}
-
-void ClassifyFan(const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step,
-  lms3dTurnJoins& found)
-{
-  // Most neighbours are near.
-  step.FlagNear(
-    ranges, ranges + 1, grid.GetNumberOfBeams() - 1, lms3dRangeJoins::AlongFan, found.Flags);
-  for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
+  std::vector<lms3dUncertainJoin> all;
+  for (const std::vector<lms3dUncertainJoin>& ofTurn : joinsOfTurns)
   {
-    if (found.Flags[beam] & lms3dRangeJoins::AlongFan)
-    {
-      continue;
-    }
-    const double* const at = ranges + beam;
-    lms3dDepthStep::Relation relation = step.Classify(at);
-    if (relation == lms3dDepthStep::Separate && at[0] > 0.0 && at[1] > 0.0 &&
-      IsBesideOddPole(grid, beam))
-    {
-      relation = lms3dDepthStep::Uncertain;
-    }
-    found.Add(beam, lms3dRangeJoins::AlongFan, relation);
+    all.insert(all.end(), ofTurn.begin(), ofTurn.end());
   }
-}
-
-void ClassifyTurn(
-  const lms3dRangeGrid& grid, const lms3dTurnClassifier& classifier, lms3dTurnJoins& found)
-{
-  classifier.FlagNear(grid.GetNumberOfBeams(), lms3dRangeJoins::AlongTurn, found.Flags);
-  for (int beam = 0; beam < grid.GetNumberOfBeams(); ++beam)
-  {
-    if (!(found.Flags[beam] & lms3dRangeJoins::AlongTurn))
-    {
-      found.Add(beam, lms3dRangeJoins::AlongTurn, classifier.Classify(beam));
-    }
-  }
-  // A pole is certainly not joined.
-  for (int pole : grid.GetPoles())
-  {
-    found.Flags[pole] &= lms3dRangeJoins::AlongFan;
-  }
+  return all;
 }
 } // namespace
 
@@ -91,17 +54,16 @@ void lms3dRangeJoins::Find(
   this->Flags.SetShape(turns, grid.GetNumberOfBeams());
   this->UncertainJoins.resize(turns);
   this->Creases.resize(turns);
+  this->Loose.resize(turns);
   tbb::parallel_for(0, turns,
     [&](int turn)
     {
-      lms3dTurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn],
-        this->Creases[turn] };
+      lms3dTurnJoins found = this->GetTurnJoins(turn);
       std::fill_n(found.Flags, grid.GetNumberOfBeams(), 0);
-      found.UncertainJoins.clear();
-      found.Creases.clear();
+      found.Clear();
       if (areFansSteady && grid.HasReturns(turn))
       {
-        ClassifyFan(grid, grid.GetRanges(turn), fanStep, found);
+        found.ClassifyFan(grid, grid.GetRanges(turn), fanStep);
       }
     });
   if (areFansSteady)
@@ -112,11 +74,10 @@ void lms3dRangeJoins::Find(
   tbb::parallel_for(0, turns,
     [&](int turn)
     {
-      lms3dTurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn],
-        this->Creases[turn] };
+      lms3dTurnJoins found = this->GetTurnJoins(turn);
       if (grid.HasReturns(turn))
       {
-        ClassifyTurn(grid, lms3dTurnClassifier(grid, turn, turnStep, tilts), found);
+        found.ClassifyTurn(grid, lms3dTurnClassifier(grid, turn, turnStep, tilts));
       }
     });
   if (!areFansSteady)
@@ -134,6 +95,12 @@ void lms3dRangeJoins::Find(
     this->SeparateBeyondAxis(grid, *mapGeometry);
   }
   this->Flags.FillHalo(grid.IsClosed());
+}
+
+lms3dTurnJoins lms3dRangeJoins::GetTurnJoins(int turn)
+{
+  return { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn], this->Creases[turn],
+    this->Loose[turn] };
 }
 
 // To be called after all fans are joined. The fans of the halo do not go on beyond a pole.
@@ -170,9 +137,8 @@ void lms3dRangeJoins::FindAlongSteadyFans(
     if (grid.HasReturns(turn))
     {
       fans.Fill(turn, ranges.data() + 2);
-      lms3dTurnJoins found = { turn, this->Flags.GetRow(turn), this->UncertainJoins[turn],
-        this->Creases[turn] };
-      ClassifyFan(grid, ranges.data() + 2, step, found);
+      lms3dTurnJoins found = this->GetTurnJoins(turn);
+      found.ClassifyFan(grid, ranges.data() + 2, step);
       // Where a fan cannot be interpolated, its comb remains.
       for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
       {
@@ -235,8 +201,7 @@ void lms3dRangeJoins::ResolveMeans(
   {
     const std::vector<lms3dUncertainJoin> uncertain = std::move(this->UncertainJoins[turn]);
     this->UncertainJoins[turn].clear();
-    lms3dTurnJoins found = { static_cast<int>(turn), this->Flags.GetRow(static_cast<int>(turn)),
-      this->UncertainJoins[turn], this->Creases[turn] };
+    lms3dTurnJoins found = this->GetTurnJoins(static_cast<int>(turn));
     for (std::size_t i = 0; i < uncertain.size(); ++i)
     {
       found.Add(uncertain[i].Beam, uncertain[i].Towards, relations[turn][i]);
@@ -282,10 +247,6 @@ void lms3dRangeJoins::ResolveRest(const lms3dRangeGrid& grid, double depthStep)
   }
   lms3dJoinResolver resolver(grid, this->Flags);
   resolver.JoinWhole(std::move(uncertain));
-  std::vector<lms3dUncertainJoin> creases;
-  for (const std::vector<lms3dUncertainJoin>& ofTurn : this->Creases)
-  {
-    creases.insert(creases.end(), ofTurn.begin(), ofTurn.end());
-  }
-  resolver.SeparateBesideSteps(creases, depthStep);
+  resolver.SeparateBesideSteps(Concatenate(this->Creases), depthStep);
+  resolver.DecideLoose(Concatenate(this->Loose));
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 class lms3dGrazedStrips;
+struct lms3dTurnJoins;
 
 /**
  * Holds two flags for each beam of each turn, set if the beam lies on one surface with the next
@@ -43,6 +44,7 @@ public:
   const std::uint8_t* GetRow(int turn) const { return this->Flags.GetRow(turn); }
 
 private:
+  lms3dTurnJoins GetTurnJoins(int turn);
   void KeepFans(const lms3dRangeGrid& grid, const lms3dDepthStep& step);
   void FindAlongSteadyFans(
     const lms3dRangeGrid& grid, const lms3dDepthStep& step, const lms3dMapGeometry& geometry);
@@ -57,8 +59,11 @@ private:
   lms3dPaddedGrid<std::uint8_t> Fans{ 0 };
   /// By turn.
   std::vector<std::vector<lms3dUncertainJoin>> UncertainJoins;
-  /// Pairs that are joined, by turn.
+  ///@{
+  /// Pairs that the surface around can change, by turn.
   std::vector<std::vector<lms3dUncertainJoin>> Creases;
+  std::vector<std::vector<lms3dUncertainJoin>> Loose;
+  ///@}
 };
 
 #endif

@@ -40,6 +40,8 @@ constexpr double GentleInFan = 2.5;
 /// The same in any direction if planes overlap or both sides are curved, and between beams at most
 /// WidestGentle apart, radians.
 constexpr double GentleCurve = 0.5;
+/// The same where planes do not intersect, if the surface is whole around the returns.
+constexpr double GentleWhole = 1.0;
 constexpr double WidestGentle = 0.036;
 ///@}
 } // namespace lms3dSlopeLimits

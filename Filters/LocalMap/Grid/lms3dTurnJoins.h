@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Collects the joins of one turn while its pairs are classified.
+ * @brief Classifies the pairs of one turn and collects its joins.
  */
 #ifndef lms3dTurnJoins_h
 #define lms3dTurnJoins_h
@@ -13,30 +13,28 @@
 #include <cstdint>
 #include <vector>
 
-/// The flags of one turn and the pairs that are looked at again.
+/// The flags of one turn and the pairs that are looked at again. Keeps references.
 struct lms3dTurnJoins
 {
   int Turn;
   std::uint8_t* Flags;
   std::vector<lms3dUncertainJoin>& UncertainJoins;
   std::vector<lms3dUncertainJoin>& Creases;
+  /// Loose and Gentle pairs.
+  std::vector<lms3dUncertainJoin>& Loose;
 
-  void Add(int beam, lms3dJoinFlag towards, lms3dDepthStep::Relation relation)
-  {
-    if (lms3dDepthStep::IsOneSurface(relation))
-    {
-      this->Flags[beam] |= towards;
-      if (relation == lms3dDepthStep::Crease)
-      {
-        this->Creases.push_back({ this->Turn, beam, towards, false });
-      }
-    }
-    else if (relation != lms3dDepthStep::Separate)
-    {
-      this->UncertainJoins.push_back(
-        { this->Turn, beam, towards, relation == lms3dDepthStep::Noisy });
-    }
-  }
+  /// Classifies the neighbours in the fan. `ranges`, metres, belong to the turn and have a halo of
+  /// two beams.
+  void ClassifyFan(const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step);
+
+  /// Classifies the beams and the same beams of the next turn.
+  void ClassifyTurn(const lms3dRangeGrid& grid, const lms3dTurnClassifier& classifier);
+
+  /// Sets the flag of a pair that lies on one surface, and lists the pair if needed.
+  void Add(int beam, lms3dJoinFlag towards, lms3dDepthStep::Relation relation);
+
+  /// Empties the lists.
+  void Clear();
 };
 
 #endif

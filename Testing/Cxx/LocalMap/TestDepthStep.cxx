@@ -153,13 +153,13 @@ TEST(DepthStep, JoinsGentleSlopesBehindACurve)
 TEST(DepthStep, JoinsCurvesWithinTheTolerance)
 {
   const std::vector<double> curved = { 24.76, 24.57, 24.65, 25.07, 24.52, 23.83 };
-  EXPECT_EQ(ClassifyTurn(curved, 2.0), lms3dDepthStep::Joined);
+  EXPECT_EQ(ClassifyTurn(curved, 2.0), lms3dDepthStep::Loose);
   // The plane of a wall that ends 40 cm in front of the tower.
   const std::vector<double> straight = { 24.65, 24.635, 24.65, 25.07, 24.52, 23.83 };
-  EXPECT_EQ(ClassifyTurn(straight, 2.0), lms3dDepthStep::Separate);
+  EXPECT_EQ(ClassifyTurn(straight, 2.0), lms3dDepthStep::Gentle);
   // Both planes end by more than the tolerance before they would meet.
   const std::vector<double> apart = { 26.6, 25.4, 24.65, 25.07, 24.0, 22.5 };
-  EXPECT_EQ(ClassifyTurn(apart, 2.0), lms3dDepthStep::Separate);
+  EXPECT_EQ(ClassifyTurn(apart, 2.0), lms3dDepthStep::Gentle);
 }
 
 TEST(DepthStep, AllowsForNoise)

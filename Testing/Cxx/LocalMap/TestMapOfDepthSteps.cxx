@@ -152,6 +152,7 @@ TEST(MapOfDepthSteps, BridgesHardlyAnyLargeStep)
   std::size_t steps = 0;
   int bridged = 0;
   int bridgedWithNoise = 0;
+  int bridgedWithMuchNoise = 0;
   for (int place = 0; place < 12; ++place)
   {
     const MapScene scene = MakeRoomFrom(place);
@@ -161,9 +162,11 @@ TEST(MapOfDepthSteps, BridgesHardlyAnyLargeStep)
     bridged += truth.CountBridged(MakeMap(scan, 0.01));
     Random random(static_cast<std::uint64_t>(place));
     bridgedWithNoise += truth.CountBridged(MakeMap(AddNoise(scan, 0.005, random), 0.02));
+    bridgedWithMuchNoise += truth.CountBridged(MakeMap(AddNoise(scan, 0.02, random), 0.08));
   }
   EXPECT_GT(steps, 5000U);
   EXPECT_EQ(bridged, 0);
   EXPECT_EQ(bridgedWithNoise, 0);
+  EXPECT_EQ(bridgedWithMuchNoise, 0);
 }
 #endif

@@ -16,6 +16,8 @@
 namespace
 {
 constexpr double DepthStep = 0.1;
+// The share of the range that the filter adds for neighbours up to 2 degrees apart.
+constexpr double ShareOfRange = 0.035;
 
 /// Waves of five lengths and directions.
 double GetHeight(double x, double y)
@@ -80,6 +82,7 @@ TEST(MapOfHills, JoinsGentleSlopesAndBridgesHardlyAnyStep)
   std::size_t steps = 0;
   std::size_t slopes = 0;
   int bridged = 0;
+  int bridgedBeyondTolerance = 0;
   int open = 0;
   for (double place : { -17.3, -6.1, 4.4, 15.2 })
   {
@@ -90,12 +93,15 @@ TEST(MapOfHills, JoinsGentleSlopesAndBridgesHardlyAnyStep)
     steps += truth.GetSteps().size();
     slopes += truth.GetSlopes().size();
     bridged += truth.CountBridged(map);
+    bridgedBeyondTolerance +=
+      TrueSteps(scan, scene.Surface, DepthStep, ShareOfRange).CountBridged(map);
     open += truth.CountOpen(map);
   }
   EXPECT_GT(steps, 2500U);
   EXPECT_GT(slopes, 20000U);
+  EXPECT_EQ(bridgedBeyondTolerance, 0);
   // Steps of little more than twice the depth step count as well, at any range.
-  EXPECT_LT(bridged, 0.01 * static_cast<double>(steps));
+  EXPECT_LT(bridged, 0.0025 * static_cast<double>(steps));
   EXPECT_LT(open, 0.3333 * static_cast<double>(slopes));
 }
 #endif
