@@ -15,7 +15,9 @@
 #include "Fusion/lms3dRegionShape.h"
 #include "Fusion/lms3dWorldBox.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <deque>
 #include <map>
 #include <vector>
@@ -62,6 +64,31 @@ struct lms3dFusedPlane
     }
   }
 
+  /// Drops the returns that later scans saw through.
+  void DropForgotten()
+  {
+    const auto isForgotten = [this](const lms3dMappedReturn& mapped)
+    {
+      const lms3dPoint2 place = this->Frame.ToCells(mapped.Point);
+      const auto u = lms3dGetCellOf(place[0]);
+      const auto v = lms3dGetCellOf(place[1]);
+      return !this->Raster.Has(&lms3dRasterBlock::Must, u, v) &&
+        !this->Raster.Has(&lms3dRasterBlock::Beside, u, v);
+    };
+    this->Returns.erase(
+      std::remove_if(this->Returns.begin(), this->Returns.end(), isForgotten), this->Returns.end());
+  }
+
+  std::size_t CountTriangles() const
+  {
+    std::size_t triangles = 0;
+    for (const lms3dFusedTile& tile : this->Tiles)
+    {
+      triangles += tile.Mesh.Triangles.size();
+    }
+    return triangles;
+  }
+
   lms3dWorldBox GetBoxOfBlock(int number) const
   {
     lms3dWorldBox box;
@@ -104,6 +131,8 @@ struct lms3dFusedPlane
   /// are then kept.
   bool IsWeak = false;
   std::vector<lms3dMappedReturn> Returns;
+  /// How many triangles the plane had when its returns were last grouped anew.
+  std::size_t RegroupedTriangles = 0;
   /// Whether others have taken the place of the plane.
   bool HasGone = false;
   /// Whether a local map has surface here. A facet has none, nor has a plane that went.

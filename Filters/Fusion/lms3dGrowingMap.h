@@ -40,8 +40,7 @@ private:
   };
 
   void AddTable(const lms3dScanInput& scan);
-  void MarkPassed(const lms3dSeenRanges& ranges, bool forgets);
-  void MarkPassedEarlier();
+  bool Reduce(const lms3dProgress& progress);
   bool Renew(const lms3dProgress& progress);
   void AddTiles(lms3dFusedPlane& plane);
   void RenewShape(int number);

@@ -21,6 +21,8 @@ struct lms3dRasterBlock : lms3dRegionBlock
   lms3dBits Guess = {};
   /// Here is a place between beams that all passed, without a return among them.
   lms3dBits Open = {};
+  /// A return lies here that the mesh explains, but that the region need not grow to.
+  lms3dBits Beside = {};
   /// The region covers the cell, before its borders are straightened: now, and when the mesh was
   /// made.
   lms3dBits Shape = {};

@@ -50,6 +50,7 @@ public:
   void Make()
   {
     this->Tile.Mesh.Clear();
+    this->Tile.Facets.clear();
     if (!this->Plane.Verbatim.empty() && this->IsWhole())
     {
       this->AddVerbatim();
@@ -188,7 +189,7 @@ private:
       const int reachOfOthers = lms3dGetCoveredReach(0.0, cell, this->MaximumError);
       for (int row = 0; row < lms3dRaster::Size; ++row)
       {
-        const std::uint64_t open = block.Must[row] & ~covered[row];
+        const std::uint64_t open = (block.Must[row] | block.Beside[row]) & ~covered[row];
         for (int place = 0; place < lms3dRaster::Size && open >> place != 0; ++place)
         {
           const std::int32_t u = block.U * lms3dRaster::Size + place;
@@ -197,6 +198,7 @@ private:
           if ((open >> place & 1U) != 0 && !lms3dIsCovered(this->Region, u, v, reach))
           {
             this->AddFacet({ u + 0.5, v + 0.5 });
+            this->Tile.Facets.push_back({ u, v });
           }
         }
       }
