@@ -7,6 +7,7 @@
 #ifndef lms3dFusedPlane_h
 #define lms3dFusedPlane_h
 
+#include "Fusion/lms3dBlockGroups.h"
 #include "Fusion/lms3dCreaseLine.h"
 #include "Fusion/lms3dFusedTile.h"
 #include "Fusion/lms3dLocalMap.h"
@@ -18,12 +19,17 @@
 #include <array>
 #include <deque>
 #include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 struct lms3dFusedPlane
 {
-  explicit lms3dFusedPlane(const lms3dPlaneFrame& frame)
+  /// `memory` is that of the blocks, or nullptr.
+  explicit lms3dFusedPlane(
+    const lms3dPlaneFrame& frame, std::shared_ptr<lms3dBlockMemory> memory = nullptr)
     : Frame(frame)
+    , Raster(std::move(memory))
   {
   }
 
@@ -39,7 +45,7 @@ struct lms3dFusedPlane
   /// Takes out all that scans saw. The tiles stay, without blocks and triangles.
   void Clear()
   {
-    this->Raster = {};
+    this->Raster.Clear();
     this->Shape = {};
     this->Returns.clear();
     this->Verbatim.clear();
@@ -51,6 +57,7 @@ struct lms3dFusedPlane
     this->ShapedBlocks = 0;
     this->OldBlocks = 0;
     this->BoxOfBlocks = {};
+    this->Groups = lms3dBlockGroups();
     this->BoxedBlocks = 0;
     this->HasNewCreases = true;
     for (lms3dFusedTile& tile : this->Tiles)
@@ -96,6 +103,13 @@ struct lms3dFusedPlane
     return this->BoxOfBlocks;
   }
 
+  /// The groups of all blocks.
+  const lms3dBlockGroups& GetGroups()
+  {
+    this->Groups.Update(this->Raster);
+    return this->Groups;
+  }
+
   lms3dPlaneFrame Frame;
   lms3dRaster Raster;
   /// Whether the surface is curved.
@@ -129,6 +143,7 @@ struct lms3dFusedPlane
   int OldBlocks = 0;
 
 private:
+  lms3dBlockGroups Groups;
   lms3dWorldBox BoxOfBlocks;
   /// The blocks before this one are in the box.
   int BoxedBlocks = 0;

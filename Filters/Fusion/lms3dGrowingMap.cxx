@@ -55,7 +55,7 @@ bool lms3dGrowingMap::Add(
   this->AddTable(scan);
   this->Positions.push_back(scan.GetSensorPosition());
   auto ranges = std::make_unique<lms3dSeenRanges>(scan, this->Table);
-  const lms3dLocalMap local(map, scan, *ranges, this->Settings.MaximumError);
+  lms3dLocalMap local(map, scan, *ranges, this->Settings.MaximumError, std::move(this->Returns));
   if (!progress(TimeOfCasting))
   {
     return false;
@@ -66,6 +66,7 @@ bool lms3dGrowingMap::Add(
   }
   this->Planes.SetScan(this->GetNumberOfScans() - 1);
   lms3dScanJoin(local, *ranges, this->Planes).Join();
+  this->Returns = std::move(local.Returns);
   this->MarkPassed(*ranges, false);
   this->MarkPassedEarlier();
   if (this->Settings.KeepReturns)
@@ -80,8 +81,7 @@ bool lms3dGrowingMap::Add(
   return this->Renew(lms3dGetStepProgress(progress, TimeOfMarking, 1.0));
 }
 
-// The threads divide planes, then tiles. A tile depends on its plane and on the frames of other
-// planes alone.
+// The threads divide planes, then tiles. A tile depends on its plane and on other frames alone.
 bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
 {
   std::vector<int> changed;
@@ -219,7 +219,7 @@ void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets)
       lms3dFusedPlane& plane = this->Planes[i];
       if (plane.GetBoxOfBlocks().IsNear(ranges.GetBox(), bound))
       {
-        beams.local().Mark(ranges, plane, 0);
+        beams.local().Mark(ranges, plane, plane.GetGroups());
       }
     });
 }
@@ -238,11 +238,12 @@ void lms3dGrowingMap::MarkPassedEarlier()
         return;
       }
       const lms3dWorldBox box = plane.GetBoxOfBlocks(plane.OldBlocks);
+      const lms3dBlockGroups groups(plane.Raster, plane.OldBlocks);
       for (const std::unique_ptr<lms3dSeenRanges>& earlier : this->Seen)
       {
         if (box.IsNear(earlier->GetBox(), bound))
         {
-          beams.local().Mark(*earlier, plane, plane.OldBlocks);
+          beams.local().Mark(*earlier, plane, groups);
         }
       }
     });
