@@ -7,6 +7,7 @@
 #ifndef lms3dFusedPlane_h
 #define lms3dFusedPlane_h
 
+#include "Fusion/lms3dBlockGroups.h"
 #include "Fusion/lms3dCreaseLine.h"
 #include "Fusion/lms3dFusedTile.h"
 #include "Fusion/lms3dLocalMap.h"
@@ -20,12 +21,17 @@
 #include <cstddef>
 #include <deque>
 #include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 struct lms3dFusedPlane
 {
-  explicit lms3dFusedPlane(const lms3dPlaneFrame& frame)
+  /// `memory` is that of the blocks, or nullptr.
+  explicit lms3dFusedPlane(
+    const lms3dPlaneFrame& frame, std::shared_ptr<lms3dBlockMemory> memory = nullptr)
     : Frame(frame)
+    , Raster(std::move(memory))
   {
   }
 
@@ -41,7 +47,7 @@ struct lms3dFusedPlane
   /// Takes out all that scans saw. The tiles stay, without blocks and triangles.
   void Clear()
   {
-    this->Raster = {};
+    this->Raster.Clear();
     this->Shape = {};
     this->Returns.clear();
     this->Verbatim.clear();
@@ -53,6 +59,7 @@ struct lms3dFusedPlane
     this->ShapedBlocks = 0;
     this->OldBlocks = 0;
     this->BoxOfBlocks = {};
+    this->Groups = lms3dBlockGroups();
     this->BoxedBlocks = 0;
     this->HasNewCreases = true;
     for (lms3dFusedTile& tile : this->Tiles)
@@ -123,6 +130,13 @@ struct lms3dFusedPlane
     return this->BoxOfBlocks;
   }
 
+  /// The groups of all blocks.
+  const lms3dBlockGroups& GetGroups()
+  {
+    this->Groups.Update(this->Raster);
+    return this->Groups;
+  }
+
   lms3dPlaneFrame Frame;
   lms3dRaster Raster;
   /// Whether the surface is curved.
@@ -158,6 +172,7 @@ struct lms3dFusedPlane
   int OldBlocks = 0;
 
 private:
+  lms3dBlockGroups Groups;
   lms3dWorldBox BoxOfBlocks;
   /// The blocks before this one are in the box.
   int BoxedBlocks = 0;

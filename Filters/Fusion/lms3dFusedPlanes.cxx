@@ -42,13 +42,14 @@ bool See(
 lms3dFusedPlanes::lms3dFusedPlanes(double maximumError)
   : MaximumError(maximumError)
   , Cell(maximumError / CellsPerBound)
+  , Memory(std::make_shared<lms3dBlockMemory>(sizeof(lms3dRasterBlock)))
   , Boxes(CubeShare * maximumError)
 {
 }
 
 int lms3dFusedPlanes::MakePlane(const lms3dVector& point, const lms3dVector& normal)
 {
-  this->Planes.emplace_back(lms3dPlaneFrame(point, normal, this->Cell));
+  this->Planes.emplace_back(lms3dPlaneFrame(point, normal, this->Cell), this->Memory);
   this->Boxes.AddPlane();
   return static_cast<int>(this->Planes.size()) - 1;
 }

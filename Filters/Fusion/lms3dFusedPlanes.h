@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <vector>
 
 /// A plane keeps its number. Lengths are metres.
@@ -107,6 +108,8 @@ private:
   const double MaximumError;
   const double Cell;
   int Scan = 0;
+  /// The memory of the blocks of all planes.
+  std::shared_ptr<lms3dBlockMemory> Memory;
   std::deque<lms3dFusedPlane> Planes;
   /// The boxes of the triangles of local maps that joined.
   lms3dPlaneBoxes Boxes;

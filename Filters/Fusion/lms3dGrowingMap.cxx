@@ -60,7 +60,7 @@ bool lms3dGrowingMap::Add(
   this->AddTable(scan);
   this->Positions.push_back(scan.GetSensorPosition());
   auto ranges = std::make_unique<lms3dSeenRanges>(scan, this->Table);
-  const lms3dLocalMap local(map, scan, *ranges, this->Settings.MaximumError);
+  lms3dLocalMap local(map, scan, *ranges, this->Settings.MaximumError, std::move(this->Returns));
   if (!progress(TimeOfCasting))
   {
     return false;
@@ -71,6 +71,7 @@ bool lms3dGrowingMap::Add(
   }
   this->Planes.SetScan(this->GetNumberOfScans() - 1);
   lms3dScanJoin(local, *ranges, this->Planes).Join();
+  this->Returns = std::move(local.Returns);
   lms3dMarkPassed(*ranges, false, this->Planes);
   lms3dMarkPassedEarlier(this->Seen, this->Planes);
   if (this->Settings.KeepReturns)
@@ -107,8 +108,7 @@ bool lms3dGrowingMap::Reduce(const lms3dProgress& progress)
   return this->Renew(lms3dGetStepProgress(progress, TimeOfNewPlanes, 1.0));
 }
 
-// The threads divide planes, then tiles. A tile depends on its plane and on the frames of other
-// planes alone.
+// The threads divide planes, then tiles. A tile depends on its plane and on other frames alone.
 bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
 {
   std::vector<int> changed;

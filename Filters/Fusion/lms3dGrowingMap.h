@@ -53,6 +53,8 @@ private:
   std::vector<std::unique_ptr<lms3dSeenRanges>> Seen;
   lms3dFusedPlanes Planes;
   std::vector<const lms3dFusedTile*> Regions;
+  /// The returns of the last local map. The next one uses their memory.
+  std::vector<lms3dMappedReturn> Returns;
 };
 
 #endif

@@ -19,7 +19,7 @@ void lms3dMarkPassed(const lms3dSeenRanges& ranges, bool forgets, lms3dFusedPlan
       lms3dFusedPlane& plane = planes[i];
       if (plane.GetBoxOfBlocks().IsNear(ranges.GetBox(), bound))
       {
-        beams.local().Mark(ranges, plane, 0);
+        beams.local().Mark(ranges, plane, plane.GetGroups());
       }
     });
 }
@@ -38,11 +38,12 @@ void lms3dMarkPassedEarlier(
         return;
       }
       const lms3dWorldBox box = plane.GetBoxOfBlocks(plane.OldBlocks);
+      const lms3dBlockGroups groups(plane.Raster, plane.OldBlocks);
       for (const std::unique_ptr<lms3dSeenRanges>& ranges : earlier)
       {
         if (box.IsNear(ranges->GetBox(), bound))
         {
-          beams.local().Mark(*ranges, plane, plane.OldBlocks);
+          beams.local().Mark(*ranges, plane, groups);
         }
       }
     });
