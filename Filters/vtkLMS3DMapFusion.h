@@ -131,9 +131,10 @@ public:
   ///@{
   /**
    * Whether the filter keeps the ranges of all scans, four bytes for each beam, so that what a
-   * later scan guesses between its returns is checked against the beams of earlier ones. Otherwise,
-   * about ten times as many beams of earlier scans are blocked, and the memory is that of the map
-   * and its rasters alone, about 5 kB for each block of 64 x 64 cells. On by default.
+   * later scan guesses between its returns is checked against the beams of earlier ones, and planes
+   * are fitted to few returns of several scans. Otherwise, about ten times as many beams of earlier
+   * scans are blocked, the map has more triangles, and the memory is that of the map and its
+   * rasters alone, about 6 kB for each block of 64 x 64 cells. On by default.
    */
   vtkSetMacro(KeepReturns, bool);
   vtkGetMacro(KeepReturns, bool);

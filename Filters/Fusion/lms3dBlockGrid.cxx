@@ -4,6 +4,25 @@
 
 #include "Fusion/lms3dRaster.h"
 
+#include <type_traits>
+
+template <typename Block>
+void lms3dBlockGrid<Block>::Link(int number)
+{
+  if constexpr (std::is_same_v<Block, lms3dRasterBlock>)
+  {
+    Block& block = this->Blocks[number];
+    for (int i = 0; i < 9; ++i)
+    {
+      block.Around[i] = this->Find(block.U + i % 3 - 1, block.V + i / 3 - 1);
+      if (block.Around[i] >= 0)
+      {
+        this->Blocks[block.Around[i]].Around[8 - i] = number;
+      }
+    }
+  }
+}
+
 template <typename Block>
 int lms3dBlockGrid<Block>::FindOrMake(std::int32_t u, std::int32_t v)
 {
@@ -17,14 +36,8 @@ int lms3dBlockGrid<Block>::FindOrMake(std::int32_t u, std::int32_t v)
   this->Blocks.emplace_back();
   this->Blocks.back().U = u;
   this->Blocks.back().V = v;
+  this->Link(made);
   return made;
-}
-
-template <typename Block>
-bool lms3dBlockGrid<Block>::Has(BitsOf bits, std::int32_t u, std::int32_t v) const
-{
-  const int number = this->Find(GetBlockOf(u), GetBlockOf(v));
-  return number >= 0 && ((this->Blocks[number].*bits)[GetPlaceOf(v)] >> GetPlaceOf(u) & 1U) != 0;
 }
 
 template <typename Block>

@@ -8,14 +8,57 @@
 #define lms3dBlockGrid_h
 
 #include "Fusion/lms3dBlockIndex.h"
+#include "Fusion/lms3dBlockMemory.h"
 #include "Fusion/lms3dCellStrip.h"
 
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <memory>
+#include <utility>
 
 /// The bits of 64 x 64 cells, one word for each row.
 using lms3dBits = std::array<std::uint64_t, 64>;
+
+/// Bits with one word for all rows.
+constexpr lms3dBits lms3dMakeBits(std::uint64_t word)
+{
+  lms3dBits bits = {};
+  for (std::uint64_t& row : bits)
+  {
+    row = word;
+  }
+  return bits;
+}
+
+inline constexpr lms3dBits lms3dNoBits = lms3dMakeBits(0);
+inline constexpr lms3dBits lms3dAllBits = lms3dMakeBits(~std::uint64_t{ 0 });
+
+/// The place of the lowest of some bits, at least one.
+inline int lms3dGetLowestPlace(std::uint64_t bits)
+{
+#if defined(__GNUC__)
+  return __builtin_ctzll(bits);
+#else
+  int place = 0;
+  while ((bits >> place & 1U) == 0)
+  {
+    ++place;
+  }
+  return place;
+#endif
+}
+
+/// Whether all bits are set.
+inline bool lms3dAreAllSet(const lms3dBits& bits)
+{
+  std::uint64_t all = ~std::uint64_t{ 0 };
+  for (const std::uint64_t word : bits)
+  {
+    all &= word;
+  }
+  return all == ~std::uint64_t{ 0 };
+}
 
 /// What a region is made of.
 struct lms3dRegionBlock
@@ -46,6 +89,12 @@ public:
   static constexpr int Size = 64;
   using BitsOf = lms3dBits Block::*;
 
+  /// `memory` may be nullptr.
+  explicit lms3dBlockGrid(std::shared_ptr<lms3dBlockMemory> memory = nullptr)
+    : Blocks(lms3dBlockAllocator<Block>(std::move(memory)))
+  {
+  }
+
   int GetNumberOfBlocks() const { return static_cast<int>(this->Blocks.size()); }
   Block& GetBlock(int number) { return this->Blocks[number]; }
   const Block& GetBlock(int number) const { return this->Blocks[number]; }
@@ -55,10 +104,11 @@ public:
   /// The same, but makes the block if there is none. Successive calls for one block are quick.
   int Make(std::int32_t u, std::int32_t v)
   {
-    if (this->LastMade < 0 || this->Blocks[this->LastMade].U != u ||
-      this->Blocks[this->LastMade].V != v)
+    if (this->LastMade < 0 || this->LastU != u || this->LastV != v)
     {
       this->LastMade = this->FindOrMake(u, v);
+      this->LastU = u;
+      this->LastV = v;
     }
     return this->LastMade;
   }
@@ -66,7 +116,11 @@ public:
   static std::int32_t GetBlockOf(std::int32_t cell) { return cell >> 6; }
   static int GetPlaceOf(std::int32_t cell) { return cell & 63; }
 
-  bool Has(BitsOf bits, std::int32_t u, std::int32_t v) const;
+  bool Has(BitsOf bits, std::int32_t u, std::int32_t v) const
+  {
+    const int number = this->Find(GetBlockOf(u), GetBlockOf(v));
+    return number >= 0 && ((this->Blocks[number].*bits)[GetPlaceOf(v)] >> GetPlaceOf(u) & 1U) != 0;
+  }
 
   /// Returns whether a cell from `first` to `last` of a row has the bit.
   bool HasAny(BitsOf bits, std::int32_t row, std::int32_t first, std::int32_t last) const;
@@ -134,6 +188,8 @@ public:
   }
 
 protected:
+  /// Lets a new block know the blocks around it, and the reverse, if blocks keep these.
+  void Link(int number);
   int FindOrMake(std::int32_t u, std::int32_t v);
 
   /// Returns whether a cell of a box lies in a block and differs from its bit in `word`.
@@ -148,10 +204,12 @@ protected:
   }
 
   /// Blocks stay where they are in memory when others are made.
-  std::deque<Block> Blocks;
+  std::deque<Block, lms3dBlockAllocator<Block>> Blocks;
   lms3dBlockIndex Numbers;
   /// The block of the last call of Make(), -1 if there is none.
   int LastMade = -1;
+  std::int32_t LastU = 0;
+  std::int32_t LastV = 0;
 };
 
 using lms3dRegion = lms3dBlockGrid<lms3dRegionBlock>;

@@ -175,13 +175,20 @@ void lms3dCellWindow::Widen()
 }
 
 // A step without a change of either kind is the last one.
-void lms3dCellWindow::Race(lms3dCellWindow& first, lms3dCellWindow& second)
+void lms3dCellWindow::Race(
+  lms3dCellWindow undecided, lms3dCellWindow& first, lms3dCellWindow& second)
 {
   WideColumns wideFirst;
   WideColumns wideSecond;
   int unchanged = 0;
   for (int step = 1; step < Reach && unchanged < 2; ++step)
   {
+    undecided -= first;
+    undecided -= second;
+    if (!undecided.HasCells())
+    {
+      return;
+    }
     const bool hasEight = step % 2 == 0;
     Prepare(hasEight, first.Left, first.Right, wideFirst);
     Prepare(hasEight, second.Left, second.Right, wideSecond);

@@ -35,8 +35,8 @@ public:
 
   /// Widens two sides, which share no cell, step by step until they meet. A cell that both reach
   /// with one step stays without a side. Four neighbours and eight take turns: octagons are nearly
-  /// round.
-  static void Race(lms3dCellWindow& first, lms3dCellWindow& second);
+  /// round. Stops as soon as each cell of `undecided` has a side.
+  static void Race(lms3dCellWindow undecided, lms3dCellWindow& first, lms3dCellWindow& second);
 
   /// Adds the cells between cells, in gaps that are narrower than 16 cells along an axis.
   void Close();

@@ -50,6 +50,10 @@ using Triangle = std::array<lms3dPoint2, 3>;
 bool KeepsReturns(
   const Triangle& triangle, const std::array<lms3dPoint2, 2>& side, const lms3dRegion& region)
 {
+  if (!region.HasAny(&lms3dRegionBlock::Must, lms3dGetTouchedBox(triangle)))
+  {
+    return true;
+  }
   const lms3dSegment2 segment(side[0], side[1]);
   return lms3dForTouchedRows(triangle,
     [&](std::int32_t row, std::int32_t first, std::int32_t last)
@@ -79,6 +83,7 @@ bool MaySweep(
     return KeepsReturns(triangle, side, region);
   }
   return orientation == 0 ||
+    !region.HasAny(&lms3dRegionBlock::Passed, lms3dGetTouchedBox(triangle)) ||
     lms3dForTouchedRows(triangle,
       [&](std::int32_t row, std::int32_t first, std::int32_t last)
       { return !region.HasAny(&lms3dRegionBlock::Passed, row, first, last); });

@@ -7,6 +7,7 @@
 #ifndef lms3dFusedPlane_h
 #define lms3dFusedPlane_h
 
+#include "Fusion/lms3dBlockGroups.h"
 #include "Fusion/lms3dCreaseLine.h"
 #include "Fusion/lms3dFusedTile.h"
 #include "Fusion/lms3dLocalMap.h"
@@ -15,15 +16,22 @@
 #include "Fusion/lms3dRegionShape.h"
 #include "Fusion/lms3dWorldBox.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <deque>
 #include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 struct lms3dFusedPlane
 {
-  explicit lms3dFusedPlane(const lms3dPlaneFrame& frame)
+  /// `memory` is that of the blocks, or nullptr.
+  explicit lms3dFusedPlane(
+    const lms3dPlaneFrame& frame, std::shared_ptr<lms3dBlockMemory> memory = nullptr)
     : Frame(frame)
+    , Raster(std::move(memory))
   {
   }
 
@@ -39,7 +47,7 @@ struct lms3dFusedPlane
   /// Takes out all that scans saw. The tiles stay, without blocks and triangles.
   void Clear()
   {
-    this->Raster = {};
+    this->Raster.Clear();
     this->Shape = {};
     this->Returns.clear();
     this->Verbatim.clear();
@@ -51,6 +59,7 @@ struct lms3dFusedPlane
     this->ShapedBlocks = 0;
     this->OldBlocks = 0;
     this->BoxOfBlocks = {};
+    this->Groups = lms3dBlockGroups();
     this->BoxedBlocks = 0;
     this->HasNewCreases = true;
     for (lms3dFusedTile& tile : this->Tiles)
@@ -60,6 +69,31 @@ struct lms3dFusedPlane
       tile.DifferenceAtCreases = 0;
       tile.IsStale = true;
     }
+  }
+
+  /// Drops the returns that later scans saw through.
+  void DropForgotten()
+  {
+    const auto isForgotten = [this](const lms3dMappedReturn& mapped)
+    {
+      const lms3dPoint2 place = this->Frame.ToCells(mapped.Point);
+      const auto u = lms3dGetCellOf(place[0]);
+      const auto v = lms3dGetCellOf(place[1]);
+      return !this->Raster.Has(&lms3dRasterBlock::Must, u, v) &&
+        !this->Raster.Has(&lms3dRasterBlock::Beside, u, v);
+    };
+    this->Returns.erase(
+      std::remove_if(this->Returns.begin(), this->Returns.end(), isForgotten), this->Returns.end());
+  }
+
+  std::size_t CountTriangles() const
+  {
+    std::size_t triangles = 0;
+    for (const lms3dFusedTile& tile : this->Tiles)
+    {
+      triangles += tile.Mesh.Triangles.size();
+    }
+    return triangles;
   }
 
   lms3dWorldBox GetBoxOfBlock(int number) const
@@ -96,6 +130,13 @@ struct lms3dFusedPlane
     return this->BoxOfBlocks;
   }
 
+  /// The groups of all blocks.
+  const lms3dBlockGroups& GetGroups()
+  {
+    this->Groups.Update(this->Raster);
+    return this->Groups;
+  }
+
   lms3dPlaneFrame Frame;
   lms3dRaster Raster;
   /// Whether the surface is curved.
@@ -104,6 +145,8 @@ struct lms3dFusedPlane
   /// are then kept.
   bool IsWeak = false;
   std::vector<lms3dMappedReturn> Returns;
+  /// How many triangles the plane had when its returns were last grouped anew.
+  std::size_t RegroupedTriangles = 0;
   /// Whether others have taken the place of the plane.
   bool HasGone = false;
   /// Whether a local map has surface here. A facet has none, nor has a plane that went.
@@ -129,6 +172,7 @@ struct lms3dFusedPlane
   int OldBlocks = 0;
 
 private:
+  lms3dBlockGroups Groups;
   lms3dWorldBox BoxOfBlocks;
   /// The blocks before this one are in the box.
   int BoxedBlocks = 0;

@@ -5,7 +5,6 @@
 #include "Fusion/lms3dCoveredCells.h"
 #include "Fusion/lms3dFacet.h"
 #include "Fusion/lms3dRasterRows.h"
-#include "Geometry/lms3dTriangleDistance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,19 +21,11 @@ constexpr int LargestReach = 2;
 // A weak plane with more returns is not weak any more.
 constexpr std::size_t LargestWeakCount = 20000;
 
-// Whether a return is near enough to a triangle of a local map that is a region of its own.
-bool IsAtVerbatim(const lms3dFusedPlane& plane, const lms3dVector& point, double bound)
-{
-  return plane.Verbatim.empty() ||
-    std::any_of(plane.Verbatim.begin(), plane.Verbatim.end(),
-      [&](const std::array<lms3dVector, 3>& corners)
-      { return lms3dGetDistance(point, corners[0], corners[1], corners[2]) <= bound; });
-}
-
-// Lets a scan have seen a block.
-void See(
+// Lets a scan have seen a block. Returns whether this changes its sightings.
+bool See(
   const lms3dMappedReturn& mapped, const lms3dVector& normal, int scan, lms3dRasterBlock& block)
 {
+  const bool isLast = block.Sightings.LastScan < scan;
   block.Sightings.ScanCount += block.Sightings.LastScan < scan ? 1 : 0;
   block.Sightings.LastScan = std::max(block.Sightings.LastScan, scan);
   const double quality = -lms3dDot(normal, mapped.Direction) / (mapped.Range * mapped.Range);
@@ -42,20 +33,23 @@ void See(
   {
     block.Quality = quality;
     block.Sightings.BestScan = scan;
+    return true;
   }
+  return isLast;
 }
 } // namespace
 
 lms3dFusedPlanes::lms3dFusedPlanes(double maximumError)
   : MaximumError(maximumError)
   , Cell(maximumError / CellsPerBound)
+  , Memory(std::make_shared<lms3dBlockMemory>(sizeof(lms3dRasterBlock)))
   , Boxes(CubeShare * maximumError)
 {
 }
 
 int lms3dFusedPlanes::MakePlane(const lms3dVector& point, const lms3dVector& normal)
 {
-  this->Planes.emplace_back(lms3dPlaneFrame(point, normal, this->Cell));
+  this->Planes.emplace_back(lms3dPlaneFrame(point, normal, this->Cell), this->Memory);
   this->Boxes.AddPlane();
   return static_cast<int>(this->Planes.size()) - 1;
 }
@@ -70,12 +64,15 @@ void lms3dFusedPlanes::GrowBox(int number, const lms3dLocalMap& local, int trian
 
 void lms3dFusedPlanes::GuessTriangle(int number, const lms3dLocalMap& local, int triangle)
 {
+  this->GuessTriangle(number,
+    { local.GetCorner(triangle, 0), local.GetCorner(triangle, 1), local.GetCorner(triangle, 2) });
+}
+
+void lms3dFusedPlanes::GuessTriangle(int number, const std::array<lms3dVector, 3>& corners)
+{
   lms3dFusedPlane& plane = this->Planes[number];
-  std::array<lms3dPoint2, 3> cells;
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    cells[corner] = plane.Frame.ToCells(local.GetCorner(triangle, corner));
-  }
+  const std::array<lms3dPoint2, 3> cells = { plane.Frame.ToCells(corners[0]),
+    plane.Frame.ToCells(corners[1]), plane.Frame.ToCells(corners[2]) };
   lms3dForTouchedStrips(cells,
     [&](const lms3dCellStrip& strip)
     {
@@ -130,31 +127,55 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   const auto u = lms3dGetCellOf(place[0]);
   const auto v = lms3dGetCellOf(place[1]);
   const int blockNumber = plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
-  lms3dRasterBlock& block = plane.Raster.GetBlock(blockNumber);
-  plane.Raster.SetMark(blockNumber, lms3dRaster::SEEN);
+  plane.Raster.SetReturn(blockNumber, lms3dRaster::GetPlaceOf(u), lms3dRaster::GetPlaceOf(v));
+  this->NoteReturn(plane, blockNumber, mapped);
+  if (!this->IsCovered(plane, plane.Raster.GetBlock(blockNumber), u, v))
+  {
+    plane.Raster.SetMark(blockNumber, lms3dRaster::STALE);
+  }
+  return true;
+}
+
+// Notes what a return in a block means for the plane, apart from its region.
+void lms3dFusedPlanes::NoteReturn(
+  lms3dFusedPlane& plane, int blockNumber, const lms3dMappedReturn& mapped) const
+{
+  const int scan = mapped.Scan < 0 ? this->Scan : mapped.Scan;
   if (plane.IsWeak)
   {
     plane.Returns.push_back(mapped);
-    plane.Returns.back().Scan = mapped.Scan < 0 ? this->Scan : mapped.Scan;
+    plane.Returns.back().Scan = scan;
     if (plane.Returns.size() > LargestWeakCount)
     {
       plane.IsWeak = false;
       plane.Returns = {};
     }
   }
-  plane.Raster.SetReturn(blockNumber, lms3dRaster::GetPlaceOf(u), lms3dRaster::GetPlaceOf(v));
+  lms3dRasterBlock& block = plane.Raster.GetBlock(blockNumber);
   const double height = std::abs(plane.Frame.GetHeight(mapped.Point));
   if (lms3dGetCoveredReach(height, this->Cell, this->MaximumError) < LargestReach)
   {
-    block.Far[lms3dRaster::GetPlaceOf(v)] |= std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
+    const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+    block.Far[lms3dRaster::GetPlaceOf(lms3dGetCellOf(place[1]))] |= std::uint64_t{ 1 }
+      << lms3dRaster::GetPlaceOf(lms3dGetCellOf(place[0]));
     block.Deviation = std::max(block.Deviation, height);
   }
-  if (!this->IsCovered(plane, block, u, v))
+  if (See(mapped, plane.Frame.GetNormal(), scan, block))
   {
-    plane.Raster.SetMark(blockNumber, lms3dRaster::STALE);
+    plane.Raster.SetMark(blockNumber, lms3dRaster::SEEN);
   }
-  See(mapped, plane.Frame.GetNormal(), mapped.Scan < 0 ? this->Scan : mapped.Scan, block);
-  return true;
+}
+
+void lms3dFusedPlanes::AddBeside(int number, const lms3dMappedReturn& mapped)
+{
+  lms3dFusedPlane& plane = this->Planes[number];
+  const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+  const auto u = lms3dGetCellOf(place[0]);
+  const auto v = lms3dGetCellOf(place[1]);
+  const int block = plane.Raster.Find(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
+  plane.Raster.GetBlock(block).Beside[lms3dRaster::GetPlaceOf(v)] |= std::uint64_t{ 1 }
+    << lms3dRaster::GetPlaceOf(u);
+  this->NoteReturn(plane, block, mapped);
 }
 
 // A small triangle around a return, across its beam.
@@ -169,62 +190,6 @@ void lms3dFusedPlanes::AddFacet(const lms3dMappedReturn& mapped)
   this->Planes[number].IsWeak = true;
   this->GrowBox(number, mapped.Point);
   this->AddReturn(number, mapped);
-}
-
-bool lms3dFusedPlanes::Shows(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const
-{
-  const double bound = this->GetLargestDistance();
-  if (lms3dDot(plane.Frame.GetNormal(), mapped.Direction) >= 0.0 ||
-    !plane.Explains(mapped.Point, mapped.Direction, bound))
-  {
-    return false;
-  }
-  const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
-  const auto u = lms3dGetCellOf(place[0]);
-  const auto v = lms3dGetCellOf(place[1]);
-  return plane.Raster.Has(&lms3dRasterBlock::May, u, v) &&
-    !plane.Raster.Has(&lms3dRasterBlock::Open, u, v) &&
-    !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) && IsAtVerbatim(plane, mapped.Point, bound);
-}
-
-std::vector<int> lms3dFusedPlanes::FindPlanesNear(
-  const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
-{
-  lms3dWorldBox box;
-  for (const lms3dMappedReturn& mapped : returns)
-  {
-    box.Add(mapped.Point);
-  }
-  std::vector<int> planes = this->Boxes.Find(box, this->MaximumError, end);
-  planes.erase(std::remove_if(planes.begin(), planes.end(),
-                 [&](int plane)
-                 {
-                   return !this->Planes[plane].HasSurface ||
-                     !this->Planes[plane].Frame.IsNear(box, this->MaximumError);
-                 }),
-    planes.end());
-  return planes;
-}
-
-bool lms3dFusedPlanes::ShowShare(
-  double share, const std::vector<int>& planes, const std::vector<lms3dMappedReturn>& returns) const
-{
-  const auto count = static_cast<double>(returns.size());
-  const double allowed = count - share * count;
-  double hidden = 0.0;
-  // The plane that shows a return often shows the next one, too.
-  auto last = planes.end();
-  return std::all_of(returns.begin(), returns.end(),
-    [&](const lms3dMappedReturn& mapped)
-    {
-      const auto shows = [&](int plane) { return this->Shows(this->Planes[plane], mapped); };
-      if (last == planes.end() || !shows(*last))
-      {
-        last = std::find_if(planes.begin(), planes.end(), shows);
-      }
-      hidden += last != planes.end() ? 0.0 : 1.0;
-      return hidden <= allowed;
-    });
 }
 
 bool lms3dFusedPlanes::AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped)

@@ -11,8 +11,11 @@
 #include "Fusion/lms3dLocalMap.h"
 #include "Fusion/lms3dPlaneBoxes.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <vector>
 
 /// A plane keeps its number. Lengths are metres.
@@ -49,6 +52,7 @@ public:
   /// Threads may call these for different planes at the same time. Lets a plane have surface where
   /// a triangle of a local map is. The cells get Guess until AcceptGuesses().
   void GuessTriangle(int number, const lms3dLocalMap& local, int triangle);
+  void GuessTriangle(int number, const std::array<lms3dVector, 3>& corners);
 
   /// Lets a plane have surface where Guess says so.
   void AcceptGuesses(int number);
@@ -56,6 +60,17 @@ public:
   /// Adds a return to a plane. Returns false if the plane does not explain it.
   bool AddReturn(int number, const lms3dMappedReturn& mapped);
   ///@}
+
+  /// Whether the triangles of a plane explain a return: they are within the bound of it.
+  bool Covers(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const;
+
+  /// The first plane within a distance, metres, that covers a return, and is not an exception; -1
+  /// if there is none.
+  int FindCovering(
+    const lms3dMappedReturn& mapped, const std::vector<int>& exceptions, double distance) const;
+
+  /// Adds a return to a plane that covers it. The region does not grow to it.
+  void AddBeside(int number, const lms3dMappedReturn& mapped);
 
   /// Adds a return to the first plane that shows it. Returns false if none does.
   bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);
@@ -72,6 +87,9 @@ public:
   std::vector<int> FindPlanesNear(
     const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
 
+  /// The box of the triangles of local maps that joined a plane.
+  const lms3dWorldBox& GetBox(std::size_t number) const { return this->Boxes.GetBox(number); }
+
   /// The planes whose boxes are nearer to a box than a distance along each axis.
   std::vector<int> FindPlanesNear(const lms3dWorldBox& box, double distance) const
   {
@@ -83,12 +101,15 @@ public:
     const std::vector<lms3dMappedReturn>& returns) const;
 
 private:
+  void NoteReturn(lms3dFusedPlane& plane, int blockNumber, const lms3dMappedReturn& mapped) const;
   bool IsCovered(const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u,
     std::int32_t v) const;
 
   const double MaximumError;
   const double Cell;
   int Scan = 0;
+  /// The memory of the blocks of all planes.
+  std::shared_ptr<lms3dBlockMemory> Memory;
   std::deque<lms3dFusedPlane> Planes;
   /// The boxes of the triangles of local maps that joined.
   lms3dPlaneBoxes Boxes;

@@ -11,12 +11,15 @@
 #include "Fusion/lms3dRaster.h"
 #include "Triangulation/lms3dOrientation.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 struct lms3dFusedTile
 {
+  using Cell = std::array<std::int32_t, 2>;
+
   /// The blocks along a side. So a tile is 683 times as wide as the error bound.
   static constexpr int Size = 32;
 
@@ -73,6 +76,8 @@ struct lms3dFusedTile
 
   std::vector<int> Blocks;
   lms3dFusedMesh Mesh;
+  /// The cells of returns that have facets.
+  std::vector<Cell> Facets;
   int Revision = 0;
   /// How many cells of its blocks differ between Shape and Meshed, and how many of them are near
   /// creases.

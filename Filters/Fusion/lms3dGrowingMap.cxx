@@ -3,16 +3,18 @@
 #include "Fusion/lms3dGrowingMap.h"
 
 #include "Fusion/lms3dCreases.h"
+#include "Fusion/lms3dHandedReturns.h"
 #include "Fusion/lms3dLocalMap.h"
-#include "Fusion/lms3dPassedBeams.h"
+#include "Fusion/lms3dLooseRegions.h"
+#include "Fusion/lms3dPassedPlanes.h"
 #include "Fusion/lms3dRegionMesher.h"
 #include "Fusion/lms3dRegionSightings.h"
+#include "Fusion/lms3dRegrouping.h"
 #include "Fusion/lms3dScanJoin.h"
 #include "Fusion/lms3dWeakPlanes.h"
 
 #include <vtkPolyData.h>
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -23,6 +25,9 @@ namespace
 {
 constexpr double TimeOfCasting = 0.3;
 constexpr double TimeOfMarking = 0.5;
+constexpr double TimeOfRenewal = 0.85;
+// As a share of the time of reducing.
+constexpr double TimeOfNewPlanes = 0.9;
 // As a share of the time of making regions anew.
 constexpr double TimeOfShapes = 0.3;
 // How many tiles get new triangles between two looks at the progress.
@@ -55,33 +60,55 @@ bool lms3dGrowingMap::Add(
   this->AddTable(scan);
   this->Positions.push_back(scan.GetSensorPosition());
   auto ranges = std::make_unique<lms3dSeenRanges>(scan, this->Table);
-  const lms3dLocalMap local(map, scan, *ranges, this->Settings.MaximumError);
+  lms3dLocalMap local(map, scan, *ranges, this->Settings.MaximumError, std::move(this->Returns));
   if (!progress(TimeOfCasting))
   {
     return false;
   }
   if (this->Settings.ForgetSeenThrough)
   {
-    this->MarkPassed(*ranges, true);
+    lms3dMarkPassed(*ranges, true, this->Planes);
   }
   this->Planes.SetScan(this->GetNumberOfScans() - 1);
   lms3dScanJoin(local, *ranges, this->Planes).Join();
-  this->MarkPassed(*ranges, false);
-  this->MarkPassedEarlier();
+  this->Returns = std::move(local.Returns);
+  lms3dMarkPassed(*ranges, false, this->Planes);
+  lms3dMarkPassedEarlier(this->Seen, this->Planes);
   if (this->Settings.KeepReturns)
   {
     this->Seen.push_back(std::move(ranges));
   }
   lms3dDissolveWeakPlanes(this->Planes);
+  lms3dHandReturnsOver(this->Planes, this->GetNumberOfScans() - 1);
   if (!progress(TimeOfMarking))
   {
     return false;
   }
-  return this->Renew(lms3dGetStepProgress(progress, TimeOfMarking, 1.0));
+  return this->Renew(lms3dGetStepProgress(progress, TimeOfMarking, TimeOfRenewal)) &&
+    this->Reduce(lms3dGetStepProgress(progress, TimeOfRenewal, 1.0));
 }
 
-// The threads divide planes, then tiles. A tile depends on its plane and on the frames of other
-// planes alone.
+// Lets fewer triangles take the place of others. Beams of earlier scans must say where new planes
+// may have surface.
+bool lms3dGrowingMap::Reduce(const lms3dProgress& progress)
+{
+  lms3dDropLooseRegions(this->Planes);
+  if (!this->Settings.KeepReturns)
+  {
+    return this->Renew(progress);
+  }
+  lms3dRegrouping regrouping(this->Planes, this->Table->GetBeamsOfFan());
+  regrouping.MakePlanes();
+  lms3dMarkPassedEarlier(this->Seen, this->Planes);
+  if (!this->Renew(lms3dGetStepProgress(progress, 0.0, TimeOfNewPlanes)))
+  {
+    return false;
+  }
+  regrouping.Choose();
+  return this->Renew(lms3dGetStepProgress(progress, TimeOfNewPlanes, 1.0));
+}
+
+// The threads divide planes, then tiles. A tile depends on its plane and on other frames alone.
 bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
 {
   std::vector<int> changed;
@@ -207,43 +234,4 @@ void lms3dGrowingMap::RenewTile(const TileToRenew& place)
   lms3dSetSightings(plane, tile);
   tile.IsStale = false;
   tile.IsSeen = false;
-}
-
-void lms3dGrowingMap::MarkPassed(const lms3dSeenRanges& ranges, bool forgets)
-{
-  const double bound = this->Settings.MaximumError;
-  tbb::enumerable_thread_specific<lms3dPassedBeams> beams(bound, forgets);
-  tbb::parallel_for(std::size_t{ 0 }, this->Planes.GetSize(),
-    [&](std::size_t i)
-    {
-      lms3dFusedPlane& plane = this->Planes[i];
-      if (plane.GetBoxOfBlocks().IsNear(ranges.GetBox(), bound))
-      {
-        beams.local().Mark(ranges, plane, 0);
-      }
-    });
-}
-
-// Marks where beams of earlier scans passed through new blocks.
-void lms3dGrowingMap::MarkPassedEarlier()
-{
-  const double bound = this->Settings.MaximumError;
-  tbb::enumerable_thread_specific<lms3dPassedBeams> beams(bound, false);
-  tbb::parallel_for(std::size_t{ 0 }, this->Planes.GetSize(),
-    [&](std::size_t i)
-    {
-      lms3dFusedPlane& plane = this->Planes[i];
-      if (plane.OldBlocks == plane.Raster.GetNumberOfBlocks())
-      {
-        return;
-      }
-      const lms3dWorldBox box = plane.GetBoxOfBlocks(plane.OldBlocks);
-      for (const std::unique_ptr<lms3dSeenRanges>& earlier : this->Seen)
-      {
-        if (box.IsNear(earlier->GetBox(), bound))
-        {
-          beams.local().Mark(*earlier, plane, plane.OldBlocks);
-        }
-      }
-    });
 }

@@ -40,8 +40,7 @@ private:
   };
 
   void AddTable(const lms3dScanInput& scan);
-  void MarkPassed(const lms3dSeenRanges& ranges, bool forgets);
-  void MarkPassedEarlier();
+  bool Reduce(const lms3dProgress& progress);
   bool Renew(const lms3dProgress& progress);
   void AddTiles(lms3dFusedPlane& plane);
   void RenewShape(int number);
@@ -54,6 +53,8 @@ private:
   std::vector<std::unique_ptr<lms3dSeenRanges>> Seen;
   lms3dFusedPlanes Planes;
   std::vector<const lms3dFusedTile*> Regions;
+  /// The returns of the last local map. The next one uses their memory.
+  std::vector<lms3dMappedReturn> Returns;
 };
 
 #endif

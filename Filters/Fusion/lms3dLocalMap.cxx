@@ -19,6 +19,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace
@@ -131,9 +132,10 @@ private:
 };
 } // namespace
 
-lms3dLocalMap::lms3dLocalMap(
-  vtkPolyData* map, const lms3dScanInput& scan, const lms3dSeenRanges& ranges, double maximumError)
+lms3dLocalMap::lms3dLocalMap(vtkPolyData* map, const lms3dScanInput& scan,
+  const lms3dSeenRanges& ranges, double maximumError, std::vector<lms3dMappedReturn> others)
   : Mesh(ReadMesh(map))
+  , Returns(std::move(others))
 {
   vtkDataArray* const patches = map->GetCellData()->GetArray("PatchId");
   for (std::size_t i = 0; i < this->Mesh.GetNumberOfTriangles(); ++i)
@@ -155,10 +157,12 @@ lms3dLocalMap::lms3dLocalMap(
     {
       const std::size_t first = task * BeamsOfTask;
       const std::size_t end = std::min(first + BeamsOfTask, count);
+      const auto* const ids = scan.GetBeamIds();
+      const double* const beamRanges = scan.GetRanges();
       for (std::size_t i = first; i < end; ++i)
       {
-        const int id = scan.GetBeamIds()[i];
-        const double range = scan.GetRanges()[i];
+        const int id = ids[i];
+        const double range = beamRanges[i];
         const lms3dVector direction = ranges.GetDirection(id);
         this->Returns[i] = { lms3dAdd(ranges.GetStart(id), lms3dScale(direction, range)), direction,
           range, id, -1 };

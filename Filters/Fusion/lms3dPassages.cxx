@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dPassages.h"
 
+#include "Geometry/lms3dWideLoops.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace
 {
-// The diagonal of a block from its centre, cells.
-constexpr double HalfDiagonal = 45.26;
 // The share of the bound from which on a beam counts as passed; less than 1 because of rounding.
 constexpr double PassedShare = 0.999;
 constexpr double SmallestCosine = 1e-9;
@@ -41,21 +41,29 @@ public:
   /// Whether each beam from a place on may pass. Beams must start at the sensor's position.
   std::array<bool, Count> Look(int place, int count) const
   {
-    const float* const x = this->Table.GetNarrowDirections(0) + place;
-    const float* const y = this->Table.GetNarrowDirections(1) + place;
-    const float* const z = this->Table.GetNarrowDirections(2) + place;
-    const float* const ranges = this->Ranges + place;
-    constexpr auto Share = static_cast<float>(QuickShare);
-    std::array<bool, Count> mayPass = {};
-    for (int i = 0; i < count; ++i)
-    {
-      const float cosine = this->Behind[0] * x[i] + this->Behind[1] * y[i] + this->Behind[2] * z[i];
-      mayPass[i] = (ranges[i] - this->Bound) * cosine + Share * ranges[i] >= this->Height;
-    }
+    const std::array<const float*, 3> directions = { this->Table.GetNarrowDirections(0) + place,
+      this->Table.GetNarrowDirections(1) + place, this->Table.GetNarrowDirections(2) + place };
+    std::array<bool, Count> mayPass;
+    this->Look(directions, this->Ranges + place, count, mayPass.data());
     return mayPass;
   }
 
 private:
+  LMS3D_WIDE_LOOPS void Look(const std::array<const float*, 3>& directions, const float* ranges,
+    int count, bool* mayPass) const
+  {
+    const auto [x, y, z] = directions;
+    const std::array<float, 3> behind = this->Behind;
+    const float bound = this->Bound;
+    const float height = this->Height;
+    constexpr auto Share = static_cast<float>(QuickShare);
+    for (int i = 0; i < count; ++i)
+    {
+      const float cosine = behind[0] * x[i] + behind[1] * y[i] + behind[2] * z[i];
+      mayPass[i] = (ranges[i] - bound) * cosine + Share * ranges[i] >= height;
+    }
+  }
+
   const lms3dBeamTable& Table;
   const float* const Ranges;
   const float Bound;
@@ -87,21 +95,20 @@ lms3dPassage lms3dPassages::Look(int beamId) const
   return { true, this->Plane->Frame.ToCells(lms3dAdd(start, lms3dScale(direction, crossing))) };
 }
 
-void lms3dPassages::FindBins(int firstBlock)
+void lms3dPassages::FindBins(const lms3dBlockGroups& groups)
 {
   this->HasBin.resize(static_cast<std::size_t>(this->Ranges->GetTable().GetNumberOfBins()));
-  const double radius = HalfDiagonal * this->Plane->Frame.GetCell();
-  for (int block = firstBlock; block < this->Plane->Raster.GetNumberOfBlocks(); ++block)
+  const lms3dPlaneFrame& frame = this->Plane->Frame;
+  for (const lms3dBlockGroup& group : groups.Get())
   {
-    const lms3dRasterBlock& cells = this->Plane->Raster.GetBlock(block);
-    const lms3dVector centre = this->Plane->Frame.ToWorld(
-      { (cells.U + 0.5) * lms3dRaster::Size, (cells.V + 0.5) * lms3dRaster::Size });
+    const lms3dVector centre = group.GetCentre(frame);
+    const double radius = group.GetRadius(frame);
     if (!this->Ranges->GetBox().IsNear(centre, radius))
     {
       continue;
     }
-    this->Ranges->FindBins(centre, radius, this->BinsOfBlock);
-    for (const int bin : this->BinsOfBlock)
+    this->Ranges->FindBins(centre, radius, this->BinsOfGroup);
+    for (const int bin : this->BinsOfGroup)
     {
       if (this->HasBin[bin] == 0)
       {
@@ -141,9 +148,12 @@ void lms3dPassages::FindAt(const QuickLook& look, int firstPlace, int endOfPlace
     const std::array<bool, QuickLook::Count> mayPass = look.Look(place, count);
     for (int i = 0; i < count; ++i)
     {
+      if (!mayPass[i] && !table.HasStarts())
+      {
+        continue;
+      }
       const int beam = table.GetBeam(place + i);
-      const lms3dPassage passage =
-        mayPass[i] || table.HasStarts() ? this->Look(beam) : lms3dPassage();
+      const lms3dPassage passage = this->Look(beam);
       if (passage.IsPassed)
       {
         this->Numbers[beam] = static_cast<int>(this->Beams.size());
@@ -155,12 +165,12 @@ void lms3dPassages::FindAt(const QuickLook& look, int firstPlace, int endOfPlace
 }
 
 void lms3dPassages::Find(
-  const lms3dSeenRanges& ranges, const lms3dFusedPlane& plane, int firstBlock)
+  const lms3dSeenRanges& ranges, const lms3dFusedPlane& plane, const lms3dBlockGroups& groups)
 {
   this->Forget();
   this->Ranges = &ranges;
   this->Plane = &plane;
-  this->FindBins(firstBlock);
+  this->FindBins(groups);
   this->FindInBins();
 }
 

@@ -7,6 +7,7 @@
 #ifndef lms3dPassages_h
 #define lms3dPassages_h
 
+#include "Fusion/lms3dBlockGroups.h"
 #include "Fusion/lms3dFusedPlane.h"
 #include "Fusion/lms3dSeenRanges.h"
 
@@ -30,9 +31,10 @@ public:
   {
   }
 
-  /// Finds all beams that passed through the blocks of a plane from `firstBlock` on, and some that
-  /// passed beside them. Keeps references.
-  void Find(const lms3dSeenRanges& ranges, const lms3dFusedPlane& plane, int firstBlock);
+  /// Finds all beams that passed through groups of blocks of a plane, and some that passed beside
+  /// them. Keeps references to the ranges and the plane.
+  void Find(
+    const lms3dSeenRanges& ranges, const lms3dFusedPlane& plane, const lms3dBlockGroups& groups);
 
   std::size_t GetSize() const { return this->Beams.size(); }
   int GetBeam(std::size_t i) const { return this->Beams[i]; }
@@ -45,7 +47,7 @@ private:
   class QuickLook;
 
   void Forget();
-  void FindBins(int firstBlock);
+  void FindBins(const lms3dBlockGroups& groups);
   void FindInBins();
   void FindAt(const QuickLook& look, int firstPlace, int endOfPlaces);
   lms3dPassage Look(int beamId) const;
@@ -55,7 +57,7 @@ private:
   const lms3dFusedPlane* Plane = nullptr;
   /// The bins of the beams that were looked at.
   std::vector<int> Bins;
-  std::vector<int> BinsOfBlock;
+  std::vector<int> BinsOfGroup;
   std::vector<char> HasBin;
   /// The beams of these bins that passed, and the place of each.
   std::vector<int> Beams;

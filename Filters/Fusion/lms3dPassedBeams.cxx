@@ -17,13 +17,14 @@ constexpr double LargestDistance = 128.0;
 constexpr double LargestCell = 2e9;
 } // namespace
 
-void lms3dPassedBeams::Mark(const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock)
+void lms3dPassedBeams::Mark(
+  const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, const lms3dBlockGroups& groups)
 {
-  this->Passages.Find(ranges, plane, firstBlock);
+  this->Passages.Find(ranges, plane, groups);
   this->LastBlock = {};
   for (std::size_t i = 0; i < this->Passages.GetSize(); ++i)
   {
-    this->MarkBeam(ranges, plane, firstBlock, i);
+    this->MarkBeam(ranges, plane, groups.GetFirstBlock(), i);
   }
 }
 

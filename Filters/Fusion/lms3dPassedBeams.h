@@ -7,6 +7,7 @@
 #ifndef lms3dPassedBeams_h
 #define lms3dPassedBeams_h
 
+#include "Fusion/lms3dBlockGroups.h"
 #include "Fusion/lms3dFusedPlane.h"
 #include "Fusion/lms3dPassages.h"
 #include "Fusion/lms3dSeenRanges.h"
@@ -26,9 +27,9 @@ public:
   {
   }
 
-  /// Sets Passed of the blocks of a plane from `firstBlock` on, and Open between the beams that
+  /// Sets Passed of the blocks of a plane that are in groups, and Open between the beams that
   /// passed them.
-  void Mark(const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, int firstBlock);
+  void Mark(const lms3dSeenRanges& ranges, lms3dFusedPlane& plane, const lms3dBlockGroups& groups);
 
 private:
   /// The block that was found last: successive beams often pass through one block.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 namespace
@@ -63,15 +64,25 @@ private:
 
   void LookAtRow(const lms3dRegionBlock& block, int row)
   {
-    const std::uint64_t passed = block.Passed[row] & ~block.May[row];
-    for (int place = 0; place < lms3dRaster::Size && passed >> place != 0; ++place)
+    for (std::uint64_t passed = block.Passed[row] & ~block.May[row] & GetBesideMay(block, row);
+         passed != 0; passed &= passed - 1)
     {
-      if ((passed >> place & 1U) != 0)
-      {
-        this->LookAround(
-          { block.U * lms3dRaster::Size + place, block.V * lms3dRaster::Size + row });
-      }
+      const int place = lms3dGetLowestPlace(passed);
+      this->LookAround({ block.U * lms3dRaster::Size + place, block.V * lms3dRaster::Size + row });
     }
+  }
+
+  /// The cells of a row that may have a neighbour with May.
+  static std::uint64_t GetBesideMay(const lms3dRegionBlock& block, int row)
+  {
+    constexpr int Last = lms3dRaster::Size - 1;
+    constexpr std::uint64_t AtSides = 1U | std::uint64_t{ 1 } << Last;
+    if (row == 0 || row == Last)
+    {
+      return ~std::uint64_t{ 0 };
+    }
+    return AtSides | block.May[row] << 1U | block.May[row] >> 1U | block.May[row - 1] |
+      block.May[row + 1];
   }
 
   void LookAround(const Cell& passed)
@@ -117,7 +128,7 @@ private:
   void ClearIsland(const Cell& first)
   {
     std::vector<Cell> island;
-    if (this->Has(&lms3dRegionBlock::May, first))
+    if (this->Has(&lms3dRegionBlock::May, first) && this->Kept.count(first) == 0)
     {
       island.push_back(first);
     }
@@ -126,6 +137,7 @@ private:
       const Cell cell = island[i];
       if (island.size() > LargestIsland || this->Has(&lms3dRegionBlock::Must, cell))
       {
+        this->Kept.insert(island.begin(), island.end());
         return;
       }
       for (const Cell& step : Steps)
@@ -148,6 +160,8 @@ private:
   lms3dRegion& Region;
   /// The cells that lose May.
   std::vector<Cell> Opened;
+  /// Cells of islands that stay.
+  std::set<Cell> Kept;
 };
 } // namespace
 

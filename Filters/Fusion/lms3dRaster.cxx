@@ -94,6 +94,7 @@ void lms3dRaster::Forget(const lms3dCellStrip& strip)
       lms3dRasterBlock& block = this->Blocks[number];
       const std::uint64_t gone = bits & block.Must[row];
       block.Must[row] &= ~bits;
+      block.Beside[row] &= ~bits;
       block.Far[row] &= ~bits;
       this->AddChanges(number, &lms3dChangedSquares::Less, row, gone);
     });

@@ -11,7 +11,10 @@
 #include "Fusion/lms3dFusedMesh.h"
 #include "Fusion/lms3dSquares.h"
 
+#include <array>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 /// May are the cells where a local map has surface.
@@ -21,17 +24,40 @@ struct lms3dRasterBlock : lms3dRegionBlock
   lms3dBits Guess = {};
   /// Here is a place between beams that all passed, without a return among them.
   lms3dBits Open = {};
+  /// A return lies here that the mesh explains, but that the region need not grow to.
+  lms3dBits Beside = {};
   /// The region covers the cell, before its borders are straightened: now, and when the mesh was
   /// made.
   lms3dBits Shape = {};
   lms3dBits Meshed = {};
 
-  /// The largest distance of a return in Far from the plane, metres.
-  double Deviation = 0.0;
-  lms3dSightings Sightings;
+  /// What each return changes lies together in memory.
+  alignas(64) lms3dSightings Sightings;
+  /// Bits of lms3dRaster::Mark.
+  unsigned Marks = 0;
+  /// Whether all bits of May, of Shape, of Meshed, and of Covered and Touched are set. They spare
+  /// most looks at the bits.
+  bool IsFull = false;
+  bool IsShapeFull = false;
+  bool IsMeshedFull = false;
+  bool IsAllCovered = false;
+  /// Whether a bit of Passed, or of Open, is set.
+  bool HasPassed = false;
+  bool HasOpen = false;
+  /// Whether more returns in cells of the shape make no shape anew.
+  bool IsCalm = false;
   /// How well BestScan saw the block: larger is better.
   double Quality = 0.0;
+  /// The largest distance of a return in Far from the plane, metres.
+  double Deviation = 0.0;
+  /// What changed since lms3dMarkDependents().
+  lms3dChangedSquares Changes;
 
+  /// The region when the shape was made.
+  lms3dRegionSquares Region;
+  /// The numbers of the blocks around, row by row, with this block in the middle; -1 where there
+  /// is none.
+  std::array<int, 9> Around = { -1, -1, -1, -1, -1, -1, -1, -1, -1 };
   /// The tile of the plane, -1 for a new block.
   int Tile = -1;
   /// How many cells differ between Shape and Meshed.
@@ -40,19 +66,6 @@ struct lms3dRasterBlock : lms3dRegionBlock
   int DifferenceAtCreases = 0;
   /// How many cells of creases are new since the mesh was made.
   int NewCreaseCells = 0;
-  /// Whether all bits of May are set.
-  bool IsFull = false;
-  /// Whether a bit of Passed, or of Open, is set.
-  bool HasPassed = false;
-  bool HasOpen = false;
-  /// Whether more returns in cells of the shape make no shape anew.
-  bool IsCalm = false;
-  /// Bits of lms3dRaster::Mark.
-  unsigned Marks = 0;
-  /// What changed since lms3dMarkDependents().
-  lms3dChangedSquares Changes;
-  /// The region when the shape was made.
-  lms3dRegionSquares Region;
 };
 
 class lms3dRaster : public lms3dBlockGrid<lms3dRasterBlock>
@@ -74,6 +87,15 @@ public:
     /// The local map that joined has surface where no map before it had.
     GREW = 32
   };
+
+  /// `memory` may be nullptr.
+  explicit lms3dRaster(std::shared_ptr<lms3dBlockMemory> memory = nullptr)
+    : lms3dBlockGrid(std::move(memory))
+  {
+  }
+
+  /// Takes all blocks out.
+  void Clear() { *this = lms3dRaster(this->Blocks.get_allocator().GetMemory()); }
 
   /// Sets Must of a cell of a block.
   void SetReturn(int number, int u, int v)

@@ -38,10 +38,10 @@ private:
   {
     const int below = row > 0 ? number : this->Raster.Find(block.U, block.V - 1);
     const std::uint64_t word = below < 0 ? 0 : this->Raster.GetBlock(below).May[(row - 1) & Last];
-    const std::uint64_t starts = block.May[row] & ~word;
-    for (int place = 0; place <= Last && starts >> place != 0; ++place)
+    for (std::uint64_t starts = block.May[row] & ~word; starts != 0; starts &= starts - 1)
     {
-      if ((starts >> place & 1U) != 0 && (this->Visited[number][row] >> place & 1U) == 0)
+      const int place = lms3dGetLowestPlace(starts);
+      if ((this->Visited[number][row] >> place & 1U) == 0)
       {
         loops.push_back(
           this->Walk(block.U * lms3dRaster::Size + place, block.V * lms3dRaster::Size + row));

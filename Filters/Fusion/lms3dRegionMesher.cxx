@@ -37,7 +37,9 @@ public:
   {
     for (std::size_t i = 0; i < tile.Blocks.size(); ++i)
     {
-      this->Region.GetBlock(static_cast<int>(i)).May = plane.Raster.GetBlock(tile.Blocks[i]).Shape;
+      const lms3dRasterBlock& block = plane.Raster.GetBlock(tile.Blocks[i]);
+      this->Region.GetBlock(static_cast<int>(i)).May =
+        block.IsShapeFull ? lms3dAllBits : block.Shape;
     }
     if (plane.Verbatim.empty())
     {
@@ -50,6 +52,7 @@ public:
   void Make()
   {
     this->Tile.Mesh.Clear();
+    this->Tile.Facets.clear();
     if (!this->Plane.Verbatim.empty() && this->IsWhole())
     {
       this->AddVerbatim();
@@ -69,9 +72,12 @@ public:
     {
       const lms3dRegionBlock& cells = this->Region.GetBlock(static_cast<int>(i));
       lms3dRasterBlock& block = this->Plane.Raster.GetBlock(this->Tile.Blocks[i]);
-      block.Covered = cells.Covered;
-      block.Touched = cells.Touched;
-      block.Meshed = block.Shape;
+      this->SetCovered(cells, block);
+      if (!block.IsMeshedFull || !block.IsShapeFull)
+      {
+        block.Meshed = block.Shape;
+        block.IsMeshedFull = block.IsShapeFull;
+      }
       block.Difference = 0;
       block.DifferenceAtCreases = 0;
       block.NewCreaseCells = 0;
@@ -121,6 +127,17 @@ private:
       }
     }
     return isSeen;
+  }
+
+  static void SetCovered(const lms3dRegionBlock& cells, lms3dRasterBlock& block)
+  {
+    const bool isAllCovered = lms3dAreAllSet(cells.Covered) && lms3dAreAllSet(cells.Touched);
+    if (!block.IsAllCovered || !isAllCovered)
+    {
+      block.Covered = cells.Covered;
+      block.Touched = cells.Touched;
+      block.IsAllCovered = isAllCovered;
+    }
   }
 
   void AddVerbatim()
@@ -183,20 +200,26 @@ private:
     {
       const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(this->Tile.Blocks[i]);
       const lms3dBits& covered = this->Region.GetBlock(static_cast<int>(i)).Covered;
+      if (lms3dAreAllSet(covered))
+      {
+        continue;
+      }
       const double cell = this->Plane.Frame.GetCell();
       const int reachOfFar = lms3dGetCoveredReach(block.Deviation, cell, this->MaximumError);
       const int reachOfOthers = lms3dGetCoveredReach(0.0, cell, this->MaximumError);
       for (int row = 0; row < lms3dRaster::Size; ++row)
       {
-        const std::uint64_t open = block.Must[row] & ~covered[row];
-        for (int place = 0; place < lms3dRaster::Size && open >> place != 0; ++place)
+        std::uint64_t open = (block.Must[row] | block.Beside[row]) & ~covered[row];
+        for (; open != 0; open &= open - 1)
         {
+          const int place = lms3dGetLowestPlace(open);
           const std::int32_t u = block.U * lms3dRaster::Size + place;
           const std::int32_t v = block.V * lms3dRaster::Size + row;
           const int reach = (block.Far[row] >> place & 1U) != 0 ? reachOfFar : reachOfOthers;
-          if ((open >> place & 1U) != 0 && !lms3dIsCovered(this->Region, u, v, reach))
+          if (!lms3dIsCovered(this->Region, u, v, reach))
           {
             this->AddFacet({ u + 0.5, v + 0.5 });
+            this->Tile.Facets.push_back({ u, v });
           }
         }
       }

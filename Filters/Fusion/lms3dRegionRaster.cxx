@@ -3,6 +3,7 @@
 #include "Fusion/lms3dRegionRaster.h"
 
 #include "Fusion/lms3dCellWindow.h"
+#include "Geometry/lms3dWideLoops.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ Around FindAround(const lms3dRaster& raster, int number)
   Around around;
   for (int i = 0; i < 9; ++i)
   {
-    const int other = raster.Find(block.U + i % 3 - 1, block.V + i / 3 - 1);
+    const int other = block.Around[i];
     around[i] = other < 0 ? nullptr : &raster.GetBlock(other);
   }
   return around;
@@ -38,17 +39,47 @@ bool IsWhole(const Around& around)
     { return block && block->IsFull && !block->HasPassed && !block->HasOpen; });
 }
 
-lms3dCellWindow MakeWindow(const Around& around, lms3dRaster::BitsOf bits)
+// `hasBits` may be nullptr.
+lms3dCellWindow MakeWindow(
+  const Around& around, lms3dRaster::BitsOf bits, bool lms3dRasterBlock::*hasBits = nullptr)
 {
   lms3dCellWindow window;
   for (int i = 0; i < 9; ++i)
   {
-    if (around[i])
+    if (around[i] && (!hasBits || around[i]->*hasBits))
     {
       window.Add(i % 3 - 1, i / 3 - 1, around[i]->*bits);
     }
   }
   return window;
+}
+
+const std::uint64_t* GetPassed(const lms3dRasterBlock* block)
+{
+  return block && block->HasPassed ? block->Passed.data() : lms3dNoBits.data();
+}
+
+// The cells of a row of a block, and those beside them.
+inline std::uint64_t WidenRow(
+  const std::uint64_t* left, const std::uint64_t* middle, const std::uint64_t* right, int row)
+{
+  return middle[row] | middle[row] << 1U | middle[row] >> 1U | left[row] >> Last |
+    right[row] << Last;
+}
+
+// Takes cells beside the cells of a block out of `cells`. `wide` is for its rows, and one row on
+// either side.
+LMS3D_WIDE_LOOPS void TakeOutBeside(const std::uint64_t* left, const std::uint64_t* middle,
+  const std::uint64_t* right, std::uint64_t* wide, std::uint64_t* cells)
+{
+  for (int row = 0; row <= Last; ++row)
+  {
+    wide[row + 1] = WidenRow(left, middle, right, row);
+  }
+  for (int row = 0; row <= Last; ++row)
+  {
+    cells[row] &= ~(wide[row] | wide[row + 1] | wide[row + 2]);
+  }
 }
 
 // Returns the cells with returns that no border may cut off: those without a beam that passed
@@ -59,13 +90,12 @@ lms3dBits GetSureReturns(const Around& around)
   if (std::any_of(around.begin(), around.end(),
         [](const lms3dRasterBlock* block) { return block && block->HasPassed; }))
   {
-    lms3dCellWindow passed = MakeWindow(around, &lms3dRasterBlock::Passed);
-    passed.Widen();
-    const lms3dBits beside = passed.GetMiddle();
-    for (int row = 0; row <= Last; ++row)
-    {
-      sure[row] &= ~beside[row];
-    }
+    std::array<const std::uint64_t*, 9> passed = {};
+    std::transform(around.begin(), around.end(), passed.begin(), GetPassed);
+    std::array<std::uint64_t, lms3dRaster::Size + 2> wide;
+    wide.front() = WidenRow(passed[0], passed[1], passed[2], Last);
+    wide.back() = WidenRow(passed[6], passed[7], passed[8], 0);
+    TakeOutBeside(passed[3], passed[Middle], passed[5], wide.data(), sure.data());
   }
   return sure;
 }
@@ -73,11 +103,12 @@ lms3dBits GetSureReturns(const Around& around)
 // Finds May and the disputed squares of a region.
 lms3dRegionCells FindRegion(const Around& around)
 {
-  const lms3dCellWindow passed = MakeWindow(around, &lms3dRasterBlock::Passed);
+  const lms3dCellWindow passed =
+    MakeWindow(around, &lms3dRasterBlock::Passed, &lms3dRasterBlock::HasPassed);
   lms3dCellWindow returns = MakeWindow(around, &lms3dRasterBlock::Must);
   lms3dCellWindow may = MakeWindow(around, &lms3dRasterBlock::May);
   lms3dCellWindow region = may;
-  region -= MakeWindow(around, &lms3dRasterBlock::Open);
+  region -= MakeWindow(around, &lms3dRasterBlock::Open, &lms3dRasterBlock::HasOpen);
   region |= returns;
   region -= passed;
   lms3dCellWindow near = region;
@@ -87,14 +118,17 @@ lms3dRegionCells FindRegion(const Around& around)
   disputed -= passed;
   near -= region;
   returns -= passed;
-  if (passed.HasCells() || near.HasCells())
+  lms3dCellWindow undecided;
+  undecided.Add(0, 0, near.GetMiddle());
+  if (passed.HasCells())
   {
-    lms3dCellWindow beams = passed;
-    lms3dCellWindow::Race(returns, beams);
-    near &= returns;
-    region -= beams;
-    region |= near;
+    undecided.Add(0, 0, region.GetMiddle());
   }
+  lms3dCellWindow beams = passed;
+  lms3dCellWindow::Race(undecided, returns, beams);
+  near &= returns;
+  region -= beams;
+  region |= near;
   disputed -= region;
   lms3dRegionCells cells = { region.GetMiddle(), {}, {} };
   cells.Squares.Disputed = lms3dGetSquares(disputed.GetMiddle());
@@ -110,11 +144,14 @@ lms3dRegion lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<in
     const lms3dRasterBlock& block = raster.GetBlock(number);
     lms3dRegionBlock& cells = region.GetBlock(region.Make(block.U, block.V));
     cells.Must = GetSureReturns(FindAround(raster, number));
-    for (int row = 0; row <= Last; ++row)
+    for (int row = 0; block.Deviation > 0.0 && row <= Last; ++row)
     {
       cells.Far[row] = cells.Must[row] & block.Far[row];
     }
-    cells.Passed = block.Passed;
+    if (block.HasPassed)
+    {
+      cells.Passed = block.Passed;
+    }
   }
   return region;
 }
@@ -158,7 +195,7 @@ void lms3dMarkDependents(lms3dRaster& raster)
     {
       const int u = i % 3 - 1;
       const int v = i / 3 - 1;
-      const int other = changes.AreNear(u, v) ? raster.Find(block.U + u, block.V + v) : -1;
+      const int other = changes.AreNear(u, v) ? block.Around[i] : -1;
       if (other >= 0 && !raster.HasMark(other, lms3dRaster::DIRTY) &&
         raster.GetBlock(other).Region.DependOn(changes, -u, -v))
       {

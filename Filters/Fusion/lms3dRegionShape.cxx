@@ -108,6 +108,7 @@ void lms3dRegionShape::MakeShape(int number, const lms3dBlockParts& parts,
   if (shape != block.Shape || block.NewCreaseCells > 0)
   {
     block.Shape = shape;
+    block.IsShapeFull = lms3dAreAllSet(shape);
     CountDifferences(this->Creases.Get(number), block);
     changed.push_back(number);
   }

@@ -55,6 +55,10 @@ void lms3dScanJoin::Join()
     [&](std::size_t patch)
     { fits[patch] = lms3dFitPlane(this->Local, returns[patch], this->Planes.GetMaximumError()); });
   const std::size_t planesBefore = this->Planes.GetSize();
+  for (std::size_t i = 0; i < planesBefore; ++i)
+  {
+    this->AddIfJoinable(static_cast<int>(i));
+  }
   std::vector<int> planeOfPatch(returns.size(), -1);
   PatchesOfPlanes patches;
   for (std::size_t patch = 0; patch < returns.size(); ++patch)
@@ -73,6 +77,17 @@ void lms3dScanJoin::Join()
   this->AddLoose(patches, isExplained);
   lms3dAddCreases(this->Local, planeOfPatch, this->Planes);
   lms3dLooseReturns(this->Local, this->Planes).AddRest(isExplained, planeOfPatch);
+}
+
+// Most planes of a large map are none that a patch may join.
+void lms3dScanJoin::AddIfJoinable(int number)
+{
+  const lms3dFusedPlane& plane = this->Planes[number];
+  if (plane.Verbatim.empty() && !plane.IsCurved && !plane.HasGone)
+  {
+    this->Joinable.push_back(number);
+    this->Frames.push_back(plane.Frame);
+  }
 }
 
 // Adds the returns that are near the planes of their patches. The threads divide planes.
@@ -169,6 +184,7 @@ int lms3dScanJoin::FindOrMakePlane(
   lms3dFusedPlane& plane = this->Planes[made];
   plane.IsCurved = fit.Correlation > SmallestCorrelation && fit.Deviation > CurvedShare * bound;
   plane.IsWeak = plane.IsCurved || returns.size() < SmallestStrongCount;
+  this->AddIfJoinable(made);
   return made;
 }
 
@@ -178,16 +194,16 @@ int lms3dScanJoin::FindPlane(const std::vector<int>& returns, const lms3dFittedP
     MatchShare * this->Planes.GetMaximumError() + NoiseFactor * fit.Deviation);
   int best = -1;
   double least = 0.0;
-  for (std::size_t i = 0; i < this->Planes.GetSize(); ++i)
+  for (std::size_t i = 0; i < this->Joinable.size(); ++i)
   {
-    const lms3dFusedPlane& plane = this->Planes[i];
-    const double distance = std::abs(plane.Frame.GetHeight(fit.Centre));
-    if (!plane.Verbatim.empty() || plane.IsCurved || plane.HasGone || distance > bound ||
-      lms3dDot(plane.Frame.GetNormal(), fit.Normal) < SmallestCosine ||
+    const lms3dPlaneFrame& frame = this->Frames[i];
+    const double distance = std::abs(frame.GetHeight(fit.Centre));
+    if (distance > bound || lms3dDot(frame.GetNormal(), fit.Normal) < SmallestCosine ||
       (best >= 0 && distance >= least))
     {
       continue;
     }
+    const lms3dFusedPlane& plane = this->Planes[this->Joinable[i]];
     const auto misfits = std::count_if(returns.begin(), returns.end(),
       [&](int number)
       {
@@ -196,7 +212,7 @@ int lms3dScanJoin::FindPlane(const std::vector<int>& returns, const lms3dFittedP
       });
     if (static_cast<double>(misfits) <= MisfitShare * static_cast<double>(returns.size()))
     {
-      best = static_cast<int>(i);
+      best = this->Joinable[i];
       least = distance;
     }
   }

@@ -45,6 +45,7 @@ private:
   /// The patches of each plane, in order.
   using PatchesOfPlanes = std::map<int, std::vector<PatchOfPlane>>;
 
+  void AddIfJoinable(int number);
   int FindOrMakePlane(
     const std::vector<int>& returns, const lms3dFittedPlane& fit, std::size_t planesBefore);
   void AddReturns(PatchesOfPlanes& patches, std::vector<char>& isExplained);
@@ -58,6 +59,10 @@ private:
   const lms3dLocalMap& Local;
   const lms3dSeenRanges& Ranges;
   lms3dFusedPlanes& Planes;
+  /// The planes that a patch may join, in order.
+  std::vector<int> Joinable;
+  /// Their frames.
+  std::vector<lms3dPlaneFrame> Frames;
 };
 
 #endif

@@ -12,10 +12,12 @@ lms3dSeenRanges::lms3dSeenRanges(
   , Ranges(static_cast<std::size_t>(this->Table->GetGeometry().CountBeamsOfAllTurns()), 0.0F)
   , LargestInBin(static_cast<std::size_t>(this->Table->GetNumberOfBins()), 0.0F)
 {
-  for (vtkIdType i = 0; i < scan.GetNumberOfReturns(); ++i)
+  const vtkIdType count = scan.GetNumberOfReturns();
+  const auto* const ids = scan.GetBeamIds();
+  const double* const ranges = scan.GetRanges();
+  for (vtkIdType i = 0; i < count; ++i)
   {
-    this->Ranges[this->Table->GetPlace(scan.GetBeamIds()[i])] =
-      static_cast<float>(scan.GetRanges()[i]);
+    this->Ranges[this->Table->GetPlace(ids[i])] = static_cast<float>(ranges[i]);
   }
   for (int bin = 0; bin < this->Table->GetNumberOfBins(); ++bin)
   {
@@ -27,15 +29,15 @@ lms3dSeenRanges::lms3dSeenRanges(
     this->Largest = std::max<double>(this->Largest, largest);
   }
   this->Box.Add(this->Pose.Position);
-  for (vtkIdType i = 0; i < scan.GetNumberOfReturns(); ++i)
+  for (vtkIdType i = 0; i < count; ++i)
   {
-    const int id = scan.GetBeamIds()[i];
+    const int id = ids[i];
     const lms3dVector start = this->GetStart(id);
     if (this->Table->HasStarts())
     {
       this->Box.Add(start);
     }
-    this->Box.Add(lms3dAdd(start, lms3dScale(this->GetDirection(id), scan.GetRanges()[i])));
+    this->Box.Add(lms3dAdd(start, lms3dScale(this->GetDirection(id), ranges[i])));
   }
 }
 

@@ -51,28 +51,10 @@ std::vector<int> FindNearNewSurface(const lms3dFusedPlanes& planes)
   return found;
 }
 
-// Drops the returns that later scans saw through.
-void DropForgotten(lms3dFusedPlane& plane)
-{
-  const auto isForgotten = [&](const lms3dMappedReturn& mapped)
-  {
-    const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
-    return !plane.Raster.Has(
-      &lms3dRasterBlock::Must, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
-  };
-  plane.Returns.erase(
-    std::remove_if(plane.Returns.begin(), plane.Returns.end(), isForgotten), plane.Returns.end());
-}
-
 // The share of a weak plane's returns that others must show.
 double GetNeededShare(const lms3dFusedPlane& plane)
 {
-  std::size_t triangles = 0;
-  for (const lms3dFusedTile& tile : plane.Tiles)
-  {
-    triangles += tile.Mesh.Triangles.size();
-  }
-  const double saved = static_cast<double>(triangles) - 1.0;
+  const double saved = static_cast<double>(plane.CountTriangles()) - 1.0;
   const double returns = std::max(1.0, static_cast<double>(plane.Returns.size()));
   return std::clamp(1.0 - saved / returns, SmallestShare, DissolvedShare);
 }
@@ -106,7 +88,7 @@ void lms3dDissolveWeakPlanes(lms3dFusedPlanes& planes)
   const std::vector<int> weakPlanes = FindNearNewSurface(planes);
   for (const int number : weakPlanes)
   {
-    DropForgotten(planes[number]);
+    planes[number].DropForgotten();
   }
   for (const WeakPlane& judged : JudgeAll(planes, weakPlanes))
   {

@@ -4,26 +4,40 @@
 
 #include "Geometry/lms3dExactSum.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace
 {
 constexpr double HalfUlp = std::numeric_limits<double>::epsilon() / 2.0;
 // Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric
-// predicates": the rounding errors of both determinants in plain arithmetic.
-constexpr double OrientationError = (3.0 + 16.0 * HalfUlp) * HalfUlp;
+// predicates": the rounding error of the determinant in plain arithmetic.
 constexpr double CircleError = (10.0 + 96.0 * HalfUlp) * HalfUlp;
+
+// Whether products of differences of such points have no rounding error: corners of cells.
+bool IsSmallAndWhole(const lms3dPoint2& point)
+{
+  constexpr double Largest = 1 << 25;
+  return std::all_of(point.begin(), point.end(),
+    [](double place)
+    {
+      return std::abs(place) <= Largest &&
+        static_cast<double>(static_cast<std::int32_t>(place)) == place;
+    });
+}
 } // namespace
 
-int lms3dGetOrientation(const lms3dPoint2& a, const lms3dPoint2& b, const lms3dPoint2& c)
+int lms3dGetExactOrientation(const lms3dPoint2& a, const lms3dPoint2& b, const lms3dPoint2& c)
 {
   const double left = (a[0] - c[0]) * (b[1] - c[1]);
   const double right = (a[1] - c[1]) * (b[0] - c[0]);
-  const double determinant = left - right;
-  if (std::abs(determinant) > OrientationError * (std::abs(left) + std::abs(right)))
+  // Differences of equal coordinates alone are 0.
+  const bool areZero = left == 0.0 && right == 0.0;
+  if (areZero || (IsSmallAndWhole(a) && IsSmallAndWhole(b) && IsSmallAndWhole(c)))
   {
-    return determinant > 0.0 ? 1 : -1;
+    return left == right ? 0 : (left > right ? 1 : -1);
   }
   // Six products have two terms each.
   lms3dExactSum<12> exact;

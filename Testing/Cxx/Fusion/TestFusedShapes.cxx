@@ -27,6 +27,8 @@ struct Differences
 {
   int Blocks = 0;
   int BlocksThatDiffer = 0;
+  /// Blocks that say wrongly whether all of their bits are set.
+  int WrongBlocks = 0;
   /// Tiles whose triangles were made with the last scan.
   int Tiles = 0;
   int TilesThatDiffer = 0;
@@ -60,6 +62,15 @@ bool IsSame(const lms3dFusedMesh& a, const lms3dFusedMesh& b)
   return isSame;
 }
 
+bool SaysRightly(const lms3dRasterBlock& block)
+{
+  const auto isFull = [](const lms3dBits& bits) { return bits == lms3dAllBits; };
+  return block.IsFull == isFull(block.May) && block.IsShapeFull == isFull(block.Shape) &&
+    block.IsMeshedFull == isFull(block.Meshed) &&
+    block.IsAllCovered == (isFull(block.Covered) && isFull(block.Touched)) &&
+    block.HasPassed == (block.Passed != lms3dNoBits);
+}
+
 Differences Compare(const lms3dGrowingMap& map)
 {
   Differences result;
@@ -74,6 +85,7 @@ Differences Compare(const lms3dGrowingMap& map)
       ++result.Blocks;
       result.BlocksThatDiffer +=
         plane.Raster.GetBlock(i).Shape == made.Raster.GetBlock(i).Shape ? 0 : 1;
+      result.WrongBlocks += SaysRightly(plane.Raster.GetBlock(i)) ? 0 : 1;
     }
     for (const lms3dFusedTile& tile : plane.Tiles)
     {
@@ -102,6 +114,7 @@ void ExpectMapsMadeAtOnce(const std::vector<MappedScan>& scans, bool forgets)
     const Differences differences = Compare(map);
     EXPECT_GT(differences.Blocks, 0);
     EXPECT_GT(differences.Tiles, 0);
+    EXPECT_EQ(differences.WrongBlocks, 0);
     EXPECT_EQ(differences.BlocksThatDiffer, 0)
       << "of " << differences.Blocks << " after scan " << i;
     EXPECT_EQ(differences.TilesThatDiffer, 0) << "of " << differences.Tiles << " after scan " << i;

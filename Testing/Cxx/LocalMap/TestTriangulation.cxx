@@ -87,6 +87,30 @@ TEST(Orientation, IsExactForPointsThatAreNearlyOnALine)
   EXPECT_EQ(lms3dGetOrientation(b, a, { 0.5, 0.5 + tiny }), -1);
 }
 
+TEST(Orientation, IsExactForWholeNumbers)
+{
+  std::mt19937 random(1);
+  for (const int largest : { 3, 1000, 1 << 25, 1 << 30 })
+  {
+    std::uniform_int_distribution<std::int64_t> place(-largest, largest);
+    for (int i = 0; i < 3000; ++i)
+    {
+      const std::int64_t u = place(random);
+      const std::int64_t v = place(random);
+      const std::int64_t share = place(random) % 3;
+      // On the line through the origin and the first point, or one beside it.
+      const std::int64_t beside = place(random) % 2;
+      const lms3dPoint2 a = { 0.0, 0.0 };
+      const lms3dPoint2 b = { 1.0 * u, 1.0 * v };
+      const lms3dPoint2 c = { 1.0 * (share * u), 1.0 * (share * v + beside) };
+      const std::int64_t cross = u * beside;
+      EXPECT_EQ(lms3dGetOrientation(a, b, c), cross > 0 ? 1 : (cross < 0 ? -1 : 0));
+      EXPECT_EQ(lms3dGetOrientation(b, c, a), lms3dGetOrientation(a, b, c));
+      EXPECT_EQ(lms3dGetOrientation(b, a, c), -lms3dGetOrientation(a, b, c));
+    }
+  }
+}
+
 TEST(Triangulation, FillsARegionWithManyHoles)
 {
   const int count = 40;

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dFusedPlanes.h"
+
+#include "Geometry/lms3dTriangleDistance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Whether a return is near enough to a triangle of a local map that is a region of its own.
+bool IsAtVerbatim(const lms3dFusedPlane& plane, const lms3dVector& point, double bound)
+{
+  return plane.Verbatim.empty() ||
+    std::any_of(plane.Verbatim.begin(), plane.Verbatim.end(),
+      [&](const std::array<lms3dVector, 3>& corners)
+      { return lms3dGetDistance(point, corners[0], corners[1], corners[2]) <= bound; });
+}
+} // namespace
+
+bool lms3dFusedPlanes::Shows(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const
+{
+  const double bound = this->GetLargestDistance();
+  if (lms3dDot(plane.Frame.GetNormal(), mapped.Direction) >= 0.0 ||
+    !plane.Explains(mapped.Point, mapped.Direction, bound))
+  {
+    return false;
+  }
+  const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+  const auto u = lms3dGetCellOf(place[0]);
+  const auto v = lms3dGetCellOf(place[1]);
+  return plane.Raster.Has(&lms3dRasterBlock::May, u, v) &&
+    !plane.Raster.Has(&lms3dRasterBlock::Open, u, v) &&
+    !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) && IsAtVerbatim(plane, mapped.Point, bound);
+}
+
+std::vector<int> lms3dFusedPlanes::FindPlanesNear(
+  const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
+{
+  lms3dWorldBox box;
+  for (const lms3dMappedReturn& mapped : returns)
+  {
+    box.Add(mapped.Point);
+  }
+  std::vector<int> planes = this->Boxes.Find(box, this->MaximumError, end);
+  planes.erase(std::remove_if(planes.begin(), planes.end(),
+                 [&](int plane)
+                 {
+                   return !this->Planes[plane].HasSurface ||
+                     !this->Planes[plane].Frame.IsNear(box, this->MaximumError);
+                 }),
+    planes.end());
+  return planes;
+}
+
+bool lms3dFusedPlanes::ShowShare(
+  double share, const std::vector<int>& planes, const std::vector<lms3dMappedReturn>& returns) const
+{
+  const auto count = static_cast<double>(returns.size());
+  const double allowed = count - share * count;
+  double hidden = 0.0;
+  // The plane that shows a return often shows the next one, too.
+  auto last = planes.end();
+  return std::all_of(returns.begin(), returns.end(),
+    [&](const lms3dMappedReturn& mapped)
+    {
+      const auto shows = [&](int plane) { return this->Shows(this->Planes[plane], mapped); };
+      if (last == planes.end() || !shows(*last))
+      {
+        last = std::find_if(planes.begin(), planes.end(), shows);
+      }
+      hidden += last != planes.end() ? 0.0 : 1.0;
+      return hidden <= allowed;
+    });
+}
+
+bool lms3dFusedPlanes::Covers(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const
+{
+  if (lms3dDot(plane.Frame.GetNormal(), mapped.Direction) >= 0.0 ||
+    !plane.Explains(mapped.Point, mapped.Direction, this->GetLargestDistance()))
+  {
+    return false;
+  }
+  const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+  return plane.Raster.Has(
+    &lms3dRasterBlock::Covered, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
+}
+
+int lms3dFusedPlanes::FindCovering(
+  const lms3dMappedReturn& mapped, const std::vector<int>& exceptions, double distance) const
+{
+  lms3dWorldBox box;
+  box.Add(mapped.Point);
+  const std::vector<int> near = this->FindPlanesNear(box, this->MaximumError);
+  const auto found = std::find_if(near.begin(), near.end(),
+    [&](int number)
+    {
+      const lms3dFusedPlane& plane = this->Planes[number];
+      return std::abs(plane.Frame.GetHeight(mapped.Point)) <= distance &&
+        std::find(exceptions.begin(), exceptions.end(), number) == exceptions.end() &&
+        this->Covers(plane, mapped);
+    });
+  return found == near.end() ? -1 : *found;
+}

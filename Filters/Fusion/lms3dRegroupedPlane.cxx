@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dRegroupedPlane.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace
+{
+// As a share of the bound: planes from which the returns deviate by more are curved.
+constexpr double CurvedShare = 0.05;
+// Bounds: beams that meet a plane farther apart may have a gap between them.
+constexpr double LargestStep = 12.0;
+
+// Lets a plane have surface between neighbouring beams.
+void GuessBetween(int number, const std::vector<lms3dMappedReturn>& returns,
+  const std::vector<int>& onPlane, int beamsOfFan, lms3dFusedPlanes& planes)
+{
+  std::map<std::pair<int, int>, lms3dVector> pointOf;
+  for (const int i : onPlane)
+  {
+    pointOf[{ returns[i].Scan, returns[i].BeamId }] = returns[i].Point;
+  }
+  const double largest = LargestStep * planes.GetMaximumError();
+  for (const auto& [beam, point] : pointOf)
+  {
+    std::vector<lms3dVector> corners;
+    for (const int step : { 1, beamsOfFan + 1, beamsOfFan })
+    {
+      const auto found = pointOf.find({ beam.first, beam.second + step });
+      if (found != pointOf.end() && lms3dGetLength(lms3dSubtract(found->second, point)) <= largest)
+      {
+        corners.push_back(found->second);
+      }
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      planes.GuessTriangle(
+        number, { point, corners[i], corners[std::min(i + 1, corners.size() - 1)] });
+    }
+  }
+}
+
+// Lets a plane have surface where the triangles of another plane are near it.
+void GuessTriangles(int number, int old, lms3dFusedPlanes& planes)
+{
+  const lms3dPlaneFrame& frame = planes[number].Frame;
+  for (const lms3dFusedTile& tile : planes[old].Tiles)
+  {
+    for (const lms3dFusedMesh::Triangle& triangle : tile.Mesh.Triangles)
+    {
+      const std::array<lms3dVector, 3> corners = { tile.Mesh.Points[triangle[0]],
+        tile.Mesh.Points[triangle[1]], tile.Mesh.Points[triangle[2]] };
+      if (std::all_of(corners.begin(), corners.end(),
+            [&](const lms3dVector& corner)
+            { return std::abs(frame.GetHeight(corner)) <= planes.GetMaximumError(); }))
+      {
+        planes.GuessTriangle(number, corners);
+      }
+    }
+  }
+}
+} // namespace
+
+int lms3dMakeRegroupedPlane(const std::vector<lms3dMappedReturn>& returns,
+  const lms3dReturnGroup& group, const std::vector<int>& oldPlanes, int beamsOfFan,
+  lms3dFusedPlanes& planes)
+{
+  const int number = planes.MakePlane(group.Centre, group.Normal);
+  planes[number].IsWeak = true;
+  planes[number].IsCurved = group.Deviation > CurvedShare * planes.GetMaximumError();
+  GuessBetween(number, returns, group.Returns, beamsOfFan, planes);
+  for (const int old : oldPlanes)
+  {
+    GuessTriangles(number, old, planes);
+  }
+  planes.AcceptGuesses(number);
+  for (const int i : group.Returns)
+  {
+    planes.GrowBox(number, returns[i].Point);
+    planes.AddReturn(number, returns[i]);
+  }
+  return number;
+}

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fusion/lms3dRegrouping.h"
+
+#include "Fusion/lms3dRegroupedPlane.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace
+{
+// As a share of the bound: how far returns may be from the plane of their group.
+constexpr double LargestShare = 0.9;
+// Bounds: how far old planes may be from the box of the first one.
+constexpr double LargestGap = 3.0;
+constexpr std::size_t PlacesOfScan = 3;
+constexpr std::size_t LargestCount = 4000;
+// Planes with fewer triangles are not looked at for their own sake.
+constexpr std::size_t SmallestNumberOfTriangles = 4;
+// The triangles of most planes of few returns, if there is nothing beside them.
+constexpr std::size_t TrianglesOfPlane = 2;
+} // namespace
+
+bool lms3dRegrouping::IsCandidate(int number) const
+{
+  const lms3dFusedPlane& plane = this->Planes[number];
+  return plane.IsWeak && !plane.Returns.empty() && plane.Returns.size() <= LargestCount;
+}
+
+// The planes at which a place may be worth it, those with the most triangles first.
+std::vector<int> lms3dRegrouping::FindSeeds() const
+{
+  std::vector<std::pair<std::size_t, int>> seeds;
+  for (std::size_t i = 0; i < this->Planes.GetSize(); ++i)
+  {
+    const auto number = static_cast<int>(i);
+    const lms3dFusedPlane& plane = this->Planes[i];
+    if (!this->IsCandidate(number))
+    {
+      continue;
+    }
+    const std::size_t triangles = plane.CountTriangles();
+    if (triangles > plane.RegroupedTriangles &&
+      (triangles >= SmallestNumberOfTriangles || !plane.Verbatim.empty()))
+    {
+      seeds.emplace_back(triangles - plane.RegroupedTriangles, number);
+    }
+  }
+  std::sort(seeds.begin(), seeds.end(),
+    [](const auto& a, const auto& b)
+    { return a.first != b.first ? a.first > b.first : a.second < b.second; });
+  std::vector<int> numbers;
+  for (const auto& seed : seeds)
+  {
+    numbers.push_back(seed.second);
+  }
+  return numbers;
+}
+
+void lms3dRegrouping::MakePlanes()
+{
+  this->IsTaken.assign(this->Planes.GetSize(), false);
+  std::size_t places = 0;
+  for (const int seed : this->FindSeeds())
+  {
+    if (places < PlacesOfScan && !this->IsTaken[seed])
+    {
+      this->AddPlace(this->FindPlace(seed));
+      ++places;
+    }
+  }
+}
+
+// The weak planes near one, as long as they have few returns together.
+lms3dRegrouping::Place lms3dRegrouping::FindPlace(int seed)
+{
+  Place place;
+  const auto add = [&](int number)
+  {
+    this->Planes[number].DropForgotten();
+    const std::vector<lms3dMappedReturn>& returns = this->Planes[number].Returns;
+    place.OldPlanes.push_back(number);
+    place.Returns.insert(place.Returns.end(), returns.begin(), returns.end());
+  };
+  add(seed);
+  const double gap = LargestGap * this->Planes.GetMaximumError();
+  for (const int number :
+    this->Planes.FindPlanesNear(this->Planes.GetBox(static_cast<std::size_t>(seed)), gap))
+  {
+    if (number != seed && number < static_cast<int>(this->IsTaken.size()) &&
+      !this->IsTaken[number] && this->IsCandidate(number) &&
+      place.Returns.size() + this->Planes[number].Returns.size() <= LargestCount)
+    {
+      add(number);
+    }
+  }
+  return place;
+}
+
+void lms3dRegrouping::AddPlace(Place&& place)
+{
+  for (const int number : place.OldPlanes)
+  {
+    this->IsTaken[number] = true;
+    this->Planes[number].RegroupedTriangles = this->Planes[number].CountTriangles();
+  }
+  const std::vector<lms3dReturnGroup> groups =
+    lms3dGroupReturns(place.Returns, LargestShare * this->Planes.GetMaximumError());
+  std::vector<bool> isGrouped(place.Returns.size());
+  for (const lms3dReturnGroup& group : groups)
+  {
+    for (const int i : group.Returns)
+    {
+      isGrouped[i] = true;
+    }
+  }
+  for (std::size_t i = 0; i < isGrouped.size(); ++i)
+  {
+    if (!isGrouped[i])
+    {
+      place.Left.push_back(static_cast<int>(i));
+    }
+  }
+  if (TrianglesOfPlane * groups.size() + place.Left.size() < this->CountTriangles(place.OldPlanes))
+  {
+    for (const lms3dReturnGroup& group : groups)
+    {
+      place.NewPlanes.push_back(lms3dMakeRegroupedPlane(
+        place.Returns, group, place.OldPlanes, this->BeamsOfFan, this->Planes));
+    }
+    this->Places.push_back(std::move(place));
+  }
+}
+
+// The planes that cover the returns that are left, -1 for none.
+std::vector<int> lms3dRegrouping::FindCovering(const Place& place) const
+{
+  std::vector<int> covering;
+  for (const int i : place.Left)
+  {
+    covering.push_back(
+      this->Planes.FindCovering(place.Returns[i], place.OldPlanes, this->Planes.GetMaximumError()));
+  }
+  return covering;
+}
+
+// A place before this one may have cleared a plane that covered a return.
+void lms3dRegrouping::Replace(const Place& place, const std::vector<int>& covering)
+{
+  for (const int number : place.OldPlanes)
+  {
+    this->Planes[number].Clear();
+  }
+  for (std::size_t i = 0; i < covering.size(); ++i)
+  {
+    const lms3dMappedReturn& mapped = place.Returns[place.Left[i]];
+    if (covering[i] >= 0 && this->Planes.Covers(this->Planes[covering[i]], mapped))
+    {
+      this->Planes.AddBeside(covering[i], mapped);
+    }
+    else
+    {
+      this->Planes.AddFacet(mapped);
+    }
+  }
+  for (const int number : place.NewPlanes)
+  {
+    this->Planes[number].RegroupedTriangles = this->Planes[number].CountTriangles();
+  }
+}
+
+std::size_t lms3dRegrouping::CountTriangles(const std::vector<int>& numbers) const
+{
+  return std::accumulate(numbers.begin(), numbers.end(), std::size_t{ 0 },
+    [this](std::size_t sum, int number) { return sum + this->Planes[number].CountTriangles(); });
+}
+
+void lms3dRegrouping::Choose()
+{
+  for (const Place& place : this->Places)
+  {
+    const std::vector<int> covering = this->FindCovering(place);
+    const auto facets = static_cast<std::size_t>(std::count(covering.begin(), covering.end(), -1));
+    if (this->CountTriangles(place.NewPlanes) + facets < this->CountTriangles(place.OldPlanes))
+    {
+      this->Replace(place, covering);
+    }
+    else
+    {
+      for (const int number : place.NewPlanes)
+      {
+        this->Planes[number].Clear();
+      }
+    }
+  }
+  this->Places.clear();
+}

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks which returns go to the triangles of other planes, and which facets go with them.
+ */
+#include "Fusion/lms3dFusedPlanes.h"
+#include "Fusion/lms3dHandedReturns.h"
+#include "Fusion/lms3dLooseRegions.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+namespace
+{
+constexpr double Bound = 0.01;
+constexpr int Revision = 3;
+
+/// A return of a beam that goes down at 45 degrees towards -x.
+lms3dMappedReturn MakeReturn(const lms3dVector& point)
+{
+  lms3dMappedReturn mapped;
+  mapped.Point = point;
+  mapped.Direction = lms3dNormalize({ -1.0, 0.0, -1.0 });
+  mapped.Range = 2.0;
+  mapped.BeamId = 0;
+  mapped.Triangle = 0;
+  mapped.Scan = 0;
+  return mapped;
+}
+
+/// Lets triangles of a plane cover the cell of a return, in a block that exists.
+void Cover(int number, const lms3dMappedReturn& mapped, lms3dFusedPlanes& planes)
+{
+  lms3dFusedPlane& plane = planes[number];
+  const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+  const std::int32_t u = lms3dGetCellOf(place[0]);
+  const std::int32_t v = lms3dGetCellOf(place[1]);
+  plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
+  lms3dCellStrip strip;
+  strip.Row = v;
+  strip.Add(u, u);
+  plane.Raster.Set(&lms3dRasterBlock::Covered, strip, true);
+  planes.GrowBox(number, mapped.Point);
+}
+
+bool Has(lms3dRaster::BitsOf bits, const lms3dMappedReturn& mapped, const lms3dFusedPlane& plane)
+{
+  const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+  return plane.Raster.Has(bits, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
+}
+
+/// A floor of few returns, and a wall that meets it at x = 0.
+struct FloorAndWall
+{
+  FloorAndWall()
+    : Floor(Planes.MakePlane({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }))
+    , Wall(Planes.MakePlane({ 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }))
+  {
+    this->Planes[this->Floor].IsWeak = true;
+    this->Planes[this->Floor].Tiles.emplace_back();
+    this->Planes[this->Floor].Tiles.front().Revision = Revision;
+  }
+
+  /// Adds a return to the floor, whose triangles cover it.
+  void AddToFloor(const lms3dMappedReturn& mapped)
+  {
+    Cover(this->Floor, mapped, this->Planes);
+    this->Planes.AddReturn(this->Floor, mapped);
+  }
+
+  lms3dFusedPlanes Planes{ Bound };
+  const int Floor;
+  const int Wall;
+};
+} // namespace
+
+TEST(LMS3DLooseRegions, GoIfOtherTrianglesCoverTheirReturns)
+{
+  const lms3dMappedReturn mapped = MakeReturn({ 0.001, 0.001, 0.004 });
+  FloorAndWall scene;
+  scene.Planes.AddFacet(mapped);
+  const std::size_t facet = scene.Planes.GetSize() - 1;
+  scene.Planes[facet].Tiles.emplace_back();
+  scene.Planes[facet].Tiles.front().Mesh.Triangles.resize(1);
+  lms3dDropLooseRegions(scene.Planes);
+  EXPECT_FALSE(scene.Planes[facet].HasGone);
+  Cover(scene.Wall, mapped, scene.Planes);
+  lms3dDropLooseRegions(scene.Planes);
+  EXPECT_TRUE(scene.Planes[facet].HasGone);
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
+  EXPECT_FALSE(Has(&lms3dRasterBlock::Must, mapped, scene.Planes[scene.Wall]));
+}
+
+TEST(LMS3DHandedReturns, GoToTheNearerPlane)
+{
+  const lms3dMappedReturn mapped = MakeReturn({ 0.0, 0.001, 0.005 });
+  FloorAndWall scene;
+  scene.AddToFloor(mapped);
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_EQ(scene.Planes[scene.Floor].Returns.size(), 1U);
+  Cover(scene.Wall, mapped, scene.Planes);
+  lms3dHandReturnsOver(scene.Planes, Revision + 1);
+  EXPECT_EQ(scene.Planes[scene.Floor].Returns.size(), 1U) << "the tile is of another revision";
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
+  EXPECT_FALSE(Has(&lms3dRasterBlock::Must, mapped, scene.Planes[scene.Floor]));
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
+}
+
+TEST(LMS3DHandedReturns, StayIfAReturnOfTheirCellStays)
+{
+  const lms3dMappedReturn high = MakeReturn({ 0.0, 0.001, 0.005 });
+  const lms3dMappedReturn low = MakeReturn({ 0.001, 0.001, 0.0 });
+  FloorAndWall scene;
+  scene.AddToFloor(high);
+  scene.AddToFloor(low);
+  Cover(scene.Wall, high, scene.Planes);
+  Cover(scene.Wall, low, scene.Planes);
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_EQ(scene.Planes[scene.Floor].Returns.size(), 2U);
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Must, high, scene.Planes[scene.Floor]));
+}
+
+/// The triangles of the floor are only a facet; then a triangle of the wall covers the return.
+TEST(LMS3DHandedReturns, LeaveFacets)
+{
+  const lms3dMappedReturn mapped = MakeReturn({ 0.004, 0.001, 0.0 });
+  FloorAndWall scene;
+  scene.AddToFloor(mapped);
+  Cover(scene.Wall, mapped, scene.Planes);
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_EQ(scene.Planes[scene.Floor].Returns.size(), 1U);
+  const lms3dPoint2 place = scene.Planes[scene.Floor].Frame.ToCells(mapped.Point);
+  scene.Planes[scene.Floor].Tiles.front().Facets.push_back(
+    { lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]) });
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
+}
