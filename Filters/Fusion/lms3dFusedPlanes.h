@@ -73,6 +73,9 @@ public:
   std::vector<int> FindPlanesNear(
     const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
 
+  /// The box of the triangles of local maps that joined a plane.
+  const lms3dWorldBox& GetBox(std::size_t number) const { return this->Boxes.GetBox(number); }
+
   /// The planes whose boxes are nearer to a box than a distance along each axis.
   std::vector<int> FindPlanesNear(const lms3dWorldBox& box, double distance) const
   {

@@ -95,6 +95,7 @@ void lms3dRaster::Forget(const lms3dCellStrip& strip)
       const std::uint64_t gone = bits & block.Must[row];
       block.Must[row] &= ~bits;
       block.Far[row] &= ~bits;
+      this->Forgot = this->Forgot || gone != 0;
       this->AddChanges(number, &lms3dChangedSquares::Less, row, gone);
     });
 }

@@ -116,6 +116,9 @@ public:
   /// Clears Must of the cells of a strip that lie in blocks.
   void Forget(const lms3dCellStrip& strip);
 
+  /// Whether Forget() has ever cleared a bit.
+  bool HasForgotten() const { return this->Forgot; }
+
   /// Whether a cell of a box may have Guess.
   bool MayHaveGuess(const lms3dCellBox& box) const
   {
@@ -164,6 +167,7 @@ private:
   std::vector<int> Marked;
   /// Whether a cell may have Guess.
   bool HasGuess = false;
+  bool Forgot = false;
 };
 
 #endif
