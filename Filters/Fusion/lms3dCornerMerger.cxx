@@ -150,6 +150,7 @@ bool lms3dCornerMerger::MergeAt(Corner corner)
   }
   const FourPoints points = { this->Corners[previous], this->Corners[corner], this->Corners[next],
     this->Corners[this->Corners.GetNext(next)] };
+  this->Far.reset();
   for (const lms3dPoint2& place : lms3dFindMergedPlaces(points))
   {
     const lms3dCornerMerge merge = { points, place };
@@ -170,6 +171,7 @@ void lms3dCornerMerger::MoveOutwards(Corner corner)
   const Triangle triangle = this->Corners.GetTriangle(corner);
   const auto& [before, point, behind] = triangle;
   const std::optional<lms3dPoint2> way = lms3dFindWayOutwards(triangle);
+  this->Far.reset();
   for (std::size_t i = 0; way && i < Steps.size(); ++i)
   {
     const lms3dPoint2 place = { point[0] + Steps[i] * (*way)[0], point[1] + Steps[i] * (*way)[1] };
@@ -184,15 +186,28 @@ void lms3dCornerMerger::MoveOutwards(Corner corner)
 }
 
 // The cheap conditions come first.
-bool lms3dCornerMerger::MayMerge(const lms3dCornerMerge& merge, Corner first, Corner last) const
+bool lms3dCornerMerger::MayMerge(const lms3dCornerMerge& merge, Corner first, Corner last)
 {
-  const Corner behind = this->Corners.GetNext(last);
   return this->Tile.Has(merge.Corner) && merge.GetSquaredDistanceOfCorner() <= this->Tolerance &&
     lms3dGetOrientation(merge.Before[0], merge.Corner, merge.Before[3]) != 0 &&
-    this->Corners.GetDeviation(this->Corners.GetPrevious(first), behind, this->Tolerance,
-      [&](const lms3dPoint2& point)
-      { return merge.GetSquaredDistance(point); }) <= this->Tolerance &&
+    this->IsNearOutline(merge, first, last) &&
     this->Limits.MayMerge(merge, this->GetEdges(first, last)) && this->IsApart(merge, first, last);
+}
+
+// Whether the outline's first corners are within the tolerance of a merge. A corner that is too far
+// from one place of a merge is often too far from the others.
+bool lms3dCornerMerger::IsNearOutline(const lms3dCornerMerge& merge, Corner first, Corner last)
+{
+  const auto isNear = [&](const lms3dPoint2& point)
+  { return merge.GetSquaredDistance(point) <= this->Tolerance; };
+  if (this->Far && !isNear(this->Corners.GetFirstPoint(*this->Far)))
+  {
+    return false;
+  }
+  const Corner end = this->Corners.GetNext(last);
+  const Corner far = this->Corners.FindFar(this->Corners.GetPrevious(first), end, isNear);
+  this->Far = far == end ? std::nullopt : std::optional<Corner>(far);
+  return far == end;
 }
 
 // The edges between two corners that are merged and their neighbours.

@@ -13,6 +13,7 @@
 #include "Fusion/lms3dOutlineCorners.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 /**
@@ -38,7 +39,8 @@ private:
 
   bool MergeAt(Corner corner);
   void MoveOutwards(Corner corner);
-  bool MayMerge(const lms3dCornerMerge& merge, Corner first, Corner last) const;
+  bool MayMerge(const lms3dCornerMerge& merge, Corner first, Corner last);
+  bool IsNearOutline(const lms3dCornerMerge& merge, Corner first, Corner last);
   std::array<lms3dBorderLimits::Edge, 3> GetEdges(Corner first, Corner last) const;
   bool IsApart(const lms3dCornerMerge& merge, Corner first, Corner last) const;
   void Queue(Corner corner);
@@ -53,6 +55,8 @@ private:
   /// The corners at which a merge may be possible.
   std::vector<Corner> Queued;
   std::vector<bool> IsQueued;
+  /// A corner that was too far from the last place of the merge that is tried.
+  std::optional<Corner> Far;
 };
 
 #endif

@@ -74,6 +74,10 @@ struct lms3dFusedPlane
   /// Drops the returns that later scans saw through.
   void DropForgotten()
   {
+    if (!this->Raster.HasForgotten())
+    {
+      return;
+    }
     const auto isForgotten = [this](const lms3dMappedReturn& mapped)
     {
       const lms3dPoint2 place = this->Frame.ToCells(mapped.Point);

@@ -65,6 +65,22 @@ public:
     return deviation;
   }
 
+  /// Where a corner was at first.
+  const lms3dPoint2& GetFirstPoint(Corner corner) const { return this->FirstPoints[corner]; }
+
+  /// Returns the first of the outline's first corners between two corners that is not near. Returns
+  /// `to` if all are.
+  template <typename Predicate>
+  Corner FindFar(Corner from, Corner to, const Predicate& isNear) const
+  {
+    Corner corner = this->FirstNext[from];
+    while (corner != to && isNear(this->FirstPoints[corner]))
+    {
+      corner = this->FirstNext[corner];
+    }
+    return corner;
+  }
+
   std::vector<lms3dLoop> GetLoops() const;
 
 private:

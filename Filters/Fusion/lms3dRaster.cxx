@@ -93,6 +93,7 @@ void lms3dRaster::Forget(const lms3dCellStrip& strip)
     {
       lms3dRasterBlock& block = this->Blocks[number];
       const std::uint64_t gone = bits & block.Must[row];
+      this->Forgot = this->Forgot || gone != 0 || (bits & block.Beside[row]) != 0;
       block.Must[row] &= ~bits;
       block.Beside[row] &= ~bits;
       block.Far[row] &= ~bits;

@@ -115,8 +115,11 @@ public:
   /// Sets Open of the cells of a strip that lie in blocks.
   void Open(const lms3dCellStrip& strip);
 
-  /// Clears Must of the cells of a strip that lie in blocks.
+  /// Clears Must and Beside of the cells of a strip that lie in blocks.
   void Forget(const lms3dCellStrip& strip);
+
+  /// Whether Forget() has ever cleared a bit.
+  bool HasForgotten() const { return this->Forgot; }
 
   /// Whether a cell of a box may have Guess.
   bool MayHaveGuess(const lms3dCellBox& box) const
@@ -166,6 +169,7 @@ private:
   std::vector<int> Marked;
   /// Whether a cell may have Guess.
   bool HasGuess = false;
+  bool Forgot = false;
 };
 
 #endif
