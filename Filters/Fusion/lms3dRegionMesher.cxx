@@ -21,8 +21,6 @@ constexpr double BorderShare = 6.0;
 // Cells: how far a border may stay away from the centre of a cell with a return.
 constexpr double ReachOfBorder = 1.5;
 
-using Corners2 = lms3dTriangle2;
-
 /// Makes the mesh of one tile.
 class Mesher
 {
@@ -59,10 +57,11 @@ public:
     }
     else
     {
-      const std::vector<Corners2> triangles = lms3dTriangulateRegion(this->Region, this->Creases,
-        this->Tile, BorderShare * this->MaximumError / this->Plane.Frame.GetCell(), ReachOfBorder);
+      const std::vector<lms3dTriangle2> triangles =
+        lms3dTriangulateRegion(this->Region, this->Creases, this->Tile,
+          BorderShare * this->MaximumError / this->Plane.Frame.GetCell(), ReachOfBorder);
       lms3dCoverRegion(triangles, this->Region);
-      for (const Corners2& triangle : triangles)
+      for (const lms3dTriangle2& triangle : triangles)
       {
         this->Add(triangle);
       }
@@ -145,7 +144,7 @@ private:
     for (const std::array<lms3dVector, 3>& corners : this->Plane.Verbatim)
     {
       const auto first = static_cast<std::int32_t>(this->Tile.Mesh.Points.size());
-      Corners2 cells;
+      lms3dTriangle2 cells;
       for (int i = 0; i < 3; ++i)
       {
         this->Tile.Mesh.Points.push_back(corners[i]);
@@ -157,7 +156,7 @@ private:
     }
   }
 
-  void Touch(const Corners2& triangle)
+  void Touch(const lms3dTriangle2& triangle)
   {
     lms3dForTouchedStrips(triangle,
       [&](const lms3dCellStrip& strip)
@@ -167,7 +166,7 @@ private:
       });
   }
 
-  void Cover(const Corners2& triangle)
+  void Cover(const lms3dTriangle2& triangle)
   {
     lms3dForCentreStrips(triangle,
       [&](const lms3dCellStrip& strip)
@@ -177,7 +176,7 @@ private:
       });
   }
 
-  void Add(const Corners2& triangle)
+  void Add(const lms3dTriangle2& triangle)
   {
     lms3dFusedMesh::Triangle corners;
     for (int i = 0; i < 3; ++i)
