@@ -15,6 +15,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <new>
 #include <optional>
 #include <thread>
 
@@ -63,10 +64,11 @@ public:
   }
 
   /// Wakes the threads of the last Run, if it had as many, and not more than there are cores. They
-  /// wait for the next Run, but not longer than MaximumWait. A thread that sleeps takes about 50 us
-  /// to wake up, which the calling thread can use for other work.
+  /// wait for the next Run, but not longer than MaximumWait. The calling thread can do other work
+  /// while they wake up. A core that waits for one filter does not work for another.
   void Wake(int threads)
   {
+    this->EndWait();
     const int cores = tbb::info::default_concurrency();
     const int wanted = threads > 0 ? threads : cores;
     if (wanted > cores || !this->Arena || this->Arena->max_concurrency() != wanted)
@@ -75,26 +77,40 @@ public:
     }
     this->IsAwaited = true;
     this->HasWaiting = true;
-    this->Arena->execute(
-      [&]
-      {
-        for (int i = 1; i < wanted; ++i)
-        {
-          this->Waiting.run([this] { this->Wait(); });
-        }
-      });
+    this->Arena->execute([this, wanted] { this->StartWaiting(wanted - 1); });
   }
+
+  /// How many threads wait for a Run at this moment.
+  int GetNumberOfWaiting() const { return this->NumberOfWaiting; }
 
 private:
   static constexpr std::chrono::microseconds MaximumWait{ 200 };
 
-  void Wait() const
+  void StartWaiting(int threads)
   {
+    try
+    {
+      for (int i = 0; i < threads; ++i)
+      {
+        this->Waiting.run([this] { this->Wait(); });
+      }
+    }
+    catch (const std::bad_alloc&)
+    {
+      // Run() needs no thread that waits.
+      this->IsAwaited = false;
+    }
+  }
+
+  void Wait()
+  {
+    ++this->NumberOfWaiting;
     const auto end = std::chrono::steady_clock::now() + MaximumWait;
     while (this->IsAwaited && std::chrono::steady_clock::now() < end)
     {
       std::this_thread::yield();
     }
+    --this->NumberOfWaiting;
   }
 
   void EndWait()
@@ -109,8 +125,9 @@ private:
 
   std::unique_ptr<tbb::task_arena> Arena;
 
-  /// Whether threads wait for the next Run.
+  /// Whether threads wait for the next Run, and how many.
   std::atomic<bool> IsAwaited{ false };
+  std::atomic<int> NumberOfWaiting{ 0 };
 
   ///@{
   /// One task for each thread that waits, and whether there can be some.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/lms3dThreads.h"
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 
 #include <gtest/gtest.h>
@@ -42,6 +43,45 @@ TEST(Threads, DoAllWorkAfterTheyWereWoken)
       threads.Wake(number);
     }
   }
+}
+
+TEST(Threads, WaitForWorkAfterTheyWereWoken)
+{
+  if (tbb::info::default_concurrency() < 2)
+  {
+    GTEST_SKIP() << "one core: no other thread to wake";
+  }
+  lms3dThreads threads;
+  CountWork(threads, 2);
+  // A thread that is late no longer waits.
+  bool hasWaited = false;
+  for (int attempt = 0; attempt < 1000 && !hasWaited; ++attempt)
+  {
+    threads.Wake(2);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(10);
+    while (!hasWaited && std::chrono::steady_clock::now() < end)
+    {
+      hasWaited = threads.GetNumberOfWaiting() == 1;
+    }
+  }
+  EXPECT_TRUE(hasWaited);
+  EXPECT_EQ(CountWork(threads, 2), Count);
+  EXPECT_EQ(threads.GetNumberOfWaiting(), 0);
+}
+
+TEST(Threads, EndTheirWaitIfTheyAreWokenAgainAndAgain)
+{
+  lms3dThreads threads;
+  CountWork(threads, 2);
+  for (int i = 0; i < 1000; ++i)
+  {
+    threads.Wake(2);
+  }
+  // 1,000 waits of 0.2 ms would take as much.
+  const std::clock_t start = std::clock();
+  Sleep();
+  Sleep();
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 0.1);
 }
 
 TEST(Threads, WorkAfterTheyWereWokenInAnotherNumber)
