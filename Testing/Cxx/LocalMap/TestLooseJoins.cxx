@@ -7,9 +7,12 @@
 #include "LocalMap/Grid/lms3dJoinResolver.h"
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 
+#include <vtkMath.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -18,10 +21,11 @@ namespace
 constexpr double DepthStep = 0.1;
 
 /// The relation of the two middle ones of six ranges along a turn at elevation 0, metres.
-lms3dDepthStep::Relation Classify(const std::vector<double>& six, double step)
+lms3dDepthStep::Relation Classify(
+  const std::vector<double>& six, double step, double depthStep = DepthStep)
 {
   const double* const at = six.data() + 2;
-  return lms3dDepthStep(DepthStep, step)
+  return lms3dDepthStep(depthStep, step)
     .Classify(lms3dDepthStep::GetSideBefore(at), lms3dDepthStep::GetSideBehind(at));
 }
 
@@ -88,6 +92,33 @@ TEST_F(LooseJoins, AreGentleBetweenPlanesThatDoNotIntersect)
   EXPECT_EQ(Classify({ 30.0, 30.0, 30.0, 32.0, 32.0, 32.0 }, 2.0), lms3dDepthStep::Separate);
   // Coarse scans show less.
   EXPECT_EQ(Classify({ 30.0, 30.0, 30.0, 32.0, 32.0, 32.0 }, 4.0), lms3dDepthStep::Separate);
+  // The user wants to see far smaller steps.
+  EXPECT_EQ(Classify({ 30.0, 30.0, 30.0, 31.0, 31.0, 31.0 }, 2.0, 0.02), lms3dDepthStep::Separate);
+}
+
+// Up to a tolerance of six depth steps: in a room, the front of a shelf ends before the wall.
+TEST_F(LooseJoins, AreNotGentleWhereBeamsAreNear)
+{
+  EXPECT_EQ(Classify({ 14.0, 14.0, 14.0, 14.45, 14.45, 14.45 }, 2.0), lms3dDepthStep::Separate);
+  EXPECT_EQ(Classify({ 14.5, 14.5, 14.5, 14.95, 14.95, 14.95 }, 2.0), lms3dDepthStep::Gentle);
+}
+
+// A wall that begins to bend: with a depth step of 0, gaps below a millimetre do not count.
+TEST_F(LooseJoins, AreNotMadeByRounding)
+{
+  const auto classify = [](double bend)
+  {
+    std::vector<double> wall;
+    for (int i = 0; i < Count; ++i)
+    {
+      const double past = std::max(0, i - Middle);
+      wall.push_back(3.0 / std::cos(vtkMath::RadiansFromDegrees(2.0 * i)) + bend * past * past);
+    }
+    return Classify(wall, 2.0, 0.0);
+  };
+  EXPECT_EQ(classify(0.0), lms3dDepthStep::Joined);
+  EXPECT_EQ(classify(0.0002), lms3dDepthStep::Joined);
+  EXPECT_EQ(classify(0.004), lms3dDepthStep::Loose);
 }
 
 TEST_F(LooseJoins, StayWhereAtMostTwoSidesAreOpen)
