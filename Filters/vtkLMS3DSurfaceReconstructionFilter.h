@@ -17,9 +17,10 @@
  * plain grid instead. A return without neighbours on its surface gets a facet, a small triangle
  * that faces the sensor, so no return is lost. Then the filter removes the vertices that the bound
  * does not need. Where patches join smoothly, as on curved surfaces, it also moves vertices to
- * where they fit the returns around them best. (With a mirror beside the axis or a turning
- * platform, no vertex moves, and the border of the surface stays. In scans of fewer than 5,000
- * returns all vertices stay.) Bounds below four standard deviations of the noise need more
+ * where they fit the returns around them best. Vertices at the border of the surface then keep
+ * their directions from the sensor. (With a mirror beside the axis or a turning platform, no vertex
+ * moves, and the border of the surface stays. If the beams are farther apart than 5,000 beams all
+ * around would be, all vertices stay.) Bounds below four standard deviations of the noise need more
  * triangles. With noise, the bound counts from the noisy returns. The surface extends beyond the
  * last returns by less than a cell of the grid, on average midway to the next beam.
  *
@@ -48,7 +49,18 @@
  *   where both planes are steeper or both sides are curved; or
  * - beams of a fan at most two degrees apart graze one plane, as that of a table's top: the same
  *   two beams of at least five turns, and a third return in the fan, show it (unless the platform
- *   turns during a fan).
+ *   turns during a fan); or
+ * - the surface is whole around them, neighbours are at most two degrees apart, and the surface
+ *   between them would be seen at an angle of incidence up to 45 degrees. The surface is whole if
+ *   one of the two grid cells beside the pair has no other open side, and the other cell at most
+ *   two. This holds only where DepthStep plus 2 % of the nearer range (or plus the share that
+ *   replaces the 2 %) is from 6 to 30 times DepthStep: there, hills and steps look alike.
+ *
+ * If that sum exceeds 6 times DepthStep, some returns within it are not on one surface: their
+ * ranges differ by more than twice DepthStep, one plane misses the other return by more than five
+ * times DepthStep, the other plane by more than half of it, and at least three of the six other
+ * sides of the cells beside the pair are open. Cells beyond the edge of the scan do not count. (If
+ * the platform turns during a fan, this holds only from turn to turn.)
  *
  * The filter estimates the noise from the scan itself. If noise leaves two neighbours open, the
  * mean over the pairs beside them decides. Noise beyond half of DepthStep counts as steps.

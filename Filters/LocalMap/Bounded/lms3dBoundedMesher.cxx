@@ -41,8 +41,8 @@ constexpr double MaximumPatchShare = 0.2;
 constexpr double SmallScan = 256.0;
 // The share of the time that finding patches takes.
 constexpr double PatchesDone = 0.4;
-// Beams farther apart leave too much open between them for vertices to move. Square degrees between
-// four neighbours: 5000 beams all around.
+// Larger cells leave too much open between their beams for vertices to move. Square degrees between
+// four neighbours: about 5000 beams all around. (The shape of the cell does not count.)
 constexpr double LargestCellToSimplify = 13.0;
 // The number of attempts in which patches may give up a few returns instead of being split.
 constexpr int ReleasingAttempts = 8;

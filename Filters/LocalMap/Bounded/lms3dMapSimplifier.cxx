@@ -109,7 +109,7 @@ void lms3dMapSimplifier::FreeSmoothBorders(
       if (vertex.IsChanged && !vertex.IsFree && !vertex.Triangles.empty() && !stars.HasStrip(i) &&
         !stars.IsInside(i) && smooth.IsSmooth(stars, i))
       {
-        stars.SetFree(i);
+        stars.SetFreeToFit(i);
       }
     });
 }

@@ -65,8 +65,9 @@ public:
 
   /// By vertex, 1 for those that are free from now on. Uses the threads of the calling TBB arena.
   void SetFree(const std::vector<std::uint8_t>& isFree);
-  /// Frees one more vertex. Its quadric must not be used.
-  void SetFree(std::int32_t vertex) { this->Vertices[vertex].IsFree = true; }
+  /// Frees one more vertex, but only for SetInverse(): it has no quadric, so no edge at it may
+  /// collapse.
+  void SetFreeToFit(std::int32_t vertex) { this->Vertices[vertex].IsFree = true; }
   void SetInverse(std::int32_t vertex, double inverse);
 
   using Border = lms3dStarBorder;

@@ -22,10 +22,12 @@ constexpr double MinimumFlatness = 0.001;
 constexpr double LargestGap = 1.8;
 // A crease is small if a gap beside it has at most this number of depth steps.
 constexpr double SmallGap = 2.0;
-// What makes returns within the tolerance Loose, in depth steps: how much their ranges differ, the
-// tolerance, and both gaps.
+// The tolerance, in depth steps, above which returns can be Loose or Gentle: the beams are far
+// apart.
+constexpr double SmallestTolerance = 6.0;
+// What makes returns within the tolerance Loose, in depth steps: how much their ranges differ, and
+// both gaps. (Gaps that bends of real surfaces leave do not count.)
 constexpr double LooseDifference = 2.0;
-constexpr double LooseTolerance = 6.0;
 constexpr double LooseGap = 5.0;
 constexpr double SmallestLooseGap = 0.5;
 // The largest tolerance at which returns can be Gentle, in depth steps. If the user wants to see
@@ -150,7 +152,8 @@ lms3dDepthStep::Relation lms3dDepthStep::ClassifyApart(const Pair& pair) const
   {
     return Joined;
   }
-  const bool isGentle = pair.Tolerance <= GentleTolerance * this->Absolute &&
+  const bool isGentle = pair.Tolerance > SmallestTolerance * this->Absolute &&
+    pair.Tolerance <= GentleTolerance * this->Absolute &&
     this->Angle <= lms3dSlopeLimits::WidestGentle &&
     this->GetSlope(pair) <= lms3dSlopeLimits::GentleWhole;
   return isGentle ? Gentle : Separate;
@@ -160,8 +163,8 @@ bool lms3dDepthStep::IsLoose(const Pair& pair) const
 {
   const auto [smaller, larger] = std::minmax(pair.AtFar.Size, pair.AtNear.Size);
   return pair.Difference <= pair.Tolerance && pair.Difference > LooseDifference * this->Absolute &&
-    pair.Tolerance > LooseTolerance * this->Absolute && larger > LooseGap * this->Absolute &&
-    smaller > SmallestLooseGap * this->Absolute;
+    pair.Tolerance > SmallestTolerance * this->Absolute && larger > LooseGap * this->Absolute &&
+    smaller > std::max(SmallestLooseGap * this->Absolute, this->Flatness);
 }
 
 lms3dDepthStep::Relation lms3dDepthStep::ClassifyCrease(const Pair& pair) const

@@ -39,11 +39,11 @@
  * step plus a share of the nearer range: 2 % or, if neighbours are farther apart, the angle between
  * them in radians, so that a coarse scan also joins surfaces inclined by 45 degrees.
  *
- * The surface around decides two kinds of pairs (lms3dJoinResolver). Joined pairs are Loose instead
- * if the beams are so far apart that the tolerance exceeds six depth steps, the ranges differ by
- * more than two depth steps, one plane misses the other return by more than five and the other
- * plane by more than half of one. Separate pairs are Gentle instead if the slope is gentle and the
- * tolerance is at most 30 depth steps.
+ * If the beams are so far apart that the tolerance exceeds six depth steps, the surface around
+ * decides two kinds of pairs (lms3dJoinResolver). Joined pairs are Loose instead if the ranges
+ * differ by more than two depth steps, one plane misses the other return by more than five, and the
+ * other plane does not meet it within half of one (at least 1 mm). Separate pairs are Gentle
+ * instead if the slope is gentle and the tolerance is at most 30 depth steps.
  *
  * On a plane, three consecutive inverse ranges w along a fan satisfy w[i-1] + w[i+1] = 2 cos(step)
  * w[i]. Along a turn at elevation e, the plane's tilt is added: 2 (1 - cos(step)) sin(e) h, where h

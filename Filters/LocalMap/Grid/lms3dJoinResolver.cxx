@@ -9,101 +9,9 @@
 
 namespace
 {
-// The number of pairs on each side of an uncertain pair that count.
-constexpr int MaximumPairs = 2;
 // The number of open sides around a pair on one surface.
 constexpr int MaximumOpenSides = 2;
 } // namespace
-
-// Calls visit(turn, beam) for the pair and for the pairs beside it, except at poles.
-template <typename Visitor>
-void lms3dJoinResolver::ForEachParallel(const lms3dUncertainJoin& join, const Visitor& visit) const
-{
-  const lms3dScanGeometry& geometry = this->Grid.GetGeometry();
-  const bool isFan = join.Towards == lms3dJoinedAlongFan;
-  visit(join.Turn, join.Beam);
-  for (int direction : { -1, 1 })
-  {
-    int turn = join.Turn;
-    int beam = join.Beam;
-    for (int i = 0; i < MaximumPairs && this->IsJoinedAcross(turn, beam, isFan, direction); ++i)
-    {
-      turn += isFan ? direction : 0;
-      beam += isFan ? 0 : direction;
-      if (geometry.IsPole(beam) || (isFan && geometry.IsPole(beam + 1)))
-      {
-        break;
-      }
-      visit(turn, beam);
-    }
-  }
-}
-
-// Whether both returns of a pair are joined with the returns of the pair beside it.
-bool lms3dJoinResolver::IsJoinedAcross(int turn, int beam, bool isFan, int direction) const
-{
-  const int previous = direction < 0 ? -1 : 0;
-  return isFan ? this->IsJoined(turn + previous, beam, lms3dJoinedAlongTurn) &&
-      this->IsJoined(turn + previous, beam + 1, lms3dJoinedAlongTurn)
-               : this->IsJoined(turn, beam + previous, lms3dJoinedAlongFan) &&
-      this->IsJoined(turn + 1, beam + previous, lms3dJoinedAlongFan);
-}
-
-// Pairs without a return before or behind have no plane and do not count.
-lms3dDepthStep::Relation lms3dJoinResolver::ClassifyMean(
-  const lms3dUncertainJoin& join, const Classifiers& classifiers) const
-{
-  const bool isFan = join.Towards == lms3dJoinedAlongFan;
-  const lms3dDepthStep& step = isFan ? classifiers.FanStep : classifiers.TurnStep;
-  lms3dDepthStep::Plane before;
-  lms3dDepthStep::Plane behind;
-  int pairs = 0;
-  int planes = 0;
-  bool hasPlanes = false;
-  // The mean of curved sides can look straight.
-  const auto getPlane = [&step](const lms3dDepthStep::Side& side)
-  {
-    lms3dDepthStep::Plane plane = step.GetPlane(side);
-    plane.HasBend = plane.HasBend && !step.IsCurved(plane);
-    return plane;
-  };
-  this->ForEachParallel(join,
-    [&](int turn, int beam)
-    {
-      const auto [first, second] = this->GetSides({ turn, beam, join.Towards, true }, classifiers);
-      const bool arePlanes = first.Ranges[1] > 0.0 && second.Ranges[1] > 0.0;
-      hasPlanes = pairs++ == 0 ? arePlanes : hasPlanes;
-      if (arePlanes)
-      {
-        before.Add(getPlane(first), 1.0);
-        behind.Add(getPlane(second), 1.0);
-        ++planes;
-      }
-    });
-  if (!hasPlanes)
-  {
-    return lms3dDepthStep::Uncertain;
-  }
-  lms3dDepthStep::Plane meanBefore;
-  lms3dDepthStep::Plane meanBehind;
-  meanBefore.Add(before, 1.0 / planes);
-  meanBehind.Add(behind, 1.0 / planes);
-  return step.ClassifyMeans(meanBefore, meanBehind);
-}
-
-std::array<lms3dDepthStep::Side, 2> lms3dJoinResolver::GetSides(
-  const lms3dUncertainJoin& join, const Classifiers& classifiers) const
-{
-  const int turns = this->Grid.GetNumberOfTurns();
-  const int turn = (join.Turn + turns) % turns;
-  if (join.Towards == lms3dJoinedAlongFan)
-  {
-    const double* const at = this->Grid.GetRanges(turn) + join.Beam;
-    return { lms3dDepthStep::GetSideBefore(at), lms3dDepthStep::GetSideBehind(at) };
-  }
-  const lms3dTurnClassifier classifier(this->Grid, turn, classifiers.TurnStep, classifiers.Tilts);
-  return { classifier.GetSideBefore(join.Beam), classifier.GetSideBehind(join.Beam) };
-}
 
 // Joins all uncertain neighbours first, then separates those beside a gap, one after the other. Any
 // order gives the same result; alternating directions are fast for long rows.
@@ -141,21 +49,30 @@ void lms3dJoinResolver::SeparateBesideSteps(
 // All pairs are judged before any changes, so their order does not count.
 void lms3dJoinResolver::DecideLoose(const std::vector<lms3dUncertainJoin>& joins)
 {
-  std::vector<std::uint8_t> areSurface(joins.size());
-  std::transform(joins.begin(), joins.end(), areSurface.begin(),
-    [this](const lms3dUncertainJoin& join) { return this->IsSurfaceAround(join) ? 1 : 0; });
-  for (std::size_t i = 0; i < joins.size(); ++i)
+  std::vector<lms3dUncertainJoin> changes;
+  std::copy_if(joins.begin(), joins.end(), std::back_inserter(changes),
+    [this](const lms3dUncertainJoin& join)
+    { return this->IsSurfaceAround(join) == (join.Relation == lms3dDepthStep::Gentle); });
+  for (const lms3dUncertainJoin& join : changes)
   {
-    this->Separate(joins[i]);
-    this->Joins.GetRow(joins[i].Turn)[joins[i].Beam] |= areSurface[i] ? joins[i].Towards : 0;
+    this->Separate(join);
+    this->Joins.GetRow(join.Turn)[join.Beam] |=
+      join.Relation == lms3dDepthStep::Gentle ? join.Towards : 0;
   }
 }
 
 bool lms3dJoinResolver::IsSurfaceAround(const lms3dUncertainJoin& join) const
 {
   const auto [before, behind] = this->CountOpenSides(join);
-  return before + behind <= MaximumOpenSides &&
-    (this->IsJoined(join.Turn, join.Beam, join.Towards) || std::min(before, behind) == 0);
+  if (join.Relation == lms3dDepthStep::Gentle)
+  {
+    return before + behind <= MaximumOpenSides && std::min(before, behind) == 0;
+  }
+  const int turns = join.Towards == lms3dJoinedAlongFan ? 1 : 0;
+  const int beams = 1 - turns;
+  return (this->IsInside(join.Turn - turns, join.Beam - beams) ? before : 0) +
+    (this->IsInside(join.Turn + turns, join.Beam + beams) ? behind : 0) <=
+    MaximumOpenSides;
 }
 
 bool lms3dJoinResolver::IsBesideStep(const lms3dUncertainJoin& join, double minimum) const
@@ -165,7 +82,7 @@ bool lms3dJoinResolver::IsBesideStep(const lms3dUncertainJoin& join, double mini
   const auto isStep = [&](int direction)
   {
     const lms3dUncertainJoin beside = { join.Turn + (isFan ? direction : 0),
-      join.Beam + (isFan ? 0 : direction), join.Towards, false };
+      join.Beam + (isFan ? 0 : direction), join.Towards, join.Relation };
     if (!this->IsInside(beside.Turn, beside.Beam))
     {
       return false;

@@ -30,8 +30,10 @@ struct lms3dUncertainJoin
   int Turn;
   int Beam;
   lms3dJoinFlag Towards;
-  /// Whether that is due to noise.
-  bool IsNoisy;
+  /// What the ranges alone show.
+  lms3dDepthStep::Relation Relation;
+
+  bool IsNoisy() const { return this->Relation == lms3dDepthStep::Noisy; }
 };
 
 /**
@@ -76,7 +78,8 @@ public:
   void SeparateBesideSteps(const std::vector<lms3dUncertainJoin>& joins, double depthStep);
 
   /// Separates Loose pairs if at least three of the six other sides of both adjacent cells are open.
-  /// Joins Gentle pairs if at most two are open, all in one cell.
+  /// Joins Gentle pairs if at most two are open, all in one cell. Beyond the edge of the scan, the
+  /// sides of a cell are open for Gentle pairs only: there, the surface is not known to end.
   void DecideLoose(const std::vector<lms3dUncertainJoin>& joins);
 
 private:

@@ -138,15 +138,9 @@ void lms3dRangeJoins::FindAlongSteadyFans(
     {
       fans.Fill(turn, ranges.data() + 2);
       lms3dTurnJoins found = this->GetTurnJoins(turn);
-      found.ClassifyFan(grid, ranges.data() + 2, step);
       // Where a fan cannot be interpolated, its comb remains.
-      for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
-      {
-        if (step.AreRangesEqual(ranges[beam + 2], ranges[beam + 3]))
-        {
-          found.Add(beam, AlongFan, lms3dDepthStep::Joined);
-        }
-      }
+      found.JoinEqualRanges(grid, ranges.data() + 2, step);
+      found.ClassifyFan(grid, ranges.data() + 2, step);
     }
   }
 }
@@ -194,7 +188,7 @@ void lms3dRangeJoins::ResolveMeans(
       for (const lms3dUncertainJoin& join : this->UncertainJoins[turn])
       {
         relations[turn].push_back(
-          join.IsNoisy ? resolver.ClassifyMean(join, classifiers) : lms3dDepthStep::Uncertain);
+          join.IsNoisy() ? resolver.ClassifyMean(join, classifiers) : lms3dDepthStep::Uncertain);
       }
     });
   for (std::size_t turn = 0; turn < relations.size(); ++turn)

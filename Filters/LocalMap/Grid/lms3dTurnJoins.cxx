@@ -12,6 +12,16 @@ bool IsBesideOddPole(const lms3dRangeGrid& grid, int beam)
 }
 } // namespace
 
+void lms3dTurnJoins::JoinEqualRanges(
+  const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step)
+{
+  for (int beam = 0; beam + 1 < grid.GetNumberOfBeams(); ++beam)
+  {
+    this->Flags[beam] |=
+      step.AreRangesEqual(ranges[beam], ranges[beam + 1]) ? lms3dJoinedAlongFan : 0;
+  }
+}
+
 void lms3dTurnJoins::ClassifyFan(
   const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step)
 {
@@ -53,7 +63,7 @@ void lms3dTurnJoins::ClassifyTurn(const lms3dRangeGrid& grid, const lms3dTurnCla
 
 void lms3dTurnJoins::Add(int beam, lms3dJoinFlag towards, lms3dDepthStep::Relation relation)
 {
-  const lms3dUncertainJoin join = { this->Turn, beam, towards, relation == lms3dDepthStep::Noisy };
+  const lms3dUncertainJoin join = { this->Turn, beam, towards, relation };
   if (lms3dDepthStep::IsOneSurface(relation))
   {
     this->Flags[beam] |= towards;

@@ -23,8 +23,12 @@ struct lms3dTurnJoins
   /// Loose and Gentle pairs.
   std::vector<lms3dUncertainJoin>& Loose;
 
-  /// Classifies the neighbours in the fan. `ranges`, metres, belong to the turn and have a halo of
-  /// two beams.
+  /// Joins the neighbours in the fan whose ranges, metres, are equal (lms3dDepthStep).
+  void JoinEqualRanges(
+    const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step);
+
+  /// Classifies the neighbours in the fan that are not joined. `ranges`, metres, belong to the turn
+  /// and have a halo of two beams.
   void ClassifyFan(const lms3dRangeGrid& grid, const double* ranges, const lms3dDepthStep& step);
 
   /// Classifies the beams and the same beams of the next turn.

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace
 {
@@ -80,7 +81,8 @@ double GetAreaAt(double height, vtkPolyData* map)
 
 #ifndef LMS3D_FEWER_BEAMS
 constexpr double DepthStep = 0.1;
-// The share that the filter adds for neighbours up to 2 degrees apart.
+// The share of the range that the filter adds between turns, which are 2 degrees apart: the angle in
+// radians. Along fans, whose beams are 1 degree apart, it adds 2 %, so this share is wider there.
 constexpr double ShareOfRange = 0.035;
 
 /// The room from places spread over it.
@@ -123,6 +125,20 @@ TEST(MapOfGrazedSurfaces, ShowsTheTopOfATable)
     (1.0 / std::tan(vtkMath::RadiansFromDegrees(2.0)) -
       1.0 / std::tan(vtkMath::RadiansFromDegrees(3.0)));
   EXPECT_GT(GetAreaAt(Height, MakeMap(MakeScan(scene), 0.01)), 0.9 * 1.6 * depth);
+}
+
+// Rounding makes no step, even if the depth step is 0.
+TEST(MapOfDepthSteps, KeepsAWallWholeWithoutADepthStep)
+{
+  const std::vector<double> angles = MakeAngles(-20.0, 20.0, 41);
+  const auto getRange = [&](int turn, int number)
+  {
+    return 3.0 / std::cos(vtkMath::RadiansFromDegrees(angles[turn])) /
+      std::cos(vtkMath::RadiansFromDegrees(angles[number]));
+  };
+  vtkSmartPointer<vtkPolyData> wall = MakeScan(angles, angles, getRange);
+  EXPECT_EQ(MakeMap(wall, 0.0, 0, 0.0)->GetNumberOfCells(), 2 * 40 * 40);
+  EXPECT_LE(MakeMap(wall, 0.01, 0, 0.0)->GetNumberOfCells(), 4);
 }
 
 #ifndef LMS3D_FEWER_BEAMS
