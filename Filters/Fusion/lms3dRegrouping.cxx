@@ -133,66 +133,79 @@ void lms3dRegrouping::AddPlace(Place&& place)
   }
 }
 
-// The planes that cover the returns that are left, -1 for none.
-std::vector<int> lms3dRegrouping::FindCovering(const Place& place) const
-{
-  std::vector<int> covering;
-  for (const int i : place.Left)
-  {
-    covering.push_back(
-      this->Planes.FindCovering(place.Returns[i], place.OldPlanes, this->Planes.GetMaximumError()));
-  }
-  return covering;
-}
-
-// A place before this one may have cleared a plane that covered a return.
-void lms3dRegrouping::Replace(const Place& place, const std::vector<int>& covering)
-{
-  for (const int number : place.OldPlanes)
-  {
-    this->Planes[number].Clear();
-  }
-  for (std::size_t i = 0; i < covering.size(); ++i)
-  {
-    const lms3dMappedReturn& mapped = place.Returns[place.Left[i]];
-    if (covering[i] >= 0 && this->Planes.Covers(this->Planes[covering[i]], mapped))
-    {
-      this->Planes.AddBeside(covering[i], mapped);
-    }
-    else
-    {
-      this->Planes.AddFacet(mapped);
-    }
-  }
-  for (const int number : place.NewPlanes)
-  {
-    this->Planes[number].RegroupedTriangles = this->Planes[number].CountTriangles();
-  }
-}
-
 std::size_t lms3dRegrouping::CountTriangles(const std::vector<int>& numbers) const
 {
   return std::accumulate(numbers.begin(), numbers.end(), std::size_t{ 0 },
     [this](std::size_t sum, int number) { return sum + this->Planes[number].CountTriangles(); });
 }
 
+// How many returns that are left get a facet if the old planes go.
+std::size_t lms3dRegrouping::CountFacets(const Place& place) const
+{
+  return static_cast<std::size_t>(std::count_if(place.Left.begin(), place.Left.end(),
+    [&](int i) { return this->FindCovering(place.Returns[i], place.OldPlanes) < 0; }));
+}
+
+int lms3dRegrouping::FindCovering(
+  const lms3dMappedReturn& mapped, const std::vector<int>& exceptions) const
+{
+  return this->Planes.FindCovering(mapped, exceptions, this->Planes.GetMaximumError());
+}
+
+// All planes that go are cleared before others get returns: the returns of a plane that goes would
+// be lost.
 void lms3dRegrouping::Choose()
 {
+  std::vector<lms3dMappedReturn> left;
   for (const Place& place : this->Places)
   {
-    const std::vector<int> covering = this->FindCovering(place);
-    const auto facets = static_cast<std::size_t>(std::count(covering.begin(), covering.end(), -1));
-    if (this->CountTriangles(place.NewPlanes) + facets < this->CountTriangles(place.OldPlanes))
+    if (this->IsBetter(place))
     {
-      this->Replace(place, covering);
+      this->Clear(place.OldPlanes);
+      for (const int number : place.NewPlanes)
+      {
+        this->Planes[number].RegroupedTriangles = this->Planes[number].CountTriangles();
+      }
+      for (const int i : place.Left)
+      {
+        left.push_back(place.Returns[i]);
+      }
     }
     else
     {
-      for (const int number : place.NewPlanes)
-      {
-        this->Planes[number].Clear();
-      }
+      this->Clear(place.NewPlanes);
     }
   }
+  this->AddLeft(left);
   this->Places.clear();
+}
+
+bool lms3dRegrouping::IsBetter(const Place& place) const
+{
+  return this->CountTriangles(place.NewPlanes) + this->CountFacets(place) <
+    this->CountTriangles(place.OldPlanes);
+}
+
+void lms3dRegrouping::Clear(const std::vector<int>& numbers)
+{
+  for (const int number : numbers)
+  {
+    this->Planes[number].Clear();
+  }
+}
+
+void lms3dRegrouping::AddLeft(const std::vector<lms3dMappedReturn>& left)
+{
+  for (const lms3dMappedReturn& mapped : left)
+  {
+    const int covering = this->FindCovering(mapped, {});
+    if (covering >= 0)
+    {
+      this->Planes.AddBeside(covering, mapped);
+    }
+    else
+    {
+      this->Planes.AddFacet(mapped);
+    }
+  }
 }

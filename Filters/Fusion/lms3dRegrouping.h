@@ -50,8 +50,13 @@ private:
   std::vector<int> FindSeeds() const;
   Place FindPlace(int seed);
   void AddPlace(Place&& place);
-  void Replace(const Place& place, const std::vector<int>& covering);
-  std::vector<int> FindCovering(const Place& place) const;
+  std::size_t CountFacets(const Place& place) const;
+  /// A plane that covers a return and is not an exception, -1 for none.
+  int FindCovering(const lms3dMappedReturn& mapped, const std::vector<int>& exceptions) const;
+  bool IsBetter(const Place& place) const;
+  void Clear(const std::vector<int>& numbers);
+  /// Adds returns to planes that cover them, or gives them facets.
+  void AddLeft(const std::vector<lms3dMappedReturn>& left);
 
   lms3dFusedPlanes& Planes;
   const int BeamsOfFan;

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks which weak planes of a fused map are replaced by planes of fewer triangles.
+ */
+#include "Fusion/lms3dFusedPlanes.h"
+#include "Fusion/lms3dRegrouping.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace
+{
+constexpr double Bound = 0.01;
+constexpr int BeamsOfFan = 100;
+// Metres: so far from the plane of a group, a return is not on it, but a plane explains it.
+constexpr double Beside = 0.94 * Bound;
+
+/// A return seen from above. Beams are 1 cm from one another.
+lms3dMappedReturn MakeReturn(int turn, int beam, double height)
+{
+  lms3dMappedReturn mapped;
+  mapped.Point = { 0.01 * beam + 0.001, 0.01 * turn + 0.001, height };
+  mapped.Direction = { 0.0, 0.0, -1.0 };
+  mapped.Range = 2.0;
+  mapped.BeamId = turn * BeamsOfFan + beam;
+  mapped.Triangle = 0;
+  mapped.Scan = 0;
+  return mapped;
+}
+
+/// Gives triangles to a plane. They are far from all returns.
+void SetTriangles(int number, std::size_t triangles, lms3dFusedPlanes& planes)
+{
+  planes[number].Tiles.resize(1);
+  planes[number].Tiles.front().Mesh.Points.resize(1);
+  planes[number].Tiles.front().Mesh.Triangles.resize(triangles);
+}
+
+void Add(int number, const lms3dMappedReturn& mapped, lms3dFusedPlanes& planes)
+{
+  planes.GrowBox(number, mapped.Point);
+  EXPECT_TRUE(planes.AddReturn(number, mapped));
+}
+
+/// Adds a horizontal plane of few returns.
+int AddWeakPlane(
+  double height, int turns, int beams, std::size_t triangles, lms3dFusedPlanes& planes)
+{
+  const int number = planes.MakePlane({ 0.0, 0.0, height }, { 0.0, 0.0, 1.0 });
+  planes[number].IsWeak = true;
+  SetTriangles(number, triangles, planes);
+  for (int turn = 0; turn < turns; ++turn)
+  {
+    for (int beam = 0; beam < beams; ++beam)
+    {
+      Add(number, MakeReturn(turn, beam, height), planes);
+    }
+  }
+  return number;
+}
+
+/// Lets triangles of a plane cover the cell of a return.
+void Cover(int number, const lms3dMappedReturn& mapped, lms3dFusedPlanes& planes)
+{
+  const lms3dPoint2 place = planes[number].Frame.ToCells(mapped.Point);
+  const std::int32_t column = lms3dGetCellOf(place[0]);
+  lms3dCellStrip strip;
+  strip.Row = lms3dGetCellOf(place[1]);
+  strip.Add(column, column);
+  planes[number].Raster.Set(&lms3dRasterBlock::Covered, strip, true);
+}
+
+std::size_t CountReturns(const lms3dFusedPlanes& planes)
+{
+  std::size_t count = 0;
+  for (const lms3dFusedPlane& plane : planes.GetAll())
+  {
+    count += plane.Returns.size();
+  }
+  return count;
+}
+} // namespace
+
+/// Each of two planes has too many returns to be looked at with the other one. Both go, and only
+/// the second one has triangles at two returns of the first one.
+TEST(LMS3DRegrouping, LosesNoReturnToAPlaneThatGoes)
+{
+  lms3dFusedPlanes planes(Bound);
+  const int first = AddWeakPlane(1.0, 41, 50, 20, planes);
+  const int second = AddWeakPlane(1.0 + Beside, 41, 50, 10, planes);
+  for (const int beam : { 20, 30 })
+  {
+    const lms3dMappedReturn mapped = MakeReturn(20, beam, 1.0 + Beside);
+    Add(first, mapped, planes);
+    Cover(second, mapped, planes);
+  }
+  const std::size_t before = CountReturns(planes);
+  lms3dRegrouping regrouping(planes, BeamsOfFan);
+  regrouping.MakePlanes();
+  ASSERT_EQ(planes.GetSize(), 4U);
+  regrouping.Choose();
+  EXPECT_TRUE(planes[first].HasGone);
+  EXPECT_TRUE(planes[second].HasGone);
+  EXPECT_EQ(CountReturns(planes), before);
+  ASSERT_EQ(planes.GetSize(), 6U);
+  EXPECT_EQ(planes[4].Verbatim.size(), 1U);
+  EXPECT_EQ(planes[5].Verbatim.size(), 1U);
+}
+
+/// A return that is on no plane counts as a triangle, since it gets a facet.
+TEST(LMS3DRegrouping, ReplacesPlanesByFewerTriangles)
+{
+  struct Case
+  {
+    std::size_t Triangles;
+    bool HasOther;
+    bool IsReplaced;
+  };
+  for (const Case& each :
+    { Case{ 4, false, true }, { 5, false, false }, { 3, true, true }, { 4, true, false } })
+  {
+    SCOPED_TRACE(each.Triangles);
+    lms3dFusedPlanes planes(Bound);
+    const int number = AddWeakPlane(1.0, 5, 5, 5, planes);
+    if (each.HasOther)
+    {
+      Add(number, MakeReturn(2, 2, 1.0 + Beside), planes);
+    }
+    const std::size_t before = CountReturns(planes);
+    lms3dRegrouping regrouping(planes, BeamsOfFan);
+    regrouping.MakePlanes();
+    ASSERT_EQ(planes.GetSize(), 2U);
+    SetTriangles(1, each.Triangles, planes);
+    regrouping.Choose();
+    EXPECT_EQ(planes[number].HasGone, each.IsReplaced);
+    EXPECT_NE(planes[1].HasGone, each.IsReplaced);
+    EXPECT_EQ(CountReturns(planes), before);
+    EXPECT_EQ(planes.GetSize(), each.IsReplaced && each.HasOther ? 3U : 2U);
+  }
+}
