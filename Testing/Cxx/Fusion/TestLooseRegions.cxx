@@ -109,6 +109,24 @@ TEST(LMS3DHandedReturns, GoToTheNearerPlane)
   EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
 }
 
+/// Later scans saw through the return.
+TEST(LMS3DHandedReturns, AreNotThoseForgotten)
+{
+  const lms3dMappedReturn mapped = MakeReturn({ 0.0, 0.001, 0.005 });
+  FloorAndWall scene;
+  scene.AddToFloor(mapped);
+  Cover(scene.Wall, mapped, scene.Planes);
+  lms3dFusedPlane& floor = scene.Planes[scene.Floor];
+  const lms3dPoint2 place = floor.Frame.ToCells(mapped.Point);
+  lms3dCellStrip strip;
+  strip.Row = lms3dGetCellOf(place[1]);
+  strip.Add(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[0]));
+  floor.Raster.Forget(strip);
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_TRUE(floor.Returns.empty());
+  EXPECT_FALSE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
+}
+
 TEST(LMS3DHandedReturns, StayIfAReturnOfTheirCellStays)
 {
   const lms3dMappedReturn high = MakeReturn({ 0.0, 0.001, 0.005 });
