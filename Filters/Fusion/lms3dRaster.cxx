@@ -86,6 +86,7 @@ void lms3dRaster::Open(const lms3dCellStrip& strip)
     });
 }
 
+// A facet covers its cell and touches none.
 void lms3dRaster::Forget(const lms3dCellStrip& strip)
 {
   this->ForWords(strip,
@@ -93,7 +94,12 @@ void lms3dRaster::Forget(const lms3dCellStrip& strip)
     {
       lms3dRasterBlock& block = this->Blocks[number];
       const std::uint64_t gone = bits & block.Must[row];
-      this->Forgot = this->Forgot || gone != 0 || (bits & block.Beside[row]) != 0;
+      const std::uint64_t forgotten = gone | (bits & block.Beside[row]);
+      this->Forgot = this->Forgot || forgotten != 0;
+      if ((forgotten & block.Covered[row] & ~block.Touched[row]) != 0)
+      {
+        this->SetMark(number, STALE);
+      }
       block.Must[row] &= ~bits;
       block.Beside[row] &= ~bits;
       block.Far[row] &= ~bits;
