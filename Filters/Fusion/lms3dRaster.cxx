@@ -77,7 +77,7 @@ void lms3dRaster::Open(const lms3dCellStrip& strip)
       const std::uint64_t opened = bits & ~block.Open[row];
       const std::uint64_t inRegion = block.May[row] & ~(block.Must[row] | block.Passed[row]);
       block.Open[row] |= bits;
-      block.HasOpen = true;
+      block.HasOpen = block.HasOpen || bits != 0;
       this->AddChanges(number, &lms3dChangedSquares::Less, row, opened & inRegion);
       if (opened != 0)
       {
