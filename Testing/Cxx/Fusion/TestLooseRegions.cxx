@@ -84,10 +84,15 @@ TEST(LMS3DLooseRegions, GoIfOtherTrianglesCoverTheirReturns)
   const std::size_t facet = scene.Planes.GetSize() - 1;
   scene.Planes[facet].Tiles.emplace_back();
   scene.Planes[facet].Tiles.front().Mesh.Triangles.resize(1);
-  lms3dDropLooseRegions(scene.Planes);
+  lms3dDropLooseRegions(scene.Planes, 0);
   EXPECT_FALSE(scene.Planes[facet].HasGone);
   Cover(scene.Wall, mapped, scene.Planes);
-  lms3dDropLooseRegions(scene.Planes);
+  scene.Planes[scene.Wall].Tiles.emplace_back();
+  scene.Planes[scene.Wall].Tiles.front().Blocks.push_back(0);
+  scene.Planes[scene.Wall].Tiles.front().Revision = Revision;
+  lms3dDropLooseRegions(scene.Planes, Revision + 1);
+  EXPECT_FALSE(scene.Planes[facet].HasGone) << "no mesh changed";
+  lms3dDropLooseRegions(scene.Planes, Revision);
   EXPECT_TRUE(scene.Planes[facet].HasGone);
   EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
   EXPECT_FALSE(Has(&lms3dRasterBlock::Must, mapped, scene.Planes[scene.Wall]));
