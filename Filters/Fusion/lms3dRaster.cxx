@@ -2,6 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRaster.h"
 
+template <>
+void lms3dBlockGrid<lms3dRasterBlock>::Link(int number)
+{
+  lms3dRasterBlock& block = this->Blocks[number];
+  for (int i = 0; i < 9; ++i)
+  {
+    block.Around[i] = this->Find(block.U + i % 3 - 1, block.V + i / 3 - 1);
+    if (block.Around[i] >= 0)
+    {
+      this->Blocks[block.Around[i]].Around[8 - i] = number;
+    }
+  }
+}
+
 void lms3dRaster::ClearMarks()
 {
   for (const int number : this->Marked)

@@ -68,6 +68,9 @@ struct lms3dRasterBlock : lms3dRegionBlock
   int NewCreaseCells = 0;
 };
 
+template <>
+void lms3dBlockGrid<lms3dRasterBlock>::Link(int number);
+
 class lms3dRaster : public lms3dBlockGrid<lms3dRasterBlock>
 {
 public:
