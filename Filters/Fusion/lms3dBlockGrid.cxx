@@ -4,25 +4,6 @@
 
 #include "Fusion/lms3dRaster.h"
 
-#include <type_traits>
-
-template <typename Block>
-void lms3dBlockGrid<Block>::Link(int number)
-{
-  if constexpr (std::is_same_v<Block, lms3dRasterBlock>)
-  {
-    Block& block = this->Blocks[number];
-    for (int i = 0; i < 9; ++i)
-    {
-      block.Around[i] = this->Find(block.U + i % 3 - 1, block.V + i / 3 - 1);
-      if (block.Around[i] >= 0)
-      {
-        this->Blocks[block.Around[i]].Around[8 - i] = number;
-      }
-    }
-  }
-}
-
 template <typename Block>
 int lms3dBlockGrid<Block>::FindOrMake(std::int32_t u, std::int32_t v)
 {

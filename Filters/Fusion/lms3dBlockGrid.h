@@ -188,8 +188,9 @@ public:
   }
 
 protected:
-  /// Lets a new block know the blocks around it, and the reverse, if blocks keep these.
-  void Link(int number);
+  /// Lets a new block know the blocks around it, and the reverse, if blocks keep these: then the
+  /// header of the block has a specialization.
+  void Link(int /* number */) {}
   int FindOrMake(std::int32_t u, std::int32_t v);
 
   /// Returns whether a cell of a box lies in a block and differs from its bit in `word`.

@@ -88,7 +88,7 @@ public:
   {
     if (this->IsPiece(count))
     {
-      this->Memory->Return(values);
+      this->Memory->Return(static_cast<void*>(values));
     }
     else
     {

@@ -92,7 +92,8 @@ bool lms3dGrowingMap::Add(
 // may have surface.
 bool lms3dGrowingMap::Reduce(const lms3dProgress& progress)
 {
-  lms3dDropLooseRegions(this->Planes);
+  lms3dDropLooseRegions(this->Planes, this->LooseRevision);
+  this->LooseRevision = this->GetNumberOfScans();
   if (!this->Settings.KeepReturns)
   {
     return this->Renew(progress);

@@ -57,6 +57,7 @@ public:
     {
       return;
     }
+    this->Plane.DropForgotten();
     this->SetCovered(false);
     this->FindTakers();
     this->SetCovered(true);

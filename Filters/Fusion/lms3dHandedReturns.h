@@ -9,10 +9,11 @@
 
 #include "Fusion/lms3dFusedPlanes.h"
 
-/// If the triangles of a weak plane do not explain the returns in a cell, the cell has a facet.
-/// Where triangles of other planes explain all of these returns, as beside a crease, the returns
-/// go to the other planes, and the facet goes. Looks at the tiles that have a revision. The meshes
-/// of all planes must be up to date.
+/// Looks at all returns of the weak planes that have a tile of a revision. If triangles of another
+/// plane explain such a return, the return may go to this plane in two cases: a facet alone
+/// explains it on its own plane, as beside a crease, or the other plane is at most half as far. The
+/// returns of a cell go if all of them may; then the facet of the cell goes, too. A return that the
+/// next mesh of the other plane does not cover gets a facet there.
 void lms3dHandReturnsOver(lms3dFusedPlanes& planes, int revision);
 
 #endif

@@ -2,12 +2,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dLooseRegions.h"
 
+#include "Fusion/lms3dBlockBoxes.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace
 {
+// Bounds: how far a block may be from the box of a region with a return that it covers. The return
+// is within one bound and a cell of both.
+constexpr double LargestDistance = 3.0;
+
+bool IsLoose(const lms3dFusedPlane& plane)
+{
+  return !plane.Verbatim.empty() && !plane.Returns.empty();
+}
+
+// The loose regions for which the verdict may have changed, in order.
+std::vector<int> FindToJudge(const lms3dFusedPlanes& planes, int revision)
+{
+  std::vector<int> found;
+  for (std::size_t i = 0; i < planes.GetSize(); ++i)
+  {
+    const lms3dFusedPlane& plane = planes[i];
+    lms3dBlockBoxes changed;
+    for (const lms3dFusedTile& tile : plane.Tiles)
+    {
+      const bool isNew = tile.Revision >= revision;
+      std::for_each(tile.Blocks.begin(), isNew ? tile.Blocks.end() : tile.Blocks.begin(),
+        [&](int number) { changed.Add(plane, number); });
+    }
+    changed.FindPlanesNear(planes, LargestDistance * planes.GetMaximumError(), IsLoose, found);
+    if (plane.Raster.HasForgotten() && IsLoose(plane))
+    {
+      found.push_back(static_cast<int>(i));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
 void DropIfNeedless(lms3dFusedPlanes& planes, int number)
 {
   lms3dFusedPlane& plane = planes[number];
@@ -38,14 +74,10 @@ void DropIfNeedless(lms3dFusedPlanes& planes, int number)
 }
 } // namespace
 
-void lms3dDropLooseRegions(lms3dFusedPlanes& planes)
+void lms3dDropLooseRegions(lms3dFusedPlanes& planes, int revision)
 {
-  const std::size_t end = planes.GetSize();
-  for (std::size_t i = 0; i < end; ++i)
+  for (const int number : FindToJudge(planes, revision))
   {
-    if (!planes[i].Verbatim.empty() && !planes[i].Returns.empty())
-    {
-      DropIfNeedless(planes, static_cast<int>(i));
-    }
+    DropIfNeedless(planes, number);
   }
 }

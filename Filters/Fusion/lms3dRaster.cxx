@@ -2,6 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRaster.h"
 
+template <>
+void lms3dBlockGrid<lms3dRasterBlock>::Link(int number)
+{
+  lms3dRasterBlock& block = this->Blocks[number];
+  for (int i = 0; i < 9; ++i)
+  {
+    block.Around[i] = this->Find(block.U + i % 3 - 1, block.V + i / 3 - 1);
+    if (block.Around[i] >= 0)
+    {
+      this->Blocks[block.Around[i]].Around[8 - i] = number;
+    }
+  }
+}
+
 void lms3dRaster::ClearMarks()
 {
   for (const int number : this->Marked)
@@ -77,7 +91,7 @@ void lms3dRaster::Open(const lms3dCellStrip& strip)
       const std::uint64_t opened = bits & ~block.Open[row];
       const std::uint64_t inRegion = block.May[row] & ~(block.Must[row] | block.Passed[row]);
       block.Open[row] |= bits;
-      block.HasOpen = true;
+      block.HasOpen = block.HasOpen || bits != 0;
       this->AddChanges(number, &lms3dChangedSquares::Less, row, opened & inRegion);
       if (opened != 0)
       {
@@ -86,6 +100,7 @@ void lms3dRaster::Open(const lms3dCellStrip& strip)
     });
 }
 
+// A facet covers its cell and touches none.
 void lms3dRaster::Forget(const lms3dCellStrip& strip)
 {
   this->ForWords(strip,
@@ -93,7 +108,12 @@ void lms3dRaster::Forget(const lms3dCellStrip& strip)
     {
       lms3dRasterBlock& block = this->Blocks[number];
       const std::uint64_t gone = bits & block.Must[row];
-      this->Forgot = this->Forgot || gone != 0 || (bits & block.Beside[row]) != 0;
+      const std::uint64_t forgotten = gone | (bits & block.Beside[row]);
+      this->Forgot = this->Forgot || forgotten != 0;
+      if ((forgotten & block.Covered[row] & ~block.Touched[row]) != 0)
+      {
+        this->SetMark(number, STALE);
+      }
       block.Must[row] &= ~bits;
       block.Beside[row] &= ~bits;
       block.Far[row] &= ~bits;

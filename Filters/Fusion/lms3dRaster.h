@@ -68,6 +68,9 @@ struct lms3dRasterBlock : lms3dRegionBlock
   int NewCreaseCells = 0;
 };
 
+template <>
+void lms3dBlockGrid<lms3dRasterBlock>::Link(int number);
+
 class lms3dRaster : public lms3dBlockGrid<lms3dRasterBlock>
 {
 public:
@@ -115,7 +118,8 @@ public:
   /// Sets Open of the cells of a strip that lie in blocks.
   void Open(const lms3dCellStrip& strip);
 
-  /// Clears Must and Beside of the cells of a strip that lie in blocks.
+  /// Clears Must and Beside of the cells of a strip that lie in blocks. Marks blocks as stale in
+  /// which a facet loses its return.
   void Forget(const lms3dCellStrip& strip);
 
   /// Whether Forget() has ever cleared a bit.

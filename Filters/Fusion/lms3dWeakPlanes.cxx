@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dWeakPlanes.h"
 
+#include "Fusion/lms3dBlockBoxes.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <iterator>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -32,54 +30,23 @@ struct WeakPlane
   bool IsShown;
 };
 
-/// Boxes of blocks by the square of 8 x 8 blocks in which they lie.
-using BoxesOfSquares = std::map<std::array<std::int32_t, 2>, std::vector<lms3dWorldBox>>;
-
-// The blocks in which the last scan added surface.
-BoxesOfSquares FindNewSurface(const lms3dFusedPlane& plane)
-{
-  BoxesOfSquares squares;
-  for (const int number : plane.Raster.GetMarked())
-  {
-    if (plane.Raster.HasMark(number, lms3dRaster::GREW))
-    {
-      const lms3dRasterBlock& block = plane.Raster.GetBlock(number);
-      squares[{ block.U >> 3, block.V >> 3 }].push_back(plane.GetBoxOfBlock(number));
-    }
-  }
-  return squares;
-}
-
-// Adds the weak planes near boxes that lie side by side.
-void AddNear(
-  const lms3dFusedPlanes& planes, const std::vector<lms3dWorldBox>& boxes, std::vector<int>& found)
-{
-  const double bound = planes.GetMaximumError();
-  lms3dWorldBox all;
-  for (const lms3dWorldBox& box : boxes)
-  {
-    all.Add(box);
-  }
-  const std::vector<int> near = planes.FindPlanesNear(all, bound);
-  std::copy_if(near.begin(), near.end(), std::back_inserter(found),
-    [&](int i)
-    {
-      return planes[i].IsWeak && !planes[i].Returns.empty() &&
-        std::any_of(boxes.begin(), boxes.end(),
-          [&](const lms3dWorldBox& box) { return box.IsNear(planes.GetBox(i), bound); });
-    });
-}
-
 // The weak planes near surface that the last scan added, in order.
 std::vector<int> FindNearNewSurface(const lms3dFusedPlanes& planes)
 {
   std::vector<int> found;
   for (const lms3dFusedPlane& plane : planes.GetAll())
   {
-    for (const auto& [square, boxes] : FindNewSurface(plane))
+    lms3dBlockBoxes grown;
+    for (const int number : plane.Raster.GetMarked())
     {
-      AddNear(planes, boxes, found);
+      if (plane.Raster.HasMark(number, lms3dRaster::GREW))
+      {
+        grown.Add(plane, number);
+      }
     }
+    grown.FindPlanesNear(
+      planes, planes.GetMaximumError(),
+      [](const lms3dFusedPlane& near) { return near.IsWeak && !near.Returns.empty(); }, found);
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

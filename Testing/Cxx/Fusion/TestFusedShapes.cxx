@@ -68,7 +68,8 @@ bool SaysRightly(const lms3dRasterBlock& block)
   return block.IsFull == isFull(block.May) && block.IsShapeFull == isFull(block.Shape) &&
     block.IsMeshedFull == isFull(block.Meshed) &&
     block.IsAllCovered == (isFull(block.Covered) && isFull(block.Touched)) &&
-    block.HasPassed == (block.Passed != lms3dNoBits);
+    block.HasPassed == (block.Passed != lms3dNoBits) &&
+    block.HasOpen == (block.Open != lms3dNoBits);
 }
 
 Differences Compare(const lms3dGrowingMap& map)

@@ -84,10 +84,15 @@ TEST(LMS3DLooseRegions, GoIfOtherTrianglesCoverTheirReturns)
   const std::size_t facet = scene.Planes.GetSize() - 1;
   scene.Planes[facet].Tiles.emplace_back();
   scene.Planes[facet].Tiles.front().Mesh.Triangles.resize(1);
-  lms3dDropLooseRegions(scene.Planes);
+  lms3dDropLooseRegions(scene.Planes, 0);
   EXPECT_FALSE(scene.Planes[facet].HasGone);
   Cover(scene.Wall, mapped, scene.Planes);
-  lms3dDropLooseRegions(scene.Planes);
+  scene.Planes[scene.Wall].Tiles.emplace_back();
+  scene.Planes[scene.Wall].Tiles.front().Blocks.push_back(0);
+  scene.Planes[scene.Wall].Tiles.front().Revision = Revision;
+  lms3dDropLooseRegions(scene.Planes, Revision + 1);
+  EXPECT_FALSE(scene.Planes[facet].HasGone) << "no mesh changed";
+  lms3dDropLooseRegions(scene.Planes, Revision);
   EXPECT_TRUE(scene.Planes[facet].HasGone);
   EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
   EXPECT_FALSE(Has(&lms3dRasterBlock::Must, mapped, scene.Planes[scene.Wall]));
@@ -107,6 +112,24 @@ TEST(LMS3DHandedReturns, GoToTheNearerPlane)
   EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
   EXPECT_FALSE(Has(&lms3dRasterBlock::Must, mapped, scene.Planes[scene.Floor]));
   EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
+}
+
+/// Later scans saw through the return.
+TEST(LMS3DHandedReturns, AreNotThoseForgotten)
+{
+  const lms3dMappedReturn mapped = MakeReturn({ 0.0, 0.001, 0.005 });
+  FloorAndWall scene;
+  scene.AddToFloor(mapped);
+  Cover(scene.Wall, mapped, scene.Planes);
+  lms3dFusedPlane& floor = scene.Planes[scene.Floor];
+  const lms3dPoint2 place = floor.Frame.ToCells(mapped.Point);
+  lms3dCellStrip strip;
+  strip.Row = lms3dGetCellOf(place[1]);
+  strip.Add(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[0]));
+  floor.Raster.Forget(strip);
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_TRUE(floor.Returns.empty());
+  EXPECT_FALSE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
 }
 
 TEST(LMS3DHandedReturns, StayIfAReturnOfTheirCellStays)

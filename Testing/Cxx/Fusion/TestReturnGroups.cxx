@@ -99,7 +99,8 @@ TEST(LMS3DReturnGroups, HaveNoReturnFromBehind)
     for (const int i : group.Returns)
     {
       EXPECT_LT(lms3dDot(group.Normal, returns[i].Direction), 0.0);
-      EXPECT_EQ(i<static_cast<int>(before), group.Normal[0]> - 0.5) << i;
+      const bool isOfPost = i < static_cast<int>(before);
+      EXPECT_EQ(isOfPost, group.Normal[0] > -0.5) << i;
     }
   }
 }
