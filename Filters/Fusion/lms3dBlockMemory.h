@@ -70,8 +70,7 @@ public:
   lms3dBlockAllocator& operator=(const lms3dBlockAllocator& other) = default;
   ~lms3dBlockAllocator() = default;
   template <typename Other>
-  lms3dBlockAllocator(
-    const lms3dBlockAllocator<Other>& other) // NOLINT(google-explicit-constructor)
+  explicit lms3dBlockAllocator(const lms3dBlockAllocator<Other>& other)
     : Memory(other.GetMemory())
   {
   }

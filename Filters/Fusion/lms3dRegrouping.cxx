@@ -51,6 +51,7 @@ std::vector<int> lms3dRegrouping::FindSeeds() const
     [](const auto& a, const auto& b)
     { return a.first != b.first ? a.first > b.first : a.second < b.second; });
   std::vector<int> numbers;
+  numbers.reserve(seeds.size());
   for (const auto& seed : seeds)
   {
     numbers.push_back(seed.second);
@@ -124,6 +125,7 @@ void lms3dRegrouping::AddPlace(Place&& place)
   }
   if (TrianglesOfPlane * groups.size() + place.Left.size() < this->CountTriangles(place.OldPlanes))
   {
+    place.NewPlanes.reserve(groups.size());
     for (const lms3dReturnGroup& group : groups)
     {
       place.NewPlanes.push_back(lms3dMakeRegroupedPlane(
