@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 /// Scans with equal angles share one table. Vectors are in the sensor frame.
@@ -84,5 +85,8 @@ private:
   std::vector<int> Places;
   std::array<std::vector<float>, 3> NarrowDirections;
 };
+
+/// The tables of scans by their numbers; nullptr for a scan whose map is empty.
+using lms3dTablesOfScans = std::vector<std::shared_ptr<const lms3dBeamTable>>;
 
 #endif

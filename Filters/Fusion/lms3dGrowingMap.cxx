@@ -55,10 +55,12 @@ bool lms3dGrowingMap::Add(
   {
     this->Positions.push_back(
       scan.GetNumberOfReturns() > 0 ? scan.GetSensorPosition() : lms3dVector{ 0.0, 0.0, 0.0 });
+    this->Tables.emplace_back();
     return progress(1.0);
   }
   this->AddTable(scan);
   this->Positions.push_back(scan.GetSensorPosition());
+  this->Tables.push_back(this->Settings.KeepReturns ? this->Table : nullptr);
   auto ranges = std::make_unique<lms3dSeenRanges>(scan, this->Table);
   lms3dLocalMap local(map, scan, *ranges, this->Settings.MaximumError, std::move(this->Returns));
   if (!progress(TimeOfCasting))
@@ -98,7 +100,7 @@ bool lms3dGrowingMap::Reduce(const lms3dProgress& progress)
   {
     return this->Renew(progress);
   }
-  lms3dRegrouping regrouping(this->Planes, this->Table->GetBeamsOfFan());
+  lms3dRegrouping regrouping(this->Planes, this->Tables);
   regrouping.MakePlanes();
   lms3dMarkPassedEarlier(this->Seen, this->Planes);
   if (!this->Renew(lms3dGetStepProgress(progress, 0.0, TimeOfNewPlanes)))

@@ -49,6 +49,8 @@ private:
 
   const lms3dFusionSettings Settings;
   std::shared_ptr<const lms3dBeamTable> Table;
+  /// Of all scans, if returns are kept.
+  lms3dTablesOfScans Tables;
   std::vector<lms3dVector> Positions;
   std::vector<std::unique_ptr<lms3dSeenRanges>> Seen;
   lms3dFusedPlanes Planes;

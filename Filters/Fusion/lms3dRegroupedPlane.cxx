@@ -15,9 +15,16 @@ constexpr double CurvedShare = 0.05;
 // Bounds: beams that meet a plane farther apart may have a gap between them.
 constexpr double LargestStep = 12.0;
 
+// The next beam in the fan, that of the next turn, and the one between them; -1 beyond the end.
+std::array<int, 3> FindNeighbours(const lms3dBeamTable& table, int beamId)
+{
+  const int turnId = table.GetNextTurn(beamId);
+  return { table.GetNextInFan(beamId), turnId < 0 ? -1 : table.GetNextInFan(turnId), turnId };
+}
+
 // Lets a plane have surface between neighbouring beams.
 void GuessBetween(int number, const std::vector<lms3dMappedReturn>& returns,
-  const std::vector<int>& onPlane, int beamsOfFan, lms3dFusedPlanes& planes)
+  const std::vector<int>& onPlane, const lms3dTablesOfScans& tables, lms3dFusedPlanes& planes)
 {
   std::map<std::pair<int, int>, lms3dVector> pointOf;
   for (const int i : onPlane)
@@ -28,9 +35,9 @@ void GuessBetween(int number, const std::vector<lms3dMappedReturn>& returns,
   for (const auto& [beam, point] : pointOf)
   {
     std::vector<lms3dVector> corners;
-    for (const int step : { 1, beamsOfFan + 1, beamsOfFan })
+    for (const int neighbour : FindNeighbours(*tables[beam.first], beam.second))
     {
-      const auto found = pointOf.find({ beam.first, beam.second + step });
+      const auto found = pointOf.find({ beam.first, neighbour });
       if (found != pointOf.end() && lms3dGetLength(lms3dSubtract(found->second, point)) <= largest)
       {
         corners.push_back(found->second);
@@ -66,13 +73,13 @@ void GuessTriangles(int number, int old, lms3dFusedPlanes& planes)
 } // namespace
 
 int lms3dMakeRegroupedPlane(const std::vector<lms3dMappedReturn>& returns,
-  const lms3dReturnGroup& group, const std::vector<int>& oldPlanes, int beamsOfFan,
-  lms3dFusedPlanes& planes)
+  const lms3dReturnGroup& group, const std::vector<int>& oldPlanes,
+  const lms3dTablesOfScans& tables, lms3dFusedPlanes& planes)
 {
   const int number = planes.MakePlane(group.Centre, group.Normal);
   planes[number].IsWeak = true;
   planes[number].IsCurved = group.Deviation > CurvedShare * planes.GetMaximumError();
-  GuessBetween(number, returns, group.Returns, beamsOfFan, planes);
+  GuessBetween(number, returns, group.Returns, tables, planes);
   for (const int old : oldPlanes)
   {
     GuessTriangles(number, old, planes);

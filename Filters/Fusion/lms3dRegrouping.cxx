@@ -128,8 +128,8 @@ void lms3dRegrouping::AddPlace(Place&& place)
     place.NewPlanes.reserve(groups.size());
     for (const lms3dReturnGroup& group : groups)
     {
-      place.NewPlanes.push_back(lms3dMakeRegroupedPlane(
-        place.Returns, group, place.OldPlanes, this->BeamsOfFan, this->Planes));
+      place.NewPlanes.push_back(
+        lms3dMakeRegroupedPlane(place.Returns, group, place.OldPlanes, this->Tables, this->Planes));
     }
     this->Places.push_back(std::move(place));
   }

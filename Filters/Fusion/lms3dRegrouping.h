@@ -7,6 +7,7 @@
 #ifndef lms3dRegrouping_h
 #define lms3dRegrouping_h
 
+#include "Fusion/lms3dBeamTable.h"
 #include "Fusion/lms3dFusedPlanes.h"
 
 #include <cstddef>
@@ -21,10 +22,10 @@
 class lms3dRegrouping
 {
 public:
-  /// Keeps a reference. `beamsOfFan` says which beams of a scan are neighbours.
-  lms3dRegrouping(lms3dFusedPlanes& planes, int beamsOfFan)
+  /// Keeps references. The tables say which beams of a scan are neighbours.
+  lms3dRegrouping(lms3dFusedPlanes& planes, const lms3dTablesOfScans& tables)
     : Planes(planes)
-    , BeamsOfFan(beamsOfFan)
+    , Tables(tables)
   {
   }
 
@@ -59,7 +60,7 @@ private:
   void AddLeft(const std::vector<lms3dMappedReturn>& left);
 
   lms3dFusedPlanes& Planes;
-  const int BeamsOfFan;
+  const lms3dTablesOfScans& Tables;
   std::vector<Place> Places;
   /// The planes whose returns are in a place.
   std::vector<bool> IsTaken;

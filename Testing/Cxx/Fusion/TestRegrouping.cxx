@@ -11,11 +11,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 namespace
 {
 constexpr double Bound = 0.01;
 constexpr int BeamsOfFan = 100;
+constexpr int TurnsOfScan = 50;
 // Metres: so far from the plane of a group, a return is not on it, but a plane explains it.
 constexpr double Beside = 0.94 * Bound;
 
@@ -30,6 +32,17 @@ lms3dMappedReturn MakeReturn(int turn, int beam, double height)
   mapped.Triangle = 0;
   mapped.Scan = 0;
   return mapped;
+}
+
+/// Tables of scans with different numbers of beams. The first one does a full turn.
+lms3dTablesOfScans MakeTables()
+{
+  const double alpha[2] = { -45.0, 45.0 };
+  const double circle[2] = { 0.0, 360.0 };
+  const double part[2] = { 0.0, 90.0 };
+  return { std::make_shared<lms3dBeamTable>(
+             lms3dScanGeometry(alpha, BeamsOfFan, circle, TurnsOfScan)),
+    std::make_shared<lms3dBeamTable>(lms3dScanGeometry(alpha, 7, part, TurnsOfScan)) };
 }
 
 /// Gives triangles to a plane. They are far from all returns.
@@ -99,7 +112,8 @@ TEST(LMS3DRegrouping, LosesNoReturnToAPlaneThatGoes)
     Cover(second, mapped, planes);
   }
   const std::size_t before = CountReturns(planes);
-  lms3dRegrouping regrouping(planes, BeamsOfFan);
+  const lms3dTablesOfScans tables = MakeTables();
+  lms3dRegrouping regrouping(planes, tables);
   regrouping.MakePlanes();
   ASSERT_EQ(planes.GetSize(), 4U);
   regrouping.Choose();
@@ -131,7 +145,8 @@ TEST(LMS3DRegrouping, ReplacesPlanesByFewerTriangles)
       Add(number, MakeReturn(2, 2, 1.0 + Beside), planes);
     }
     const std::size_t before = CountReturns(planes);
-    lms3dRegrouping regrouping(planes, BeamsOfFan);
+    const lms3dTablesOfScans tables = MakeTables();
+    lms3dRegrouping regrouping(planes, tables);
     regrouping.MakePlanes();
     ASSERT_EQ(planes.GetSize(), 2U);
     SetTriangles(1, each.Triangles, planes);

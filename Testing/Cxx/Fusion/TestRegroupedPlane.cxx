@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks the planes that are made of returns of several scans.
+ */
+#include "Fusion/lms3dRegroupedPlane.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <numeric>
+#include <vector>
+
+namespace
+{
+constexpr double Bound = 0.01;
+constexpr int Turns = 6;
+
+/// A return on the plane z = 1, seen from above.
+lms3dMappedReturn MakeReturn(int scan, int beamId, double x, double y)
+{
+  lms3dMappedReturn mapped;
+  mapped.Point = { x, y, 1.0 };
+  mapped.Direction = { 0.0, 0.0, -1.0 };
+  mapped.Range = 2.0;
+  mapped.BeamId = beamId;
+  mapped.Triangle = 0;
+  mapped.Scan = scan;
+  return mapped;
+}
+
+std::shared_ptr<const lms3dBeamTable> MakeTable(int beams, double extent)
+{
+  const double alpha[2] = { -45.0, 45.0 };
+  const double beta[2] = { 0.0, extent };
+  return std::make_shared<lms3dBeamTable>(lms3dScanGeometry(alpha, beams, beta, Turns));
+}
+
+/// Makes a plane of all returns.
+int MakePlane(const std::vector<lms3dMappedReturn>& returns, const std::vector<int>& oldPlanes,
+  const lms3dTablesOfScans& tables, lms3dFusedPlanes& planes)
+{
+  lms3dReturnGroup group = { { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 }, 0.0, {} };
+  group.Returns.resize(returns.size());
+  std::iota(group.Returns.begin(), group.Returns.end(), 0);
+  return lms3dMakeRegroupedPlane(returns, group, oldPlanes, tables, planes);
+}
+
+/// Whether a plane has surface half way between two returns.
+bool HasSurfaceBetween(
+  const lms3dMappedReturn& a, const lms3dMappedReturn& b, const lms3dFusedPlane& plane)
+{
+  const lms3dPoint2 place = plane.Frame.ToCells(lms3dScale(lms3dAdd(a.Point, b.Point), 0.5));
+  return plane.Raster.Has(
+    &lms3dRasterBlock::May, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
+}
+
+/// Whether a plane of two returns of scan 1 has surface between them.
+bool AreJoined(int firstBeam, int secondBeam, const lms3dTablesOfScans& tables)
+{
+  const std::vector<lms3dMappedReturn> returns = { MakeReturn(1, firstBeam, 0.0, 0.0),
+    MakeReturn(1, secondBeam, 0.05, 0.0) };
+  lms3dFusedPlanes planes(Bound);
+  return HasSurfaceBetween(returns[0], returns[1], planes[MakePlane(returns, {}, tables, planes)]);
+}
+} // namespace
+
+/// Fans of scan 1 have 10 beams.
+TEST(LMS3DRegroupedPlane, HasSurfaceBetweenNeighboursOfTheirScan)
+{
+  const lms3dTablesOfScans open = { nullptr, MakeTable(10, 90.0), MakeTable(4, 360.0) };
+  EXPECT_TRUE(AreJoined(23, 24, open));
+  EXPECT_TRUE(AreJoined(23, 33, open));
+  EXPECT_TRUE(AreJoined(23, 34, open));
+  EXPECT_FALSE(AreJoined(23, 27, open)) << "neighbours by the fans of another scan";
+  EXPECT_FALSE(AreJoined(29, 30, open)) << "the end of a fan, and the start of the next one";
+  EXPECT_FALSE(AreJoined(3, 53, open)) << "the first and the last turn";
+  const lms3dTablesOfScans closed = { nullptr, MakeTable(10, 360.0) };
+  EXPECT_TRUE(AreJoined(53, 3, closed));
+}
