@@ -77,9 +77,10 @@ public:
   /// depth steps in the same sense.
   void SeparateBesideSteps(const std::vector<lms3dUncertainJoin>& joins, double depthStep);
 
-  /// Separates Loose pairs if at least three of the six other sides of both adjacent cells are open.
-  /// Joins Gentle pairs if at most two are open, all in one cell. Beyond the edge of the scan, the
-  /// sides of a cell are open for Gentle pairs only: there, the surface is not known to end.
+  /// Separates Loose pairs if at least three of the six other sides of both adjacent cells are
+  /// open. Joins Gentle pairs if at most two are open, all in one cell. Beyond the edge of the
+  /// scan, the sides of a cell are open for Gentle pairs only: there, the surface is not known to
+  /// end.
   void DecideLoose(const std::vector<lms3dUncertainJoin>& joins);
 
 private:

@@ -81,8 +81,9 @@ double GetAreaAt(double height, vtkPolyData* map)
 
 #ifndef LMS3D_FEWER_BEAMS
 constexpr double DepthStep = 0.1;
-// The share of the range that the filter adds between turns, which are 2 degrees apart: the angle in
-// radians. Along fans, whose beams are 1 degree apart, it adds 2 %, so this share is wider there.
+// The share of the range that the filter adds between turns, which are 2 degrees apart: the angle
+// in radians. Along fans, whose beams are 1 degree apart, it adds 2 %, so this share is wider
+// there.
 constexpr double ShareOfRange = 0.035;
 
 /// The room from places spread over it.
