@@ -49,7 +49,7 @@ private:
 
   const lms3dFusionSettings Settings;
   std::shared_ptr<const lms3dBeamTable> Table;
-  /// Of all scans, if returns are kept.
+  /// The tables of all scans, if returns are kept; otherwise nullptr for each.
   lms3dTablesOfScans Tables;
   std::vector<lms3dVector> Positions;
   std::vector<std::unique_ptr<lms3dSeenRanges>> Seen;
