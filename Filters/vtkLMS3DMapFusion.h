@@ -53,7 +53,8 @@
  * - `Normals` (float32): unit vectors towards the sensors;
  * - `BestScan` (int32): the scan, counted from 0 in the order in which scans were added, that saw
  *   the region of the triangle best;
- * - `ScanCount` (int32): the number of scans that saw it;
+ * - `ScanCount` (int32): the number of scans that saw it. If a region gets returns of earlier scans
+ *   from another region, their scans may be left out, so the number can be too small;
  * - `LastScan` (int32): the last of them;
  * - `RegionId` (int32): the region; a region is what changes at once;
  * - `Revision` (int32): the Revision in which the triangles of the region were last changed.

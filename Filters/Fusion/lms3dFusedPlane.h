@@ -148,6 +148,7 @@ struct lms3dFusedPlane
   /// Whether few returns support the plane, so that a better view may take its place. Its returns
   /// are then kept.
   bool IsWeak = false;
+  /// The returns of a weak plane, with the ones that lms3dFusedPlanes::AddBeside() added.
   std::vector<lms3dMappedReturn> Returns;
   /// How many triangles the plane had when its returns were last grouped anew.
   std::size_t RegroupedTriangles = 0;

@@ -87,7 +87,8 @@ public:
   std::vector<int> FindPlanesNear(
     const std::vector<lms3dMappedReturn>& returns, std::size_t end) const;
 
-  /// The box of the triangles of local maps that joined a plane.
+  /// The box of the triangles that joined a plane, of local maps or of other planes, and of the
+  /// returns of planes that no local map has.
   const lms3dWorldBox& GetBox(std::size_t number) const { return this->Boxes.GetBox(number); }
 
   /// The planes whose boxes are nearer to a box than a distance along each axis.
@@ -111,7 +112,7 @@ private:
   /// The memory of the blocks of all planes.
   std::shared_ptr<lms3dBlockMemory> Memory;
   std::deque<lms3dFusedPlane> Planes;
-  /// The boxes of the triangles of local maps that joined.
+  /// As GetBox().
   lms3dPlaneBoxes Boxes;
 };
 

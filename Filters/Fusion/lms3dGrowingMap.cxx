@@ -101,8 +101,10 @@ bool lms3dGrowingMap::Reduce(const lms3dProgress& progress)
     return this->Renew(progress);
   }
   lms3dRegrouping regrouping(this->Planes, this->Tables);
-  regrouping.MakePlanes();
-  lms3dMarkPassedEarlier(this->Seen, this->Planes);
+  if (regrouping.MakePlanes())
+  {
+    lms3dMarkPassedEarlier(this->Seen, this->Planes);
+  }
   if (!this->Renew(lms3dGetStepProgress(progress, 0.0, TimeOfNewPlanes)))
   {
     return false;

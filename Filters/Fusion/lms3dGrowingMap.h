@@ -49,14 +49,12 @@ private:
 
   const lms3dFusionSettings Settings;
   std::shared_ptr<const lms3dBeamTable> Table;
-  /// The tables of all scans, if returns are kept.
+  /// The tables of all scans, if returns are kept; otherwise nullptr for each.
   lms3dTablesOfScans Tables;
   std::vector<lms3dVector> Positions;
   std::vector<std::unique_ptr<lms3dSeenRanges>> Seen;
   lms3dFusedPlanes Planes;
   std::vector<const lms3dFusedTile*> Regions;
-  /// The number of scans when loose regions were last looked at.
-  int LooseRevision = 0;
   /// The returns of the last local map. The next one uses their memory.
   std::vector<lms3dMappedReturn> Returns;
 };

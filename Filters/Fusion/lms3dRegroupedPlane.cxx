@@ -51,6 +51,14 @@ void GuessBetween(int number, const std::vector<lms3dMappedReturn>& returns,
   }
 }
 
+void GrowBox(int number, const std::array<lms3dVector, 3>& corners, lms3dFusedPlanes& planes)
+{
+  for (const lms3dVector& corner : corners)
+  {
+    planes.GrowBox(number, corner);
+  }
+}
+
 // Lets a plane have surface where the triangles of another plane are near it.
 void GuessTriangles(int number, int old, lms3dFusedPlanes& planes)
 {
@@ -66,9 +74,18 @@ void GuessTriangles(int number, int old, lms3dFusedPlanes& planes)
             { return std::abs(frame.GetHeight(corner)) <= planes.GetMaximumError(); }))
       {
         planes.GuessTriangle(number, corners);
+        GrowBox(number, corners, planes);
       }
     }
   }
+}
+
+// Numbers of returns, in the order of their scans.
+std::vector<int> SortByScan(std::vector<int> numbers, const std::vector<lms3dMappedReturn>& returns)
+{
+  std::stable_sort(numbers.begin(), numbers.end(),
+    [&](int a, int b) { return returns[a].Scan < returns[b].Scan; });
+  return numbers;
 }
 } // namespace
 
@@ -85,7 +102,9 @@ int lms3dMakeRegroupedPlane(const std::vector<lms3dMappedReturn>& returns,
     GuessTriangles(number, old, planes);
   }
   planes.AcceptGuesses(number);
-  for (const int i : group.Returns)
+  // AddReturn() counts a scan if it is later than those before. It takes each return, since the
+  // bound of groups is below GetLargestDistance().
+  for (const int i : SortByScan(group.Returns, returns))
   {
     planes.GrowBox(number, returns[i].Point);
     planes.AddReturn(number, returns[i]);

@@ -59,7 +59,7 @@ std::vector<int> lms3dRegrouping::FindSeeds() const
   return numbers;
 }
 
-void lms3dRegrouping::MakePlanes()
+bool lms3dRegrouping::MakePlanes()
 {
   this->IsTaken.assign(this->Planes.GetSize(), false);
   std::size_t places = 0;
@@ -71,6 +71,7 @@ void lms3dRegrouping::MakePlanes()
       ++places;
     }
   }
+  return this->Planes.GetSize() > this->IsTaken.size();
 }
 
 // The weak planes near one, as long as they have few returns together.

@@ -29,8 +29,8 @@ public:
   {
   }
 
-  /// Makes planes for the returns of weak planes. All of these stay.
-  void MakePlanes();
+  /// Makes planes for the returns of weak planes. All of these stay. Returns whether it made any.
+  bool MakePlanes();
 
   /// To be called when the new planes have triangles. Clears them, or the planes that they replace.
   void Choose();

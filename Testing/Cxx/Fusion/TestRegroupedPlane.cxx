@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <numeric>
 #include <vector>
@@ -78,4 +80,44 @@ TEST(LMS3DRegroupedPlane, HasSurfaceBetweenNeighboursOfTheirScan)
   EXPECT_FALSE(AreJoined(3, 53, open)) << "the first and the last turn";
   const lms3dTablesOfScans closed = { nullptr, MakeTable(10, 360.0) };
   EXPECT_TRUE(AreJoined(53, 3, closed));
+}
+
+/// The returns of two old planes are not in the order of their scans.
+TEST(LMS3DRegroupedPlane, CountsEachScanOnce)
+{
+  const lms3dTablesOfScans tables(8, MakeTable(10, 90.0));
+  std::vector<lms3dMappedReturn> returns;
+  for (const int scan : { 5, 6, 7, 1, 6, 2, 3 })
+  {
+    returns.push_back(MakeReturn(scan, 0, 0.01, 0.01));
+  }
+  lms3dFusedPlanes planes(Bound);
+  const lms3dFusedPlane& plane = planes[MakePlane(returns, {}, tables, planes)];
+  ASSERT_EQ(plane.Raster.GetNumberOfBlocks(), 1);
+  EXPECT_EQ(plane.Raster.GetBlock(0).Sightings.ScanCount, 6);
+  EXPECT_EQ(plane.Raster.GetBlock(0).Sightings.LastScan, 7);
+  EXPECT_EQ(plane.Returns.size(), returns.size());
+}
+
+/// A triangle of an old plane goes far beyond the returns.
+TEST(LMS3DRegroupedPlane, HasABoxAroundTheTrianglesOfOldPlanes)
+{
+  const lms3dTablesOfScans tables = { MakeTable(10, 90.0) };
+  const std::array<lms3dVector, 3> corners = { { { 0.0, 0.0, 1.0 }, { 0.5, 0.0, 1.002 },
+    { 0.0, -0.4, 0.998 } } };
+  lms3dFusedPlanes planes(Bound);
+  const int old = planes.MakePlane({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 });
+  planes[old].Tiles.emplace_back();
+  lms3dFusedMesh& mesh = planes[old].Tiles.front().Mesh;
+  mesh.Points.assign(corners.begin(), corners.end());
+  mesh.Triangles.push_back({ 0, 1, 2 });
+  const int number = MakePlane({ MakeReturn(0, 0, 0.001, 0.001) }, { old }, tables, planes);
+  const lms3dWorldBox box = planes.GetBox(static_cast<std::size_t>(number));
+  for (const lms3dVector& corner : corners)
+  {
+    EXPECT_TRUE(box.IsNear(corner, 0.0));
+  }
+  const lms3dMappedReturn far = MakeReturn(0, 1, 0.4, -0.01);
+  EXPECT_TRUE(planes.Shows(planes[number], far));
+  EXPECT_EQ(planes.FindPlanesNear({ far }, planes.GetSize()), std::vector<int>{ number });
 }
