@@ -49,6 +49,7 @@ void DropIfNeedless(lms3dFusedPlanes& planes, int number)
   lms3dFusedPlane& plane = planes[number];
   plane.DropForgotten();
   std::vector<int> covering;
+  covering.reserve(plane.Returns.size());
   for (const lms3dMappedReturn& mapped : plane.Returns)
   {
     covering.push_back(planes.FindCovering(mapped, { number }, planes.GetMaximumError()));

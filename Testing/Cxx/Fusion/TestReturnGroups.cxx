@@ -73,8 +73,10 @@ TEST(LMS3DReturnGroups, AreTheSidesOfAPost)
 
 TEST(LMS3DReturnGroups, AreAcrossTheBeamsAtALine)
 {
+  constexpr int Count = 10;
   std::vector<lms3dMappedReturn> returns;
-  for (int i = 0; i < 10; ++i)
+  returns.reserve(Count);
+  for (int i = 0; i < Count; ++i)
   {
     returns.push_back(MakeReturn({ 1.0, 2.0, 0.05 * i }, { 0.6, 0.8, 0.3 }));
   }
