@@ -2,21 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dBlockMemory.h"
 
+#include "Geometry/lms3dHugePages.h"
+
 #include <cstdint>
-
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
-namespace
-{
-// Bytes: the large pages of most processors.
-constexpr std::size_t PageSize = std::size_t{ 1 } << 21U;
-} // namespace
 
 void lms3dBlockMemory::Free::operator()(void* memory) const
 {
-  ::operator delete(memory, std::align_val_t(PageSize));
+  ::operator delete(memory, std::align_val_t(lms3dHugePageSize));
 }
 
 void* lms3dBlockMemory::Take()
@@ -40,15 +32,12 @@ void lms3dBlockMemory::Return(void* piece)
 // Pieces are taken in order of their addresses. Return() never needs more memory than this.
 void lms3dBlockMemory::AddPage()
 {
-  const std::size_t count = PageSize / this->Size;
+  const std::size_t count = lms3dHugePageSize / this->Size;
   this->Unused.reserve((this->Pages.size() + 1) * count);
   this->Pages.reserve(this->Pages.size() + 1);
-  this->Pages.emplace_back(::operator new(PageSize, std::align_val_t(PageSize)));
+  this->Pages.emplace_back(::operator new(lms3dHugePageSize, std::align_val_t(lms3dHugePageSize)));
   auto* const page = static_cast<std::uint8_t*>(this->Pages.back().get());
-#ifdef __linux__
-  // If there are no large pages, small ones serve.
-  static_cast<void>(madvise(page, PageSize, MADV_HUGEPAGE));
-#endif
+  lms3dRequestHugePages(page, lms3dHugePageSize);
   for (std::size_t i = count; i > 0; --i)
   {
     this->Unused.push_back(page + (i - 1) * this->Size);

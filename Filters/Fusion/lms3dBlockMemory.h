@@ -5,7 +5,7 @@
  * @brief Memory for the blocks of the planes of a map.
  *
  * Most of what a scan changes lies in blocks that are far apart in memory. Therefore blocks lie in
- * large pages, as far as the system has these: finding the page of an address takes longer than
+ * huge pages, as far as the system has these: finding the page of an address takes longer than
  * the change itself.
  */
 #ifndef lms3dBlockMemory_h

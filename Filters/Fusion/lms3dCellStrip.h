@@ -75,4 +75,13 @@ struct lms3dCellStrip
   }
 };
 
+/// The strip of one cell.
+inline lms3dCellStrip lms3dMakeCellStrip(std::int32_t u, std::int32_t v)
+{
+  lms3dCellStrip strip;
+  strip.Row = v;
+  strip.Add(u, u);
+  return strip;
+}
+
 #endif

@@ -25,10 +25,7 @@ Cell GetCell(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped)
 
 lms3dCellStrip MakeStrip(const Cell& cell)
 {
-  lms3dCellStrip strip;
-  strip.Row = cell[1];
-  strip.Add(cell[0], cell[0]);
-  return strip;
+  return lms3dMakeCellStrip(cell[0], cell[1]);
 }
 
 /// Hands the returns of one plane over.

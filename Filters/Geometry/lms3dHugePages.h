@@ -18,14 +18,25 @@
 #include <sys/mman.h>
 #endif
 
+/// Bytes.
+inline constexpr std::size_t lms3dHugePageSize = std::size_t(1) << 21;
+
+/// Requests huge pages for memory at a multiple of their size. The system may refuse, and then gives
+/// pages of the usual size.
+inline void lms3dRequestHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size)
+{
+#ifdef __linux__
+  static_cast<void>(madvise(memory, size, MADV_HUGEPAGE));
+#endif
+}
+
 template <typename T>
 struct lms3dHugePageAllocator
 {
   using value_type = T;
 
   /// Bytes. Smaller vectors would gain nothing.
-  static constexpr std::size_t PageSize = std::size_t(1) << 21;
-  static constexpr std::size_t MinimumSize = 2 * PageSize;
+  static constexpr std::size_t MinimumSize = 2 * lms3dHugePageSize;
 
   static_assert(alignof(T) <= alignof(std::max_align_t), "small vectors have the usual alignment");
 
@@ -40,25 +51,19 @@ struct lms3dHugePageAllocator
   {
     const std::size_t size = count * sizeof(T);
     T* memory = static_cast<T*>(::operator new(size, GetAlignment(count)));
-#ifdef __linux__
     if (size >= MinimumSize)
     {
-      // The system may refuse, and then gives pages of the usual size.
-      madvise(memory, size, MADV_HUGEPAGE);
+      lms3dRequestHugePages(memory, size);
     }
-#endif
     return memory;
   }
 
-  void deallocate(T* memory, std::size_t count)
-  {
-    ::operator delete(memory, GetAlignment(count));
-  }
+  void deallocate(T* memory, std::size_t count) { ::operator delete(memory, GetAlignment(count)); }
 
   static std::align_val_t GetAlignment(std::size_t count)
   {
     return std::align_val_t(
-      count * sizeof(T) >= MinimumSize ? PageSize : alignof(std::max_align_t));
+      count * sizeof(T) >= MinimumSize ? lms3dHugePageSize : alignof(std::max_align_t));
   }
 };
 

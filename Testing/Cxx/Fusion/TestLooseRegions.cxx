@@ -38,10 +38,7 @@ void Cover(int number, const lms3dMappedReturn& mapped, lms3dFusedPlanes& planes
   const std::int32_t u = lms3dGetCellOf(place[0]);
   const std::int32_t v = lms3dGetCellOf(place[1]);
   plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
-  lms3dCellStrip strip;
-  strip.Row = v;
-  strip.Add(u, u);
-  plane.Raster.Set(&lms3dRasterBlock::Covered, strip, true);
+  plane.Raster.Set(&lms3dRasterBlock::Covered, lms3dMakeCellStrip(u, v), true);
   planes.GrowBox(number, mapped.Point);
 }
 
@@ -123,10 +120,7 @@ TEST(LMS3DHandedReturns, AreNotThoseForgotten)
   Cover(scene.Wall, mapped, scene.Planes);
   lms3dFusedPlane& floor = scene.Planes[scene.Floor];
   const lms3dPoint2 place = floor.Frame.ToCells(mapped.Point);
-  lms3dCellStrip strip;
-  strip.Row = lms3dGetCellOf(place[1]);
-  strip.Add(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[0]));
-  floor.Raster.Forget(strip);
+  floor.Raster.Forget(lms3dMakeCellStrip(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1])));
   lms3dHandReturnsOver(scene.Planes, Revision);
   EXPECT_TRUE(floor.Returns.empty());
   EXPECT_FALSE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));

@@ -80,11 +80,8 @@ int AddWeakPlane(
 void Cover(int number, const lms3dMappedReturn& mapped, lms3dFusedPlanes& planes)
 {
   const lms3dPoint2 place = planes[number].Frame.ToCells(mapped.Point);
-  const std::int32_t column = lms3dGetCellOf(place[0]);
-  lms3dCellStrip strip;
-  strip.Row = lms3dGetCellOf(place[1]);
-  strip.Add(column, column);
-  planes[number].Raster.Set(&lms3dRasterBlock::Covered, strip, true);
+  planes[number].Raster.Set(&lms3dRasterBlock::Covered,
+    lms3dMakeCellStrip(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1])), true);
 }
 
 std::size_t CountReturns(const lms3dFusedPlanes& planes)

@@ -31,11 +31,8 @@ lms3dMappedReturn MakeReturn(int i)
 void Grow(int number, const lms3dMappedReturn& mapped, lms3dFusedPlanes& planes)
 {
   const lms3dPoint2 place = planes[number].Frame.ToCells(mapped.Point);
-  const std::int32_t column = lms3dGetCellOf(place[0]);
-  lms3dCellStrip strip;
-  strip.Row = lms3dGetCellOf(place[1]);
-  strip.Add(column, column);
-  planes[number].Raster.SetGuess(strip);
+  planes[number].Raster.SetGuess(
+    lms3dMakeCellStrip(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1])));
   planes.GrowBox(number, mapped.Point);
   planes.AcceptGuesses(number);
 }
@@ -124,10 +121,8 @@ TEST(LMS3DFusedPlanes, TakeOverWhatIsNotForgotten)
   WeakPlane plane(5);
   lms3dFusedPlanes& planes = plane.Planes;
   const lms3dPoint2 place = planes[plane.Weak].Frame.ToCells(MakeReturn(9).Point);
-  lms3dCellStrip strip;
-  strip.Row = lms3dGetCellOf(place[1]);
-  strip.Add(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[0]));
-  planes[plane.Weak].Raster.Forget(strip);
+  planes[plane.Weak].Raster.Forget(
+    lms3dMakeCellStrip(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1])));
   planes.SetScan(7);
   lms3dDissolveWeakPlanes(planes);
   EXPECT_TRUE(planes[plane.Weak].HasGone);

@@ -18,7 +18,7 @@ constexpr std::size_t Large = Allocator::MinimumSize / sizeof(double);
 template <typename Vector>
 bool IsOnPages(const Vector& vector)
 {
-  return reinterpret_cast<std::uintptr_t>(vector.data()) % Allocator::PageSize == 0;
+  return reinterpret_cast<std::uintptr_t>(vector.data()) % lms3dHugePageSize == 0;
 }
 } // namespace
 
