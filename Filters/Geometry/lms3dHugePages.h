@@ -21,8 +21,8 @@
 /// Bytes.
 inline constexpr std::size_t lms3dHugePageSize = std::size_t(1) << 21;
 
-/// Requests huge pages for memory at a multiple of their size. The system may refuse, and then gives
-/// pages of the usual size.
+/// Requests huge pages for memory at a multiple of their size. The system may refuse, and then
+/// gives pages of the usual size.
 inline void lms3dRequestHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size)
 {
 #ifdef __linux__

@@ -16,8 +16,8 @@ namespace
 // that far away, radians.
 constexpr double AngleBeyondAxis = 1e-3;
 
-// The column of each turn, or the row of each beam. `getNumber` returns the turn of a column, or the
-// beam of a row. In the halo it returns a number below 0.
+// The column of each turn, or the row of each beam. `getNumber` returns the turn of a column, or
+// the beam of a row. In the halo it returns a number below 0.
 template <typename Function>
 std::vector<int> FindPlaces(int numbers, int places, const Function& getNumber)
 {
