@@ -163,6 +163,7 @@ int vtkLMS3DScanFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const lms3dScanSettings settings = Internals::GetSettings(this);
+  this->Internal->Wake(this, settings);
   if (this->GetNumberOfInputConnections(1) > 0)
   {
     lms3dUpdateInput(this, 1);
@@ -189,11 +190,10 @@ int vtkLMS3DScanFilter::RequestInformation(
 int vtkLMS3DScanFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // The threads wake up while the pipeline goes on.
-  this->Internal->Job.Wake(this->NumberOfThreads);
+  const lms3dProcesses processes(this->Internal->Controller);
+  this->Internal->Wake(this, Internals::GetSettings(this));
   // Every beam can hit any part of the scene, whichever part of the outputs is requested.
   vtkInformation* scene = inputVector[0]->GetInformationObject(0);
-  const lms3dProcesses processes(this->Internal->Controller);
   lms3dRequestPiece(processes.GetRank(), processes.GetCount(), scene);
   if (vtkInformation* trajectory = inputVector[1]->GetInformationObject(0))
   {

@@ -11,6 +11,7 @@
 
 #include "Pipeline/lms3dErrorReport.h"
 #include "Pipeline/lms3dPipelineRequests.h"
+#include "Scan/lms3dProcesses.h"
 #include "Scan/lms3dScanJob.h"
 #include "Scan/lms3dScanSettings.h"
 
@@ -34,6 +35,13 @@ struct vtkLMS3DScanFilter::Internals
       filter->AlphaResolution, range(filter->BetaRange), filter->BetaResolution,
       { filter->MinimumRange, filter->MaximumRange }, filter->IntersectionMethod,
       filter->NumberOfThreads, filter->SurfaceAttributes, GetDeviceSettings(filter) };
+  }
+
+  // The threads wake up, and plan the scan, while the pipeline goes on.
+  void Wake(vtkLMS3DScanFilter* self, const lms3dScanSettings& settings)
+  {
+    const bool isAtSettings = self->GetNumberOfInputConnections(1) == 0;
+    this->Job.Wake(settings, isAtSettings && !lms3dProcesses(this->Controller).IsParallel());
   }
 
   static std::string FindFanError(vtkLMS3DScanFilter* self, double beta, vtkDoubleArray* ranges);

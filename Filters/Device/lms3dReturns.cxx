@@ -24,8 +24,7 @@ void lms3dReturns::FillVertices(vtkIdType first, vtkIdType last) const
 void lms3dReturns::MoveTo(
   const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan) const
 {
-  const vtkIdType count = this->Ranges->GetNumberOfValues();
-  this->VertexOffsets->SetValue(count, static_cast<vtkTypeInt32>(count));
+  this->VertexOffsets->SetValue(this->Count, static_cast<vtkTypeInt32>(this->Count));
   vtkNew<vtkPoints> points;
   points->SetData(this->Points);
   scan->SetPoints(points);

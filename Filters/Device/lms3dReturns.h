@@ -36,13 +36,21 @@ struct lms3dReturns
   /// The values are not initialized. The memory is VTK's, or, if `pool` is given, that of the pool.
   template <typename... PoolT>
   explicit lms3dReturns(vtkIdType count, PoolT&... pool)
-    : Points(lms3dMakeArray<vtkDoubleArray>(pool..., "Points", count, 3))
-    , Ranges(lms3dMakeArray<vtkDoubleArray>(pool..., "Range", count))
-    , Alphas(lms3dMakeArray<vtkFloatArray>(pool..., "Alpha", count))
-    , Betas(lms3dMakeArray<vtkFloatArray>(pool..., "Beta", count))
-    , BeamIds(lms3dMakeArray<vtkIntArray>(pool..., "BeamId", count))
-    , VertexOffsets(lms3dMakeArray<vtkTypeInt32Array>(pool..., "Offsets", count + 1))
-    , VertexPoints(lms3dMakeArray<vtkTypeInt32Array>(pool..., "Connectivity", count))
+    : lms3dReturns(lms3dMakeArray<vtkDoubleArray>(pool..., "Range", count), pool...)
+  {
+  }
+
+  /// Shares an array of ranges, which has one for each return.
+  template <typename... PoolT>
+  explicit lms3dReturns(const vtkSmartPointer<vtkDoubleArray>& ranges, PoolT&... pool)
+    : Count(ranges->GetNumberOfValues())
+    , Points(lms3dMakeArray<vtkDoubleArray>(pool..., "Points", this->Count, 3))
+    , Ranges(ranges)
+    , Alphas(lms3dMakeArray<vtkFloatArray>(pool..., "Alpha", this->Count))
+    , Betas(lms3dMakeArray<vtkFloatArray>(pool..., "Beta", this->Count))
+    , BeamIds(lms3dMakeArray<vtkIntArray>(pool..., "BeamId", this->Count))
+    , VertexOffsets(lms3dMakeArray<vtkTypeInt32Array>(pool..., "Offsets", this->Count + 1))
+    , VertexPoints(lms3dMakeArray<vtkTypeInt32Array>(pool..., "Connectivity", this->Count))
     , Point(this->Points->GetPointer(0))
     , Range(this->Ranges->GetPointer(0))
     , Alpha(this->Alphas->GetPointer(0))
@@ -58,6 +66,7 @@ struct lms3dReturns
   /// arrays. `geometry` is the grid of the whole scan, with the beams that gave no return.
   void MoveTo(const lms3dScanGeometry& geometry, const lms3dPose& pose, vtkPolyData* scan) const;
 
+  const vtkIdType Count;
   const vtkSmartPointer<vtkDoubleArray> Points;
   const vtkSmartPointer<vtkDoubleArray> Ranges;
   const vtkSmartPointer<vtkFloatArray> Alphas;

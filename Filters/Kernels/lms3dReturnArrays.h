@@ -44,7 +44,7 @@ struct lms3dReturnRunArrays
   std::int32_t FirstSlot;
 
   ///@{
-  /// The outputs, one value for each return.
+  /// The outputs, one value for each return. Range may be Ranges.
   double* Range;
   float* Alpha;
   float* Beta;

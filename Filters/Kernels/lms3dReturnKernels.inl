@@ -12,8 +12,7 @@
 
 namespace
 {
-// In all functions, the outputs must not overlap the input, so that the compiler can vectorize the
-// loops.
+// In all loops, the outputs must not overlap the input, so that the compiler can vectorize them.
 
 void FillNumbers(std::int32_t first, int count, std::int32_t* __restrict numbers)
 {
@@ -27,10 +26,13 @@ void FillReturnRun(const lms3dReturnRunArrays& run)
 {
   const int count = run.Count;
   const double* const ranges = run.Ranges;
-  double* const __restrict range = run.Range;
-  for (int i = 0; i < count; ++i)
+  if (run.Range != ranges)
   {
-    range[i] = ranges[i];
+    double* const __restrict range = run.Range;
+    for (int i = 0; i < count; ++i)
+    {
+      range[i] = ranges[i];
+    }
   }
   const double* const elevations = run.Elevations;
   float* const __restrict alpha = run.Alpha;

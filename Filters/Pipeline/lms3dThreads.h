@@ -68,6 +68,14 @@ public:
   /// while they wake up. A core that waits for one filter does not work for another.
   void Wake(int threads)
   {
+    this->Wake(threads, [] {});
+  }
+
+  /// Does the same. One of these threads, if there are any, first runs `preparation`, a copy. Run
+  /// and EndWait wait for its end. It must not throw.
+  template <typename Preparation>
+  void Wake(int threads, const Preparation& preparation)
+  {
     this->EndWait();
     const int cores = tbb::info::default_concurrency();
     const int wanted = threads > 0 ? threads : cores;
@@ -77,7 +85,27 @@ public:
     }
     this->IsAwaited = true;
     this->HasWaiting = true;
-    this->Arena->execute([this, wanted] { this->StartWaiting(wanted - 1); });
+    this->TimeOfWake = std::chrono::steady_clock::now();
+    this->Arena->execute([&] { this->StartWaiting(wanted - 1, preparation); });
+  }
+
+  /// Ends the wait of the threads that were woken. The calling thread takes part in a preparation.
+  void EndWait()
+  {
+    this->IsAwaited = false;
+    if (this->HasWaiting)
+    {
+      this->Arena->execute([this] { this->Waiting.wait(); });
+      this->HasWaiting = false;
+    }
+  }
+
+  /// Returns whether the last Wake was less than MaximumWait ago, or its preparation has not ended,
+  /// and no Run came after it.
+  bool AreAwake() const
+  {
+    const auto end = this->TimeOfWake + MaximumWait;
+    return this->IsAwaited && (this->IsPreparing || std::chrono::steady_clock::now() < end);
   }
 
   /// How many threads wait for a Run at this moment.
@@ -86,19 +114,31 @@ public:
 private:
   static constexpr std::chrono::microseconds MaximumWait{ 200 };
 
-  void StartWaiting(int threads)
+  template <typename Preparation>
+  void StartWaiting(int threads, const Preparation& preparation)
   {
     try
     {
+      this->IsPreparing = threads > 0;
       for (int i = 0; i < threads; ++i)
       {
-        this->Waiting.run([this] { this->Wait(); });
+        this->Waiting.run(
+          [this, i, preparation]
+          {
+            if (i == 0)
+            {
+              preparation();
+              this->IsPreparing = false;
+            }
+            this->Wait();
+          });
       }
     }
     catch (const std::bad_alloc&)
     {
       // Run() needs no thread that waits.
       this->IsAwaited = false;
+      this->IsPreparing = false;
     }
   }
 
@@ -113,21 +153,17 @@ private:
     --this->NumberOfWaiting;
   }
 
-  void EndWait()
-  {
-    this->IsAwaited = false;
-    if (this->HasWaiting)
-    {
-      this->Arena->execute([this] { this->Waiting.wait(); });
-      this->HasWaiting = false;
-    }
-  }
-
   std::unique_ptr<tbb::task_arena> Arena;
 
   /// Whether threads wait for the next Run, and how many.
   std::atomic<bool> IsAwaited{ false };
   std::atomic<int> NumberOfWaiting{ 0 };
+
+  ///@{
+  /// The last Wake, and whether its preparation has not ended.
+  std::atomic<bool> IsPreparing{ false };
+  std::chrono::steady_clock::time_point TimeOfWake;
+  ///@}
 
   ///@{
   /// One task for each thread that waits, and whether there can be some.

@@ -59,14 +59,20 @@ bool AreSame(const lms3dTriangleMesh& a, const lms3dTriangleMesh& b)
 }
 } // namespace
 
+bool lms3dBuiltScene::IsUpToDate(vtkDataObject* scene, int method) const
+{
+  return this->Scene == scene && this->Method == method &&
+    this->SceneTime == ComputeSceneTime(scene);
+}
+
 bool lms3dBuiltScene::Update(vtkDataObject* scene, int method, const lms3dProgress& progress)
 {
-  const vtkMTimeType time = ComputeSceneTime(scene);
-  const bool isSameMethod = this->Method == method;
-  if (this->Scene == scene && this->SceneTime == time && isSameMethod)
+  if (this->IsUpToDate(scene, method))
   {
     return true;
   }
+  const vtkMTimeType time = ComputeSceneTime(scene);
+  const bool isSameMethod = this->Method == method;
   this->Scene = nullptr;
   lms3dSceneTriangles triangles =
     lms3dCollectTriangles(scene, lms3dGetStepProgress(progress, 0.0, CollectShare));

@@ -35,6 +35,9 @@ public:
    */
   bool Update(vtkDataObject* scene, int method, const lms3dProgress& progress);
 
+  /// Returns whether Update has nothing to do.
+  bool IsUpToDate(vtkDataObject* scene, int method) const;
+
   /// Returns a text for the user about cells that were skipped, empty if there are none.
   const std::string& GetSkippedCells() const { return this->SkippedCells; }
 

@@ -13,7 +13,9 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <exception>
 #include <memory>
+#include <optional>
 
 namespace
 {
@@ -53,11 +55,51 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
   return isDone;
 }
 
+void lms3dScanJob::Wake(const lms3dScanSettings& settings, bool canPlan)
+{
+  if (this->Threads.AreAwake())
+  {
+    return;
+  }
+  this->Threads.EndWait();
+  this->Output.DiscardPlan();
+  if (canPlan && this->Scene.GetCaster() && this->Sensor.HasGeometry(settings) &&
+    lms3dFindSettingsError(settings).empty() && lms3dScanStart().HasPlainBeams(settings.Device))
+  {
+    this->Threads.Wake(settings.NumberOfThreads, [this, settings] { this->MakePlan(settings); });
+  }
+  else
+  {
+    this->Threads.Wake(settings.NumberOfThreads);
+  }
+}
+
+void lms3dScanJob::MakePlan(const lms3dScanSettings& settings)
+{
+  try
+  {
+    const lms3dScanStart start = this->Sensor.GetStart(settings, nullptr, std::nullopt);
+    this->Output.MakePlan(*this->Scene.GetCaster(), this->Sensor.GetGeometry(settings), start.Pose,
+      settings.Limits.Maximum);
+  }
+  catch (const std::exception&)
+  {
+    // The run makes its own plan, and reports what fails.
+    this->Output.DiscardPlan();
+  }
+}
+
 // Finds the start and the tables of angles, and builds the scene. Returns false, in all processes,
 // if the build was stopped in one of them.
 bool lms3dScanJob::Prepare(
   const lms3dScanJobRequest& request, const lms3dProcesses& processes, lms3dScanStart& start)
 {
+  this->Threads.EndWait();
+  if (!this->Scene.IsUpToDate(request.Scene, request.Settings.Method) ||
+    !this->Sensor.HasGeometry(request.Settings))
+  {
+    this->Output.DiscardPlan();
+  }
   bool isBuilt = false;
   processes.RunCollectively(
     [&]

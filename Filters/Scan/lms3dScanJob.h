@@ -78,8 +78,10 @@ public:
   bool CastRanges(
     const lms3dScanJobRequest& request, vtkDoubleArray* ranges, vtkUnsignedCharArray* status);
 
-  /// Prepares the threads for a run that follows soon. 0 stands for all cores.
-  void Wake(int threads) { this->Threads.Wake(threads); }
+  /// Wakes the threads for a run with these settings that follows soon, unless they are awake. If
+  /// `canPlan`, one of them plans the scan of the present scene from the settings' pose. The run
+  /// uses the plan if it fits.
+  void Wake(const lms3dScanSettings& settings, bool canPlan);
 
   /// Returns the poses, read again only if the trajectory or the orientation (degrees, for points
   /// without one) changed. Throws std::runtime_error, with a text for the user, if they are bad.
@@ -112,6 +114,7 @@ private:
     ///@}
   };
 
+  void MakePlan(const lms3dScanSettings& settings);
   bool Prepare(
     const lms3dScanJobRequest& request, const lms3dProcesses& processes, lms3dScanStart& start);
   bool Build(const lms3dScanJobRequest& request, bool isParallel);
@@ -125,7 +128,6 @@ private:
   void WarnIfIncomplete(const lms3dScenePart& scene, const Scan& scan);
 
   lms3dBuiltScene Scene;
-  lms3dThreads Threads;
   lms3dScanOutput Output;
   lms3dDetection Detection;
 
@@ -134,6 +136,9 @@ private:
   /// The last warnings, which are not repeated for each pose.
   std::string SkippedCells;
   std::string MissingCells;
+
+  /// The last member, since the threads can use the others until it is destroyed.
+  lms3dThreads Threads;
 };
 
 #endif

@@ -33,6 +33,7 @@ constexpr int BeamsToFill = 8192;
 
 void lms3dScanOutput::Discard()
 {
+  this->DiscardPlan();
   this->Ranges = nullptr;
   this->Part = {};
   this->Pool.FreeUnused();
@@ -55,12 +56,20 @@ void lms3dScanOutput::AllocatePart(std::size_t beams)
   this->Part.Allocate(beams);
 }
 
+void lms3dScanOutput::MakePlan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
+  const lms3dPose& pose, double maximumRange)
+{
+  this->Plan.emplace(caster, geometry, pose, maximumRange);
+}
+
 bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, const lms3dRangeLimits& limits, const lms3dProgress& progress)
 {
   this->Allocate(static_cast<std::size_t>(geometry.CountBeamsOfAllTurns()));
+  const bool isPlanned = this->Plan && this->Plan->Fits(caster, geometry, pose, limits.Maximum);
   return lms3dScan(
-    { caster, geometry, pose, limits, { this->Ranges->GetPointer(0), this->Triangles.data() } },
+    { caster, geometry, pose, limits, { this->Ranges->GetPointer(0), this->Triangles.data() },
+      { nullptr, nullptr }, isPlanned ? &*this->Plan : nullptr },
     progress);
 }
 
@@ -169,7 +178,9 @@ void lms3dScanOutput::Fill(const lms3dTriangleMesh* mesh, const lms3dScanGeometr
 {
   const std::vector<std::size_t> first = this->CountReturns(geometry);
   const vtkIdType count = static_cast<vtkIdType>(first.back());
-  const lms3dReturns returns(count, this->Pool);
+  const lms3dReturns returns = count == this->Ranges->GetNumberOfValues()
+    ? lms3dReturns(this->Ranges, this->Pool)
+    : lms3dReturns(count, this->Pool);
   const auto cellIds = lms3dMakeArray<vtkIdTypeArray>(this->Pool, "CellId", count);
   vtkIdType* cellId = cellIds->GetPointer(0);
   const lms3dBeamDirections directions(geometry, pose);

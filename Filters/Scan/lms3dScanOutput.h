@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 class vtkImageData;
@@ -38,6 +39,14 @@ class lms3dScanOutput
 public:
   /// Frees what is left of a scan that was stopped, that failed, or whose outputs are filled.
   void Discard();
+
+  ///@{
+  /// Makes and discards the plan of a scan that may follow with the same arguments. Caster and
+  /// geometry must live until the plan is discarded. Uses the threads of the calling TBB arena.
+  void MakePlan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
+    const lms3dPose& pose, double maximumRange);
+  void DiscardPlan() { this->Plan.reset(); }
+  ///@}
 
   /// Casts all beams. Returns false if `progress` stopped it.
   bool Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry, const lms3dPose& pose,
@@ -97,6 +106,7 @@ private:
   void SetNoReturn();
 
   lms3dMemoryPool Pool;
+  std::optional<lms3dScanPlan> Plan;
 
   /// One value for each beam, ordered by turn, then by beam: metres, NaN without a return.
   vtkSmartPointer<vtkDoubleArray> Ranges;

@@ -8,19 +8,28 @@
 
 #include <utility>
 
+lms3dScanSensor::Angles lms3dScanSensor::GetAngles(const lms3dScanSettings& settings)
+{
+  return { settings.AlphaRange[0], settings.AlphaRange[1],
+    static_cast<double>(settings.AlphaResolution), settings.BetaRange[0], settings.BetaRange[1],
+    static_cast<double>(settings.BetaResolution) };
+}
+
+bool lms3dScanSensor::HasGeometry(const lms3dScanSettings& settings) const
+{
+  return this->Geometry && GetAngles(settings) == this->GeometryAngles &&
+    settings.Device.Platform == this->Geometry->GetPlatform();
+}
+
 // Tables of sines and cosines are computed for new angles only.
 const lms3dScanGeometry& lms3dScanSensor::GetGeometry(const lms3dScanSettings& settings)
 {
-  const Angles angles = { settings.AlphaRange[0], settings.AlphaRange[1],
-    static_cast<double>(settings.AlphaResolution), settings.BetaRange[0], settings.BetaRange[1],
-    static_cast<double>(settings.BetaResolution) };
-  const lms3dPlatform& platform = settings.Device.Platform;
-  if (!this->Geometry || angles != this->GeometryAngles ||
-    !(platform == this->Geometry->GetPlatform()))
+  if (!this->HasGeometry(settings))
   {
-    this->Geometry = std::make_unique<lms3dScanGeometry>(settings.AlphaRange.data(),
-      settings.AlphaResolution, settings.BetaRange.data(), settings.BetaResolution, platform);
-    this->GeometryAngles = angles;
+    this->Geometry =
+      std::make_unique<lms3dScanGeometry>(settings.AlphaRange.data(), settings.AlphaResolution,
+        settings.BetaRange.data(), settings.BetaResolution, settings.Device.Platform);
+    this->GeometryAngles = GetAngles(settings);
   }
   return *this->Geometry;
 }

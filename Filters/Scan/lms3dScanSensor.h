@@ -28,6 +28,9 @@ class lms3dScanSensor
 public:
   const lms3dScanGeometry& GetGeometry(const lms3dScanSettings& settings);
 
+  /// Returns whether GetGeometry returns what it returned last.
+  bool HasGeometry(const lms3dScanSettings& settings) const;
+
   /// Returns the poses, read again only if the trajectory or the orientation (degrees, for points
   /// without one) changed. Throws std::runtime_error, with a text for the user, if they are bad.
   const lms3dTrajectory& GetTrajectory(vtkPolyData* poses, const lms3dVector& orientation);
@@ -41,6 +44,8 @@ public:
 private:
   /// First and last elevation (degrees) and their number, and the same of the turns.
   using Angles = std::array<double, 6>;
+  static Angles GetAngles(const lms3dScanSettings& settings);
+
   std::unique_ptr<lms3dScanGeometry> Geometry;
   Angles GeometryAngles;
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/lms3dScanner.h"
 
-#include "Kernels/lms3dPacketKernels.h"
 #include "Pipeline/lms3dProgressReporter.h"
 
 #include <tbb/blocked_range.h>
@@ -13,8 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
-#include <vector>
+#include <optional>
 
 namespace
 {
@@ -23,17 +21,12 @@ constexpr int Side = lms3dPacketGrid::Side;
 class Scan
 {
 public:
-  explicit Scan(const lms3dScanRequest& request)
+  Scan(const lms3dScanRequest& request, const lms3dScanPlan& plan)
     : Request(request)
-    , Directions(request.Geometry, request.Pose)
-    , Kernels(lms3dGetPacketKernels())
-    , Elevations(MakeElevations(request.Geometry))
-    , Origin{ { request.Pose.Position[0], request.Pose.Position[1], request.Pose.Position[2] },
-      request.Limits.Maximum }
-    , Turns(request.Geometry.GetNumberOfTurns())
-    , Beams(request.Geometry.GetNumberOfBeams())
-    , Grid{ this->Turns, this->Beams }
-    , GridCaster(request.Caster.NewGridCaster(this->Origin, this->MakeGrid()))
+    , Plan(plan)
+    , GridCaster(*plan.GridCaster)
+    , Turns(plan.Grid.Turns)
+    , Beams(plan.Grid.Beams)
   {
   }
 
@@ -42,7 +35,7 @@ public:
   void Cast(int number) const
   {
     const lms3dPacketRectangle rectangle = this->GetRectangle(number);
-    if (this->GridCaster->IsEmpty(rectangle))
+    if (this->GridCaster.IsEmpty(rectangle))
     {
       this->StoreNothing(rectangle);
     }
@@ -60,12 +53,12 @@ private:
   // Part by part, so that the packets stay in the nearest cache.
   void CastParts(const lms3dPacketRectangle& rectangle) const
   {
-    const int step = this->GridCaster->GetColumnsAtOnce();
+    const int step = this->GridCaster.GetColumnsAtOnce();
     for (int column = 0; column < rectangle.Columns; column += step)
     {
       const lms3dPacketRectangle part = { rectangle.FirstTurn, rectangle.FirstBeam + column * Side,
         rectangle.Rows, std::min(step, rectangle.Columns - column) };
-      if (!this->GridCaster->CastAtOnce(part, this->Request.Limits.Minimum, this->Request.Returns))
+      if (!this->GridCaster.CastAtOnce(part, this->Request.Limits.Minimum, this->Request.Returns))
       {
         this->Cast(part);
       }
@@ -77,47 +70,18 @@ private:
     const int count = rectangle.Rows * rectangle.Columns;
     lms3dBeamPacket packets[lms3dGridCaster::MaximumPackets];
     this->Generate(rectangle, packets);
-    this->GridCaster->FindNearest(rectangle, packets);
+    this->GridCaster.FindNearest(rectangle, packets);
     if (this->Request.NearestHits.Ranges)
     {
-      this->Request.Caster.ComputeRanges(this->Origin, packets, count);
+      this->Request.Caster.ComputeRanges(this->Plan.Origin, packets, count);
       this->Store(rectangle, packets, this->Request.NearestHits);
     }
-    this->Request.Caster.RefineRanges(this->Origin, packets, count);
+    this->Request.Caster.RefineRanges(this->Plan.Origin, packets, count);
     for (int i = 0; i < count; ++i)
     {
       this->Kernels.ApplyMinimumRange(this->Request.Limits.Minimum, packets[i]);
     }
     this->Store(rectangle, packets, this->Request.Returns);
-  }
-
-  // In fans along the axis, elevations decrease from 180 degrees.
-  lms3dBeamGrid MakeGrid() const
-  {
-    const lms3dScanGeometry& geometry = this->Request.Geometry;
-    if (geometry.GetPlatform().IsFanAlongAxis())
-    {
-      return { this->Turns, this->Beams };
-    }
-    return { this->Turns, this->Beams, &this->Directions.GetFanAxis(0), geometry.GetBetaStep(),
-      geometry.GetAlphaCosines().data(), geometry.GetAlphaSines().data(),
-      this->Directions.GetUp() };
-  }
-
-  static std::vector<lms3dElevations> MakeElevations(const lms3dScanGeometry& geometry)
-  {
-    const int beams = geometry.GetNumberOfBeams();
-    std::vector<lms3dElevations> elevations(lms3dBeamGrid::CountPackets(beams));
-    for (std::size_t column = 0; column < elevations.size(); ++column)
-    {
-      for (int i = 0; i < lms3dBeamPacket::Size; ++i)
-      {
-        const int beam = std::min(static_cast<int>(column) * Side + i % Side, beams - 1);
-        elevations[column].Cosine[i] = geometry.GetAlphaCosine(beam);
-        elevations[column].Sine[i] = geometry.GetAlphaSine(beam);
-      }
-    }
-    return elevations;
   }
 
   lms3dFanAxes MakeAxes(int firstTurn) const
@@ -128,30 +92,30 @@ private:
       for (int i = 0; i < lms3dBeamPacket::Size; ++i)
       {
         const int turn = std::min(firstTurn + i / Side, this->Turns - 1);
-        axes.Horizontal[axis][i] = this->Directions.GetFanAxis(turn)[axis];
+        axes.Horizontal[axis][i] = this->Plan.Directions.GetFanAxis(turn)[axis];
       }
-      axes.Up[axis] = this->Directions.GetUp()[axis];
+      axes.Up[axis] = this->Plan.Directions.GetUp()[axis];
     }
     return axes;
   }
 
   int CountRows() const
   {
-    return (lms3dBeamGrid::CountPackets(this->Turns) - 1) / this->GridCaster->GetRows() + 1;
+    return (lms3dBeamGrid::CountPackets(this->Turns) - 1) / this->GridCaster.GetRows() + 1;
   }
 
   int CountColumns() const
   {
-    return (lms3dBeamGrid::CountPackets(this->Beams) - 1) / this->GridCaster->GetColumns() + 1;
+    return (lms3dBeamGrid::CountPackets(this->Beams) - 1) / this->GridCaster.GetColumns() + 1;
   }
 
   lms3dPacketRectangle GetRectangle(int number) const
   {
-    const int row = number / this->CountColumns() * this->GridCaster->GetRows();
-    const int column = number % this->CountColumns() * this->GridCaster->GetColumns();
+    const int row = number / this->CountColumns() * this->GridCaster.GetRows();
+    const int column = number % this->CountColumns() * this->GridCaster.GetColumns();
     return { row * Side, column * Side,
-      std::min(this->GridCaster->GetRows(), lms3dBeamGrid::CountPackets(this->Turns) - row),
-      std::min(this->GridCaster->GetColumns(), lms3dBeamGrid::CountPackets(this->Beams) - column) };
+      std::min(this->GridCaster.GetRows(), lms3dBeamGrid::CountPackets(this->Turns) - row),
+      std::min(this->GridCaster.GetColumns(), lms3dBeamGrid::CountPackets(this->Beams) - column) };
   }
 
   void Generate(const lms3dPacketRectangle& rectangle, lms3dBeamPacket* packets) const
@@ -163,8 +127,8 @@ private:
       const lms3dFanAxes axes = this->MakeAxes(firstTurn);
       for (int i = 0; i < rectangle.Columns; ++i, ++packets)
       {
-        this->Kernels.GenerateDirections(this->Elevations[firstColumn + i], axes, *packets);
-        packets->Active = this->Grid.GetActive(firstTurn, rectangle.FirstBeam + i * Side);
+        this->Kernels.GenerateDirections(this->Plan.Elevations[firstColumn + i], axes, *packets);
+        packets->Active = this->Plan.Grid.GetActive(firstTurn, rectangle.FirstBeam + i * Side);
       }
     }
   }
@@ -199,27 +163,28 @@ private:
     {
       for (int column = 0; column < rectangle.Columns; ++column, ++packets)
       {
-        this->Grid.Store(
+        this->Plan.Grid.Store(
           rectangle.FirstTurn + row * Side, rectangle.FirstBeam + column * Side, *packets, hits);
       }
     }
   }
 
+  const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dScanRequest& Request;
-  const lms3dBeamDirections Directions;
-  const lms3dPacketKernels& Kernels;
-  const std::vector<lms3dElevations> Elevations;
-  const lms3dRayOrigin Origin;
+  const lms3dScanPlan& Plan;
+  const lms3dGridCaster& GridCaster;
   const int Turns;
   const int Beams;
-  const lms3dPacketGrid Grid;
-  const std::unique_ptr<const lms3dGridCaster> GridCaster;
 };
 } // namespace
 
 bool lms3dScan(const lms3dScanRequest& request, const lms3dProgress& progress)
 {
-  const Scan scan(request);
+  std::optional<lms3dScanPlan> own;
+  const lms3dScanPlan& plan = request.Plan
+    ? *request.Plan
+    : own.emplace(request.Caster, request.Geometry, request.Pose, request.Limits.Maximum);
+  const Scan scan(request, plan);
   const int rectangles = scan.CountRectangles();
   std::atomic<int> done{ 0 };
   lms3dProgressReporter reporter(progress);

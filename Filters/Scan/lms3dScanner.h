@@ -12,6 +12,7 @@
 #include "Device/lms3dScanGeometry.h"
 #include "Pipeline/lms3dProgress.h"
 #include "Scan/lms3dPacketGrid.h"
+#include "Scan/lms3dScanPlan.h"
 
 /// What to scan, and where the results go. All references and arrays must outlive the scan.
 struct lms3dScanRequest
@@ -32,6 +33,10 @@ struct lms3dScanRequest
   /// range removed any; ranges are lms3dBeamPacket::NoRange where there is no hit. Processes with
   /// parts of a scene compare these.
   lms3dBeamHits NearestHits = { nullptr, nullptr };
+
+  /// Optional: a plan that fits caster, geometry, pose and maximum range. Without it, the scan makes
+  /// one.
+  const lms3dScanPlan* Plan = nullptr;
 };
 
 /**

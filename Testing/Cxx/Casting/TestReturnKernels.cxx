@@ -94,6 +94,20 @@ TEST(ReturnKernels, FillRunsOfAllLengths)
   }
 }
 
+TEST(ReturnKernels, FillRunsInTheArrayOfTheirRanges)
+{
+  const std::vector<double> ranges(MaximumLength, 2.0);
+  const std::vector<double> elevations(MaximumLength, 0.5);
+  for (int k = 0; k < lms3dGetNumberOfPacketKernels(); ++k)
+  {
+    SCOPED_TRACE(lms3dGetPacketKernels(k).Name);
+    Arrays run(MaximumLength);
+    std::copy(ranges.begin(), ranges.end(), run.Range.begin());
+    run.Fill(lms3dGetPacketKernels(k), run.Range, elevations);
+    ExpectRun(run, ranges, elevations);
+  }
+}
+
 TEST(ReturnKernels, CountBeamsWithATriangle)
 {
   std::vector<std::int32_t> triangles(MaximumLength);

@@ -86,6 +86,24 @@ TEST_P(EachChange, LeavesHeldCellsAlone)
 INSTANTIATE_TEST_SUITE_P(LMS3DScanFilter, EachChange, testing::ValuesIn(Changes),
   [](const auto& change) { return change.param.Name; });
 
+TEST(ScanMemory, HoldsTheRangesOnceIfAllBeamsGiveReturns)
+{
+  auto scan = MakeScan(MakeBall(1.0));
+  SetGrid(scan, 91, 90);
+  const auto getImageRanges = [&] { return scan->GetRangeImage()->GetPointData()->GetScalars(); };
+  const auto getRanges = [&] { return scan->GetOutput()->GetPointData()->GetScalars(); };
+  scan->Update();
+  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 91 * 90);
+  EXPECT_EQ(getRanges(), getImageRanges());
+
+  scan->SetMaximumRange(0.999);
+  scan->Update();
+  EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_LT(scan->GetOutput()->GetNumberOfPoints(), 91 * 90);
+  EXPECT_NE(getRanges(), getImageRanges());
+  EXPECT_EQ(getRanges()->GetNumberOfTuples(), scan->GetOutput()->GetNumberOfPoints());
+}
+
 TEST(ScanMemory, OutlivesItsFilter)
 {
   vtkSmartPointer<vtkPolyData> held;

@@ -94,6 +94,74 @@ TEST(Threads, WorkAfterTheyWereWokenInAnotherNumber)
   EXPECT_EQ(CountWork(threads, 4), Count);
 }
 
+TEST(Threads, RunAPreparationOnceBeforeTheWaitEnds)
+{
+  for (int number : { 1, 2, 4 })
+  {
+    lms3dThreads threads;
+    CountWork(threads, number);
+    const bool isPrepared = number > 1 && number <= tbb::info::default_concurrency();
+    for (int i = 0; i < 100; ++i)
+    {
+      std::atomic<int> done{ 0 };
+      const auto prepare = [&done] { tbb::parallel_for(0, Count, [&done](int) { ++done; }); };
+      threads.Wake(number, prepare);
+      if (i % 2 == 0)
+      {
+        threads.EndWait();
+      }
+      else
+      {
+        CountWork(threads, number);
+      }
+      ASSERT_EQ(done, isPrepared ? Count : 0) << number << " threads";
+    }
+  }
+}
+
+TEST(Threads, AreAwakeUntilThePreparationEnds)
+{
+  if (tbb::info::default_concurrency() < 2)
+  {
+    GTEST_SKIP() << "one core: no other thread to wake";
+  }
+  lms3dThreads threads;
+  CountWork(threads, 2);
+  std::atomic<bool> mayEnd{ false };
+  threads.Wake(2,
+    [&mayEnd]
+    {
+      while (!mayEnd)
+      {
+        std::this_thread::yield();
+      }
+    });
+  Sleep();
+  EXPECT_TRUE(threads.AreAwake());
+  mayEnd = true;
+  threads.EndWait();
+  EXPECT_FALSE(threads.AreAwake());
+}
+
+TEST(Threads, AreAwakeForAShortTime)
+{
+  lms3dThreads threads;
+  EXPECT_FALSE(threads.AreAwake());
+  CountWork(threads, 1);
+  bool wereAwake = false;
+  for (int attempt = 0; attempt < 1000 && !wereAwake; ++attempt)
+  {
+    threads.Wake(1);
+    wereAwake = threads.AreAwake();
+  }
+  EXPECT_TRUE(wereAwake);
+  Sleep();
+  EXPECT_FALSE(threads.AreAwake());
+  threads.Wake(1);
+  threads.EndWait();
+  EXPECT_FALSE(threads.AreAwake());
+}
+
 TEST(Threads, WorkAfterAnException)
 {
   lms3dThreads threads;
