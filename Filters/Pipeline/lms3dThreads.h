@@ -127,7 +127,8 @@ private:
           {
             if (i == 0)
             {
-              preparation();
+              // Otherwise this thread could take a task that waits before the preparation ends.
+              tbb::this_task_arena::isolate(preparation);
               this->IsPreparing = false;
             }
             this->Wait();

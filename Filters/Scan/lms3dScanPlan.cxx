@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/lms3dScanPlan.h"
 
+#include "Geometry/lms3dVector.h"
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <cstring>
 
 namespace
 {
@@ -24,6 +26,13 @@ std::vector<lms3dElevations> MakeElevations(const lms3dScanGeometry& geometry)
   }
   return elevations;
 }
+
+// Results must not depend on earlier scans, so zeros may not differ in sign.
+bool AreSame(const lms3dVector& a, const lms3dVector& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(),
+    [](double x, double y) { return x == y && std::signbit(x) == std::signbit(y); });
+}
 } // namespace
 
 lms3dScanPlan::lms3dScanPlan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
@@ -39,12 +48,13 @@ lms3dScanPlan::lms3dScanPlan(const lms3dRayCaster& caster, const lms3dScanGeomet
 {
 }
 
-// Compares bytes, since results must not depend on earlier scans: zeros differ in sign.
 bool lms3dScanPlan::Fits(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, double maximumRange) const
 {
   return &caster == &this->Caster && &geometry == &this->Geometry &&
-    std::memcmp(&pose, &this->Pose, sizeof(pose)) == 0 && maximumRange == this->Origin.MaximumRange;
+    AreSame(pose.Position, this->Pose.Position) &&
+    std::equal(pose.Axes.begin(), pose.Axes.end(), this->Pose.Axes.begin(), AreSame) &&
+    maximumRange == this->Origin.MaximumRange;
 }
 
 // In fans along the axis, elevations decrease from 180 degrees.
