@@ -24,8 +24,8 @@ struct lms3dReturnsOfTurn
   const double* Position;
 };
 
-/// The returns of neighbouring beams of one turn. All arrays belong to the caller. None of the
-/// outputs overlaps another array.
+/// The returns of neighbouring beams of one turn. All arrays belong to the caller. Apart from Range,
+/// which may be Ranges, no output overlaps another array.
 struct lms3dReturnRunArrays
 {
   int Count;
@@ -44,7 +44,7 @@ struct lms3dReturnRunArrays
   std::int32_t FirstSlot;
 
   ///@{
-  /// The outputs, one value for each return. Range may be Ranges.
+  /// The outputs, one value for each return.
   double* Range;
   float* Alpha;
   float* Beta;

@@ -34,8 +34,8 @@ struct lms3dScanRequest
   /// parts of a scene compare these.
   lms3dBeamHits NearestHits = { nullptr, nullptr };
 
-  /// Optional: a plan that fits caster, geometry, pose and maximum range. Without it, the scan makes
-  /// one.
+  /// Optional: a plan that fits caster, geometry, pose and maximum range. Without it, the scan
+  /// makes one.
   const lms3dScanPlan* Plan = nullptr;
 };
 
