@@ -53,16 +53,29 @@ TEST(Threads, WaitForWorkAfterTheyWereWoken)
   }
   lms3dThreads threads;
   CountWork(threads, 2);
-  // A thread that is late no longer waits.
+  // On a busy machine, this thread can miss the wait of the other one, even if that one is awake.
   bool hasWaited = false;
   for (int attempt = 0; attempt < 1000 && !hasWaited; ++attempt)
   {
-    threads.Wake(2);
-    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(10);
+    std::atomic<bool> isAwake{ false };
+    std::atomic<bool> mayWait{ false };
+    threads.Wake(2,
+      [&]
+      {
+        isAwake = true;
+        while (!mayWait)
+        {
+          std::this_thread::yield();
+        }
+      });
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
     while (!hasWaited && std::chrono::steady_clock::now() < end)
     {
+      mayWait = isAwake.load();
       hasWaited = threads.GetNumberOfWaiting() == 1;
     }
+    mayWait = true;
+    threads.EndWait();
   }
   EXPECT_TRUE(hasWaited);
   EXPECT_EQ(CountWork(threads, 2), Count);
