@@ -17,6 +17,8 @@ constexpr double DeterminingShare = 0.3;
 constexpr int Rounds = 4;
 // The smallest move that counts, in bounds.
 constexpr double SmallShare = 0.01;
+// How often a vertex moves back until it is where it was.
+constexpr int MaximumMovesBack = 3;
 // The number of triangles that a thread takes at least.
 constexpr std::size_t TrianglesOfTask = 8;
 } // namespace
@@ -31,7 +33,7 @@ lms3dSurfaceFit::lms3dSurfaceFit(const lms3dBeamDemands& demands,
   , Sums(stars.GetTriangles().size())
   , Before(stars.GetNumberOfVertices())
   , IsMovable(std::move(isChosen))
-  , HasMovedBack(stars.GetNumberOfVertices())
+  , MovesBack(stars.GetNumberOfVertices())
 {
   for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
   {
@@ -204,7 +206,7 @@ bool lms3dSurfaceFit::IsSupported(std::int32_t from, std::int32_t to) const
   return this->Borders.IsSupportedAtDepthSteps(getVertex(from), getVertex(to));
 }
 
-// Moves the corners of triangles back, and returns the triangles that have changed.
+// Moves the corners of triangles back a bit, and returns the triangles that have changed.
 std::vector<std::int32_t> lms3dSurfaceFit::MoveBack(const std::vector<std::int32_t>& triangles)
 {
   std::vector<std::int32_t> changed;
@@ -214,8 +216,9 @@ std::vector<std::int32_t> lms3dSurfaceFit::MoveBack(const std::vector<std::int32
     {
       if (this->HasMoved(corner))
       {
-        this->HasMovedBack[corner] = 1;
-        this->Inverses[corner] = this->Before[corner];
+        this->Inverses[corner] = ++this->MovesBack[corner] < MaximumMovesBack
+          ? 0.5 * (this->Inverses[corner] + this->Before[corner])
+          : this->Before[corner];
         const std::vector<std::int32_t>& around = this->Stars.GetVertex(corner).Triangles;
         changed.insert(changed.end(), around.begin(), around.end());
       }
@@ -239,10 +242,10 @@ void lms3dSurfaceFit::MoveVertices()
 
 void lms3dSurfaceFit::FitInside()
 {
+  std::vector<std::uint8_t> isChosen(this->MovesBack.size());
   for (std::int32_t vertex = 0; vertex < this->Stars.GetNumberOfVertices(); ++vertex)
   {
-    this->HasMovedBack[vertex] =
-      this->HasMovedBack[vertex] != 0 && this->Stars.IsInside(vertex) ? 1 : 0;
+    isChosen[vertex] = this->MovesBack[vertex] > 0 && this->Stars.IsInside(vertex) ? 1 : 0;
   }
-  lms3dVertexFits::Run(this->Demands, this->HasMovedBack, this->Stars);
+  lms3dVertexFits::Run(this->Demands, isChosen, this->Stars);
 }

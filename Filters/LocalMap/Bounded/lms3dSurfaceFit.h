@@ -24,10 +24,11 @@
  * On a triangle, the inverse range is linear in the inverse ranges of its corners. So the sum is
  * quadratic in the inverse ranges of all vertices, and each triangle adds to it what
  * lms3dTriangleSums finds. A few rounds of Gauss and Seidel's method come near its minimum. Then
- * the corners of each triangle that leaves the bound of a return move back, and so do those of each
- * triangle at a depth step whose new range there the returns do not support
- * (lms3dBorderShortcuts). So the surface bridges no depth step. At last, each vertex inside of the
- * surface that moved back goes as far as the returns around it allow (lms3dVertexFits).
+ * the corners of some triangles move half of their way back, and at the third time all of it: if
+ * the triangle leaves the bound of a return, or if it is at a depth step and the returns do not
+ * support its new range there (lms3dBorderShortcuts). So the surface bridges no depth step. This
+ * ends when all triangles that have moved are allowed. At last, each vertex inside of the surface
+ * that moved back goes as far as the returns around it allow (lms3dVertexFits).
  *
  * A vertex stays if no beam near it determines its range, or if it would move by less than a
  * hundredth of the bound.
@@ -76,9 +77,10 @@ private:
   std::vector<double> Before;
   std::vector<double> Inverses;
   ///@}
-  /// By vertex, 1 or 0: whether it may move, and whether it has moved back.
+  /// By vertex, 1 or 0: whether it may move.
   std::vector<std::uint8_t> IsMovable;
-  std::vector<std::uint8_t> HasMovedBack;
+  /// By vertex: how often it has moved back.
+  std::vector<std::uint8_t> MovesBack;
 };
 
 #endif
