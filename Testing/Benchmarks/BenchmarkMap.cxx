@@ -5,14 +5,13 @@
 #include "EqualDecimation.h"
 #include "MapCauses.h"
 #include "MapContender.h"
+#include "MapErrors.h"
 #include "Scenes.h"
 #include "Table.h"
 #include "Timer.h"
 
-#include "vtkLMS3DMapComparison.h"
 #include "vtkLMS3DScanFilter.h"
 
-#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -73,40 +72,6 @@ std::size_t CountHitTriangles(vtkPolyData* scan)
   return std::set<vtkIdType>(cells->Begin(), cells->End()).size();
 }
 
-/// What vtkLMS3DMapComparison finds, by the names of its results.
-class Errors
-{
-public:
-  Errors(const Subject& subject, vtkPolyData* map)
-  {
-    this->Comparison->SetInputData(map);
-    this->Comparison->SetSceneData(subject.Scene.Surface);
-    this->Comparison->SetScanData(subject.Scan);
-    this->Comparison->Update();
-  }
-
-  std::string Format(const char* name, double factor, int decimals, int component = 0) const
-  {
-    return Table::Format(factor * this->Get(name, component), decimals);
-  }
-
-  /// Half of the Chamfer distance: a map that leaves out what is hard gains in one direction, and
-  /// loses in the other.
-  double GetMeanOfBoth() const
-  {
-    return 0.5 * (this->Get("MapToScene", 0) + this->Get("SceneToMap", 0));
-  }
-
-private:
-  double Get(const char* name, int component) const
-  {
-    vtkDataArray* result = this->Comparison->GetOutput()->GetFieldData()->GetArray(name);
-    return result->GetComponent(0, component);
-  }
-
-  vtkNew<vtkLMS3DMapComparison> Comparison;
-};
-
 const Table::Row Columns = { "scene", "map", "noise mm", "bound mm", "ms", "x scan", "triangles",
   "to scene mean mm", "to scene 95% mm", "to scene max mm", "to map mean mm", "to map 95% mm",
   "both mean mm", "correct %", "complete %", "F %", "normals deg", "free space m2",
@@ -120,7 +85,7 @@ constexpr int Maximum = 3;
 // The bound of a rival is that of the map whose number of triangles it gets.
 void AddRow(const Subject& subject, const MapContender& contender, double bound, Table& table)
 {
-  const Errors errors(subject, contender.Map);
+  const MapErrors errors(subject.Scene, subject.Scan, contender.Map);
   table.AddRow({ subject.Scene.Name, contender.Name, Table::Format(Millimetres * subject.Noise, 0),
     Table::Format(Millimetres * bound, 0), Table::Format(contender.Milliseconds, 2),
     Table::Format(contender.Milliseconds / subject.ScanMilliseconds, 2),
@@ -169,7 +134,10 @@ void AddRowOfDecimation(const Subject& subject, const Maps& maps, const MapConte
     triangles = equal ? std::to_string(*equal) : "all";
   }
   const auto getMean = [&](const MapContender& contender)
-  { return Table::Format(Millimetres * Errors(subject, contender.Map).GetMeanOfBoth(), 2); };
+  {
+    return Table::Format(
+      Millimetres * MapErrors(subject.Scene, subject.Scan, contender.Map).GetMeanOfBoth(), 2);
+  };
   decimations.AddRow({ subject.Scene.Name, Table::Format(Millimetres * subject.Noise, 0),
     Table::Format(Millimetres * bound, 0), std::to_string(map.Map->GetNumberOfCells()), triangles,
     getMean(map), getMean(decimated) });
