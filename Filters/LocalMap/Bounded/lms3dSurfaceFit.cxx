@@ -44,7 +44,6 @@ void lms3dSurfaceFit::Run()
   this->ForgetSmallMoves();
   this->MoveForbiddenBack();
   this->MoveVertices();
-  this->FitInside();
 }
 
 void lms3dSurfaceFit::AddUpTriangles()

@@ -27,8 +27,7 @@
  * the corners of some triangles move half of their way back, and at the third time all of it: if
  * the triangle leaves the bound of a return, or if it is at a depth step and the returns do not
  * support its new range there (lms3dBorderShortcuts). So the surface bridges no depth step. This
- * ends when all triangles that have moved are allowed. At last, each vertex inside of the surface
- * that moved back goes as far as the returns around it allow (lms3dVertexFits).
+ * ends when all triangles that have moved are allowed.
  *
  * A vertex stays if no beam near it determines its range, or if it would move by less than a
  * hundredth of the bound.
@@ -64,7 +63,6 @@ private:
   std::vector<std::int32_t> FindForbidden(const std::vector<std::int32_t>& triangles) const;
   std::vector<std::int32_t> MoveBack(const std::vector<std::int32_t>& triangles);
   void MoveVertices();
-  void FitInside();
 
   const lms3dBeamDemands& Demands;
   const lms3dBorderShortcuts& Borders;

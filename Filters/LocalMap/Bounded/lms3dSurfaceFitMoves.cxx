@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dParallelTasks.h"
 #include "LocalMap/Bounded/lms3dSurfaceFit.h"
-#include "LocalMap/Bounded/lms3dVertexFits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,14 +126,4 @@ void lms3dSurfaceFit::MoveVertices()
       this->Stars.SetInverse(vertex, this->Inverses[vertex]);
     }
   }
-}
-
-void lms3dSurfaceFit::FitInside()
-{
-  std::vector<std::uint8_t> isChosen(this->MovesBack.size());
-  for (std::int32_t vertex = 0; vertex < this->Stars.GetNumberOfVertices(); ++vertex)
-  {
-    isChosen[vertex] = this->MovesBack[vertex] > 0 && this->Stars.IsInside(vertex) ? 1 : 0;
-  }
-  lms3dVertexFits::Run(this->Demands, isChosen, this->Stars);
 }
