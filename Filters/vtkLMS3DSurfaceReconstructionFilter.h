@@ -17,8 +17,8 @@
  * plain grid instead. A return without neighbours on its surface gets a facet, a small triangle
  * that faces the sensor, so no return is lost. Then the filter removes the vertices that the bound
  * does not need. Where patches join smoothly, as on curved surfaces, it also moves vertices to
- * where they fit the returns around them best. Vertices at the border of the surface then keep
- * their directions from the sensor. (With a mirror beside the axis or a turning platform, no vertex
+ * where they fit the returns around them best. At last, all vertices move along their directions
+ * from the sensor, to where the map fits the returns best. (With a mirror beside the axis or a turning platform, no vertex
  * moves, and the border of the surface stays. If the beams are farther apart than 5,000 beams all
  * around would be, all vertices stay.) Bounds below four standard deviations of the noise need more
  * triangles. With noise, the bound counts from the noisy returns. The surface extends beyond the

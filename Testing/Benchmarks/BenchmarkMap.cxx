@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
 
+#include "EqualDecimation.h"
 #include "MapCauses.h"
 #include "MapContender.h"
+#include "MapErrors.h"
 #include "Scenes.h"
 #include "Table.h"
 #include "Timer.h"
 
-#include "vtkLMS3DMapComparison.h"
 #include "vtkLMS3DScanFilter.h"
 
-#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -71,40 +72,6 @@ std::size_t CountHitTriangles(vtkPolyData* scan)
   return std::set<vtkIdType>(cells->Begin(), cells->End()).size();
 }
 
-/// What vtkLMS3DMapComparison finds, by the names of its results.
-class Errors
-{
-public:
-  Errors(const Subject& subject, vtkPolyData* map)
-  {
-    this->Comparison->SetInputData(map);
-    this->Comparison->SetSceneData(subject.Scene.Surface);
-    this->Comparison->SetScanData(subject.Scan);
-    this->Comparison->Update();
-  }
-
-  std::string Format(const char* name, double factor, int decimals, int component = 0) const
-  {
-    return Table::Format(factor * this->Get(name, component), decimals);
-  }
-
-  /// Half of the Chamfer distance: a map that leaves out what is hard gains in one direction, and
-  /// loses in the other.
-  double GetMeanOfBoth() const
-  {
-    return 0.5 * (this->Get("MapToScene", 0) + this->Get("SceneToMap", 0));
-  }
-
-private:
-  double Get(const char* name, int component) const
-  {
-    vtkDataArray* result = this->Comparison->GetOutput()->GetFieldData()->GetArray(name);
-    return result->GetComponent(0, component);
-  }
-
-  vtkNew<vtkLMS3DMapComparison> Comparison;
-};
-
 const Table::Row Columns = { "scene", "map", "noise mm", "bound mm", "ms", "x scan", "triangles",
   "to scene mean mm", "to scene 95% mm", "to scene max mm", "to map mean mm", "to map 95% mm",
   "both mean mm", "correct %", "complete %", "F %", "normals deg", "free space m2",
@@ -118,7 +85,7 @@ constexpr int Maximum = 3;
 // The bound of a rival is that of the map whose number of triangles it gets.
 void AddRow(const Subject& subject, const MapContender& contender, double bound, Table& table)
 {
-  const Errors errors(subject, contender.Map);
+  const MapErrors errors(subject.Scene, subject.Scan, contender.Map);
   table.AddRow({ subject.Scene.Name, contender.Name, Table::Format(Millimetres * subject.Noise, 0),
     Table::Format(Millimetres * bound, 0), Table::Format(contender.Milliseconds, 2),
     Table::Format(contender.Milliseconds / subject.ScanMilliseconds, 2),
@@ -150,8 +117,34 @@ void AddRowOfCauses(const Subject& subject, const MapContender& map, double boun
     std::to_string(count.SmallPatches), std::to_string(count.OnSmallPatches) });
 }
 
-void CompareDecimations(
-  const Subject& subject, const Maps& maps, const BenchmarkOptions& options, Table& table)
+const Table::Row ColumnsOfDecimation = { "scene", "noise mm", "bound mm", "triangles",
+  "decimated to the same largest error", "both mean mm", "decimated to as many triangles" };
+
+// What decimation needs for the same errors takes many decimations.
+void AddRowOfDecimation(const Subject& subject, const Maps& maps, const MapContender& decimated,
+  const BenchmarkOptions& options, Table& decimations)
+{
+  const double bound = GetBoundOfRivals(subject.Noise);
+  const MapContender& map = maps.at(bound);
+  std::string triangles = "-";
+  if (!options.IsQuick)
+  {
+    const std::optional<vtkIdType> equal =
+      EqualDecimation(subject.Scene, subject.Scan, maps.at(0.0)).FindTriangles(bound);
+    triangles = equal ? std::to_string(*equal) : "all";
+  }
+  const auto getMean = [&](const MapContender& contender)
+  {
+    return Table::Format(
+      Millimetres * MapErrors(subject.Scene, subject.Scan, contender.Map).GetMeanOfBoth(), 2);
+  };
+  decimations.AddRow({ subject.Scene.Name, Table::Format(Millimetres * subject.Noise, 0),
+    Table::Format(Millimetres * bound, 0), std::to_string(map.Map->GetNumberOfCells()), triangles,
+    getMean(map), getMean(decimated) });
+}
+
+void CompareDecimations(const Subject& subject, const Maps& maps, const BenchmarkOptions& options,
+  Table& table, Table& decimations)
 {
   const MapContender& grid = maps.at(0.0);
   const double fairBound = GetBoundOfRivals(subject.Noise);
@@ -160,16 +153,29 @@ void CompareDecimations(
     if (bound == fairBound || !options.IsQuick)
     {
       const vtkIdType triangles = maps.at(bound).Map->GetNumberOfCells();
-      AddRow(subject, DecimateByQuadrics(grid, triangles, GetBudget(options)), bound, table);
+      const MapContender decimated = DecimateByQuadrics(grid, triangles, GetBudget(options));
+      AddRow(subject, decimated, bound, table);
+      if (bound == fairBound)
+      {
+        AddRowOfDecimation(subject, maps, decimated, options, decimations);
+      }
     }
   }
   const vtkIdType triangles = maps.at(fairBound).Map->GetNumberOfCells();
   AddRow(subject, DecimatePro(grid, triangles, GetBudget(options)), fairBound, table);
 }
 
-void CompareMaps(
-  const Subject& subject, const BenchmarkOptions& options, Table& table, Table& causes)
+/// What the benchmark prints.
+struct Tables
 {
+  Table Maps{ Columns };
+  Table Causes{ ColumnsOfCauses };
+  Table Decimations{ ColumnsOfDecimation };
+};
+
+void CompareMaps(const Subject& subject, const BenchmarkOptions& options, Tables& tables)
+{
+  Table& table = tables.Maps;
   Maps maps;
   for (double bound : Bounds)
   {
@@ -177,13 +183,10 @@ void CompareMaps(
     AddRow(subject, maps[bound], bound, table);
     if (bound > 0.0)
     {
-      AddRowOfCauses(subject, maps[bound], bound, causes);
+      AddRowOfCauses(subject, maps[bound], bound, tables.Causes);
     }
   }
-  if (!options.IsQuick || subject.Noise == 0.0)
-  {
-    CompareDecimations(subject, maps, options, table);
-  }
+  CompareDecimations(subject, maps, options, table, tables.Decimations);
   if (!options.IsQuick)
   {
     AddRow(subject, ReconstructFromPoints(subject.Scan, GetBudget(options)), NoBound, table);
@@ -191,8 +194,7 @@ void CompareMaps(
   table.Print();
 }
 
-void CompareOnScene(
-  const std::string& name, const BenchmarkOptions& options, Table& table, Table& causes)
+void CompareOnScene(const std::string& name, const BenchmarkOptions& options, Tables& tables)
 {
   const BenchmarkScene scene = MakeScene(name);
   vtkNew<vtkLMS3DScanFilter> scan;
@@ -207,24 +209,23 @@ void CompareOnScene(
       scan->Update();
     });
   const std::size_t hit = CountHitTriangles(scan->GetOutput());
-  CompareMaps({ scene, scan->GetOutput(), ms, 0.0, hit }, options, table, causes);
-  CompareMaps(
-    { scene, AddRangeNoise(scan->GetOutput(), Noise), ms, Noise, hit }, options, table, causes);
+  CompareMaps({ scene, scan->GetOutput(), ms, 0.0, hit }, options, tables);
+  CompareMaps({ scene, AddRangeNoise(scan->GetOutput(), Noise), ms, Noise, hit }, options, tables);
 }
 } // namespace
 
 void RunMapBenchmark(const BenchmarkOptions& options)
 {
-  Table table(Columns);
-  Table causes(ColumnsOfCauses);
+  Tables tables;
   for (const std::string& name : options.Scenes)
   {
-    CompareOnScene(name, options, table, causes);
+    CompareOnScene(name, options, tables);
   }
-  causes.Print();
+  tables.Causes.Print();
+  tables.Decimations.Print();
   if (!options.CSVFile.empty())
   {
-    table.Save(options.CSVFile);
+    tables.Maps.Save(options.CSVFile);
   }
   if (std::count(options.Scenes.begin(), options.Scenes.end(), "room") > 0)
   {

@@ -117,6 +117,42 @@ BenchmarkScene MakeCastle()
   return { "castle", builder.GetSurface(), { 0.31, -0.73, 1.7 } };
 }
 
+BenchmarkScene MakeBall()
+{
+  constexpr double Radius = 2.0;
+  constexpr int Sides = 512;
+  constexpr int Rings = 256;
+  Builder builder;
+  const auto addPoint = [&](double polar, double angle)
+  {
+    return builder.AddPoint(Radius * std::sin(polar) * std::cos(angle),
+      Radius * std::sin(polar) * std::sin(angle), Radius * std::cos(polar));
+  };
+  const vtkIdType top = addPoint(0.0, 0.0);
+  const vtkIdType bottom = addPoint(lms3dPi, 0.0);
+  const vtkIdType first = bottom + 1;
+  for (int ring = 1; ring < Rings; ++ring)
+  {
+    for (int side = 0; side < Sides; ++side)
+    {
+      addPoint(lms3dPi * ring / Rings, 2.0 * lms3dPi * side / Sides);
+    }
+  }
+  constexpr vtkIdType Last = static_cast<vtkIdType>(Sides) * (Rings - 2);
+  for (int side = 0; side < Sides; ++side)
+  {
+    const vtkIdType here = first + side;
+    const vtkIdType next = first + (side + 1) % Sides;
+    builder.AddTriangle(top, here, next);
+    for (vtkIdType ring = 0; ring < Last; ring += Sides)
+    {
+      builder.AddQuad(here + ring, here + ring + Sides, next + ring + Sides, next + ring);
+    }
+    builder.AddTriangle(bottom, next + Last, here + Last);
+  }
+  return { "ball", builder.GetSurface(), { 0.31, -0.23, 0.17 } };
+}
+
 double GetHeight(double x, double y)
 {
   double height = 0.0;
@@ -164,7 +200,7 @@ std::string GetTerrainName(int power)
 
 const std::vector<std::string>& GetSceneNames()
 {
-  static const std::vector<std::string> names = { "room", "castle", "teapot", "terrain1e3",
+  static const std::vector<std::string> names = { "room", "castle", "teapot", "ball", "terrain1e3",
     "terrain1e4", "terrain1e5", "terrain1e6", "terrain1e7" };
   return names;
 }
@@ -184,6 +220,10 @@ BenchmarkScene MakeScene(const std::string& name)
   if (name == "castle")
   {
     return MakeCastle();
+  }
+  if (name == "ball")
+  {
+    return MakeBall();
   }
   for (int power = 3; power <= 7; ++power)
   {

@@ -32,6 +32,7 @@ const std::vector<std::string>& GetSceneNames();
  * - castle: a closed box with four walls, merlons and round towers of 32 sides, the sensor in the
  * yard;
  *   1,000 triangles, every beam hits;
+ * - ball: a ball of 2 m radius and 261,120 triangles, the sensor inside, beside the middle;
  * - terrain1e3 to terrain1e7: 1e3 to 1e7 triangles on 200 m x 200 m of hills, the sensor 2 m above.
  *
  * Throws std::runtime_error where there is no such scene.

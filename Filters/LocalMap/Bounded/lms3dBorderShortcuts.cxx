@@ -51,6 +51,23 @@ bool lms3dBorderShortcuts::PassesSameGates(
   return this->MayLeaveOut(last, middle, next, [](const Gate&) { return true; });
 }
 
+bool lms3dBorderShortcuts::IsSupportedAtDepthSteps(const Vertex& from, const Vertex& to) const
+{
+  std::vector<Gate> gates;
+  gates.reserve(UsualGates);
+  return this->FindGates(from, to, gates) &&
+    std::all_of(gates.begin(), gates.end(),
+      [&](const Gate& gate)
+      { return !this->IsDepthStep(gate) || this->IsSupported(gate, from, to); });
+}
+
+bool lms3dBorderShortcuts::IsDepthStep(const Gate& gate) const
+{
+  const GridIndex other = this->Sphere.GetNeighbor(gate.Index, gate.Side);
+  return this->Patches.Labels[gate.Index] >= 0 && this->Patches.Labels[other] >= 0 &&
+    !this->Sphere.IsJoined(gate.Index, gate.Side);
+}
+
 template <typename Predicate>
 bool lms3dBorderShortcuts::MayLeaveOut(
   const Vertex& last, const Vertex& middle, const Vertex& next, const Predicate& isSupported) const

@@ -33,6 +33,10 @@ public:
   /// Whether it may do so if the surface goes on at the border, so that any range is supported.
   bool PassesSameGates(const Vertex& last, const Vertex& middle, const Vertex& next) const;
 
+  /// Whether the returns support the ranges of the border from one vertex to the next, with the
+  /// surface to the left, at each depth step that it passes.
+  bool IsSupportedAtDepthSteps(const Vertex& from, const Vertex& to) const;
+
 private:
   using GridIndex = lms3dBeamSphere::GridIndex;
 
@@ -64,6 +68,7 @@ private:
   bool FindGates(const Vertex& from, const Vertex& to, std::vector<Gate>& gates) const;
   void AppendGatesOfRows(const Arc& arc, int column, double width, double low, double high,
     std::vector<Gate>& gates) const;
+  bool IsDepthStep(const Gate& gate) const;
   bool IsSupported(const Gate& gate, const Vertex& from, const Vertex& to) const;
 
   const lms3dBeamSphere& Sphere;

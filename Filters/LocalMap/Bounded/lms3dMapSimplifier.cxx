@@ -7,7 +7,8 @@
 #include "LocalMap/Bounded/lms3dRayMoves.h"
 #include "LocalMap/Bounded/lms3dRegularMoves.h"
 #include "LocalMap/Bounded/lms3dSmoothVertices.h"
-#include "LocalMap/Bounded/lms3dVertexFit.h"
+#include "LocalMap/Bounded/lms3dSurfaceFit.h"
+#include "LocalMap/Bounded/lms3dVertexFits.h"
 #include "LocalMap/Bounded/lms3dVertexRemover.h"
 
 #include <tbb/parallel_for.h>
@@ -40,14 +41,14 @@ bool lms3dMapSimplifier::Simplify(const std::vector<int>& members, lms3dBoundedM
   const lms3dBeamDemands demands(this->Sphere, this->Patches, this->MaximumError);
   const lms3dBorderShortcuts shortcuts(
     this->Sphere, this->Patches, lms3dPatches::CreaseShare * this->MaximumError);
-  const bool isSmoother = this->SimplifySmoothSurface(members, map, demands, stars);
-  if (lms3dVertexRemover(lms3dRegularMoves(demands, shortcuts), stars).Run() || isSmoother)
-  {
-    Replace(stars, map);
-    map.LargestDeviation = this->GetLargestDeviation(map);
-    return true;
-  }
-  return false;
+  this->SimplifySmoothSurface(members, map, demands, shortcuts, stars);
+  lms3dVertexRemover(lms3dRegularMoves(demands, shortcuts), stars).Run();
+  lms3dSurfaceFit(demands, shortcuts, this->MaximumError,
+    std::vector<std::uint8_t>(stars.GetNumberOfVertices(), 1), stars)
+    .Run();
+  Replace(stars, map);
+  map.LargestDeviation = this->GetLargestDeviation(map);
+  return true;
 }
 
 bool lms3dMapSimplifier::SimplifyOnRays(lms3dBoundedMap& map) const
@@ -63,23 +64,22 @@ bool lms3dMapSimplifier::SimplifyOnRays(lms3dBoundedMap& map) const
   return false;
 }
 
-bool lms3dMapSimplifier::SimplifySmoothSurface(const std::vector<int>& members,
-  const lms3dBoundedMap& map, const lms3dBeamDemands& demands, lms3dVertexStars& stars) const
+void lms3dMapSimplifier::SimplifySmoothSurface(const std::vector<int>& members,
+  const lms3dBoundedMap& map, const lms3dBeamDemands& demands, const lms3dBorderShortcuts& borders,
+  lms3dVertexStars& stars) const
 {
   const lms3dSmoothVertices smooth(this->Patches, members, map, this->MaximumError, this->Noise);
   if (!FreeSmoothVertices(smooth, stars) || !lms3dEdgeCollapser::Run(demands, stars))
   {
-    return false;
+    return;
   }
   for (int fit = 0; fit < Fits; ++fit)
   {
-    FitVertices(demands, stars);
+    lms3dVertexFits::Run(demands, FindFreeAndChanged(stars), stars);
     stars.ReleaseChanged();
     lms3dEdgeCollapser::Run(demands, stars);
   }
-  FreeSmoothBorders(smooth, stars);
-  FitVertices(demands, stars);
-  return true;
+  lms3dSurfaceFit(demands, borders, this->MaximumError, FindChanged(stars), stars).Run();
 }
 
 // Returns false if there are none.
@@ -97,72 +97,24 @@ bool lms3dMapSimplifier::FreeSmoothVertices(
   return true;
 }
 
-// Vertices at the border of the surface lie on the planes of patches that are gone where edges have
-// collapsed.
-void lms3dMapSimplifier::FreeSmoothBorders(
-  const lms3dSmoothVertices& smooth, lms3dVertexStars& stars)
+std::vector<std::uint8_t> lms3dMapSimplifier::FindChanged(const lms3dVertexStars& stars)
 {
-  tbb::parallel_for(0, stars.GetNumberOfVertices(),
-    [&](int i)
-    {
-      const lms3dVertexStars::Vertex& vertex = stars.GetVertex(i);
-      if (vertex.IsChanged && !vertex.IsFree && !vertex.Triangles.empty() && !stars.HasStrip(i) &&
-        !stars.IsInside(i) && smooth.IsSmooth(stars, i))
-      {
-        stars.SetFreeToFit(i);
-      }
-    });
+  std::vector<std::uint8_t> isChosen(stars.GetNumberOfVertices());
+  for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
+  {
+    isChosen[vertex] = stars.GetVertex(vertex).IsChanged ? 1 : 0;
+  }
+  return isChosen;
 }
 
-// Each fit uses the ranges of the neighbours that come before it. So vertices of one level have no
-// edge between them, and the neighbours that come before them have lower levels.
-std::vector<std::vector<std::int32_t>> lms3dMapSimplifier::FindLevels(const lms3dVertexStars& stars)
+std::vector<std::uint8_t> lms3dMapSimplifier::FindFreeAndChanged(const lms3dVertexStars& stars)
 {
-  std::vector<std::vector<std::int32_t>> levels;
-  std::vector<int> levelOf(stars.GetNumberOfVertices(), -1);
-  for (std::int32_t number = 0; number < stars.GetNumberOfVertices(); ++number)
+  std::vector<std::uint8_t> isChosen = FindChanged(stars);
+  for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
   {
-    const lms3dVertexStars::Vertex& vertex = stars.GetVertex(number);
-    if (!vertex.IsFree || !vertex.IsChanged)
-    {
-      continue;
-    }
-    int level = 0;
-    stars.ForEachTriangle(number,
-      [&](std::int32_t, std::int32_t next, std::int32_t last)
-      {
-        level = std::max(level, 1 + std::max(levelOf[next], levelOf[last]));
-        return true;
-      });
-    levelOf[number] = level;
-    if (level == static_cast<int>(levels.size()))
-    {
-      levels.emplace_back();
-    }
-    levels[level].push_back(number);
+    isChosen[vertex] &= stars.GetVertex(vertex).IsFree ? 1 : 0;
   }
-  return levels;
-}
-
-// Moves the vertices of changed stars to the ranges that fit the returns best.
-void lms3dMapSimplifier::FitVertices(const lms3dBeamDemands& demands, lms3dVertexStars& stars)
-{
-  const auto fitVertex = [&](std::int32_t number)
-  {
-    const lms3dTriangleCorner& corner = stars.GetVertex(number).Corner;
-    lms3dVertexFit fit(demands);
-    if (stars.ForEachTriangle(number,
-          [&](std::int32_t, std::int32_t next, std::int32_t last)
-          { return fit.Add(corner, lms3dVertexFit::GetSide(stars, next, last)); }) &&
-      fit.IsDetermined() && fit.GetInverse() > 0.0)
-    {
-      stars.SetInverse(number, fit.GetInverse());
-    }
-  };
-  for (const std::vector<std::int32_t>& level : FindLevels(stars))
-  {
-    tbb::parallel_for(std::size_t(0), level.size(), [&](std::size_t i) { fitVertex(level[i]); });
-  }
+  return isChosen;
 }
 
 void lms3dMapSimplifier::Replace(const lms3dVertexStars& stars, lms3dBoundedMap& map)
@@ -180,7 +132,7 @@ void lms3dMapSimplifier::Replace(const lms3dVertexStars& stars, lms3dBoundedMap&
   map.PatchIds.resize(kept);
   for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
   {
-    if (stars.GetVertex(vertex).IsFree && stars.GetVertex(vertex).IsChanged)
+    if (stars.GetVertex(vertex).HasMoved)
     {
       map.Points[vertex] = stars.GetPosition(vertex);
     }

@@ -8,6 +8,7 @@
 #define lms3dMapSimplifier_h
 
 #include "LocalMap/Bounded/lms3dBeamDemands.h"
+#include "LocalMap/Bounded/lms3dBorderShortcuts.h"
 #include "LocalMap/Bounded/lms3dBoundedMap.h"
 #include "LocalMap/Bounded/lms3dVertexStars.h"
 
@@ -21,11 +22,12 @@ class lms3dSmoothVertices;
  * between them. Edges between smooth vertices (lms3dSmoothVertices) collapse (lms3dEdgeCollapser),
  * as long as each return around them stays within the bound. The remaining vertex has the range
  * that fits the returns best (lms3dVertexFit), so the surface passes between the returns on both
- * sides. Vertices at the border of the surface get such ranges in the end, where edges collapsed at
- * them. Vertices at sharp creases and offsets take no part in this.
+ * sides. Vertices at sharp creases, offsets and borders take no part in this. Around collapsed edges,
+ * all vertices are then fitted to the returns (lms3dSurfaceFit).
  *
- * Then vertices of all kinds are removed (lms3dVertexRemover) without moving those that remain. If
- * beams are not regular, this is all, and borders stay (lms3dRayMoves).
+ * Then vertices of all kinds are removed (lms3dVertexRemover) without moving those that remain. At
+ * last, all vertices are fitted to the returns. If beams are not regular, vertices are only
+ * removed, and borders stay (lms3dRayMoves).
  */
 class lms3dMapSimplifier
 {
@@ -36,18 +38,19 @@ public:
     const lms3dBeamSphere& sphere, const lms3dPatches& patches, double maximumError, double noise);
 
   /// Simplifies a map whose patches are the patches with returns, in order, and sets its
-  /// LargestDeviation. Returns false, and changes nothing, if no vertex can vanish. `members` is
-  /// the number of returns of each patch. Uses the threads of the calling TBB arena.
+  /// LargestDeviation. Returns false, and changes nothing, if beams are not regular and no vertex
+  /// can vanish. `members` is the number of returns of each patch. Uses the threads of the calling
+  /// TBB arena.
   bool Simplify(const std::vector<int>& members, lms3dBoundedMap& map) const;
 
 private:
   bool SimplifyOnRays(lms3dBoundedMap& map) const;
-  bool SimplifySmoothSurface(const std::vector<int>& members, const lms3dBoundedMap& map,
-    const lms3dBeamDemands& demands, lms3dVertexStars& stars) const;
+  void SimplifySmoothSurface(const std::vector<int>& members, const lms3dBoundedMap& map,
+    const lms3dBeamDemands& demands, const lms3dBorderShortcuts& borders,
+    lms3dVertexStars& stars) const;
   static bool FreeSmoothVertices(const lms3dSmoothVertices& smooth, lms3dVertexStars& stars);
-  static void FreeSmoothBorders(const lms3dSmoothVertices& smooth, lms3dVertexStars& stars);
-  static std::vector<std::vector<std::int32_t>> FindLevels(const lms3dVertexStars& stars);
-  static void FitVertices(const lms3dBeamDemands& demands, lms3dVertexStars& stars);
+  static std::vector<std::uint8_t> FindChanged(const lms3dVertexStars& stars);
+  static std::vector<std::uint8_t> FindFreeAndChanged(const lms3dVertexStars& stars);
   static void Replace(const lms3dVertexStars& stars, lms3dBoundedMap& map);
   double GetLargestDeviation(const lms3dBoundedMap& map) const;
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dPatchMesher.h"
 
-#include "LocalMap/Bounded/lms3dColumnDeviations.h"
 #include "LocalMap/Bounded/lms3dPatchMesherWork.h"
 
 #include <algorithm>
@@ -19,16 +18,6 @@ constexpr double LiftInBounds = 0.8;
 // bound become vertices.
 constexpr int WorstOnlyRounds = 12;
 
-// Without branches, so that the compiler makes it a loop over vectors.
-bool AreAll(const std::int32_t* first, const std::int32_t* end, std::int32_t value)
-{
-  std::int32_t difference = 0;
-  for (const std::int32_t* label = first; label != end; ++label)
-  {
-    difference |= *label ^ value;
-  }
-  return difference == 0;
-}
 } // namespace
 
 lms3dPatchMesher::lms3dPatchMesher(const lms3dBeamSphere& sphere, const lms3dPatches& patches,
@@ -122,114 +111,6 @@ std::vector<lms3dPatchMesher::GridIndex> lms3dPatchMesher::FindUncovered(int pat
     }
   }
   return uncovered;
-}
-
-// Returns false if a beam of another patch hits the triangle.
-bool lms3dPatchMesher::CheckTriangle(Work& work, int triangle)
-{
-  const std::array<std::int32_t, 3>& corners = work.Triangulation.GetCorners(triangle);
-  const lms3dTriangleRasterizer beams(this->Sphere, work.Triangulation.GetVertex(corners[0]),
-    work.Triangulation.GetVertex(corners[1]), work.Triangulation.GetVertex(corners[2]));
-  return beams.ForEachColumnWhile([&](int column, int first, int last)
-    { return this->CheckBeams(work, triangle, beams, column, first, last); });
-}
-
-bool lms3dPatchMesher::CheckBeams(
-  Work& work, int triangle, const lms3dTriangleRasterizer& beams, int column, int first, int last)
-{
-  const bool isRegular = this->Sphere.IsRegular();
-  const bool hasFilled = this->Sphere.HasFilled();
-  const GridIndex start = this->Sphere.GetIndex(column, 0);
-  const std::int32_t* const labels = this->Patches.Labels.data() + start;
-  const auto isOwn = [patch = work.Patch](std::int32_t label) { return label == patch; };
-  if (isRegular && !AreAll(labels + first, labels + last + 1, work.Patch))
-  {
-    return false;
-  }
-  const lms3dTriangleRasterizer::ColumnRanges hits(beams, column);
-  if (isRegular && this->TryToCoverBeams(work, triangle, hits, column, first, last))
-  {
-    return true;
-  }
-  const double maximumError = this->MaximumError;
-  State* const states = this->States.data() + start;
-  double largest = work.Triangles[triangle].Deviation;
-  int covered = 0;
-  for (int row = first; row <= last; ++row)
-  {
-    if ((!isRegular && !isOwn(labels[row])) || (column > 0 && this->Sphere.IsPoleRow(row)))
-    {
-      continue;
-    }
-    const bool isFilled = hasFilled && this->Sphere.IsFilled(start + row);
-    covered += states[row] == IsUncovered && !isFilled ? 1 : 0;
-    states[row] = states[row] == IsUncovered ? IsCovered : states[row];
-    const double hit = hits.GetRange(row);
-    const double deviation = std::abs(this->Sphere.GetRangeOnBeam(start + row) - hit) +
-      this->Sphere.GetPoleHalfSpread(row);
-    if (deviation <= maximumError)
-    {
-      largest = isFilled ? largest : std::max(largest, deviation);
-    }
-    else if (states[row] != IsVertex)
-    {
-      work.AddViolation({ start + row, triangle, hit, deviation });
-    }
-  }
-  work.Covered += covered;
-  work.Triangles[triangle].Deviation = largest;
-  return true;
-}
-
-// Does the same as CheckBeams() for beams that hit within the bound, and is faster. Returns false,
-// and changes nothing, if one does not.
-bool lms3dPatchMesher::TryToCoverBeams(Work& work, int triangle,
-  const lms3dTriangleRasterizer::ColumnRanges& hits, int column, int first, int last)
-{
-  const bool hasPoleCopy =
-    column > 0 && (this->Sphere.IsPoleRow(first) || this->Sphere.IsPoleRow(last));
-  if (hasPoleCopy)
-  {
-    return false;
-  }
-  const lms3dColumnDeviations deviations(
-    this->Sphere, hits.GetPlane(), column, first, last, this->MaximumError);
-  if (deviations.Beyond > 0)
-  {
-    return false;
-  }
-  double& largest = work.Triangles[triangle].Deviation;
-  if (deviations.Largest > largest)
-  {
-    const double ofReturns = this->Sphere.HasFilled()
-      ? lms3dColumnDeviations::GetLargestOfReturns(
-          this->Sphere, hits.GetPlane(), column, first, last)
-      : deviations.Largest;
-    largest = std::max(largest, ofReturns);
-  }
-  work.Covered += this->CoverBeams(this->Sphere.GetIndex(column, first), last - first + 1);
-  return true;
-}
-
-// Returns how many of consecutive entries were uncovered, without filled ones.
-int lms3dPatchMesher::CoverBeams(GridIndex first, int count)
-{
-  State* const states = this->States.data() + first;
-  int covered = 0;
-  if (this->Sphere.HasFilled())
-  {
-    const std::uint8_t* const filled = this->Sphere.GetFilled() + first;
-    for (int i = 0; i < count; ++i)
-    {
-      covered -= states[i] == IsUncovered ? filled[i] : 0;
-    }
-  }
-  for (int i = 0; i < count; ++i)
-  {
-    covered += states[i] == IsUncovered ? 1 : 0;
-    states[i] = states[i] == IsUncovered ? IsCovered : states[i];
-  }
-  return covered;
 }
 
 // Returns false if a vertex cannot be inserted.

@@ -72,6 +72,9 @@ public:
     const bool IsRegular;
   };
 
+  /// The number of columns that can have beams that hit.
+  int GetNumberOfColumns() const { return this->NumberOfColumns; }
+
   /// Calls visit(column, firstRow, lastRow), rows included, for each column with beams that hit.
   template <typename Visitor>
   void ForEachColumn(const Visitor& visit) const

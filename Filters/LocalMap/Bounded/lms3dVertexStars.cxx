@@ -23,7 +23,7 @@ lms3dVertexStars::lms3dVertexStars(const lms3dBoundedMap& map)
   {
     const double inverse = 1.0 / lms3dGetLength(point);
     this->Vertices.push_back(
-      { lms3dTriangleCorner(lms3dScale(point, inverse)), inverse, false, false, {} });
+      { lms3dTriangleCorner(lms3dScale(point, inverse)), inverse, false, false, false, {} });
   }
   std::vector<int> counts(map.Points.size(), 0);
   for (const std::array<std::int32_t, 3>& corners : map.Triangles)
@@ -98,6 +98,7 @@ void lms3dVertexStars::UpdateQuadric(std::int32_t vertex)
 void lms3dVertexStars::SetInverse(std::int32_t vertex, double inverse)
 {
   this->Vertices[vertex].Inverse = inverse;
+  this->Vertices[vertex].HasMoved = true;
 }
 
 lms3dStarSides lms3dVertexStars::GetSides(std::int32_t vertex) const
@@ -214,6 +215,7 @@ void lms3dVertexStars::Collapse(
   {
     this->Vertices[to].Corner = lms3dTriangleCorner(direction);
     this->Vertices[to].Inverse = inverse;
+    this->Vertices[to].HasMoved = true;
   }
   this->UpdateStar(to);
 }

@@ -32,6 +32,8 @@ public:
     bool IsFree;
     /// Whether its star has changed.
     bool IsChanged;
+    /// Whether the vertex has a new place.
+    bool HasMoved;
     std::vector<std::int32_t> Triangles;
   };
 
@@ -65,9 +67,6 @@ public:
 
   /// By vertex, 1 for those that are free from now on. Uses the threads of the calling TBB arena.
   void SetFree(const std::vector<std::uint8_t>& isFree);
-  /// Frees one more vertex, but only for SetInverse(): it has no quadric, so no edge at it may
-  /// collapse.
-  void SetFreeToFit(std::int32_t vertex) { this->Vertices[vertex].IsFree = true; }
   void SetInverse(std::int32_t vertex, double inverse);
 
   using Border = lms3dStarBorder;

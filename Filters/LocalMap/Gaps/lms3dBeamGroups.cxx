@@ -6,24 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace
 {
 // The positions of the previous turn and of the previous beam among the neighbours.
 constexpr std::array<int, 4> Previous = { 0, 2, 4, 5 };
-// The number of neighbours beside a place in its fan or in its turn. They come first.
-constexpr int StraightNeighbors = 4;
-
-// Whether a range lies on a side of the line through the ranges beside it, farther away from it
-// than `height`, metres. The inverse ranges of a line
-// are linear, apart from the cosine of the small angle between beams.
-bool IsOffLine(double before, double range, double after, lms3dBeamGroups::Side side, double height)
-{
-  const double sum = before + after;
-  return before > 0.0 && after > 0.0 && side * (2.0 * before * after - range * sum) > height * sum;
-}
 } // namespace
 
 // `forEachNeighbor(place, visit)` calls visit(neighbour) for the neighbours in the same group.
@@ -144,44 +132,6 @@ std::vector<int> lms3dBeamGroups::FindInTurns(const Finder& findInTurn) const
     all.insert(all.end(), ofTurn.begin(), ofTurn.end());
   }
   return all;
-}
-
-std::vector<int> lms3dBeamGroups::FindStandingOutOfTurn(
-  int turn, Side side, double height, const lms3dDepthStep& step) const
-{
-  std::vector<int> found;
-  const double* const ranges = this->States.GetRanges(turn);
-  const int start = turn * this->States.GetNumberOfBeams();
-  for (int beam = 1; beam + 1 < this->States.GetNumberOfBeams(); ++beam)
-  {
-    if (IsOffLine(ranges[beam - 1], ranges[beam], ranges[beam + 1], side, height) &&
-      this->StandsOut(start + beam, side, height, step))
-    {
-      found.push_back(start + beam);
-    }
-  }
-  return found;
-}
-
-// Whether a return lies on a side of the line in its turn, and at one depth with all beside it.
-bool lms3dBeamGroups::StandsOut(
-  int place, Side side, double height, const lms3dDepthStep& step) const
-{
-  if (this->States.GetState(place) != lms3dBeamStates::Returned || this->States.IsPole(place))
-  {
-    return false;
-  }
-  const double range = this->States.GetRange(place);
-  const std::array<int, 8> neighbors = this->States.GetNeighbors(place);
-  const bool isAtOneDepth = std::all_of(neighbors.begin(), neighbors.begin() + StraightNeighbors,
-    [&](int neighbor)
-    {
-      return neighbor != lms3dBeamStates::NoPlace &&
-        step.AreRangesEqual(range, this->States.GetRange(neighbor));
-    });
-  return isAtOneDepth &&
-    IsOffLine(this->States.GetRange(neighbors[2]), range, this->States.GetRange(neighbors[3]), side,
-      height);
 }
 
 // Each group that does not reach around the whole circle has a return with no other before it.

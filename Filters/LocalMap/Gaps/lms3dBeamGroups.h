@@ -54,6 +54,9 @@ public:
   Groups FindStandingOut(int maximumSize, Side side, double height, const lms3dDepthStep& step);
 
 private:
+  /// The number of neighbours beside a place in its fan or in its turn. They come first.
+  static constexpr int StraightNeighbors = 4;
+
   enum Mark : std::uint8_t
   {
     New,

@@ -4,7 +4,9 @@
 
 #include "Device/lms3dScanInput.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <limits>
@@ -15,6 +17,7 @@ namespace
 {
 constexpr std::int32_t NoReturn = -1;
 constexpr double MaximumRange = std::numeric_limits<double>::max();
+constexpr std::int64_t MinimumReturnsPerTask = 16384;
 } // namespace
 
 void lms3dRangeGrid::Build(
@@ -98,6 +101,18 @@ void lms3dRangeGrid::AssignReturns(const double* ranges, const int* beamIds, std
 {
   const std::int64_t beams = this->Geometry->CountBeamsOfAllTurns();
   this->ReturnOfBeam.assign(beams, NoReturn);
+  if (this->AreSorted(ranges, beamIds, count))
+  {
+    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count, MinimumReturnsPerTask),
+      [&](const tbb::blocked_range<std::int64_t>& part)
+      {
+        for (std::int64_t i = part.begin(); i < part.end(); ++i)
+        {
+          this->ReturnOfBeam[beamIds[i]] = static_cast<std::int32_t>(i);
+        }
+      });
+    return;
+  }
   for (std::int64_t i = 0; i < count; ++i)
   {
     const int beam = beamIds[i];
@@ -108,6 +123,26 @@ void lms3dRangeGrid::AssignReturns(const double* ranges, const int* beamIds, std
     }
     this->ReturnOfBeam[beam] = static_cast<std::int32_t>(i);
   }
+}
+
+// Whether all returns are good and in the order of their beams. Then no beam has two of them.
+bool lms3dRangeGrid::AreSorted(const double* ranges, const int* beamIds, std::int64_t count) const
+{
+  const std::int64_t beams = this->Geometry->CountBeamsOfAllTurns();
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::int64_t>(0, count, MinimumReturnsPerTask), true,
+    [&](const tbb::blocked_range<std::int64_t>& part, bool isSorted)
+    {
+      int last = part.begin() > 0 ? std::max(-1, beamIds[part.begin() - 1]) : -1;
+      for (std::int64_t i = part.begin(); i < part.end() && isSorted; ++i)
+      {
+        isSorted =
+          beamIds[i] > last && beamIds[i] < beams && ranges[i] > 0.0 && ranges[i] <= MaximumRange;
+        last = beamIds[i];
+      }
+      return isSorted;
+    },
+    [](bool a, bool b) { return a && b; });
 }
 
 // Keeps the return of median range in the first turn and removes the others.

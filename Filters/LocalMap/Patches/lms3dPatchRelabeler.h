@@ -44,8 +44,18 @@ private:
   std::vector<std::vector<GridIndex>> FindSpikes() const;
   int FindSurroundingPatch(const std::vector<GridIndex>& members) const;
 
+  /// Calls visit(neighbour) for each neighbour that lies on one surface with an entry.
   template <typename Visitor>
-  void ForEachJoinedNeighbor(GridIndex index, const Visitor& visit) const;
+  void ForEachJoinedNeighbor(GridIndex index, const Visitor& visit) const
+  {
+    for (int side = lms3dBeamSphere::Up; side <= lms3dBeamSphere::Left; ++side)
+    {
+      if (this->Sphere.HasNeighbor(index, side) && this->Sphere.IsJoined(index, side))
+      {
+        visit(this->Sphere.GetNeighbor(index, side));
+      }
+    }
+  }
 
   const lms3dBeamSphere& Sphere;
   lms3dPatches& Patches;

@@ -6,11 +6,19 @@
  */
 #include "LocalMap/MapFixtures.h"
 
+#include <vtkCell.h>
+
 #include <tbb/global_control.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace
@@ -28,7 +36,10 @@ vtkSmartPointer<vtkPolyData> ScanBall()
     MakeAngles(-90.0, 90.0, 181), MakeAngles(0.0, 358.0, 180), [](int, int) { return 2.0; });
 }
 
-/// A round column of 0.5 m radius, 2 m in front of the sensor. All other beams miss.
+constexpr double ColumnDistance = 2.0;
+constexpr double ColumnRadius = 0.5;
+
+/// A round column in front of the sensor. All other beams miss.
 vtkSmartPointer<vtkPolyData> ScanColumn()
 {
   const std::vector<double> alphas = MakeAngles(-40.0, 40.0, 161);
@@ -36,15 +47,38 @@ vtkSmartPointer<vtkPolyData> ScanColumn()
   return MakeScan(alphas, betas,
     [&](int turn, int number)
     {
-      constexpr double Distance = 2.0;
-      constexpr double Radius = 0.5;
       const double azimuth = betas[turn] * std::acos(-1.0) / 180.0;
       const double elevation = alphas[number] * std::acos(-1.0) / 180.0;
-      const double across = Distance * std::sin(azimuth);
-      const double square = Radius * Radius - across * across;
-      return square > 0.0 ? (Distance * std::cos(azimuth) - std::sqrt(square)) / std::cos(elevation)
-                          : 0.0;
+      const double across = ColumnDistance * std::sin(azimuth);
+      const double square = ColumnRadius * ColumnRadius - across * across;
+      return square > 0.0
+        ? (ColumnDistance * std::cos(azimuth) - std::sqrt(square)) / std::cos(elevation)
+        : 0.0;
     });
+}
+
+/// The points of a map at which its surface ends.
+std::set<vtkIdType> FindBorderPoints(vtkPolyData* map)
+{
+  std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
+  for (vtkIdType i = 0; i < map->GetNumberOfCells(); ++i)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const vtkIdType a = map->GetCell(i)->GetPointId(corner);
+      const vtkIdType b = map->GetCell(i)->GetPointId((corner + 1) % 3);
+      ++edges[{ std::min(a, b), std::max(a, b) }];
+    }
+  }
+  std::set<vtkIdType> points;
+  for (const auto& [edge, triangles] : edges)
+  {
+    if (triangles == 1)
+    {
+      points.insert({ edge.first, edge.second });
+    }
+  }
+  return points;
 }
 
 /// A ball of 0.3 m radius, 1.5 m in front of the sensor, and what is behind it: a wall 3 m away, or
@@ -102,6 +136,30 @@ TEST(MapOfCurvedSurfaces, KeepsItsBorders)
   vtkSmartPointer<vtkPolyData> map = MakeMap(scan, 0.005);
   EXPECT_GT(map->GetNumberOfCells(), 10);
   ExpectLawful(scan, map, { 0.005 });
+}
+
+// Where planes of patches end, vertices at the border take the range of all returns around them.
+TEST(MapOfCurvedSurfaces, FitsItsBordersToNoisyReturns)
+{
+  constexpr double Sigma = 0.01;
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed)
+  {
+    Random random(seed);
+    vtkSmartPointer<vtkPolyData> map = MakeMap(AddNoise(ScanColumn(), Sigma, random), 4.0 * Sigma);
+    const std::set<vtkIdType> border = FindBorderPoints(map);
+    for (vtkIdType number : border)
+    {
+      Vector point;
+      map->GetPoint(number, point.data());
+      const double error = std::hypot(point[0] - ColumnDistance, point[1]) - ColumnRadius;
+      squares += error * error;
+    }
+    count += border.size();
+  }
+  EXPECT_GT(count, 100U);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(count)), 1.1 * Sigma);
 }
 
 TEST(MapOfCurvedSurfaces, IsTheSameForAnyNumberOfThreads)

@@ -85,7 +85,7 @@ struct Wall
       const double elevation = up * Pi / 180.0;
       corners.push_back({ lms3dTriangleCorner({ std::cos(elevation) * std::cos(azimuth),
                             -std::cos(elevation) * std::sin(azimuth), std::sin(elevation) }),
-        1.0 / range, false, false, {} });
+        1.0 / range, false, false, false, {} });
     }
     return shortcuts.IsAllowed(corners[0], corners[1], corners[2]);
   }

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks that a map is fitted to the returns of a ball around the sensor.
+ */
+#include "LocalMap/Bounded/lms3dSurfaceFit.h"
+#include "LocalMap/Patches/lms3dPatches.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace
+{
+constexpr double Radius = 2.0;
+constexpr int Beams = 91;
+constexpr int Turns = 90;
+
+/// The scan of a ball, in one patch.
+struct BallScan
+{
+  BallScan()
+    : Geometry(Alpha, Beams, Beta, Turns)
+  {
+    const std::vector<double> ranges(static_cast<std::size_t>(Beams) * Turns, Radius);
+    std::vector<int> ids(ranges.size());
+    std::iota(ids.begin(), ids.end(), 0);
+    this->Grid.Build(this->Geometry, ranges.data(), ids.data(), Beams * Turns);
+    this->Joins.Find(this->Grid, 0.1);
+  }
+
+  static constexpr double Alpha[2] = { -90.0, 90.0 };
+  static constexpr double Beta[2] = { 0.0, 360.0 };
+  const lms3dScanGeometry Geometry;
+  lms3dRangeGrid Grid;
+  lms3dRangeJoins Joins;
+};
+
+/// An octahedron whose faces are divided into four twice, with all vertices on a sphere. The
+/// triangles face the sensor.
+class RoundMap
+{
+public:
+  explicit RoundMap(double radius)
+    : Size(radius)
+  {
+    const lms3dVector x = { 1, 0, 0 };
+    const lms3dVector y = { 0, 1, 0 };
+    const lms3dVector z = { 0, 0, 1 };
+    for (int octant = 0; octant < 8; ++octant)
+    {
+      lms3dVector a = lms3dScale(x, octant & 1 ? -1.0 : 1.0);
+      lms3dVector b = lms3dScale(y, octant & 2 ? -1.0 : 1.0);
+      const lms3dVector c = lms3dScale(z, octant & 4 ? -1.0 : 1.0);
+      if (lms3dDot(lms3dCross(a, b), c) > 0.0)
+      {
+        std::swap(a, b);
+      }
+      this->Divide(a, b, c, 2);
+    }
+    this->Map.PatchIds.assign(this->Map.Triangles.size(), 0);
+    this->Map.NumberOfPatches = 1;
+  }
+
+  const lms3dBoundedMap& Get() const { return this->Map; }
+
+private:
+  void Divide(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c, int times)
+  {
+    if (times == 0)
+    {
+      this->Map.Triangles.push_back({ this->Add(a), this->Add(b), this->Add(c) });
+      return;
+    }
+    const lms3dVector ab = lms3dNormalize(lms3dAdd(a, b));
+    const lms3dVector bc = lms3dNormalize(lms3dAdd(b, c));
+    const lms3dVector ca = lms3dNormalize(lms3dAdd(c, a));
+    this->Divide(a, ab, ca, times - 1);
+    this->Divide(ab, b, bc, times - 1);
+    this->Divide(ca, bc, c, times - 1);
+    this->Divide(ab, bc, ca, times - 1);
+  }
+
+  std::int32_t Add(const lms3dVector& direction)
+  {
+    const auto [entry, isNew] =
+      this->Numbers.insert({ direction, static_cast<std::int32_t>(this->Map.Points.size()) });
+    if (isNew)
+    {
+      this->Map.Points.push_back(lms3dScale(direction, this->Size));
+    }
+    return entry->second;
+  }
+
+  const double Size;
+  std::map<lms3dVector, std::int32_t> Numbers;
+  lms3dBoundedMap Map;
+};
+
+/// The distances of the returns from a map along their beams, metres.
+struct Distances
+{
+  double Largest = 0.0;
+  double SumOfSquares = 0.0;
+};
+
+class SurfaceFit : public testing::Test
+{
+protected:
+  SurfaceFit()
+    : Sphere(this->Scan.Grid, this->Scan.Joins)
+  {
+    this->Patches.Patches.resize(1);
+    this->Patches.Labels.assign(this->Sphere.GetSize(), 0);
+  }
+
+  void Fit(double bound, const std::vector<std::uint8_t>& isChosen, lms3dVertexStars& stars) const
+  {
+    const lms3dBeamDemands demands(this->Sphere, this->Patches, bound);
+    const lms3dBorderShortcuts borders(this->Sphere, this->Patches, bound);
+    lms3dSurfaceFit(demands, borders, bound, isChosen, stars).Run();
+  }
+
+  void FitAll(double bound, lms3dVertexStars& stars) const
+  {
+    this->Fit(bound, std::vector<std::uint8_t>(stars.GetNumberOfVertices(), 1), stars);
+  }
+
+  Distances Measure(const lms3dVertexStars& stars) const
+  {
+    Distances distances;
+    for (const lms3dVertexStars::Triangle& triangle : stars.GetTriangles())
+    {
+      const auto& [a, b, c] = triangle.Corners;
+      const lms3dTriangleRasterizer beams(this->Sphere, lms3dTriangleCorner(stars.GetPosition(a)),
+        lms3dTriangleCorner(stars.GetPosition(b)), lms3dTriangleCorner(stars.GetPosition(c)));
+      beams.ForEachColumn(
+        [&](int column, int first, int last)
+        {
+          const lms3dTriangleRasterizer::ColumnRanges ranges(beams, column);
+          for (int row = first; row <= last; ++row)
+          {
+            const double distance = std::abs(ranges.GetRange(row) - Radius);
+            distances.Largest = std::max(distances.Largest, distance);
+            distances.SumOfSquares += distance * distance;
+          }
+        });
+    }
+    return distances;
+  }
+
+  const BallScan Scan;
+  const lms3dBeamSphere Sphere;
+  lms3dPatches Patches;
+};
+} // namespace
+
+// With its vertices on the ball, the map lies inside of the ball everywhere else.
+TEST_F(SurfaceFit, PassesBetweenTheReturns)
+{
+  const RoundMap map(Radius);
+  lms3dVertexStars stars(map.Get());
+  const Distances before = this->Measure(stars);
+  this->FitAll(0.2, stars);
+  const Distances after = this->Measure(stars);
+  EXPECT_LT(after.SumOfSquares, 0.2 * before.SumOfSquares);
+  EXPECT_LT(after.Largest, before.Largest);
+  for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
+  {
+    EXPECT_GT(1.0 / stars.GetVertex(vertex).Inverse, Radius);
+    EXPECT_TRUE(stars.GetVertex(vertex).HasMoved);
+  }
+}
+
+TEST_F(SurfaceFit, KeepsTheBound)
+{
+  const RoundMap map(Radius);
+  const double distance = this->Measure(lms3dVertexStars(map.Get())).Largest;
+  // The bound is larger than needed, just enough for the map before the fit, or too small for it.
+  for (double share : { 1.5, 1.0001, 0.9, 0.5 })
+  {
+    // The second map lies on both sides of the ball, and its vertices are nearer to the bound.
+    for (double size : { Radius, Radius + 0.9 * distance })
+    {
+      const RoundMap other(size);
+      lms3dVertexStars stars(other.Get());
+      const Distances before = this->Measure(stars);
+      this->FitAll(share * distance, stars);
+      const Distances after = this->Measure(stars);
+      EXPECT_LE(after.Largest, std::max(before.Largest, share * distance) + 1e-9) << share;
+      EXPECT_LE(after.SumOfSquares, 1.0001 * before.SumOfSquares) << share;
+    }
+  }
+}
+
+TEST_F(SurfaceFit, MovesOnlyChosenVertices)
+{
+  const RoundMap map(Radius);
+  lms3dVertexStars stars(map.Get());
+  std::vector<std::uint8_t> isChosen(stars.GetNumberOfVertices(), 0);
+  isChosen[7] = 1;
+  this->Fit(0.2, isChosen, stars);
+  for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
+  {
+    EXPECT_EQ(stars.GetVertex(vertex).HasMoved, vertex == 7) << vertex;
+  }
+}
+
+TEST_F(SurfaceFit, HardlyMovesAMapThatFits)
+{
+  const RoundMap map(Radius);
+  lms3dVertexStars stars(map.Get());
+  this->FitAll(0.2, stars);
+  std::vector<double> inverses;
+  for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
+  {
+    inverses.push_back(stars.GetVertex(vertex).Inverse);
+  }
+  this->FitAll(0.2, stars);
+  for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
+  {
+    EXPECT_NEAR(1.0 / stars.GetVertex(vertex).Inverse, 1.0 / inverses[vertex], 0.003) << vertex;
+  }
+}
