@@ -156,3 +156,22 @@ TEST(LMS3DHandedReturns, LeaveFacets)
   EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
   EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
 }
+
+/// The floor is nearer to the return than the wall, but its facet goes with the return.
+TEST(LMS3DHandedReturns, DoNotComeBackToFacets)
+{
+  const lms3dMappedReturn mapped = MakeReturn({ 0.004, 0.001, 0.0 });
+  FloorAndWall scene;
+  scene.AddToFloor(mapped);
+  Cover(scene.Wall, mapped, scene.Planes);
+  const lms3dPoint2 place = scene.Planes[scene.Floor].Frame.ToCells(mapped.Point);
+  scene.Planes[scene.Floor].Tiles.front().Facets.push_back(
+    { lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]) });
+  scene.Planes[scene.Wall].IsWeak = true;
+  scene.Planes[scene.Wall].Tiles.emplace_back();
+  scene.Planes[scene.Wall].Tiles.front().Revision = Revision;
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
+  EXPECT_FALSE(Has(&lms3dRasterBlock::Covered, mapped, scene.Planes[scene.Floor]));
+  EXPECT_EQ(scene.Planes[scene.Wall].Returns.size(), 1U);
+}
