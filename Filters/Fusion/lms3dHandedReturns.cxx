@@ -47,7 +47,7 @@ public:
     bool isNew = false;
     for (const lms3dFusedTile& tile : this->Plane.Tiles)
     {
-      if (tile.Revision == revision)
+      if (tile.Revision == revision && !tile.Blocks.empty())
       {
         isNew = true;
         this->Facets.insert(tile.Facets.begin(), tile.Facets.end());

@@ -58,6 +58,7 @@ struct FloorAndWall
     this->Planes[this->Floor].IsWeak = true;
     this->Planes[this->Floor].Tiles.emplace_back();
     this->Planes[this->Floor].Tiles.front().Revision = Revision;
+    this->Planes[this->Floor].Tiles.front().Blocks.push_back(0);
   }
 
   /// Adds a return to the floor, whose triangles cover it.
@@ -170,6 +171,7 @@ TEST(LMS3DHandedReturns, DoNotComeBackToFacets)
   scene.Planes[scene.Wall].IsWeak = true;
   scene.Planes[scene.Wall].Tiles.emplace_back();
   scene.Planes[scene.Wall].Tiles.front().Revision = Revision;
+  scene.Planes[scene.Wall].Tiles.front().Blocks.push_back(0);
   lms3dHandReturnsOver(scene.Planes, Revision);
   EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
   EXPECT_FALSE(Has(&lms3dRasterBlock::Covered, mapped, scene.Planes[scene.Floor]));
