@@ -44,7 +44,7 @@ public:
 
   void Give(int revision)
   {
-    bool isNew = false;
+    bool isNew = this->Plane.TiledBlocks == 0;
     for (const lms3dFusedTile& tile : this->Plane.Tiles)
     {
       if (tile.Revision == revision && !tile.Blocks.empty())

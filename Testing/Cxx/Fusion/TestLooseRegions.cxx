@@ -59,6 +59,7 @@ struct FloorAndWall
     this->Planes[this->Floor].Tiles.emplace_back();
     this->Planes[this->Floor].Tiles.front().Revision = Revision;
     this->Planes[this->Floor].Tiles.front().Blocks.push_back(0);
+    this->Planes[this->Floor].TiledBlocks = 1;
   }
 
   /// Adds a return to the floor, whose triangles cover it.
@@ -109,6 +110,22 @@ TEST(LMS3DHandedReturns, GoToTheNearerPlane)
   lms3dHandReturnsOver(scene.Planes, Revision);
   EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
   EXPECT_FALSE(Has(&lms3dRasterBlock::Must, mapped, scene.Planes[scene.Floor]));
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
+}
+
+/// The tile is of a plane that went and had the same number.
+TEST(LMS3DHandedReturns, LeaveNewPlanesAtOnce)
+{
+  const lms3dMappedReturn mapped = MakeReturn({ 0.0, 0.001, 0.005 });
+  FloorAndWall scene;
+  scene.Planes[scene.Floor].Tiles.front().Blocks.clear();
+  scene.Planes.AddReturn(scene.Floor, mapped);
+  Cover(scene.Wall, mapped, scene.Planes);
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_EQ(scene.Planes[scene.Floor].Returns.size(), 1U) << "the plane has blocks in tiles";
+  scene.Planes[scene.Floor].TiledBlocks = 0;
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
   EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
 }
 
