@@ -86,20 +86,3 @@ bool lms3dFusedPlanes::Covers(const lms3dFusedPlane& plane, const lms3dMappedRet
   return plane.Raster.Has(
     &lms3dRasterBlock::Covered, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
 }
-
-int lms3dFusedPlanes::FindCovering(
-  const lms3dMappedReturn& mapped, const std::vector<int>& exceptions, double distance) const
-{
-  lms3dWorldBox box;
-  box.Add(mapped.Point);
-  const std::vector<int> near = this->FindPlanesNear(box, this->MaximumError);
-  const auto found = std::find_if(near.begin(), near.end(),
-    [&](int number)
-    {
-      const lms3dFusedPlane& plane = this->Planes[number];
-      return std::abs(plane.Frame.GetHeight(mapped.Point)) <= distance &&
-        std::find(exceptions.begin(), exceptions.end(), number) == exceptions.end() &&
-        this->Covers(plane, mapped);
-    });
-  return found == near.end() ? -1 : *found;
-}
