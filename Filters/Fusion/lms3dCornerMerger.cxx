@@ -13,7 +13,7 @@
 namespace
 {
 // Cells: how far edges move outwards, in the order in which the steps are tried.
-constexpr std::array<double, 4> Steps = { 2.0, 1.0, 0.5, 0.25 };
+constexpr std::array<double, 6> Steps = { 2.0, 1.5, 1.0, 0.75, 0.5, 0.25 };
 
 // How many corners become one at most. Two are tried everywhere before more are.
 constexpr std::size_t ChainLimit = 5;
