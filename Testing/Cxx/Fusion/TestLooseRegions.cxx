@@ -103,8 +103,7 @@ TEST(LMS3DFusedPlanes, CoverReturnsBesideTheirBorders)
   const auto covers = [&](double beyond, double height)
   {
     const lms3dMappedReturn mapped = MakeReturn({ height, 0.001, 0.5 * cell - beyond * cell });
-    scene.Planes.GrowBox(scene.Wall, mapped.Point);
-    return scene.Planes.FindCovering(mapped, { scene.Floor }, Bound) == scene.Wall;
+    return scene.Planes.Covers(scene.Planes[scene.Wall], mapped);
   };
   EXPECT_FALSE(covers(0.0, 0.0));
   Cover(scene.Wall, MakeReturn({ 0.0, 0.001, 0.5 * cell }), scene.Planes);
