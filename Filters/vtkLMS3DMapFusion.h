@@ -56,7 +56,8 @@
  * - `ScanCount` (int32): the number of scans that saw it. If a region gets returns of earlier scans
  *   from another region, their scans may be left out, so the number can be too small;
  * - `LastScan` (int32): the last of them;
- * - `RegionId` (int32): the region; a region is what changes at once;
+ * - `RegionId` (int32): the region; a region is what changes at once. If it loses all triangles, a
+ *   later scan can give it others, anywhere;
  * - `Revision` (int32): the Revision in which the triangles of the region were last changed.
  *   BestScan, ScanCount and LastScan can change without it.
  *

@@ -22,14 +22,14 @@ inline int lms3dCountBits(std::uint32_t mask)
   return static_cast<int>(std::bitset<32>(mask).count());
 }
 
-/// Returns the lowest bit of a mask that is not 0.
-inline int lms3dGetFirstBit(std::uint32_t mask)
+/// Returns the lowest bit of a mask that is not 0, of 32 or 64 bits.
+inline int lms3dGetFirstBit(std::uint64_t mask)
 {
 #if defined(__GNUC__)
-  return __builtin_ctz(mask);
+  return __builtin_ctzll(mask);
 #else
   int first = 0;
-  while (!lms3dHasBit(mask, first))
+  while ((mask >> first & 1u) == 0)
   {
     ++first;
   }

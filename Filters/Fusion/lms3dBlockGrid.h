@@ -7,6 +7,7 @@
 #ifndef lms3dBlockGrid_h
 #define lms3dBlockGrid_h
 
+#include "Casting/lms3dBitMask.h"
 #include "Fusion/lms3dBlockIndex.h"
 #include "Fusion/lms3dBlockMemory.h"
 #include "Fusion/lms3dCellStrip.h"
@@ -33,21 +34,6 @@ constexpr lms3dBits lms3dMakeBits(std::uint64_t word)
 
 inline constexpr lms3dBits lms3dNoBits = lms3dMakeBits(0);
 inline constexpr lms3dBits lms3dAllBits = lms3dMakeBits(~std::uint64_t{ 0 });
-
-/// The place of the lowest of some bits, at least one.
-inline int lms3dGetLowestPlace(std::uint64_t bits)
-{
-#if defined(__GNUC__)
-  return __builtin_ctzll(bits);
-#else
-  int place = 0;
-  while ((bits >> place & 1U) == 0)
-  {
-    ++place;
-  }
-  return place;
-#endif
-}
 
 /// Whether all bits are set.
 inline bool lms3dAreAllSet(const lms3dBits& bits)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dBlockGroups.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace
@@ -24,6 +23,11 @@ void lms3dBlockGroups::Update(const lms3dRaster& raster)
   for (; this->EndOfBlocks < raster.GetNumberOfBlocks(); ++this->EndOfBlocks)
   {
     const lms3dRasterBlock& block = raster.GetBlock(this->EndOfBlocks);
+    if (this->Groups.empty())
+    {
+      this->All = { block.U, block.U, block.V, block.V };
+    }
+    this->All.Add(block.U, block.V);
     const int number = this->Numbers.Find(block.U >> Shift, block.V >> Shift);
     if (number < 0)
     {
@@ -31,10 +35,6 @@ void lms3dBlockGroups::Update(const lms3dRaster& raster)
       this->Groups.push_back({ block.U, block.U, block.V, block.V });
       continue;
     }
-    lms3dBlockGroup& group = this->Groups[number];
-    group.Left = std::min(group.Left, block.U);
-    group.Right = std::max(group.Right, block.U);
-    group.Bottom = std::min(group.Bottom, block.V);
-    group.Top = std::max(group.Top, block.V);
+    this->Groups[number].Add(block.U, block.V);
   }
 }

@@ -11,12 +11,21 @@
 #include "Fusion/lms3dPlaneFrame.h"
 #include "Fusion/lms3dRaster.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 /// The first and the last blocks along both axes.
 struct lms3dBlockGroup
 {
+  void Add(std::int32_t u, std::int32_t v)
+  {
+    this->Left = std::min(this->Left, u);
+    this->Right = std::max(this->Right, u);
+    this->Bottom = std::min(this->Bottom, v);
+    this->Top = std::max(this->Top, v);
+  }
+
   /// World coordinates, metres.
   lms3dVector GetCentre(const lms3dPlaneFrame& frame) const
   {
@@ -53,12 +62,15 @@ public:
 
   int GetFirstBlock() const { return this->FirstBlock; }
   const std::vector<lms3dBlockGroup>& Get() const { return this->Groups; }
+  /// The first and the last blocks of all groups.
+  const lms3dBlockGroup& GetAll() const { return this->All; }
 
 private:
   int FirstBlock = 0;
   /// The blocks before this one are in groups.
   int EndOfBlocks = 0;
   std::vector<lms3dBlockGroup> Groups;
+  lms3dBlockGroup All = { 0, -1, 0, -1 };
   lms3dBlockIndex Numbers;
 };
 

@@ -44,17 +44,21 @@ struct lms3dFusedPlane
     return height >= 0.0 ? height <= bound : -height <= bound * cosine;
   }
 
+  /// Whether the plane is a facet of lms3dFusedPlanes::AddFacet().
+  bool IsFacet() const { return !this->Verbatim.empty() && !this->HasSurface; }
+
   /// Takes out all that scans saw. The tiles stay, without blocks and triangles.
   void Clear()
   {
     this->Raster.Clear();
     this->Shape = {};
-    this->Returns.clear();
+    this->Returns = {};
     this->Verbatim.clear();
     this->IsWeak = false;
     this->HasGone = true;
     this->HasSurface = false;
     this->TileNumbers = {};
+    this->UsedTiles = 0;
     this->TiledBlocks = 0;
     this->ShapedBlocks = 0;
     this->OldBlocks = 0;
@@ -69,6 +73,16 @@ struct lms3dFusedPlane
       tile.DifferenceAtCreases = 0;
       tile.IsStale = true;
     }
+  }
+
+  /// Makes another plane of one that was cleared and has no creases. It has the tiles, which must be
+  /// up to date.
+  void Reuse(const lms3dPlaneFrame& frame)
+  {
+    this->Frame = frame;
+    this->IsCurved = false;
+    this->HasGone = false;
+    this->RegroupedTriangles = 0;
   }
 
   /// Drops the returns that later scans saw through.
@@ -163,8 +177,10 @@ struct lms3dFusedPlane
   std::vector<std::array<lms3dVector, 3>> Verbatim;
 
   lms3dRegionShape Shape;
-  /// A tile keeps its place. A plane that is a triangle of a local map has one.
+  /// A tile keeps its place. A plane that is a triangle of a local map uses one.
   std::deque<lms3dFusedTile> Tiles;
+  /// The tiles before this one have blocks. The others were of planes that went.
+  int UsedTiles = 0;
   /// Blocks before this one have tiles.
   int TiledBlocks = 0;
   /// Creases are drawn on blocks before this one.

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <iterator>
 
 namespace
 {
@@ -49,9 +51,32 @@ lms3dFusedPlanes::lms3dFusedPlanes(double maximumError)
 
 int lms3dFusedPlanes::MakePlane(const lms3dVector& point, const lms3dVector& normal)
 {
-  this->Planes.emplace_back(lms3dPlaneFrame(point, normal, this->Cell), this->Memory);
+  const lms3dPlaneFrame frame(point, normal, this->Cell);
+  if (!this->Unused.empty())
+  {
+    const int number = this->Unused.back();
+    this->Unused.pop_back();
+    this->Planes[number].Reuse(frame);
+    return number;
+  }
+  this->Planes.emplace_back(frame, this->Memory);
   this->Boxes.AddPlane();
   return static_cast<int>(this->Planes.size()) - 1;
+}
+
+void lms3dFusedPlanes::Clear(int number)
+{
+  this->Planes[number].Clear();
+  this->Boxes.Remove(static_cast<std::size_t>(number));
+  this->Cleared.push_back(number);
+}
+
+void lms3dFusedPlanes::ReuseNumbers()
+{
+  std::copy_if(this->Cleared.begin(), this->Cleared.end(), std::back_inserter(this->Unused),
+    [this](int number) { return this->Planes[number].Creases.empty(); });
+  this->Cleared.clear();
+  std::sort(this->Unused.begin(), this->Unused.end(), std::greater<>());
 }
 
 void lms3dFusedPlanes::GrowBox(int number, const lms3dLocalMap& local, int triangle)
@@ -73,6 +98,10 @@ void lms3dFusedPlanes::GuessTriangle(int number, const std::array<lms3dVector, 3
   lms3dFusedPlane& plane = this->Planes[number];
   const std::array<lms3dPoint2, 3> cells = { plane.Frame.ToCells(corners[0]),
     plane.Frame.ToCells(corners[1]), plane.Frame.ToCells(corners[2]) };
+  if (plane.Raster.HasMayOrGuess(lms3dGetTouchedBox(cells)))
+  {
+    return;
+  }
   lms3dForTouchedStrips(cells,
     [&](const lms3dCellStrip& strip)
     {
@@ -107,7 +136,7 @@ bool lms3dFusedPlanes::IsCovered(
 {
   const int row = lms3dRaster::GetPlaceOf(v);
   const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
-  if ((block.Covered[row] & bit) != 0)
+  if (block.IsAllCovered || (block.Covered[row] & bit) != 0)
   {
     return true;
   }
@@ -128,7 +157,7 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
   const auto v = lms3dGetCellOf(place[1]);
   const int blockNumber = plane.Raster.Make(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
   plane.Raster.SetReturn(blockNumber, lms3dRaster::GetPlaceOf(u), lms3dRaster::GetPlaceOf(v));
-  this->NoteReturn(plane, blockNumber, mapped);
+  this->NoteReturn(plane, blockNumber, mapped, place);
   if (!this->IsCovered(plane, plane.Raster.GetBlock(blockNumber), u, v))
   {
     plane.Raster.SetMark(blockNumber, lms3dRaster::STALE);
@@ -137,8 +166,8 @@ bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
 }
 
 // Notes what a return in a block means for the plane, apart from its region.
-void lms3dFusedPlanes::NoteReturn(
-  lms3dFusedPlane& plane, int blockNumber, const lms3dMappedReturn& mapped) const
+void lms3dFusedPlanes::NoteReturn(lms3dFusedPlane& plane, int blockNumber,
+  const lms3dMappedReturn& mapped, const lms3dPoint2& place) const
 {
   const int scan = mapped.Scan < 0 ? this->Scan : mapped.Scan;
   if (plane.IsWeak)
@@ -155,7 +184,6 @@ void lms3dFusedPlanes::NoteReturn(
   const double height = std::abs(plane.Frame.GetHeight(mapped.Point));
   if (lms3dGetCoveredReach(height, this->Cell, this->MaximumError) < LargestReach)
   {
-    const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
     block.Far[lms3dRaster::GetPlaceOf(lms3dGetCellOf(place[1]))] |= std::uint64_t{ 1 }
       << lms3dRaster::GetPlaceOf(lms3dGetCellOf(place[0]));
     block.Deviation = std::max(block.Deviation, height);
@@ -175,7 +203,19 @@ void lms3dFusedPlanes::AddBeside(int number, const lms3dMappedReturn& mapped)
   const int block = plane.Raster.Find(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v));
   plane.Raster.GetBlock(block).Beside[lms3dRaster::GetPlaceOf(v)] |= std::uint64_t{ 1 }
     << lms3dRaster::GetPlaceOf(u);
-  this->NoteReturn(plane, block, mapped);
+  this->NoteReturn(plane, block, mapped, place);
+}
+
+void lms3dFusedPlanes::AddBesideOrFacet(int number, const lms3dMappedReturn& mapped)
+{
+  if (number >= 0)
+  {
+    this->AddBeside(number, mapped);
+  }
+  else
+  {
+    this->AddFacet(mapped);
+  }
 }
 
 // A small triangle around a return, across its beam.

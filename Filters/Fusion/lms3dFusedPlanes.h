@@ -18,7 +18,7 @@
 #include <memory>
 #include <vector>
 
-/// A plane keeps its number. Lengths are metres.
+/// A plane keeps its number until it is cleared. Lengths are metres.
 class lms3dFusedPlanes
 {
 public:
@@ -36,8 +36,15 @@ public:
   const lms3dFusedPlane& operator[](std::size_t number) const { return this->Planes[number]; }
   const std::deque<lms3dFusedPlane>& GetAll() const { return this->Planes; }
 
-  /// Returns the number of a new plane.
+  /// Returns the number of a new plane: the lowest that ReuseNumbers() found, or a new one.
   int MakePlane(const lms3dVector& point, const lms3dVector& normal);
+
+  /// Takes a plane out. Its tiles stay, without blocks and triangles.
+  void Clear(int number);
+
+  /// Lets MakePlane() use the numbers of planes that were cleared. Their tiles must be up to date.
+  /// A plane with creases keeps its number, since other planes end there.
+  void ReuseNumbers();
 
   ///@{
   /// Lets the box of a plane have a point, or a triangle of a local map.
@@ -64,13 +71,12 @@ public:
   /// Whether the triangles of a plane explain a return: they are within the bound of it.
   bool Covers(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const;
 
-  /// The first plane within a distance, metres, that covers a return, and is not an exception; -1
-  /// if there is none.
-  int FindCovering(
-    const lms3dMappedReturn& mapped, const std::vector<int>& exceptions, double distance) const;
-
   /// Adds a return to a plane that covers it. The region does not grow to it.
   void AddBeside(int number, const lms3dMappedReturn& mapped);
+
+  /// Adds a return beside the region of a plane that covers it, or gives it a facet if the number
+  /// is -1.
+  void AddBesideOrFacet(int number, const lms3dMappedReturn& mapped);
 
   /// Adds a return to the first plane that shows it. Returns false if none does.
   bool AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped);
@@ -102,7 +108,9 @@ public:
     const std::vector<lms3dMappedReturn>& returns) const;
 
 private:
-  void NoteReturn(lms3dFusedPlane& plane, int blockNumber, const lms3dMappedReturn& mapped) const;
+  /// `place` is that of the return, cells.
+  void NoteReturn(lms3dFusedPlane& plane, int blockNumber, const lms3dMappedReturn& mapped,
+    const lms3dPoint2& place) const;
   bool IsCovered(const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u,
     std::int32_t v) const;
 
@@ -112,6 +120,10 @@ private:
   /// The memory of the blocks of all planes.
   std::shared_ptr<lms3dBlockMemory> Memory;
   std::deque<lms3dFusedPlane> Planes;
+  /// The planes that were cleared since ReuseNumbers().
+  std::vector<int> Cleared;
+  /// The numbers that can be used again, the highest first.
+  std::vector<int> Unused;
   /// As GetBox().
   lms3dPlaneBoxes Boxes;
 };

@@ -95,20 +95,3 @@ bool lms3dFusedPlanes::Covers(const lms3dFusedPlane& plane, const lms3dMappedRet
   return lms3dIsCovered(
     plane.Raster, u, v, lms3dGetCoveredReach(height, this->Cell, this->MaximumError));
 }
-
-int lms3dFusedPlanes::FindCovering(
-  const lms3dMappedReturn& mapped, const std::vector<int>& exceptions, double distance) const
-{
-  lms3dWorldBox box;
-  box.Add(mapped.Point);
-  const std::vector<int> near = this->FindPlanesNear(box, this->MaximumError);
-  const auto found = std::find_if(near.begin(), near.end(),
-    [&](int number)
-    {
-      const lms3dFusedPlane& plane = this->Planes[number];
-      return std::abs(plane.Frame.GetHeight(mapped.Point)) <= distance &&
-        std::find(exceptions.begin(), exceptions.end(), number) == exceptions.end() &&
-        this->Covers(plane, mapped);
-    });
-  return found == near.end() ? -1 : *found;
-}

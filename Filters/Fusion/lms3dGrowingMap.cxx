@@ -71,6 +71,7 @@ bool lms3dGrowingMap::Add(
   {
     lms3dMarkPassed(*ranges, true, this->Planes);
   }
+  this->Planes.ReuseNumbers();
   this->Planes.SetScan(this->GetNumberOfScans() - 1);
   lms3dScanJoin(local, *ranges, this->Planes).Join();
   this->Returns = std::move(local.Returns);
@@ -81,7 +82,8 @@ bool lms3dGrowingMap::Add(
     this->Seen.push_back(std::move(ranges));
   }
   lms3dDissolveWeakPlanes(this->Planes);
-  lms3dHandReturnsOver(this->Planes, this->GetNumberOfScans() - 1);
+  lms3dHandReturnsOver(this->Planes, this->MeshedRevision);
+  this->MeshedRevision = this->GetNumberOfScans();
   if (!progress(TimeOfMarking))
   {
     return false;
@@ -161,10 +163,14 @@ void lms3dGrowingMap::AddTiles(lms3dFusedPlane& plane)
     block.Tile = plane.TileNumbers.Find(u, v);
     if (block.Tile < 0)
     {
-      block.Tile = static_cast<int>(plane.Tiles.size());
+      block.Tile = plane.UsedTiles++;
       plane.TileNumbers.Add(u, v, block.Tile);
-      plane.Tiles.push_back(isWhole ? lms3dFusedTile() : lms3dFusedTile(u, v));
-      this->Regions.push_back(&plane.Tiles.back());
+      if (block.Tile == static_cast<int>(plane.Tiles.size()))
+      {
+        plane.Tiles.emplace_back();
+        this->Regions.push_back(&plane.Tiles.back());
+      }
+      plane.Tiles[block.Tile] = isWhole ? lms3dFusedTile() : lms3dFusedTile(u, v);
     }
     plane.Tiles[block.Tile].Blocks.push_back(plane.TiledBlocks);
   }
@@ -232,7 +238,7 @@ void lms3dGrowingMap::RenewTile(const TileToRenew& place)
   {
     lms3dMakeTileMesh(
       plane, tile, lms3dGetCreaseLines(this->Planes, place.Plane), this->Settings.MaximumError);
-    tile.Revision = this->GetNumberOfScans();
+    tile.Revision = this->MeshedRevision;
     tile.Difference = 0;
     tile.DifferenceAtCreases = 0;
   }

@@ -55,6 +55,8 @@ private:
   std::vector<std::unique_ptr<lms3dSeenRanges>> Seen;
   lms3dFusedPlanes Planes;
   std::vector<const lms3dFusedTile*> Regions;
+  /// The number of scans when meshes were last made.
+  int MeshedRevision = 0;
   /// The number of scans when loose regions were last looked at.
   int LooseRevision = 0;
   /// The returns of the last local map. The next one uses their memory.

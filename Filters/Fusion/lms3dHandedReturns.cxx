@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dHandedReturns.h"
 
+#include "Fusion/lms3dCoveringPlanes.h"
+
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -41,13 +44,13 @@ public:
 
   void Give(int revision)
   {
-    bool isNew = false;
+    bool isNew = this->Plane.TiledBlocks == 0;
     for (const lms3dFusedTile& tile : this->Plane.Tiles)
     {
-      if (tile.Revision == revision)
+      if (tile.Revision == revision && !tile.Blocks.empty())
       {
         isNew = true;
-        this->Facets.insert(this->Facets.end(), tile.Facets.begin(), tile.Facets.end());
+        this->Facets.insert(tile.Facets.begin(), tile.Facets.end());
       }
     }
     if (!isNew)
@@ -57,8 +60,8 @@ public:
     this->Plane.DropForgotten();
     this->SetCovered(false);
     this->FindTakers();
-    this->SetCovered(true);
     this->Move();
+    this->SetCovered(true);
   }
 
 private:
@@ -90,21 +93,25 @@ private:
   void FindTakers()
   {
     const std::vector<lms3dMappedReturn>& returns = this->Plane.Returns;
+    lms3dCoveringPlanes search(this->Planes);
     for (std::size_t i = 0; i < returns.size(); ++i)
     {
       const double largest = this->GetLargestDistance(returns[i]);
-      const int taker =
-        largest > 0.0 ? this->Planes.FindCovering(returns[i], { this->Number }, largest) : -1;
+      const int taker = largest > 0.0 ? search.Find(returns[i], { this->Number }, largest) : -1;
       if (taker >= 0)
       {
         this->TakersOf[GetCell(this->Plane, returns[i])].emplace_back(i, taker);
       }
     }
+    if (this->TakersOf.empty())
+    {
+      return;
+    }
     std::map<Cell, std::size_t> counts;
     for (const lms3dMappedReturn& mapped : returns)
     {
       const Cell cell = GetCell(this->Plane, mapped);
-      if (!this->TakersOf.empty() && this->TakersOf.count(cell) > 0)
+      if (this->TakersOf.count(cell) > 0)
       {
         ++counts[cell];
       }
@@ -118,11 +125,18 @@ private:
     }
   }
 
+  /// Facets of cells that go are no facets any more: if they explained their returns, the other
+  /// planes would hand these back.
   void Move()
   {
+    if (this->TakersOf.empty())
+    {
+      return;
+    }
     std::vector<bool> goes(this->Plane.Returns.size());
     for (const auto& [cell, takers] : this->TakersOf)
     {
+      this->Facets.erase(cell);
       this->Plane.Raster.Forget(MakeStrip(cell));
       this->Plane.Raster.SetMark(
         this->Plane.Raster.Find(lms3dRaster::GetBlockOf(cell[0]), lms3dRaster::GetBlockOf(cell[1])),
@@ -147,7 +161,7 @@ private:
   lms3dFusedPlanes& Planes;
   const int Number;
   lms3dFusedPlane& Plane;
-  std::vector<Cell> Facets;
+  std::set<Cell> Facets;
   std::map<Cell, Takers> TakersOf;
 };
 } // namespace

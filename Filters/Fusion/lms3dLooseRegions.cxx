@@ -3,6 +3,7 @@
 #include "Fusion/lms3dLooseRegions.h"
 
 #include "Fusion/lms3dBlockBoxes.h"
+#include "Fusion/lms3dCoveringPlanes.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -50,9 +51,10 @@ void DropIfNeedless(lms3dFusedPlanes& planes, int number)
   plane.DropForgotten();
   std::vector<int> covering;
   covering.reserve(plane.Returns.size());
+  lms3dCoveringPlanes search(planes);
   for (const lms3dMappedReturn& mapped : plane.Returns)
   {
-    covering.push_back(planes.FindCovering(mapped, { number }, planes.GetMaximumError()));
+    covering.push_back(search.Find(mapped, { number }, planes.GetMaximumError()));
   }
   const auto open = static_cast<std::size_t>(std::count(covering.begin(), covering.end(), -1));
   if (open >= plane.CountTriangles())
@@ -60,17 +62,10 @@ void DropIfNeedless(lms3dFusedPlanes& planes, int number)
     return;
   }
   const std::vector<lms3dMappedReturn> returns = plane.Returns;
-  plane.Clear();
+  planes.Clear(number);
   for (std::size_t i = 0; i < returns.size(); ++i)
   {
-    if (covering[i] >= 0)
-    {
-      planes.AddBeside(covering[i], returns[i]);
-    }
-    else
-    {
-      planes.AddFacet(returns[i]);
-    }
+    planes.AddBesideOrFacet(covering[i], returns[i]);
   }
 }
 } // namespace

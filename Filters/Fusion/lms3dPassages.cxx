@@ -17,14 +17,16 @@ constexpr double SmallestCosine = 1e-9;
 constexpr double QuickShare = 4e-6;
 } // namespace
 
-/// Drops most of the beams that end before a plane, in single precision.
+/// Drops most of the beams that end before a plane, or pass beside all blocks of groups, in single
+/// precision.
 class lms3dPassages::QuickLook
 {
 public:
   /// How many beams are looked at together.
   static constexpr int Count = 64;
 
-  QuickLook(const lms3dSeenRanges& ranges, const lms3dPlaneFrame& frame, double maximumError)
+  QuickLook(const lms3dSeenRanges& ranges, const lms3dPlaneFrame& frame,
+    const lms3dBlockGroup& blocks, double maximumError)
     : Table(ranges.GetTable())
     , Ranges(ranges.GetRangesOfPlaces())
     , Bound(static_cast<float>(PassedShare * maximumError))
@@ -36,6 +38,11 @@ public:
       this->Behind[axis] = static_cast<float>(height >= 0.0 ? -normal[axis] : normal[axis]);
     }
     this->Height = static_cast<float>(std::abs(height) * (1.0 - QuickShare) - QuickShare);
+    const lms3dPoint2 foot = frame.ToCells(ranges.GetPosition());
+    this->Blocks[0].Set(
+      ranges, frame, 0, blocks.Left - foot[0] / Size, blocks.Right + 1 - foot[0] / Size);
+    this->Blocks[1].Set(
+      ranges, frame, 1, blocks.Bottom - foot[1] / Size, blocks.Top + 1 - foot[1] / Size);
   }
 
   /// Whether each beam from a place on may pass. Beams must start at the sensor's position.
@@ -49,6 +56,36 @@ public:
   }
 
 private:
+  static constexpr double Size = lms3dRaster::Size;
+
+  /// Where a beam passes between two sides of the blocks, times the cosine of its angle to the
+  /// normal. In blocks, from the foot of the sensor's position.
+  struct Sides
+  {
+    void Set(const lms3dSeenRanges& ranges, const lms3dPlaneFrame& frame, int axis, double first,
+      double last)
+    {
+      const double foot = frame.ToCells(ranges.GetPosition())[axis];
+      const double height = std::abs(frame.GetHeight(ranges.GetPosition()));
+      for (int i = 0; i < 3; ++i)
+      {
+        const lms3dPoint2 ahead =
+          frame.ToCells(lms3dAdd(ranges.GetPosition(), ranges.GetPose().Axes[i]));
+        this->Slope[i] = static_cast<float>(height * (ahead[axis] - foot) / Size);
+      }
+      this->First = static_cast<float>(first);
+      this->Last = static_cast<float>(last);
+      this->Margin = static_cast<float>(QuickShare *
+        (std::max(std::abs(first), std::abs(last)) + height / (Size * frame.GetCell())));
+    }
+
+    std::array<float, 3> Slope = {};
+    float First = 0.0F;
+    float Last = 0.0F;
+    /// More than what rounding may change.
+    float Margin = 0.0F;
+  };
+
   LMS3D_WIDE_LOOPS void Look(const std::array<const float*, 3>& directions, const float* ranges,
     int count, bool* mayPass) const
   {
@@ -57,10 +94,16 @@ private:
     const float bound = this->Bound;
     const float height = this->Height;
     constexpr auto Share = static_cast<float>(QuickShare);
+    const Sides u = this->Blocks[0];
+    const Sides v = this->Blocks[1];
     for (int i = 0; i < count; ++i)
     {
       const float cosine = behind[0] * x[i] + behind[1] * y[i] + behind[2] * z[i];
-      mayPass[i] = (ranges[i] - bound) * cosine + Share * ranges[i] >= height;
+      const float alongU = u.Slope[0] * x[i] + u.Slope[1] * y[i] + u.Slope[2] * z[i];
+      const float alongV = v.Slope[0] * x[i] + v.Slope[1] * y[i] + v.Slope[2] * z[i];
+      mayPass[i] = ((ranges[i] - bound) * cosine + Share * ranges[i] >= height) &
+        (alongU >= u.First * cosine - u.Margin) & (alongU <= u.Last * cosine + u.Margin) &
+        (alongV >= v.First * cosine - v.Margin) & (alongV <= v.Last * cosine + v.Margin);
     }
   }
 
@@ -71,6 +114,8 @@ private:
   std::array<float, 3> Behind = {};
   /// The sensor's distance from the plane, less what rounding may change, metres.
   float Height = 0.0F;
+  /// Along both axes of the plane.
+  std::array<Sides, 2> Blocks;
 };
 
 lms3dPassage lms3dPassages::Look(int beamId) const
@@ -119,13 +164,13 @@ void lms3dPassages::FindBins(const lms3dBlockGroups& groups)
   }
 }
 
-void lms3dPassages::FindInBins()
+void lms3dPassages::FindInBins(const lms3dBlockGroup& blocks)
 {
   const lms3dBeamTable& table = this->Ranges->GetTable();
   this->Numbers.resize(
     std::max(this->Numbers.size(), static_cast<std::size_t>(table.GetSize())), -1);
   std::sort(this->Bins.begin(), this->Bins.end());
-  const QuickLook look(*this->Ranges, this->Plane->Frame, this->MaximumError);
+  const QuickLook look(*this->Ranges, this->Plane->Frame, blocks, this->MaximumError);
   for (std::size_t i = 0; i < this->Bins.size();)
   {
     const std::size_t first = i;
@@ -171,7 +216,7 @@ void lms3dPassages::Find(
   this->Ranges = &ranges;
   this->Plane = &plane;
   this->FindBins(groups);
-  this->FindInBins();
+  this->FindInBins(groups.GetAll());
 }
 
 lms3dPassage lms3dPassages::Get(int beamId) const
@@ -181,8 +226,7 @@ lms3dPassage lms3dPassages::Get(int beamId) const
   {
     return { true, this->Places[number] };
   }
-  return this->HasBin[this->Ranges->GetTable().GetBin(beamId)] != 0 ? lms3dPassage()
-                                                                    : this->Look(beamId);
+  return this->Look(beamId);
 }
 
 void lms3dPassages::Forget()

@@ -48,7 +48,7 @@ private:
 
   void Forget();
   void FindBins(const lms3dBlockGroups& groups);
-  void FindInBins();
+  void FindInBins(const lms3dBlockGroup& blocks);
   void FindAt(const QuickLook& look, int firstPlace, int endOfPlaces);
   lms3dPassage Look(int beamId) const;
 

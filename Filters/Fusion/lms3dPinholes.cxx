@@ -67,7 +67,7 @@ private:
     for (std::uint64_t passed = block.Passed[row] & ~block.May[row] & GetBesideMay(block, row);
          passed != 0; passed &= passed - 1)
     {
-      const int place = lms3dGetLowestPlace(passed);
+      const int place = lms3dGetFirstBit(passed);
       this->LookAround({ block.U * lms3dRaster::Size + place, block.V * lms3dRaster::Size + row });
     }
   }

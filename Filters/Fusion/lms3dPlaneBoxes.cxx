@@ -110,6 +110,31 @@ void lms3dPlaneBoxes::Grow(std::size_t plane, const lms3dVector& point)
   grown.Listed = cubes;
 }
 
+void lms3dPlaneBoxes::Remove(std::size_t plane)
+{
+  const auto take = [number = static_cast<int>(plane)](std::vector<int>& list)
+  { list.erase(std::remove(list.begin(), list.end(), number), list.end()); };
+  Plane& removed = this->Planes[plane];
+  if (removed.IsLarge)
+  {
+    take(this->Large);
+  }
+  ForCubes(removed.Listed,
+    [&](const Cube& cube)
+    {
+      const auto place = this->InCube.find(GetKey(cube));
+      if (place != this->InCube.end())
+      {
+        take(place->second);
+        if (place->second.empty())
+        {
+          this->InCube.erase(place);
+        }
+      }
+    });
+  removed = {};
+}
+
 std::vector<int> lms3dPlaneBoxes::Find(
   const lms3dWorldBox& box, double distance, std::size_t end) const
 {

@@ -34,6 +34,9 @@ public:
   /// Lets the box of a plane grow to a point.
   void Grow(std::size_t plane, const lms3dVector& point);
 
+  /// Empties the box of a plane.
+  void Remove(std::size_t plane);
+
   /// Returns the planes before `end` whose boxes are nearer to a box than a distance along each
   /// axis, in order. Metres.
   std::vector<int> Find(const lms3dWorldBox& box, double distance, std::size_t end) const;

@@ -142,6 +142,34 @@ void lms3dRaster::AcceptGuess(int number)
   }
 }
 
+bool lms3dRaster::HasMayOrGuess(const lms3dCellBox& box) const
+{
+  for (std::int32_t v = GetBlockOf(box.Bottom); v <= GetBlockOf(box.Top); ++v)
+  {
+    const int from = GetBlockOf(box.Bottom) == v ? GetPlaceOf(box.Bottom) : 0;
+    const int to = GetBlockOf(box.Top) == v ? GetPlaceOf(box.Top) : Size - 1;
+    for (std::int32_t u = GetBlockOf(box.Left); u <= GetBlockOf(box.Right); ++u)
+    {
+      const int number = this->Find(u, v);
+      if (number < 0)
+      {
+        return false;
+      }
+      const lms3dRasterBlock& block = this->Blocks[number];
+      std::uint64_t missing = 0;
+      for (int row = from; !block.IsFull && row <= to; ++row)
+      {
+        missing |= ~(block.May[row] | block.Guess[row]);
+      }
+      if ((missing & GetMask(u, box.Left, box.Right)) != 0)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 void lms3dRaster::MakeBlocks(const lms3dCellStrip& strip)
 {
   const std::int32_t v = GetBlockOf(strip.Row);

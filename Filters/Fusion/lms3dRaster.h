@@ -133,6 +133,9 @@ public:
   bool MayHaveGuess() const { return this->HasGuess; }
   void ForgetGuesses() { this->HasGuess = false; }
 
+  /// Whether all cells of a box lie in blocks and have May or Guess.
+  bool HasMayOrGuess(const lms3dCellBox& box) const;
+
   /// Sets May of a block where Guess is set, and clears Guess. Marks the block if it grew.
   void AcceptGuess(int number);
 

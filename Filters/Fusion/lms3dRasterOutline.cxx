@@ -40,7 +40,7 @@ private:
     const std::uint64_t word = below < 0 ? 0 : this->Raster.GetBlock(below).May[(row - 1) & Last];
     for (std::uint64_t starts = block.May[row] & ~word; starts != 0; starts &= starts - 1)
     {
-      const int place = lms3dGetLowestPlace(starts);
+      const int place = lms3dGetFirstBit(starts);
       if ((this->Visited[number][row] >> place & 1U) == 0)
       {
         loops.push_back(

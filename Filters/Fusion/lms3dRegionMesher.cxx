@@ -199,7 +199,7 @@ private:
         std::uint64_t open = (block.Must[row] | block.Beside[row]) & ~covered[row];
         for (; open != 0; open &= open - 1)
         {
-          const int place = lms3dGetLowestPlace(open);
+          const int place = lms3dGetFirstBit(open);
           const std::int32_t u = block.U * lms3dRaster::Size + place;
           const std::int32_t v = block.V * lms3dRaster::Size + row;
           const int reach = (block.Far[row] >> place & 1U) != 0 ? reachOfFar : reachOfOthers;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace
@@ -14,6 +13,23 @@ namespace
 constexpr double CurvedShare = 0.05;
 // Bounds: beams that meet a plane farther apart may have a gap between them.
 constexpr double LargestStep = 12.0;
+
+/// Where the beams of scans end: the numbers of a scan and of a beam, and a point.
+using Beam = std::pair<int, int>;
+using PointsOfBeams = std::vector<std::pair<Beam, lms3dVector>>;
+
+bool IsBefore(const PointsOfBeams::value_type& a, const PointsOfBeams::value_type& b)
+{
+  return a.first < b.first;
+}
+
+// Returns nullptr if the points, which are in order, have none of the beam.
+const lms3dVector* Find(const Beam& beam, const PointsOfBeams& points)
+{
+  const auto found =
+    std::lower_bound(points.begin(), points.end(), PointsOfBeams::value_type(beam, {}), IsBefore);
+  return found != points.end() && found->first == beam ? &found->second : nullptr;
+}
 
 // The next beam in the fan, that of the next turn, and the one between them; -1 beyond the end.
 std::array<int, 3> FindNeighbours(const lms3dBeamTable& table, int beamId)
@@ -26,21 +42,23 @@ std::array<int, 3> FindNeighbours(const lms3dBeamTable& table, int beamId)
 void GuessBetween(int number, const std::vector<lms3dMappedReturn>& returns,
   const std::vector<int>& onPlane, const lms3dTablesOfScans& tables, lms3dFusedPlanes& planes)
 {
-  std::map<std::pair<int, int>, lms3dVector> pointOf;
+  PointsOfBeams points;
+  points.reserve(onPlane.size());
   for (const int i : onPlane)
   {
-    pointOf[{ returns[i].Scan, returns[i].BeamId }] = returns[i].Point;
+    points.push_back({ { returns[i].Scan, returns[i].BeamId }, returns[i].Point });
   }
+  std::sort(points.begin(), points.end(), IsBefore);
   const double largest = LargestStep * planes.GetMaximumError();
-  for (const auto& [beam, point] : pointOf)
+  for (const auto& [beam, point] : points)
   {
     std::vector<lms3dVector> corners;
     for (const int neighbour : FindNeighbours(*tables[beam.first], beam.second))
     {
-      const auto found = pointOf.find({ beam.first, neighbour });
-      if (found != pointOf.end() && lms3dGetLength(lms3dSubtract(found->second, point)) <= largest)
+      const lms3dVector* const found = Find({ beam.first, neighbour }, points);
+      if (found && lms3dGetLength(lms3dSubtract(*found, point)) <= largest)
       {
-        corners.push_back(found->second);
+        corners.push_back(*found);
       }
     }
     for (std::size_t i = 0; i < corners.size(); ++i)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRegrouping.h"
 
+#include "Fusion/lms3dCoveringPlanes.h"
 #include "Fusion/lms3dRegroupedPlane.h"
 
 #include <algorithm>
@@ -71,7 +72,8 @@ bool lms3dRegrouping::MakePlanes()
       ++places;
     }
   }
-  return this->Planes.GetSize() > this->IsTaken.size();
+  return std::any_of(this->Places.begin(), this->Places.end(),
+    [](const Place& place) { return !place.NewPlanes.empty(); });
 }
 
 // The weak planes near one, as long as they have few returns together.
@@ -90,8 +92,7 @@ lms3dRegrouping::Place lms3dRegrouping::FindPlace(int seed)
   for (const int number :
     this->Planes.FindPlanesNear(this->Planes.GetBox(static_cast<std::size_t>(seed)), gap))
   {
-    if (number != seed && number < static_cast<int>(this->IsTaken.size()) &&
-      !this->IsTaken[number] && this->IsCandidate(number) &&
+    if (number != seed && !this->IsTaken[number] && this->IsCandidate(number) &&
       place.Returns.size() + this->Planes[number].Returns.size() <= LargestCount)
     {
       add(number);
@@ -131,6 +132,8 @@ void lms3dRegrouping::AddPlace(Place&& place)
     {
       place.NewPlanes.push_back(
         lms3dMakeRegroupedPlane(place.Returns, group, place.OldPlanes, this->Tables, this->Planes));
+      this->IsTaken.resize(this->Planes.GetSize());
+      this->IsTaken[place.NewPlanes.back()] = true;
     }
     this->Places.push_back(std::move(place));
   }
@@ -145,14 +148,11 @@ std::size_t lms3dRegrouping::CountTriangles(const std::vector<int>& numbers) con
 // How many returns that are left get a facet if the old planes go.
 std::size_t lms3dRegrouping::CountFacets(const Place& place) const
 {
+  lms3dCoveringPlanes search(this->Planes);
   return static_cast<std::size_t>(std::count_if(place.Left.begin(), place.Left.end(),
-    [&](int i) { return this->FindCovering(place.Returns[i], place.OldPlanes) < 0; }));
-}
-
-int lms3dRegrouping::FindCovering(
-  const lms3dMappedReturn& mapped, const std::vector<int>& exceptions) const
-{
-  return this->Planes.FindCovering(mapped, exceptions, this->Planes.GetMaximumError());
+    [&](int i) {
+      return search.Find(place.Returns[i], place.OldPlanes, this->Planes.GetMaximumError()) < 0;
+    }));
 }
 
 // All planes that go are cleared before others get returns: the returns of a plane that goes would
@@ -193,22 +193,15 @@ void lms3dRegrouping::Clear(const std::vector<int>& numbers)
 {
   for (const int number : numbers)
   {
-    this->Planes[number].Clear();
+    this->Planes.Clear(number);
   }
 }
 
 void lms3dRegrouping::AddLeft(const std::vector<lms3dMappedReturn>& left)
 {
+  lms3dCoveringPlanes search(this->Planes);
   for (const lms3dMappedReturn& mapped : left)
   {
-    const int covering = this->FindCovering(mapped, {});
-    if (covering >= 0)
-    {
-      this->Planes.AddBeside(covering, mapped);
-    }
-    else
-    {
-      this->Planes.AddFacet(mapped);
-    }
+    this->Planes.AddBesideOrFacet(search.Find(mapped, {}, this->Planes.GetMaximumError()), mapped);
   }
 }

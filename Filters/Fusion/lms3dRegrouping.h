@@ -52,8 +52,6 @@ private:
   Place FindPlace(int seed);
   void AddPlace(Place&& place);
   std::size_t CountFacets(const Place& place) const;
-  /// A plane that covers a return and is not an exception, -1 for none.
-  int FindCovering(const lms3dMappedReturn& mapped, const std::vector<int>& exceptions) const;
   bool IsBetter(const Place& place) const;
   void Clear(const std::vector<int>& numbers);
   /// Adds returns to planes that cover them, or gives them facets.

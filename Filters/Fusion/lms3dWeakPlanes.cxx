@@ -107,7 +107,7 @@ void lms3dDissolveWeakPlanes(lms3dFusedPlanes& planes)
       continue;
     }
     const std::vector<lms3dMappedReturn> returns = plane.Returns;
-    plane.Clear();
+    planes.Clear(static_cast<int>(judged.Number));
     gone.insert(static_cast<int>(judged.Number));
     for (const lms3dMappedReturn& mapped : returns)
     {

@@ -12,6 +12,7 @@
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -115,6 +116,27 @@ TEST(LMS3DMapFusion, DoesNotDependOnThreads)
   const std::uint64_t expected = Hash(Fuse(scans, 1));
   EXPECT_EQ(Hash(Fuse(scans, 2)), expected);
   EXPECT_EQ(Hash(Fuse(scans, 5)), expected);
+}
+
+/// A pose in the open sees nothing.
+TEST(LMS3DMapFusion, IsTheSameWithScansWithoutReturns)
+{
+  const std::vector<MappedScan> scans = ScanRoom();
+  SceneBuilder far;
+  far.AddTriangle({ 1e4, 0.0, 0.0 }, { 1e4, 1.0, 0.0 }, { 1e4, 0.0, 1.0 });
+  const MappedScan empty = MakeMappedScan(far.GetSurface(), { 0.0, 0.0, 1.0 });
+  ASSERT_EQ(empty.Scan->GetNumberOfPoints(), 0);
+  std::vector<MappedScan> more;
+  for (const MappedScan& scan : scans)
+  {
+    more.push_back(scan);
+    more.push_back(empty);
+  }
+  const vtkSmartPointer<vtkPolyData> expected = Fuse(scans);
+  const vtkSmartPointer<vtkPolyData> fused = Fuse(more);
+  EXPECT_EQ(Hash(fused->GetPoints()->GetData()), Hash(expected->GetPoints()->GetData()));
+  EXPECT_EQ(Hash(fused->GetPolys()->GetConnectivityArray()),
+    Hash(expected->GetPolys()->GetConnectivityArray()));
 }
 
 TEST(LMS3DMapFusion, TakesASecondScanOfTheSamePlaceWithoutNewSheets)

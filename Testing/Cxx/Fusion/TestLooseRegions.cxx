@@ -58,6 +58,8 @@ struct FloorAndWall
     this->Planes[this->Floor].IsWeak = true;
     this->Planes[this->Floor].Tiles.emplace_back();
     this->Planes[this->Floor].Tiles.front().Revision = Revision;
+    this->Planes[this->Floor].Tiles.front().Blocks.push_back(0);
+    this->Planes[this->Floor].TiledBlocks = 1;
   }
 
   /// Adds a return to the floor, whose triangles cover it.
@@ -138,6 +140,22 @@ TEST(LMS3DHandedReturns, GoToTheNearerPlane)
   EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
 }
 
+/// The tile is of a plane that went and had the same number.
+TEST(LMS3DHandedReturns, LeaveNewPlanesAtOnce)
+{
+  const lms3dMappedReturn mapped = MakeReturn({ 0.0, 0.001, 0.005 });
+  FloorAndWall scene;
+  scene.Planes[scene.Floor].Tiles.front().Blocks.clear();
+  scene.Planes.AddReturn(scene.Floor, mapped);
+  Cover(scene.Wall, mapped, scene.Planes);
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_EQ(scene.Planes[scene.Floor].Returns.size(), 1U) << "the plane has blocks in tiles";
+  scene.Planes[scene.Floor].TiledBlocks = 0;
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
+}
+
 /// Later scans saw through the return.
 TEST(LMS3DHandedReturns, AreNotThoseForgotten)
 {
@@ -182,4 +200,24 @@ TEST(LMS3DHandedReturns, LeaveFacets)
   lms3dHandReturnsOver(scene.Planes, Revision);
   EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
   EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
+}
+
+/// The floor is nearer to the return than the wall, but its facet goes with the return.
+TEST(LMS3DHandedReturns, DoNotComeBackToFacets)
+{
+  const lms3dMappedReturn mapped = MakeReturn({ 0.004, 0.001, 0.0 });
+  FloorAndWall scene;
+  scene.AddToFloor(mapped);
+  Cover(scene.Wall, mapped, scene.Planes);
+  const lms3dPoint2 place = scene.Planes[scene.Floor].Frame.ToCells(mapped.Point);
+  scene.Planes[scene.Floor].Tiles.front().Facets.push_back(
+    { lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]) });
+  scene.Planes[scene.Wall].IsWeak = true;
+  scene.Planes[scene.Wall].Tiles.emplace_back();
+  scene.Planes[scene.Wall].Tiles.front().Revision = Revision;
+  scene.Planes[scene.Wall].Tiles.front().Blocks.push_back(0);
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
+  EXPECT_FALSE(Has(&lms3dRasterBlock::Covered, mapped, scene.Planes[scene.Floor]));
+  EXPECT_EQ(scene.Planes[scene.Wall].Returns.size(), 1U);
 }

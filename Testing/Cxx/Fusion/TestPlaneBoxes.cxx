@@ -34,6 +34,10 @@ TEST(LMS3DPlaneBoxes, FindTheBoxesNearAnother)
     const lms3dWorldBox box = makeBox();
     boxes.Grow(i % (Count - 1), box.Low);
     boxes.Grow(i % (Count - 1), box.High);
+    if (i % 5 == 0)
+    {
+      boxes.Remove(generator() % Count);
+    }
     const lms3dWorldBox wanted = makeBox();
     constexpr std::size_t End = Count - 20;
     std::vector<int> expected;
