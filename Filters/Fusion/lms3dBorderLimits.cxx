@@ -6,6 +6,7 @@
 #include "Fusion/lms3dSegment2.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace
 {
@@ -118,44 +119,54 @@ void lms3dBorderLimits::Join(const Triangle& triangle, Edge first, Edge second)
   }
 }
 
-bool lms3dBorderLimits::MayMerge(
-  const lms3dCornerMerge& merge, const std::array<Edge, 3>& edges) const
+// Whether the region may gain or lose a triangle of a merge.
+bool lms3dBorderLimits::MayChange(const Triangle& triangle, const lms3dCornerMerge& merge) const
 {
-  const std::array<Triangle, 3> triangles = merge.GetTriangles();
-  const auto isNear = [&](const lms3dPoint2& place)
-  { return merge.GetSquaredDistance(place) <= this->Reach; };
-  return std::all_of(edges.begin(), edges.end(),
-           [&](Edge edge)
-           { return std::all_of(this->CutOff[edge].begin(), this->CutOff[edge].end(), isNear); }) &&
-    std::all_of(triangles.begin(), triangles.end(),
-      [&](const Triangle& triangle)
-      {
-        const int orientation = GetOrientation(triangle);
-        return orientation == 0 ||
-          (orientation < 0 ? this->MayGain(triangle)
-                           : this->ForReturns(triangle,
-                               [&](const lms3dPoint2& place)
-                               { return isNear(place) && this->MayCutOff(place); }));
-      });
+  const auto mayLose = [&](const lms3dPoint2& place)
+  {
+    return merge.IsInside(place) ||
+      (merge.GetSquaredDistance(place) <= this->Reach && this->MayCutOff(place));
+  };
+  const int orientation = GetOrientation(triangle);
+  return orientation == 0 ||
+    (orientation < 0 ? this->MayGain(triangle) : this->ForReturns(triangle, mayLose));
 }
 
-void lms3dBorderLimits::Merge(const lms3dCornerMerge& merge, const std::array<Edge, 3>& edges)
+bool lms3dBorderLimits::MayMerge(
+  const lms3dCornerMerge& merge, const std::vector<Edge>& edges) const
 {
-  Returns all;
-  for (const Edge edge : edges)
+  const auto isNear = [&](const lms3dPoint2& place)
+  { return merge.GetSquaredDistance(place) <= this->Reach; };
+  for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    all.insert(all.end(), this->CutOff[edge].begin(), this->CutOff[edge].end());
-    this->CutOff[edge] = {};
-  }
-  for (const Triangle& triangle : merge.GetTriangles())
-  {
-    if (GetOrientation(triangle) > 0)
+    const Returns& returns = this->CutOff[edges[i]];
+    if (!std::all_of(returns.begin(), returns.end(), isNear) ||
+      !this->MayChange(merge.GetTriangle(i), merge))
     {
-      this->AddReturns(triangle, all);
+      return false;
     }
   }
-  const lms3dSegment2 first(merge.Before[0], merge.Corner);
-  const lms3dSegment2 second(merge.Corner, merge.Before[3]);
+  return true;
+}
+
+void lms3dBorderLimits::Merge(const lms3dCornerMerge& merge, const std::vector<Edge>& edges)
+{
+  Returns all;
+  Returns lost;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    all.insert(all.end(), this->CutOff[edges[i]].begin(), this->CutOff[edges[i]].end());
+    this->CutOff[edges[i]] = {};
+    const Triangle triangle = merge.GetTriangle(i);
+    if (GetOrientation(triangle) > 0)
+    {
+      this->AddReturns(triangle, lost);
+    }
+  }
+  std::copy_if(lost.begin(), lost.end(), std::back_inserter(all),
+    [&](const lms3dPoint2& place) { return !merge.IsInside(place); });
+  const lms3dSegment2 first(merge.Before.front(), merge.Corner);
+  const lms3dSegment2 second(merge.Corner, merge.Before.back());
   for (const lms3dPoint2& place : all)
   {
     const bool isAtFirst = first.GetSquaredDistance(place) <= second.GetSquaredDistance(place);

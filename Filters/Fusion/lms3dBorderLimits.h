@@ -11,7 +11,6 @@
 #include "Fusion/lms3dCornerMerge.h"
 #include "Triangulation/lms3dOrientation.h"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -38,15 +37,17 @@ public:
   /// Lets the first edge take the place of both.
   void Join(const Triangle& triangle, Edge first, Edge second);
 
-  /// The same for three edges. The first two take the place of all.
-  bool MayMerge(const lms3dCornerMerge& merge, const std::array<Edge, 3>& edges) const;
-  void Merge(const lms3dCornerMerge& merge, const std::array<Edge, 3>& edges);
+  /// The same for the edges of a merge, in any order. The first two take the place of all: the
+  /// first one then goes to the new corner.
+  bool MayMerge(const lms3dCornerMerge& merge, const std::vector<Edge>& edges) const;
+  void Merge(const lms3dCornerMerge& merge, const std::vector<Edge>& edges);
 
 private:
   using Returns = std::vector<lms3dPoint2>;
 
   bool MayGain(const Triangle& triangle) const;
   bool MayCutOff(const lms3dPoint2& place) const;
+  bool MayChange(const Triangle& triangle, const lms3dCornerMerge& merge) const;
   void AddReturns(const Triangle& triangle, Returns& returns) const;
   template <typename Visitor>
   bool ForReturns(const Triangle& triangle, const Visitor& visit) const;

@@ -3,6 +3,7 @@
 #include "Fusion/lms3dCornerMerger.h"
 
 #include "Fusion/lms3dCornerPlaces.h"
+#include "Fusion/lms3dMergeClearance.h"
 
 #include <algorithm>
 #include <array>
@@ -12,76 +13,10 @@
 namespace
 {
 // Cells: how far edges move outwards, in the order in which the steps are tried.
-constexpr std::array<double, 3> Steps = { 1.0, 0.5, 0.25 };
+constexpr std::array<double, 6> Steps = { 2.0, 1.5, 1.0, 0.75, 0.5, 0.25 };
 
-using Triangle = lms3dCornerMerge::Triangle;
-using Segment = std::array<lms3dPoint2, 2>;
-using FourPoints = std::array<lms3dPoint2, 4>;
-
-int GetOrientation(const Segment& segment, const lms3dPoint2& point)
-{
-  return lms3dGetOrientation(segment[0], segment[1], point);
-}
-
-// Whether two segments have a point in common.
-bool DoMeet(const Segment& a, const Segment& b)
-{
-  return GetOrientation(a, b[0]) * GetOrientation(a, b[1]) <= 0 &&
-    GetOrientation(b, a[0]) * GetOrientation(b, a[1]) <= 0;
-}
-
-/// The box of the outlines before and after a merge.
-class Box
-{
-public:
-  explicit Box(const lms3dCornerMerge& merge)
-    : Low(merge.Corner)
-    , High(merge.Corner)
-  {
-    for (const lms3dPoint2& point : merge.Before)
-    {
-      for (int axis = 0; axis < 2; ++axis)
-      {
-        this->Low[axis] = std::min(this->Low[axis], point[axis]);
-        this->High[axis] = std::max(this->High[axis], point[axis]);
-      }
-    }
-  }
-
-  bool Meets(const Segment& segment) const
-  {
-    return this->Meets(segment[0][0], segment[1][0], 0) &&
-      this->Meets(segment[0][1], segment[1][1], 1);
-  }
-
-private:
-  bool Meets(double from, double to, int axis) const
-  {
-    return std::min(from, to) <= this->High[axis] && std::max(from, to) >= this->Low[axis];
-  }
-
-  lms3dPoint2 Low;
-  lms3dPoint2 High;
-};
-
-bool IsIn(const lms3dPoint2& point, const Triangle& triangle)
-{
-  const int orientation = lms3dGetOrientation(triangle[0], triangle[1], triangle[2]);
-  return orientation != 0 && lms3dIsInTriangle(point, triangle, orientation);
-}
-
-bool IsInAny(const lms3dPoint2& point, const std::array<Triangle, 3>& triangles)
-{
-  return std::any_of(triangles.begin(), triangles.end(),
-    [&](const Triangle& triangle) { return IsIn(point, triangle); });
-}
-
-// Whether neither end of the outlines lies in the triangles of the other end.
-bool AreEndsApart(const lms3dCornerMerge& merge, const std::array<Triangle, 3>& triangles)
-{
-  return !IsIn(merge.Before[0], triangles[1]) && !IsIn(merge.Before[0], triangles[2]) &&
-    !IsIn(merge.Before[3], triangles[0]) && !IsIn(merge.Before[3], triangles[1]);
-}
+// How many corners become one at most. Two are tried everywhere before more are.
+constexpr std::size_t ChainLimit = 5;
 } // namespace
 
 lms3dCornerMerger::lms3dCornerMerger(double tolerance, const lms3dFusedTile& tile,
@@ -113,22 +48,12 @@ void lms3dCornerMerger::Queue(Corner corner)
 
 void lms3dCornerMerger::Merge()
 {
-  // Merges queue more corners.
-  std::size_t next = 0;
-  while (next < this->Queued.size())
+  this->MergeQueued(2);
+  for (const Corner corner : this->Left)
   {
-    const Corner corner = this->Queued[next++];
-    this->IsQueued[corner] = false;
-    if (!this->Corners.HasGone(corner) && this->MergeAt(corner))
-    {
-      // The edges beside these corners are others now.
-      const Corner previous = this->Corners.GetPrevious(corner);
-      this->Queue(this->Corners.GetPrevious(previous));
-      this->Queue(previous);
-      this->Queue(corner);
-      this->Queue(this->Corners.GetNext(corner));
-    }
+    this->Queue(corner);
   }
+  this->MergeQueued(ChainLimit);
   for (const Corner corner : this->Left)
   {
     if (!this->Corners.HasGone(corner) && !this->Corners.IsFixed(corner))
@@ -138,31 +63,87 @@ void lms3dCornerMerger::Merge()
   }
 }
 
-// Merges a corner with the next one.
-bool lms3dCornerMerger::MergeAt(Corner corner)
+// Merges queue more corners.
+void lms3dCornerMerger::MergeQueued(std::size_t longest)
 {
-  const Corner next = this->Corners.GetNext(corner);
-  const Corner previous = this->Corners.GetPrevious(corner);
-  if (this->Corners.IsFixed(corner) || this->Corners.IsFixed(next) ||
-    this->Corners.IsOfTriangle(corner))
+  std::size_t next = 0;
+  while (next < this->Queued.size())
   {
-    return false;
-  }
-  const FourPoints points = { this->Corners[previous], this->Corners[corner], this->Corners[next],
-    this->Corners[this->Corners.GetNext(next)] };
-  this->Far.reset();
-  for (const lms3dPoint2& place : lms3dFindMergedPlaces(points))
-  {
-    const lms3dCornerMerge merge = { points, place };
-    if (this->MayMerge(merge, corner, next))
+    const Corner corner = this->Queued[next++];
+    this->IsQueued[corner] = false;
+    if (!this->Corners.HasGone(corner) && this->MergeAt(corner, longest))
     {
-      this->Limits.Merge(merge, this->GetEdges(corner, next));
-      this->Corners.Remove(next);
-      this->Corners.Move(corner, place);
+      this->QueueBefore(this->Corners.GetNext(this->Chain.back()), longest + 2);
+    }
+  }
+  this->Queued.clear();
+}
+
+// Queues a corner and some before it, since edges beside them are others now.
+void lms3dCornerMerger::QueueBefore(Corner corner, std::size_t count)
+{
+  for (std::size_t i = 0; i <= count; ++i)
+  {
+    this->Queue(corner);
+    corner = this->Corners.GetPrevious(corner);
+  }
+}
+
+// Merges a corner with the ones behind it.
+bool lms3dCornerMerger::MergeAt(Corner corner, std::size_t longest)
+{
+  this->Chain = { this->Corners.GetPrevious(corner), corner };
+  this->Points = { this->Corners[this->Chain[0]], this->Corners[corner] };
+  for (std::size_t count = 2; count <= longest && !this->Corners.IsFixed(this->Chain.back());
+       ++count)
+  {
+    const Corner next = this->Corners.GetNext(this->Chain.back());
+    const Corner behind = this->Corners.GetNext(next);
+    if (next == this->Chain.front() || behind == this->Chain.front())
+    {
+      return false;
+    }
+    this->Chain.push_back(next);
+    this->Points.push_back(this->Corners[next]);
+    if (this->MergeChain(behind))
+    {
       return true;
     }
   }
   return false;
+}
+
+bool lms3dCornerMerger::MergeChain(Corner behind)
+{
+  lms3dCornerMerge merge = { this->Points, {} };
+  merge.Before.push_back(this->Corners[behind]);
+  std::vector<Corner> chain = this->Chain;
+  chain.push_back(behind);
+  this->Far.reset();
+  const bool isFixed = this->Corners.IsFixed(this->Chain.back());
+  for (const lms3dPoint2& place :
+    isFixed ? std::vector<lms3dPoint2>{ this->Points.back() } : lms3dFindMergedPlaces(merge.Before))
+  {
+    merge.Corner = place;
+    if (this->MayMerge(merge, chain))
+    {
+      this->Apply(merge, chain);
+      return true;
+    }
+  }
+  return false;
+}
+
+// The last of the corners between the ends of a chain stays.
+void lms3dCornerMerger::Apply(const lms3dCornerMerge& merge, const std::vector<Corner>& chain)
+{
+  const Corner kept = chain[chain.size() - 2];
+  this->Limits.Merge(merge, GetEdges(chain));
+  for (std::size_t i = 1; i + 2 < chain.size(); ++i)
+  {
+    this->Corners.Remove(chain[i]);
+  }
+  this->Corners.Move(kept, merge.Corner);
 }
 
 // A corner that moves is merged with itself.
@@ -171,32 +152,34 @@ void lms3dCornerMerger::MoveOutwards(Corner corner)
   const Triangle triangle = this->Corners.GetTriangle(corner);
   const auto& [before, point, behind] = triangle;
   const std::optional<lms3dPoint2> way = lms3dFindWayOutwards(triangle);
+  const std::vector<Corner> chain = { this->Corners.GetPrevious(corner), corner,
+    this->Corners.GetNext(corner) };
   this->Far.reset();
   for (std::size_t i = 0; way && i < Steps.size(); ++i)
   {
     const lms3dPoint2 place = { point[0] + Steps[i] * (*way)[0], point[1] + Steps[i] * (*way)[1] };
-    const lms3dCornerMerge merge = { { before, point, point, behind }, place };
-    if (this->MayMerge(merge, corner, corner))
+    const lms3dCornerMerge merge = { { before, point, behind }, place };
+    if (this->MayMerge(merge, chain))
     {
-      this->Limits.Merge(merge, this->GetEdges(corner, corner));
-      this->Corners.Move(corner, place);
+      this->Apply(merge, chain);
       return;
     }
   }
 }
 
 // The cheap conditions come first.
-bool lms3dCornerMerger::MayMerge(const lms3dCornerMerge& merge, Corner first, Corner last)
+bool lms3dCornerMerger::MayMerge(const lms3dCornerMerge& merge, const std::vector<Corner>& chain)
 {
   return this->Tile.Has(merge.Corner) && merge.GetSquaredDistanceOfCorner() <= this->Tolerance &&
-    lms3dGetOrientation(merge.Before[0], merge.Corner, merge.Before[3]) != 0 &&
-    this->IsNearOutline(merge, first, last) &&
-    this->Limits.MayMerge(merge, this->GetEdges(first, last)) && this->IsApart(merge, first, last);
+    lms3dGetOrientation(merge.Before.front(), merge.Corner, merge.Before.back()) != 0 &&
+    this->Limits.MayMerge(merge, GetEdges(chain)) && this->IsNearOutline(merge, chain) &&
+    lms3dIsMergeApart(merge, chain, this->Left, this->Corners);
 }
 
 // Whether the outline's first corners are within the tolerance of a merge. A corner that is too far
 // from one place of a merge is often too far from the others.
-bool lms3dCornerMerger::IsNearOutline(const lms3dCornerMerge& merge, Corner first, Corner last)
+bool lms3dCornerMerger::IsNearOutline(
+  const lms3dCornerMerge& merge, const std::vector<Corner>& chain)
 {
   const auto isNear = [&](const lms3dPoint2& point)
   { return merge.GetSquaredDistance(point) <= this->Tolerance; };
@@ -204,47 +187,16 @@ bool lms3dCornerMerger::IsNearOutline(const lms3dCornerMerge& merge, Corner firs
   {
     return false;
   }
-  const Corner end = this->Corners.GetNext(last);
-  const Corner far = this->Corners.FindFar(this->Corners.GetPrevious(first), end, isNear);
-  this->Far = far == end ? std::nullopt : std::optional<Corner>(far);
-  return far == end;
+  const Corner far = this->Corners.FindFar(chain.front(), chain.back(), isNear);
+  this->Far = far == chain.back() ? std::nullopt : std::optional<Corner>(far);
+  return far == chain.back();
 }
 
-// The edges between two corners that are merged and their neighbours.
-std::array<lms3dBorderLimits::Edge, 3> lms3dCornerMerger::GetEdges(Corner first, Corner last) const
+// The edges of a chain, first those that stay.
+std::vector<lms3dBorderLimits::Edge> lms3dCornerMerger::GetEdges(const std::vector<Corner>& chain)
 {
-  return { static_cast<std::size_t>(this->Corners.GetPrevious(first)),
-    static_cast<std::size_t>(first), static_cast<std::size_t>(last) };
-}
-
-// Whether no other edge lies in the triangles between the outlines before and after the merge, nor
-// meets them.
-bool lms3dCornerMerger::IsApart(const lms3dCornerMerge& merge, Corner first, Corner last) const
-{
-  const Box box(merge);
-  const std::array<Triangle, 3> triangles = merge.GetTriangles();
-  const std::array<Segment, 4> sides = { { { merge.Before[0], merge.Corner },
-    { merge.Before[3], merge.Corner }, { merge.Before[1], merge.Corner },
-    { merge.Before[2], merge.Corner } } };
-  const Corner previous = this->Corners.GetPrevious(first);
-  const Corner behind = this->Corners.GetNext(last);
-  return AreEndsApart(merge, triangles) &&
-    std::all_of(this->Left.begin(), this->Left.end(),
-      [&](Corner other)
-      {
-        const Corner end = this->Corners.GetNext(other);
-        const Segment edge = { this->Corners[other], this->Corners[end] };
-        if (this->Corners.HasGone(other) || other == previous || other == first || other == last ||
-          !box.Meets(edge))
-        {
-          return true;
-        }
-        // Edges beside the merge have an end in common with a side.
-        const bool isBefore = end == previous;
-        const bool isBehind = other == behind;
-        return (isBehind || !IsInAny(edge[0], triangles)) && !DoMeet(sides[2], edge) &&
-          !DoMeet(sides[3], edge) &&
-          (isBefore ? GetOrientation(sides[0], edge[0]) != 0 : !DoMeet(sides[0], edge)) &&
-          (isBehind ? GetOrientation(sides[1], edge[1]) != 0 : !DoMeet(sides[1], edge));
-      });
+  std::vector<lms3dBorderLimits::Edge> edges = { static_cast<std::size_t>(chain.front()),
+    static_cast<std::size_t>(chain[chain.size() - 2]) };
+  edges.insert(edges.end(), chain.begin() + 1, chain.end() - 2);
+  return edges;
 }

@@ -18,8 +18,9 @@
 
 /**
  * Two successive corners that are not fixed become one, which may lie anywhere: where the edges
- * beside the two meet, or between the two. So a border that goes to and fro between returns and
- * beams that passed becomes straight, although none of its corners can go. Then corners move
+ * beside the two meet, or between the two. Then up to five corners become one. So a border that goes
+ * to and fro between returns and beams that passed becomes straight, although none of its corners
+ * can go. If the last of the corners is fixed, it alone can stay. At last corners move
  * outwards a little, so that the region has returns beside its border. The outline stays within a
  * tolerance of what it was, keeps the limits of borders, and crosses no other edge.
  */
@@ -37,12 +38,15 @@ private:
   using Corner = lms3dOutlineCorners::Corner;
   using Triangle = lms3dOutlineCorners::Triangle;
 
-  bool MergeAt(Corner corner);
+  void MergeQueued(std::size_t longest);
+  void QueueBefore(Corner corner, std::size_t count);
+  bool MergeAt(Corner corner, std::size_t longest);
+  bool MergeChain(Corner behind);
   void MoveOutwards(Corner corner);
-  bool MayMerge(const lms3dCornerMerge& merge, Corner first, Corner last);
-  bool IsNearOutline(const lms3dCornerMerge& merge, Corner first, Corner last);
-  std::array<lms3dBorderLimits::Edge, 3> GetEdges(Corner first, Corner last) const;
-  bool IsApart(const lms3dCornerMerge& merge, Corner first, Corner last) const;
+  bool MayMerge(const lms3dCornerMerge& merge, const std::vector<Corner>& chain);
+  void Apply(const lms3dCornerMerge& merge, const std::vector<Corner>& chain);
+  bool IsNearOutline(const lms3dCornerMerge& merge, const std::vector<Corner>& chain);
+  static std::vector<lms3dBorderLimits::Edge> GetEdges(const std::vector<Corner>& chain);
   void Queue(Corner corner);
 
   /// Squared.
@@ -55,6 +59,9 @@ private:
   /// The corners at which a merge may be possible.
   std::vector<Corner> Queued;
   std::vector<bool> IsQueued;
+  /// The corners that become one, with the one before them, and their places.
+  std::vector<Corner> Chain;
+  std::vector<lms3dPoint2> Points;
   /// A corner that was too far from the last place of the merge that is tried.
   std::optional<Corner> Far;
 };

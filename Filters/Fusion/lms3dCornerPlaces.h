@@ -13,9 +13,10 @@
 #include <optional>
 #include <vector>
 
-/// Returns the places of one corner instead of the two in the middle of four, the best ones first:
-/// where the edges beside the two meet, and between the two.
-std::vector<lms3dPoint2> lms3dFindMergedPlaces(const std::array<lms3dPoint2, 4>& points);
+/// Returns the places of one corner instead of two or more between a first and a last point, the
+/// best ones first: where lines through the two ends and corners near them meet, and the corners
+/// themselves. Two corners have places between them, too.
+std::vector<lms3dPoint2> lms3dFindMergedPlaces(const std::vector<lms3dPoint2>& points);
 
 /// Returns how the second of three corners moves if both edges beside it move outwards by one. The
 /// region is on the left of the edges. Returns none if the outline turns back.

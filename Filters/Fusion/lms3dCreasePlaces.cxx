@@ -13,6 +13,8 @@ constexpr double ReachAlong = 8.0;
 constexpr double ReachOfMeeting = 12.0;
 // The sine of the smallest angle between lines that meet.
 constexpr double SmallestSine = 0.1;
+// Cells: creases with planes that are nearly the same count as one, the first of them.
+constexpr double LargestDifference = 1.0;
 
 struct Foot
 {
@@ -67,13 +69,28 @@ struct NearCreases
   Foot FootOfSecond = {};
 };
 
+// Whether a crease is nearly the same as one that was found.
+bool IsSame(const lms3dCreaseLine* found, const Foot& footOfFound, const lms3dCreaseLine& crease,
+  const Foot& foot)
+{
+  if (!found || Intersect(*found, crease))
+  {
+    return false;
+  }
+  const lms3dPoint2 first = GetPoint(*found, footOfFound.Along);
+  const lms3dPoint2 second = GetPoint(crease, foot.Along);
+  return std::hypot(second[0] - first[0], second[1] - first[1]) <= LargestDifference;
+}
+
 NearCreases FindCreases(const lms3dPoint2& point, const std::vector<lms3dCreaseLine>& creases)
 {
   NearCreases near;
   for (const lms3dCreaseLine& crease : creases)
   {
     const Foot foot = GetFoot(point, crease);
-    if (foot.Distance > Reach || !IsOn(crease.Parts.Seen, foot.Along))
+    if (foot.Distance > Reach || !IsOn(crease.Parts.Seen, foot.Along) ||
+      IsSame(near.First, near.FootOfFirst, crease, foot) ||
+      IsSame(near.Second, near.FootOfSecond, crease, foot))
     {
       continue;
     }

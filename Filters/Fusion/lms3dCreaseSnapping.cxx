@@ -16,14 +16,12 @@ namespace
 {
 // Cells: how far a return may lie outside a border that has moved to a crease.
 constexpr double ReachOfReturns = 2.0;
-// Cells: how near to a place corners stay where they are.
-constexpr double ReachOfPlaces = 24.0;
 
-bool IsNearAny(const lms3dPoint2& point, const std::vector<lms3dPoint2>& places)
+bool IsNearAny(const lms3dPoint2& point, const std::vector<lms3dPoint2>& places, double distance)
 {
   return std::any_of(places.begin(), places.end(),
     [&](const lms3dPoint2& place)
-    { return std::hypot(place[0] - point[0], place[1] - point[1]) <= ReachOfPlaces; });
+    { return std::hypot(place[0] - point[0], place[1] - point[1]) <= distance; });
 }
 
 // Samples the way at half cells.
@@ -156,7 +154,8 @@ void Clean(std::vector<lms3dSnappedCorner>& corners)
 
 std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
   const std::vector<lms3dCreaseLine>& creases, const lms3dRegion& region,
-  const lms3dFusedTile& tile, const std::vector<lms3dPoint2>& places, std::vector<bool>& isFixed)
+  const lms3dFusedTile& tile, const std::vector<lms3dPoint2>& places, double distance,
+  std::vector<bool>& isFixed)
 {
   std::vector<lms3dLoop> result;
   isFixed.clear();
@@ -166,8 +165,8 @@ std::vector<lms3dLoop> lms3dSnapToCreases(const std::vector<lms3dLoop>& loops,
     for (const lms3dPoint2& point : loop)
     {
       const std::optional<lms3dPoint2> place = lms3dFindPlaceOnCrease(point, creases, tile);
-      const bool moves =
-        place && tile.Has(*place) && !IsNearAny(point, places) && IsWayFree(point, *place, region);
+      const bool moves = place && tile.Has(*place) && !IsNearAny(point, places, distance) &&
+        IsWayFree(point, *place, region);
       corners.push_back({ moves ? *place : point, moves });
     }
     MoveBack(loop, region, corners);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dFusedPlanes.h"
 
+#include "Fusion/lms3dCoveredCells.h"
 #include "Geometry/lms3dTriangleDistance.h"
 
 #include <algorithm>
@@ -83,6 +84,14 @@ bool lms3dFusedPlanes::Covers(const lms3dFusedPlane& plane, const lms3dMappedRet
     return false;
   }
   const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
-  return plane.Raster.Has(
-    &lms3dRasterBlock::Covered, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
+  const auto u = lms3dGetCellOf(place[0]);
+  const auto v = lms3dGetCellOf(place[1]);
+  // The return may become one of the plane, so its own cell must lie in a block.
+  if (plane.Raster.Find(lms3dRaster::GetBlockOf(u), lms3dRaster::GetBlockOf(v)) < 0)
+  {
+    return false;
+  }
+  const double height = std::abs(plane.Frame.GetHeight(mapped.Point));
+  return lms3dIsCovered(
+    plane.Raster, u, v, lms3dGetCoveredReach(height, this->Cell, this->MaximumError));
 }

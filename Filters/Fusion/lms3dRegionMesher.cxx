@@ -4,6 +4,7 @@
 
 #include "Fusion/lms3dCoveredCells.h"
 #include "Fusion/lms3dFacet.h"
+#include "Fusion/lms3dIslands.h"
 #include "Fusion/lms3dPinholes.h"
 #include "Fusion/lms3dRasterRows.h"
 #include "Fusion/lms3dRegionCover.h"
@@ -44,7 +45,6 @@ public:
       lms3dOpenPinholes(tile, this->Region);
       lms3dCloseGapsAlongSides(tile, this->Region);
     }
-    this->AddBlocksAround();
   }
 
   void Make()
@@ -57,14 +57,7 @@ public:
     }
     else
     {
-      const std::vector<lms3dTriangle2> triangles =
-        lms3dTriangulateRegion(this->Region, this->Creases, this->Tile,
-          BorderShare * this->MaximumError / this->Plane.Frame.GetCell(), ReachOfBorder);
-      lms3dCoverRegion(triangles, this->Region);
-      for (const lms3dTriangle2& triangle : triangles)
-      {
-        this->Add(triangle);
-      }
+      this->AddRegion();
       this->AddFacets();
     }
     for (std::size_t i = 0; i < this->Tile.Blocks.size(); ++i)
@@ -84,30 +77,6 @@ public:
   }
 
 private:
-  /// Triangles may touch the sides of the tile.
-  void AddBlocksAround()
-  {
-    for (const int number : this->Tile.Blocks)
-    {
-      const lms3dRasterBlock& block = this->Plane.Raster.GetBlock(number);
-      if (this->Tile.HasBlock(block.U - 1, block.V - 1) &&
-        this->Tile.HasBlock(block.U + 1, block.V + 1))
-      {
-        continue;
-      }
-      for (std::int32_t v = block.V - 1; v <= block.V + 1; ++v)
-      {
-        for (std::int32_t u = block.U - 1; u <= block.U + 1; ++u)
-        {
-          if (!this->Tile.HasBlock(u, v))
-          {
-            this->Region.Make(u, v);
-          }
-        }
-      }
-    }
-  }
-
   /// Whether no beam passed through the triangle of a local map, or through a facet. Facets have no
   /// May.
   bool IsWhole() const
@@ -126,6 +95,25 @@ private:
       }
     }
     return isSeen;
+  }
+
+  void AddRegion()
+  {
+    std::vector<lms3dLoop> outlines = lms3dTraceOutlines(this->Region);
+    if (this->Plane.Verbatim.empty() && this->Plane.IsWeak &&
+      lms3dJoinIslands(outlines, this->Region))
+    {
+      outlines = lms3dTraceOutlines(this->Region);
+    }
+    lms3dAddBlocksAround(this->Tile, this->Region);
+    const std::vector<lms3dTriangle2> triangles =
+      lms3dTriangulateRegion(outlines, this->Region, this->Creases, this->Tile,
+        BorderShare * this->MaximumError / this->Plane.Frame.GetCell(), ReachOfBorder);
+    lms3dCoverRegion(triangles, this->Region);
+    for (const lms3dTriangle2& triangle : triangles)
+    {
+      this->Add(triangle);
+    }
   }
 
   static void SetCovered(const lms3dRegionBlock& cells, lms3dRasterBlock& block)

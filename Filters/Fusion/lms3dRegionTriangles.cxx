@@ -16,31 +16,32 @@
 namespace
 {
 // How often borders move to creases.
-constexpr int Attempts = 4;
+constexpr int Attempts = 6;
+// Cells: how near to a crossing corners do not move. If they then cross at the same places, twice as
+// far.
+constexpr double NearCrossing = 24.0;
 
 /// Makes the outlines of a region simpler.
 class Straightener
 {
 public:
-  Straightener(
-    const lms3dRegion& region, const lms3dFusedTile& tile, double tolerance, double reach)
-    : Region(region)
+  Straightener(const std::vector<lms3dLoop>& outlines, const lms3dRegion& region,
+    const lms3dFusedTile& tile, double tolerance, double reach)
+    : Outlines(outlines)
+    , Region(region)
     , Tile(tile)
     , Tolerance(tolerance)
     , Reach(reach)
-    , Outlines(lms3dTraceOutlines(region))
   {
   }
 
-  const std::vector<lms3dLoop>& GetOutlines() const { return this->Outlines; }
-
-  /// Corners near the places do not move to creases.
-  std::vector<lms3dLoop> Straighten(
-    const std::vector<lms3dCreaseLine>& creases, const std::vector<lms3dPoint2>& places) const
+  /// Corners within a distance of the places do not move to creases.
+  std::vector<lms3dLoop> Straighten(const std::vector<lms3dCreaseLine>& creases,
+    const std::vector<lms3dPoint2>& places, double distance) const
   {
     std::vector<bool> isFixed;
-    const std::vector<lms3dLoop> snapped =
-      lms3dSnapToCreases(this->Outlines, creases, this->Region, this->Tile, places, isFixed);
+    const std::vector<lms3dLoop> snapped = lms3dSnapToCreases(
+      this->Outlines, creases, this->Region, this->Tile, places, distance, isFixed);
     lms3dOutlineCorners corners(snapped, isFixed);
     lms3dBorderLimits limits(this->Region, corners.GetPoints().size(), this->Reach);
     lms3dOutlineSimplifier(this->Tolerance, corners, limits).Simplify();
@@ -49,23 +50,24 @@ public:
   }
 
 private:
+  const std::vector<lms3dLoop>& Outlines;
   const lms3dRegion& Region;
   const lms3dFusedTile& Tile;
   const double Tolerance;
   const double Reach;
-  const std::vector<lms3dLoop> Outlines;
 };
 } // namespace
 
-std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRegion& region,
-  const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance,
-  double reach)
+std::vector<lms3dTriangle2> lms3dTriangulateRegion(const std::vector<lms3dLoop>& outlines,
+  const lms3dRegion& region, const std::vector<lms3dCreaseLine>& creases,
+  const lms3dFusedTile& tile, double tolerance, double reach)
 {
-  const Straightener straightener(region, tile, tolerance, reach);
+  const Straightener straightener(outlines, region, tile, tolerance, reach);
   std::vector<lms3dPoint2> crossings;
+  double distance = NearCrossing;
   for (int attempt = 0; attempt < Attempts; ++attempt)
   {
-    const std::vector<lms3dLoop> loops = straightener.Straighten(creases, crossings);
+    const std::vector<lms3dLoop> loops = straightener.Straighten(creases, crossings, distance);
     if (const auto triangles = lms3dTriangulateOutlines(loops))
     {
       return *triangles;
@@ -78,14 +80,14 @@ std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRegion& region,
         crossings.push_back(found);
       }
     }
-    if (crossings.size() == before || creases.empty())
+    if (crossings.empty() || creases.empty())
     {
       break;
     }
+    distance *= crossings.size() == before ? 2.0 : 1.0;
   }
   // Without creases, the corners on the sides of the tile alone are fixed.
-  for (const std::vector<lms3dLoop>& loops :
-    { straightener.Straighten({}, {}), straightener.GetOutlines() })
+  for (const std::vector<lms3dLoop>& loops : { straightener.Straighten({}, {}, 0.0), outlines })
   {
     if (const auto triangles = lms3dTriangulateOutlines(loops))
     {

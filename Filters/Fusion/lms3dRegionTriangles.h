@@ -11,14 +11,15 @@
 #include "Fusion/lms3dFusedTile.h"
 #include "Fusion/lms3dOutlineTriangles.h"
 #include "Fusion/lms3dRaster.h"
+#include "Fusion/lms3dRasterOutline.h"
 
 #include <vector>
 
 /// Borders move to creases, and are straightened within a tolerance, as far as triangles can be
-/// made of them. They may cut off returns within a reach. Both are in cells. `region` has May, and
-/// the bits of lms3dCopySureReturns().
-std::vector<lms3dTriangle2> lms3dTriangulateRegion(const lms3dRegion& region,
-  const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile, double tolerance,
-  double reach);
+/// made of them. They may cut off returns within a reach. Both are in cells. `outlines` are what
+/// lms3dTraceOutlines() returns. `region` has the bits of lms3dCopySureReturns().
+std::vector<lms3dTriangle2> lms3dTriangulateRegion(const std::vector<lms3dLoop>& outlines,
+  const lms3dRegion& region, const std::vector<lms3dCreaseLine>& creases,
+  const lms3dFusedTile& tile, double tolerance, double reach);
 
 #endif

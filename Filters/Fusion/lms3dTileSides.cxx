@@ -107,3 +107,27 @@ void lms3dCloseGapsAlongSides(const lms3dFusedTile& tile, lms3dRegion& region)
     }
   }
 }
+
+void lms3dAddBlocksAround(const lms3dFusedTile& tile, lms3dRegion& region)
+{
+  const int count = region.GetNumberOfBlocks();
+  for (int number = 0; number < count; ++number)
+  {
+    const std::int32_t middleU = region.GetBlock(number).U;
+    const std::int32_t middleV = region.GetBlock(number).V;
+    if (tile.HasBlock(middleU - 1, middleV - 1) && tile.HasBlock(middleU + 1, middleV + 1))
+    {
+      continue;
+    }
+    for (std::int32_t v = middleV - 1; v <= middleV + 1; ++v)
+    {
+      for (std::int32_t u = middleU - 1; u <= middleU + 1; ++u)
+      {
+        if (!tile.HasBlock(u, v))
+        {
+          region.Make(u, v);
+        }
+      }
+    }
+  }
+}

@@ -14,9 +14,7 @@
 
 namespace
 {
-// The share of a weak plane's returns that other planes must show to take its place, and the
-// smallest share if facets for the other returns are fewer than the plane's triangles.
-constexpr double DissolvedShare = 0.9;
+// The smallest share of a weak plane's returns that other planes must show to take its place.
 constexpr double SmallestShare = 0.5;
 
 /// A weak plane near new surface.
@@ -53,12 +51,13 @@ std::vector<int> FindNearNewSurface(const lms3dFusedPlanes& planes)
   return found;
 }
 
-// The share of a weak plane's returns that others must show.
+// The share of a weak plane's returns that others must show. Facets for the other returns are then
+// fewer than the plane's triangles.
 double GetNeededShare(const lms3dFusedPlane& plane)
 {
   const double saved = static_cast<double>(plane.CountTriangles()) - 1.0;
   const double returns = std::max(1.0, static_cast<double>(plane.Returns.size()));
-  return std::clamp(1.0 - saved / returns, SmallestShare, DissolvedShare);
+  return std::clamp(1.0 - saved / returns, SmallestShare, 1.0);
 }
 
 WeakPlane Judge(const lms3dFusedPlanes& planes, std::size_t number, std::size_t end)

@@ -83,7 +83,7 @@ TEST(LMS3DBorderLimits, RememberWhatWasCutOff)
   limits.Join(Lost, 0, 1);
   EXPECT_FALSE(limits.MayJoin(second, 0, 2));
   const lms3dCornerMerge merge = {
-    { { { 10.0, 10.0 }, { 30.0, 10.0 }, { 32.0, 10.0 }, { 40.0, 10.0 } } }, { 30.0, 13.0 }
+    { { 10.0, 10.0 }, { 30.0, 10.0 }, { 32.0, 10.0 }, { 40.0, 10.0 } }, { 30.0, 13.0 }
   };
   EXPECT_FALSE(limits.MayMerge(merge, { 0, 2, 1 }));
   EXPECT_TRUE(lms3dBorderLimits(region, 3, Reach).MayMerge(merge, { 0, 2, 1 }));
@@ -95,9 +95,8 @@ TEST(LMS3DBorderLimits, RememberWhatMergesCutOff)
   lms3dRegion region = MakeRegion();
   Set(&lms3dRegionBlock::Must, 20, 9, region);
   Set(&lms3dRegionBlock::Passed, 20, 6, region);
-  const lms3dCornerMerge merge = {
-    { { { 10.0, 10.0 }, { 20.0, 8.0 }, { 24.0, 8.0 }, { 30.0, 10.0 } } }, { 22.0, 10.25 }
-  };
+  const lms3dCornerMerge merge = { { { 10.0, 10.0 }, { 20.0, 8.0 }, { 24.0, 8.0 }, { 30.0, 10.0 } },
+    { 22.0, 10.25 } };
   lms3dBorderLimits limits(region, 3, Reach);
   ASSERT_TRUE(limits.MayMerge(merge, { 0, 1, 2 }));
   limits.Merge(merge, { 0, 1, 2 });

@@ -4,11 +4,11 @@
  * @file
  * Checks which corners of outlines become one, and where the one lies.
  */
+#include "Fusion/BorderFixtures.h"
 #include "Fusion/lms3dCornerMerger.h"
 #include "Fusion/lms3dOutlineSimplifier.h"
 #include "Fusion/lms3dRasterOutline.h"
 #include "Fusion/lms3dRasterRows.h"
-#include "Fusion/lms3dSegment2.h"
 
 #include <gtest/gtest.h>
 
@@ -23,11 +23,6 @@ constexpr double Tolerance = 18.0;
 constexpr double Reach = 1.2;
 /// The tile with the cells from -1024 to 1023.
 const lms3dFusedTile Tile(0, 0);
-
-void Set(lms3dRegion::BitsOf bits, std::int32_t u, std::int32_t v, lms3dRegion& region)
-{
-  region.SetRow(bits, v, u, u, true, true, [](int) {});
-}
 
 /// Surface below row 100, and a saw with teeth of four cells above. Beams passed beside the upper
 /// halves of the teeth and above them, and each tooth has returns in its middle.
@@ -74,51 +69,6 @@ std::vector<lms3dLoop> Straighten(
   }
   return corners.GetLoops();
 }
-
-bool IsInside(const lms3dPoint2& point, const lms3dLoop& loop)
-{
-  bool isInside = false;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    const lms3dPoint2& a = loop[i];
-    const lms3dPoint2& b = loop[(i + 1) % loop.size()];
-    isInside ^= (a[1] > point[1]) != (b[1] > point[1]) &&
-      point[0] < a[0] + (b[0] - a[0]) * (point[1] - a[1]) / (b[1] - a[1]);
-  }
-  return isInside;
-}
-
-double GetDistance(const lms3dPoint2& point, const lms3dLoop& loop)
-{
-  double least = 1e300;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    const lms3dSegment2 edge(loop[i], loop[(i + 1) % loop.size()]);
-    least = std::min(least, edge.GetSquaredDistance(point));
-  }
-  return std::sqrt(least);
-}
-
-/// Judges cells one by one.
-void ExpectLimitsKept(const lms3dLoop& loop, const lms3dRegion& region)
-{
-  for (std::int32_t v = 0; v < 128; ++v)
-  {
-    for (std::int32_t u = 0; u < 256; ++u)
-    {
-      const lms3dPoint2 centre = { u + 0.5, v + 0.5 };
-      if (region.Has(&lms3dRegionBlock::Must, u, v) && !IsInside(centre, loop))
-      {
-        EXPECT_LE(GetDistance(centre, loop), Reach) << u << " " << v;
-      }
-      if (region.Has(&lms3dRegionBlock::Passed, u, v))
-      {
-        EXPECT_FALSE(IsInside(centre, loop)) << u << " " << v;
-        EXPECT_GE(GetDistance(centre, loop), 0.5) << u << " " << v;
-      }
-    }
-  }
-}
 } // namespace
 
 TEST(LMS3DCornerMerger, MakesBordersBetweenReturnsAndBeamsStraight)
@@ -130,8 +80,8 @@ TEST(LMS3DCornerMerger, MakesBordersBetweenReturnsAndBeamsStraight)
   const lms3dLoop merged = Straighten(traced, region, true).front();
   EXPECT_GT(simple.size(), 20U);
   EXPECT_LE(merged.size(), 6U);
-  ExpectLimitsKept(simple, region);
-  ExpectLimitsKept(merged, region);
+  ExpectLimitsKept(simple, region, Reach);
+  ExpectLimitsKept(merged, region, Reach);
 }
 
 TEST(LMS3DCornerMerger, KeepsTheBorderOfBeamsThatPassedAllAround)
@@ -151,7 +101,7 @@ TEST(LMS3DCornerMerger, KeepsTheBorderOfBeamsThatPassedAllAround)
   }
   const lms3dLoop merged = Straighten(lms3dTraceOutlines(region), region, true).front();
   EXPECT_GT(merged.size(), 40U);
-  ExpectLimitsKept(merged, region);
+  ExpectLimitsKept(merged, region, Reach);
 }
 
 TEST(LMS3DCornerMerger, KeepsFixedCorners)

@@ -40,6 +40,7 @@ void MakeAtOnce(const lms3dFusedPlanes& planes, std::size_t number, lms3dFusedPl
   const lms3dFusedPlane& plane = planes[number];
   made.Raster = plane.Raster;
   made.Verbatim = plane.Verbatim;
+  made.IsWeak = plane.IsWeak;
   made.Raster.ClearMarks();
   for (int i = 0; i < made.Raster.GetNumberOfBlocks(); ++i)
   {

@@ -97,6 +97,33 @@ TEST(LMS3DLooseRegions, GoIfOtherTrianglesCoverTheirReturns)
   EXPECT_FALSE(Has(&lms3dRasterBlock::Must, mapped, scene.Planes[scene.Wall]));
 }
 
+/// A triangle beside the foot of a return is within the bound of it if the return is near the plane.
+TEST(LMS3DFusedPlanes, CoverReturnsBesideTheirBorders)
+{
+  const double cell = Bound / 3.0;
+  FloorAndWall scene;
+  const auto covers = [&](double beyond, double height)
+  {
+    const lms3dMappedReturn mapped = MakeReturn({ height, 0.001, 0.5 * cell - beyond * cell });
+    return scene.Planes.Covers(scene.Planes[scene.Wall], mapped);
+  };
+  EXPECT_FALSE(covers(0.0, 0.0));
+  Cover(scene.Wall, MakeReturn({ 0.0, 0.001, 0.5 * cell }), scene.Planes);
+  EXPECT_FALSE(covers(-1.0, 0.95 * Bound));
+  EXPECT_TRUE(covers(0.0, 0.95 * Bound));
+  for (const double side : { -1.0, 1.0 })
+  {
+    Cover(scene.Wall, MakeReturn({ 0.0, 0.001, 20.5 * cell }), scene.Planes);
+    const auto coversBeside = [&](double beyond, double height)
+    { return covers(-20.0 + side * beyond, height); };
+    EXPECT_TRUE(coversBeside(2.0, 0.1 * Bound));
+    EXPECT_FALSE(coversBeside(3.0, 0.1 * Bound));
+    EXPECT_TRUE(coversBeside(1.0, 0.6 * Bound));
+    EXPECT_FALSE(coversBeside(2.0, 0.6 * Bound));
+    EXPECT_FALSE(coversBeside(1.0, 0.95 * Bound));
+  }
+}
+
 TEST(LMS3DHandedReturns, GoToTheNearerPlane)
 {
   const lms3dMappedReturn mapped = MakeReturn({ 0.0, 0.001, 0.005 });

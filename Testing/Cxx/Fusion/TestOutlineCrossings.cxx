@@ -74,8 +74,8 @@ TEST(LMS3DOutlineCrossings, LeaveCreasesOutNearby)
   fill(61, 100, 0, 60);
   const lms3dCreaseLine crease = { { 0.0, 60.25 }, { 1.0, 0.0 },
     { { { -10.0, 700.0 } }, { { -10.0, 700.0 } } } };
-  const std::vector<lms3dTriangle2> triangles =
-    lms3dTriangulateRegion(region, { crease }, lms3dFusedTile(0, 0), 9.0, 1.5);
+  const std::vector<lms3dTriangle2> triangles = lms3dTriangulateRegion(
+    lms3dTraceOutlines(region), region, { crease }, lms3dFusedTile(0, 0), 9.0, 1.5);
   double area = 0.0;
   double farTop = 0.0;
   for (const lms3dTriangle2& t : triangles)

@@ -102,6 +102,32 @@ TEST(LMS3DFusedPlanes, StayIfFacetsWereMore)
   EXPECT_EQ(few.Planes.GetSize(), 2U);
 }
 
+/// Nearly all returns are shown, but the others would need more facets than the plane has triangles.
+TEST(LMS3DFusedPlanes, StayIfFacetsForFewOfManyReturnsWereMore)
+{
+  lms3dFusedPlanes planes(0.01);
+  const int weak = planes.MakePlane({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 });
+  const int other = planes.MakePlane({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 });
+  planes[weak].IsWeak = true;
+  planes[weak].Tiles.emplace_back();
+  planes[weak].Tiles.front().Mesh.Triangles.resize(4);
+  for (int i = 0; i < 100; ++i)
+  {
+    Grow(weak, MakeReturn(i), planes);
+    planes.AddReturn(weak, MakeReturn(i));
+  }
+  for (int i = 0; i < 96; ++i)
+  {
+    Grow(other, MakeReturn(i), planes);
+  }
+  lms3dDissolveWeakPlanes(planes);
+  EXPECT_FALSE(planes[weak].HasGone);
+  Grow(other, MakeReturn(96), planes);
+  lms3dDissolveWeakPlanes(planes);
+  EXPECT_TRUE(planes[weak].HasGone);
+  EXPECT_EQ(planes.GetSize(), 5U);
+}
+
 TEST(LMS3DFusedPlanes, GoIfFacetsAreFewer)
 {
   WeakPlane many(5);

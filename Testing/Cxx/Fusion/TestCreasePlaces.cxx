@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks to which crease a corner moves, and which corners stay.
+ */
+#include "Fusion/lms3dCreasePlaces.h"
+#include "Fusion/lms3dCreaseSnapping.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace
+{
+/// A level crease.
+lms3dCreaseLine MakeCrease(double height)
+{
+  const lms3dCreaseParts parts = { { -1000.0, 1000.0 } };
+  return { { 0.0, height }, { 1.0, 0.0 }, { parts, parts } };
+}
+
+const lms3dFusedTile Tile(0, 0);
+} // namespace
+
+/// Two planes that are nearly the same have nearly the same crease with a third one. A border does
+/// not change between these.
+TEST(LMS3DCreasePlaces, AreOnTheFirstOfCreasesThatAreNearlyTheSame)
+{
+  for (const double height : { 9.0, 10.1, 10.8, 12.0 })
+  {
+    const lms3dPoint2 corner = { 50.0, height };
+    const auto place = lms3dFindPlaceOnCrease(corner, { MakeCrease(10.0), MakeCrease(10.9) }, Tile);
+    ASSERT_TRUE(place);
+    EXPECT_EQ((*place)[1], 10.0);
+  }
+}
+
+TEST(LMS3DCreasePlaces, AreOnTheNearestOfOthers)
+{
+  const std::vector<lms3dCreaseLine> creases = { MakeCrease(10.0), MakeCrease(12.0) };
+  EXPECT_EQ((*lms3dFindPlaceOnCrease({ 50.0, 10.9 }, creases, Tile))[1], 10.0);
+  EXPECT_EQ((*lms3dFindPlaceOnCrease({ 50.0, 11.1 }, creases, Tile))[1], 12.0);
+  EXPECT_FALSE(lms3dFindPlaceOnCrease({ 50.0, 30.0 }, creases, Tile));
+}
+
+/// The second of two like creases does not hide the one across them.
+TEST(LMS3DCreasePlaces, AreWhereCreasesMeetBesideLikeOnes)
+{
+  const lms3dCreaseLine across = { { 53.0, 0.0 }, { 0.0, 1.0 }, MakeCrease(0.0).Parts };
+  const auto place =
+    lms3dFindPlaceOnCrease({ 50.0, 9.5 }, { MakeCrease(10.0), MakeCrease(10.5), across }, Tile);
+  ASSERT_TRUE(place);
+  EXPECT_DOUBLE_EQ((*place)[0], 53.0);
+  EXPECT_DOUBLE_EQ((*place)[1], 10.0);
+}
+
+TEST(LMS3DCreaseSnapping, LetsCornersNearPlacesStay)
+{
+  const lms3dLoop loop = { { 0.0, 0.0 }, { 400.0, 0.0 }, { 400.0, 12.0 }, { 200.0, 12.0 },
+    { 0.0, 12.0 } };
+  for (const double distance : { 24.0, 250.0 })
+  {
+    std::vector<bool> isFixed;
+    const lms3dLoop snapped = lms3dSnapToCreases(
+      { loop }, { MakeCrease(13.0) }, lms3dRegion(), Tile, { { 400.0, 12.0 } }, distance, isFixed)
+                                .front();
+    EXPECT_EQ(snapped[2][1], 12.0);
+    EXPECT_EQ(snapped[3][1], distance > 200.0 ? 12.0 : 13.0);
+  }
+}
