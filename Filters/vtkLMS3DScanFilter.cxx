@@ -190,10 +190,10 @@ int vtkLMS3DScanFilter::RequestInformation(
 int vtkLMS3DScanFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  const lms3dProcesses processes(this->Internal->Controller);
   this->Internal->Wake(this, Internals::GetSettings(this));
   // Every beam can hit any part of the scene, whichever part of the outputs is requested.
   vtkInformation* scene = inputVector[0]->GetInformationObject(0);
+  const lms3dProcesses processes(this->Internal->Controller);
   lms3dRequestPiece(processes.GetRank(), processes.GetCount(), scene);
   if (vtkInformation* trajectory = inputVector[1]->GetInformationObject(0))
   {
@@ -220,6 +220,7 @@ int vtkLMS3DScanFilter::RequestData(
   std::string error = lms3dFindSettingsError(settings);
   if (error.empty())
   {
+    this->Internal->SceneTime = Internals::GetSceneTime(this);
     const auto warn = [this](const std::string& text) { vtkWarningMacro(<< text); };
     const lms3dScanJobRequest scan = { settings, controller, vtkDataObject::GetData(inputVector[0]),
       vtkPolyData::GetData(inputVector[1]), lms3dGetRequestedTime(output), outputVector,

@@ -66,8 +66,8 @@
  * @par Output 1, the range image
  * A vtkImageData of AlphaResolution x BetaResolution points with the array `Range` (float64,
  * metres), which is NaN if the beam gave no return, and, if ComputeStatus is on, `Status`. The axes
- * of the image are the angles in degrees. If all beams give returns, both outputs share one array
- * `Range`, except with several processes.
+ * of the image are the angles in degrees. If all beams give returns, the arrays `Range` of both
+ * outputs share their values, except with several processes: copy one before you change them.
  *
  * @par Input 1, the trajectory
  * Optional: a vtkPolyData whose points are the poses of a moving sensor, one for each time step.

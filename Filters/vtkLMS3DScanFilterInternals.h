@@ -15,10 +15,12 @@
 #include "Scan/lms3dScanJob.h"
 #include "Scan/lms3dScanSettings.h"
 
+#include <vtkDemandDrivenPipeline.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiProcessController.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkType.h>
 
 #include <array>
 #include <exception>
@@ -37,11 +39,20 @@ struct vtkLMS3DScanFilter::Internals
       filter->NumberOfThreads, filter->SurfaceAttributes, GetDeviceSettings(filter) };
   }
 
-  // The threads wake up, and plan the scan, while the pipeline goes on.
+  // The threads wake up, and plan the scan, while the pipeline goes on. A plan of a scene that the
+  // pipeline is about to replace would only take time.
   void Wake(vtkLMS3DScanFilter* self, const lms3dScanSettings& settings)
   {
     const bool isAtSettings = self->GetNumberOfInputConnections(1) == 0;
-    this->Job.Wake(settings, isAtSettings && !lms3dProcesses(this->Controller).IsParallel());
+    this->Job.Wake(settings, isAtSettings && this->SceneTime == GetSceneTime(self) &&
+        !lms3dProcesses(this->Controller).IsParallel());
+  }
+
+  // Returns the time of the pipeline that ends with the scene.
+  static vtkMTimeType GetSceneTime(vtkLMS3DScanFilter* self)
+  {
+    auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(self->GetInputExecutive(0, 0));
+    return pipeline ? pipeline->GetPipelineMTime() : 0;
   }
 
   static std::string FindFanError(vtkLMS3DScanFilter* self, double beta, vtkDoubleArray* ranges);
@@ -76,6 +87,9 @@ struct vtkLMS3DScanFilter::Internals
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   lms3dScanJob Job;
+
+  // That of the scene of the last run, 0 before the first.
+  vtkMTimeType SceneTime = 0;
   lms3dErrorReport Errors;
 };
 

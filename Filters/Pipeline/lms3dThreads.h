@@ -19,6 +19,8 @@
 #include <optional>
 #include <thread>
 
+#include <unistd.h>
+
 /**
  * A TBB arena that a filter keeps from update to update.
  *
@@ -27,6 +29,9 @@
  * about 20 us in a new one. vtkSMPTools::For costs 30 to 120 us with the STDThread backend, which
  * starts its threads again for each loop. (Debian's ParaView has this backend compiled in, but runs
  * its Sequential one unless a user or a filter changes the backend for the whole process.)
+ *
+ * A child of fork() has none of the threads that its parent woke, and can use the object like one
+ * whose threads were not woken.
  */
 class lms3dThreads
 {
@@ -49,7 +54,7 @@ public:
     {
       allowance.emplace(tbb::global_control::max_allowed_parallelism, wanted);
     }
-    if (!this->Arena || this->Arena->max_concurrency() != wanted)
+    if (!this->Arena || this->Arena->max_concurrency() != wanted || this->IsForked())
     {
       this->EndWait();
       this->Arena = std::make_unique<tbb::task_arena>(wanted);
@@ -71,8 +76,9 @@ public:
     this->Wake(threads, [] {});
   }
 
-  /// Does the same. One of these threads, if there are any, first runs `preparation`, a copy. Run
-  /// and EndWait wait for its end. It must not throw.
+  /// Does the same. One of these threads, if there are any, first runs `preparation`, a copy, which
+  /// must not throw. EndWait waits for its end, or runs it. Run waits only after `work`: call
+  /// EndWait before if `work` needs what the preparation makes, or uses what it uses.
   template <typename Preparation>
   void Wake(int threads, const Preparation& preparation)
   {
@@ -84,20 +90,27 @@ public:
       return;
     }
     this->IsAwaited = true;
-    this->HasWaiting = true;
+    this->WakingProcess = getpid();
     this->TimeOfWake = std::chrono::steady_clock::now();
     this->Arena->execute([&] { this->StartWaiting(wanted - 1, preparation); });
   }
 
   /// Ends the wait of the threads that were woken. The calling thread takes part in a preparation.
-  void EndWait()
+  /// Returns false if another process woke them: a preparation may then be half done.
+  bool EndWait()
   {
     this->IsAwaited = false;
-    if (this->HasWaiting)
+    if (this->IsForked())
     {
-      this->Arena->execute([this] { this->Waiting.wait(); });
-      this->HasWaiting = false;
+      this->Abandon();
+      return false;
     }
+    if (this->Waiting)
+    {
+      this->Arena->execute([this] { this->Waiting->wait(); });
+      this->Waiting = nullptr;
+    }
+    return true;
   }
 
   /// Returns whether the last Wake was less than MaximumWait ago, or its preparation has not ended,
@@ -119,20 +132,22 @@ private:
   {
     try
     {
+      this->Waiting = std::make_unique<tbb::task_group>();
       this->IsPreparing = threads > 0;
-      for (int i = 0; i < threads; ++i)
+      if (threads > 0)
       {
-        this->Waiting.run(
-          [this, i, preparation]
+        this->Waiting->run(
+          [this, preparation]
           {
-            if (i == 0)
-            {
-              // Otherwise this thread could take a task that waits before the preparation ends.
-              tbb::this_task_arena::isolate(preparation);
-              this->IsPreparing = false;
-            }
+            // Otherwise this thread could take a task that waits before the preparation ends.
+            tbb::this_task_arena::isolate(preparation);
+            this->IsPreparing = false;
             this->Wait();
           });
+      }
+      for (int i = 1; i < threads; ++i)
+      {
+        this->Waiting->run([this] { this->Wait(); });
       }
     }
     catch (const std::bad_alloc&)
@@ -154,6 +169,17 @@ private:
     --this->NumberOfWaiting;
   }
 
+  bool IsForked() const { return this->Waiting && this->WakingProcess != getpid(); }
+
+  // The destructors would wait for threads that do not exist.
+  void Abandon()
+  {
+    static_cast<void>(this->Waiting.release());
+    static_cast<void>(this->Arena.release());
+    this->NumberOfWaiting = 0;
+    this->IsPreparing = false;
+  }
+
   std::unique_ptr<tbb::task_arena> Arena;
 
   /// Whether threads wait for the next Run, and how many.
@@ -167,9 +193,9 @@ private:
   ///@}
 
   ///@{
-  /// One task for each thread that waits, and whether there can be some.
-  tbb::task_group Waiting;
-  bool HasWaiting = false;
+  /// One task for each thread that waits, null if there can be none, and the process that woke them.
+  std::unique_ptr<tbb::task_group> Waiting;
+  pid_t WakingProcess = 0;
   ///@}
 };
 

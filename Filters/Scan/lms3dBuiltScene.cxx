@@ -67,12 +67,12 @@ bool lms3dBuiltScene::IsUpToDate(vtkDataObject* scene, int method) const
 
 bool lms3dBuiltScene::Update(vtkDataObject* scene, int method, const lms3dProgress& progress)
 {
-  if (this->IsUpToDate(scene, method))
+  const vtkMTimeType time = ComputeSceneTime(scene);
+  const bool isSameMethod = this->Method == method;
+  if (this->Scene == scene && this->SceneTime == time && isSameMethod)
   {
     return true;
   }
-  const vtkMTimeType time = ComputeSceneTime(scene);
-  const bool isSameMethod = this->Method == method;
   this->Scene = nullptr;
   lms3dSceneTriangles triangles =
     lms3dCollectTriangles(scene, lms3dGetStepProgress(progress, 0.0, CollectShare));

@@ -35,7 +35,7 @@ public:
    */
   bool Update(vtkDataObject* scene, int method, const lms3dProgress& progress);
 
-  /// Returns whether Update has nothing to do.
+  /// Returns whether Update has nothing to do. Visits all data sets of the scene.
   bool IsUpToDate(vtkDataObject* scene, int method) const;
 
   /// Returns a text for the user about cells that were skipped, empty if there are none.
@@ -43,6 +43,9 @@ public:
 
   /// Returns null if the scene has no triangles. The caster lives until the next Update.
   const lms3dRayCaster* GetCaster() const { return this->Caster.get(); }
+
+  /// Returns the method of the last Update.
+  int GetMethod() const { return this->Method; }
 
   /// Returns what the cells of the scene have in common, also those without a surface.
   const lms3dScenePart& GetPart() const { return this->Part; }

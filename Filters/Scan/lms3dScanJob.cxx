@@ -13,7 +13,6 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
-#include <exception>
 #include <memory>
 #include <optional>
 
@@ -21,6 +20,16 @@ namespace
 {
 // The share of the progress bar for building.
 constexpr double BuildShare = 0.3;
+
+// Returns whether threads that were woken for `a` serve `b` as well.
+bool NeedTheSame(const lms3dScanSettings& a, const lms3dScanSettings& b)
+{
+  return a.Position == b.Position && a.Orientation == b.Orientation &&
+    a.AlphaRange == b.AlphaRange && a.AlphaResolution == b.AlphaResolution &&
+    a.BetaRange == b.BetaRange && a.BetaResolution == b.BetaResolution &&
+    a.Device.Platform == b.Device.Platform && a.Limits.Maximum == b.Limits.Maximum &&
+    a.Method == b.Method && a.NumberOfThreads == b.NumberOfThreads;
+}
 } // namespace
 
 bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
@@ -57,21 +66,43 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
 
 void lms3dScanJob::Wake(const lms3dScanSettings& settings, bool canPlan)
 {
-  if (this->Threads.AreAwake())
+  if (this->Threads.AreAwake() && NeedTheSame(settings, *this->WokenSettings))
   {
     return;
   }
-  this->Threads.EndWait();
-  this->Output.DiscardPlan();
-  if (canPlan && this->Scene.GetCaster() && this->Sensor.HasGeometry(settings) &&
-    lms3dFindSettingsError(settings).empty() && lms3dScanStart().HasPlainBeams(settings.Device))
+  this->EndWait();
+  this->WokenSettings = settings;
+  if (canPlan && this->CanPlan(settings))
   {
-    this->Threads.Wake(settings.NumberOfThreads, [this, settings] { this->MakePlan(settings); });
+    this->Threads.Wake(
+      settings.NumberOfThreads, [this] { this->MakePlan(*this->WokenSettings); });
   }
   else
   {
+    this->Output.DiscardPlan();
     this->Threads.Wake(settings.NumberOfThreads);
   }
+}
+
+bool lms3dScanJob::HasPlan()
+{
+  this->EndWait();
+  return this->Output.HasPlan();
+}
+
+void lms3dScanJob::EndWait()
+{
+  if (!this->Threads.EndWait())
+  {
+    this->Output.DiscardPlan();
+  }
+}
+
+bool lms3dScanJob::CanPlan(const lms3dScanSettings& settings) const
+{
+  return this->Scene.GetCaster() && this->Scene.GetMethod() == settings.Method &&
+    this->Sensor.HasGeometry(settings) && lms3dFindSettingsError(settings).empty() &&
+    lms3dScanStart().HasPlainBeams(settings.Device);
 }
 
 void lms3dScanJob::MakePlan(const lms3dScanSettings& settings)
@@ -82,10 +113,9 @@ void lms3dScanJob::MakePlan(const lms3dScanSettings& settings)
     this->Output.MakePlan(*this->Scene.GetCaster(), this->Sensor.GetGeometry(settings), start.Pose,
       settings.Limits.Maximum);
   }
-  catch (const std::exception&)
+  catch (...)
   {
     // The run makes its own plan, and reports what fails.
-    this->Output.DiscardPlan();
   }
 }
 
@@ -94,34 +124,37 @@ void lms3dScanJob::MakePlan(const lms3dScanSettings& settings)
 bool lms3dScanJob::Prepare(
   const lms3dScanJobRequest& request, const lms3dProcesses& processes, lms3dScanStart& start)
 {
-  this->Threads.EndWait();
-  if (!this->Scene.IsUpToDate(request.Scene, request.Settings.Method) ||
-    !this->Sensor.HasGeometry(request.Settings))
-  {
-    this->Output.DiscardPlan();
-  }
   bool isBuilt = false;
   processes.RunCollectively(
     [&]
     {
+      this->EndWait();
+      const bool isUpToDate = this->Scene.IsUpToDate(request.Scene, request.Settings.Method);
+      if (!isUpToDate || !this->Sensor.HasGeometry(request.Settings))
+      {
+        this->Output.DiscardPlan();
+      }
       if (processes.IsFirst())
       {
         start = this->Sensor.GetStart(request.Settings, request.Trajectory, request.Time);
       }
       this->Sensor.GetGeometry(request.Settings);
-      isBuilt = this->Build(request, processes.IsParallel());
+      isBuilt = this->Build(request, isUpToDate, processes.IsParallel());
     });
   start.Broadcast(processes);
   return !processes.AnyOf(!isBuilt);
 }
 
-bool lms3dScanJob::Build(const lms3dScanJobRequest& request, bool isParallel)
+bool lms3dScanJob::Build(const lms3dScanJobRequest& request, bool isUpToDate, bool isParallel)
 {
   const lms3dProgress progress = lms3dGetStepProgress(request.Progress, 0.0, BuildShare);
   const vtkMTimeType lastBuild = this->GetBuildTime();
-  bool isComplete = false;
-  this->Threads.Run(request.Settings.NumberOfThreads,
-    [&] { isComplete = this->Scene.Update(request.Scene, request.Settings.Method, progress); });
+  bool isComplete = isUpToDate;
+  if (!isUpToDate)
+  {
+    this->Threads.Run(request.Settings.NumberOfThreads,
+      [&] { isComplete = this->Scene.Update(request.Scene, request.Settings.Method, progress); });
+  }
   if (!isComplete)
   {
     return false;

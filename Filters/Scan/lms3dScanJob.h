@@ -78,10 +78,13 @@ public:
   bool CastRanges(
     const lms3dScanJobRequest& request, vtkDoubleArray* ranges, vtkUnsignedCharArray* status);
 
-  /// Wakes the threads for a run with these settings that follows soon, unless they are awake. If
-  /// `canPlan`, one of them plans the scan of the present scene from the settings' pose. The run
-  /// uses the plan if it fits.
+  /// Wakes the threads for a run with these settings that follows soon, unless they are awake for
+  /// it. If `canPlan`, one of them plans the scan of the present scene from the settings' pose. The
+  /// run uses the plan if it fits.
   void Wake(const lms3dScanSettings& settings, bool canPlan);
+
+  /// Returns whether there is a plan for the next run. Waits for a thread that makes one.
+  bool HasPlan();
 
   /// Returns the poses, read again only if the trajectory or the orientation (degrees, for points
   /// without one) changed. Throws std::runtime_error, with a text for the user, if they are bad.
@@ -114,10 +117,12 @@ private:
     ///@}
   };
 
+  void EndWait();
+  bool CanPlan(const lms3dScanSettings& settings) const;
   void MakePlan(const lms3dScanSettings& settings);
   bool Prepare(
     const lms3dScanJobRequest& request, const lms3dProcesses& processes, lms3dScanStart& start);
-  bool Build(const lms3dScanJobRequest& request, bool isParallel);
+  bool Build(const lms3dScanJobRequest& request, bool isUpToDate, bool isParallel);
   bool CastWhole(const Scan& scan);
   bool CastAlone(const Scan& scan);
   bool CastInParallel(const Scan& scan);
@@ -128,14 +133,18 @@ private:
   void WarnIfIncomplete(const lms3dScenePart& scene, const Scan& scan);
 
   lms3dBuiltScene Scene;
+  lms3dScanSensor Sensor;
+
+  /// After the scene and the sensor, since its plan refers to both.
   lms3dScanOutput Output;
   lms3dDetection Detection;
-
-  lms3dScanSensor Sensor;
 
   /// The last warnings, which are not repeated for each pose.
   std::string SkippedCells;
   std::string MissingCells;
+
+  /// The settings of the last Wake.
+  std::optional<lms3dScanSettings> WokenSettings;
 
   /// The last member, since the threads can use the others until it is destroyed.
   lms3dThreads Threads;

@@ -29,6 +29,14 @@ namespace
 // Beams whose returns are filled together: enough for long streams of memory, few enough to share
 // the work among threads.
 constexpr int BeamsToFill = 8192;
+
+// Both outputs need name and information of their own, since their users can change them.
+vtkSmartPointer<vtkDoubleArray> MakeTwin(vtkDoubleArray* array)
+{
+  auto twin = vtkSmartPointer<vtkDoubleArray>::New();
+  twin->ShallowCopy(array);
+  return twin;
+}
 } // namespace
 
 void lms3dScanOutput::Discard()
@@ -59,7 +67,10 @@ void lms3dScanOutput::AllocatePart(std::size_t beams)
 void lms3dScanOutput::MakePlan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, double maximumRange)
 {
-  this->Plan.emplace(caster, geometry, pose, maximumRange);
+  if (!this->Plan || !this->Plan->Fits(caster, geometry, pose, maximumRange))
+  {
+    this->Plan.emplace(caster, geometry, pose, maximumRange);
+  }
 }
 
 bool lms3dScanOutput::Cast(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
@@ -179,7 +190,7 @@ void lms3dScanOutput::Fill(const lms3dTriangleMesh* mesh, const lms3dScanGeometr
   const std::vector<std::size_t> first = this->CountReturns(geometry);
   const vtkIdType count = static_cast<vtkIdType>(first.back());
   const lms3dReturns returns = count == this->Ranges->GetNumberOfValues()
-    ? lms3dReturns(this->Ranges, this->Pool)
+    ? lms3dReturns(MakeTwin(this->Ranges), this->Pool)
     : lms3dReturns(count, this->Pool);
   const auto cellIds = lms3dMakeArray<vtkIdTypeArray>(this->Pool, "CellId", count);
   vtkIdType* cellId = cellIds->GetPointer(0);

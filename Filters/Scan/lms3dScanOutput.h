@@ -41,10 +41,12 @@ public:
   void Discard();
 
   ///@{
-  /// Makes and discards the plan of a scan that may follow with the same arguments. Caster and
-  /// geometry must live until the plan is discarded. Uses the threads of the calling TBB arena.
+  /// Makes, unless there is one that fits, and discards the plan of a scan that may follow with the
+  /// same arguments. Caster and geometry must live until the plan is discarded. Uses the threads of
+  /// the calling TBB arena.
   void MakePlan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
     const lms3dPose& pose, double maximumRange);
+  bool HasPlan() const { return this->Plan.has_value(); }
   void DiscardPlan() { this->Plan.reset(); }
   ///@}
 
@@ -89,8 +91,9 @@ public:
   /// Removes the returns of the beams for which `isRemoved` is not 0. It has a value for each beam.
   void RemoveReturns(const std::vector<unsigned char>& isRemoved);
 
-  /// Fills output 0 and, unless `image` is null, output 1, which shares the array of ranges. Both
-  /// must be empty. `mesh` is that of the caster, or null after ReduceToNearest.
+  /// Fills output 0 and, unless `image` is null, output 1. Both must be empty. Output 1 has the
+  /// array of ranges; if all beams give returns, an array of output 0 shares its memory. So
+  /// RemoveReturns must not follow. `mesh` is that of the caster, or null after ReduceToNearest.
   void Fill(const lms3dTriangleMesh* mesh, const lms3dScanGeometry& geometry, const lms3dPose& pose,
     vtkPolyData* scan, vtkImageData* image);
 

@@ -141,6 +141,10 @@ private:
   template <typename BeamOf>
   void FillRange(const Piece& piece, const BeamOf& beamOf) const
   {
+    if (this->Returns.Range == this->Turns.Ranges)
+    {
+      return;
+    }
     const double* ranges = this->Turns.Ranges + this->GetFirst(piece);
     FillEach(
       this->Returns.Range + piece.Slot, piece.Count, [&](int i) { return ranges[beamOf(i)]; });
