@@ -44,7 +44,8 @@ struct vtkLMS3DScanFilter::Internals
   void Wake(vtkLMS3DScanFilter* self, const lms3dScanSettings& settings)
   {
     const bool isAtSettings = self->GetNumberOfInputConnections(1) == 0;
-    this->Job.Wake(settings, isAtSettings && this->SceneTime == GetSceneTime(self) &&
+    this->Job.Wake(settings,
+      isAtSettings && this->SceneTime == GetSceneTime(self) &&
         !lms3dProcesses(this->Controller).IsParallel());
   }
 

@@ -18,7 +18,9 @@
 #include "Geometry/lms3dTriangleMesh.h"
 #include "Kernels/lms3dBeamPacket.h"
 #include "Pipeline/lms3dProgress.h"
+#include "Pipeline/lms3dSerialNumber.h"
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -116,6 +118,9 @@ public:
 
   const lms3dTriangleMesh& GetMesh() const { return this->Mesh; }
 
+  /// Returns a number that no other caster has or had.
+  std::uint64_t GetSerialNumber() const { return this->SerialNumber; }
+
 protected:
   explicit lms3dRayCaster(lms3dTriangleMesh mesh)
     : Mesh(std::move(mesh))
@@ -124,6 +129,7 @@ protected:
 
 private:
   lms3dTriangleMesh Mesh;
+  const std::uint64_t SerialNumber = lms3dMakeSerialNumber();
 };
 
 #endif

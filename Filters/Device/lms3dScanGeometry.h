@@ -19,6 +19,7 @@
 #define lms3dScanGeometry_h
 
 #include "Device/lms3dPlatform.h"
+#include "Pipeline/lms3dSerialNumber.h"
 
 #include <array>
 #include <cstdint>
@@ -81,6 +82,9 @@ public:
     return static_cast<std::int64_t>(this->GetNumberOfBeams()) * this->GetNumberOfTurns();
   }
 
+  /// Returns a number that no other geometry has or had, except copies.
+  std::uint64_t GetSerialNumber() const { return this->SerialNumber; }
+
   const lms3dPlatform& GetPlatform() const { return this->Platform; }
 
   const std::vector<double>& GetAlphaAngles() const { return this->AlphaAngles; }
@@ -116,6 +120,7 @@ public:
 private:
   void FillTables();
 
+  std::uint64_t SerialNumber = lms3dMakeSerialNumber();
   lms3dPlatform Platform;
   std::vector<double> AlphaAngles;
   std::vector<double> AlphaSines;

@@ -74,8 +74,7 @@ void lms3dScanJob::Wake(const lms3dScanSettings& settings, bool canPlan)
   this->WokenSettings = settings;
   if (canPlan && this->CanPlan(settings))
   {
-    this->Threads.Wake(
-      settings.NumberOfThreads, [this] { this->MakePlan(*this->WokenSettings); });
+    this->Threads.Wake(settings.NumberOfThreads, [this] { this->MakePlan(*this->WokenSettings); });
   }
   else
   {

@@ -37,34 +37,34 @@ bool AreSame(const lms3dVector& a, const lms3dVector& b)
 
 lms3dScanPlan::lms3dScanPlan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, double maximumRange)
-  : Caster(caster)
-  , Geometry(geometry)
+  : Caster(caster.GetSerialNumber())
+  , Geometry(geometry.GetSerialNumber())
   , Pose(pose)
   , Directions(geometry, pose)
   , Elevations(MakeElevations(geometry))
   , Origin{ { pose.Position[0], pose.Position[1], pose.Position[2] }, maximumRange }
   , Grid{ geometry.GetNumberOfTurns(), geometry.GetNumberOfBeams() }
-  , GridCaster(caster.NewGridCaster(this->Origin, this->MakeGrid()))
+  , GridCaster(caster.NewGridCaster(this->Origin, this->MakeGrid(geometry)))
 {
 }
 
 bool lms3dScanPlan::Fits(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
   const lms3dPose& pose, double maximumRange) const
 {
-  return &caster == &this->Caster && &geometry == &this->Geometry &&
+  return caster.GetSerialNumber() == this->Caster && geometry.GetSerialNumber() == this->Geometry &&
     AreSame(pose.Position, this->Pose.Position) &&
     std::equal(pose.Axes.begin(), pose.Axes.end(), this->Pose.Axes.begin(), AreSame) &&
     maximumRange == this->Origin.MaximumRange;
 }
 
 // In fans along the axis, elevations decrease from 180 degrees.
-lms3dBeamGrid lms3dScanPlan::MakeGrid() const
+lms3dBeamGrid lms3dScanPlan::MakeGrid(const lms3dScanGeometry& geometry) const
 {
-  if (this->Geometry.GetPlatform().IsFanAlongAxis())
+  if (geometry.GetPlatform().IsFanAlongAxis())
   {
     return { this->Grid.Turns, this->Grid.Beams };
   }
   return { this->Grid.Turns, this->Grid.Beams, &this->Directions.GetFanAxis(0),
-    this->Geometry.GetBetaStep(), this->Geometry.GetAlphaCosines().data(),
-    this->Geometry.GetAlphaSines().data(), this->Directions.GetUp() };
+    geometry.GetBetaStep(), geometry.GetAlphaCosines().data(), geometry.GetAlphaSines().data(),
+    this->Directions.GetUp() };
 }

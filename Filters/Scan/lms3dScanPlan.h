@@ -13,26 +13,31 @@
 #include "Kernels/lms3dPacketKernels.h"
 #include "Scan/lms3dPacketGrid.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
-/// Making a plan takes up to a fifth of the time of a scan. It needs neither memory for the results
-/// nor the minimum range.
+/// Making a plan needs neither memory for the results nor the minimum range.
 class lms3dScanPlan
 {
 public:
   /// Where the sensor stands, in world coordinates, and the maximum range, in metres, are as in
   /// lms3dScanRequest. Uses the threads of the calling TBB arena. Caster and geometry must outlive
-  /// the plan.
+  /// each use of the plan, except Fits.
   lms3dScanPlan(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry,
     const lms3dPose& pose, double maximumRange);
 
-  /// Returns whether the plan was made for these arguments.
+  /// Returns whether the plan was made for these arguments. Casters and geometries that took the
+  /// place of the plan's do not fit.
   bool Fits(const lms3dRayCaster& caster, const lms3dScanGeometry& geometry, const lms3dPose& pose,
     double maximumRange) const;
 
-  const lms3dRayCaster& Caster;
-  const lms3dScanGeometry& Geometry;
+  ///@{
+  /// The serial numbers of the caster and of the geometry.
+  const std::uint64_t Caster;
+  const std::uint64_t Geometry;
+  ///@}
+
   const lms3dPose Pose;
   const lms3dBeamDirections Directions;
 
@@ -43,7 +48,7 @@ public:
   const std::unique_ptr<const lms3dGridCaster> GridCaster;
 
 private:
-  lms3dBeamGrid MakeGrid() const;
+  lms3dBeamGrid MakeGrid(const lms3dScanGeometry& geometry) const;
 };
 
 #endif

@@ -96,15 +96,22 @@ TEST(ReturnKernels, FillRunsOfAllLengths)
 
 TEST(ReturnKernels, FillRunsInTheArrayOfTheirRanges)
 {
-  const std::vector<double> ranges(MaximumLength, 2.0);
+  std::vector<double> ranges(MaximumLength);
+  for (int i = 0; i < MaximumLength; ++i)
+  {
+    ranges[i] = 1.0 / (i + 1);
+  }
   const std::vector<double> elevations(MaximumLength, 0.5);
   for (int k = 0; k < lms3dGetNumberOfPacketKernels(); ++k)
   {
-    SCOPED_TRACE(lms3dGetPacketKernels(k).Name);
-    Arrays run(MaximumLength);
-    std::copy(ranges.begin(), ranges.end(), run.Range.begin());
-    run.Fill(lms3dGetPacketKernels(k), run.Range, elevations);
-    ExpectRun(run, ranges, elevations);
+    for (int count = 0; count <= MaximumLength; ++count)
+    {
+      SCOPED_TRACE(testing::Message() << lms3dGetPacketKernels(k).Name << ", " << count);
+      Arrays run(count);
+      std::copy_n(ranges.begin(), count, run.Range.begin());
+      run.Fill(lms3dGetPacketKernels(k), run.Range, elevations);
+      ExpectRun(run, ranges, elevations);
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fixtures/SceneFixtures.h"
+#include "Scan/ThreadProcesses.h"
 
 #include "vtkLMS3DScanFilter.h"
 
@@ -11,6 +12,8 @@
 #include <vtkPoints.h>
 
 #include <gtest/gtest.h>
+
+#include <vector>
 
 namespace
 {
@@ -46,6 +49,26 @@ protected:
 
   vtkNew<vtkLMS3DScanFilter> Scan;
 };
+
+const double* GetRanges(vtkDataSet* output)
+{
+  return vtkDoubleArray::SafeDownCast(output->GetPointData()->GetArray("Range"))->GetPointer(0);
+}
+
+void ExpectSharedRanges(vtkLMS3DScanFilter* scan)
+{
+  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 91 * 90);
+  EXPECT_EQ(GetRanges(scan->GetOutput()), GetRanges(scan->GetRangeImage()));
+}
+
+void ExpectSomeReturns(vtkLMS3DScanFilter* scan)
+{
+  const vtkIdType returns = scan->GetOutput()->GetNumberOfPoints();
+  EXPECT_GT(returns, 0);
+  EXPECT_LT(returns, 91 * 90);
+  EXPECT_NE(GetRanges(scan->GetOutput()), GetRanges(scan->GetRangeImage()));
+  EXPECT_EQ(GetArray(scan, "Range")->GetNumberOfTuples(), returns);
+}
 } // namespace
 
 TEST_P(EachChange, LeavesAHeldScanAlone)
@@ -90,18 +113,54 @@ TEST(ScanMemory, HoldsTheRangesOnceIfAllBeamsGiveReturns)
 {
   auto scan = MakeScan(MakeBall(1.0));
   SetGrid(scan, 91, 90);
-  const auto getImageRanges = [&] { return scan->GetRangeImage()->GetPointData()->GetScalars(); };
-  const auto getRanges = [&] { return scan->GetOutput()->GetPointData()->GetScalars(); };
   scan->Update();
-  EXPECT_EQ(scan->GetOutput()->GetNumberOfPoints(), 91 * 90);
-  EXPECT_EQ(getRanges(), getImageRanges());
+  ExpectSharedRanges(scan);
+  scan->SurfaceAttributesOn();
+  scan->Update();
+  ExpectSharedRanges(scan);
+  scan->SetAxisOffset(0.02, 0.0, 0.01);
+  scan->Update();
+  ExpectSharedRanges(scan);
+}
 
+TEST(ScanMemory, HoldsTheRangesOfReturnsApartIfABeamGivesNone)
+{
+  auto scan = MakeScan(MakeBall(1.0));
+  SetGrid(scan, 91, 90);
   scan->SetMaximumRange(0.999);
   scan->Update();
-  EXPECT_GT(scan->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_LT(scan->GetOutput()->GetNumberOfPoints(), 91 * 90);
-  EXPECT_NE(getRanges(), getImageRanges());
-  EXPECT_EQ(getRanges()->GetNumberOfTuples(), scan->GetOutput()->GetNumberOfPoints());
+  ExpectSomeReturns(scan);
+
+  scan->SetMaximumRange(80.0);
+  scan->SetPosition(0.5, 0.0, 0.0);
+  scan->SetRangeAtTenPercent(0.316);
+  scan->Update();
+  ExpectSomeReturns(scan);
+}
+
+TEST(ScanMemory, HoldsTheRangesOfEachOutputApartInSeveralProcesses)
+{
+  const auto processes = MakeProcesses(2);
+  std::vector<vtkSmartPointer<vtkLMS3DScanFilter>> scans;
+  for (int rank = 0; rank < 2; ++rank)
+  {
+    scans.push_back(MakeScan(MakeBall(1.0 + rank)));
+    SetGrid(scans[rank], 91, 90);
+    scans[rank]->SetController(processes[rank]);
+  }
+  RunProcesses(2, [&](int rank) { scans[rank]->UpdatePiece(rank, 2, 0); });
+  EXPECT_EQ(scans[0]->GetOutput()->GetNumberOfPoints(), 91 * 90);
+  EXPECT_NE(GetRanges(scans[0]->GetOutput()), GetRanges(scans[0]->GetRangeImage()));
+}
+
+TEST(ScanMemory, LeavesEachOutputItsName)
+{
+  auto scan = MakeScan(MakeBall(1.0));
+  SetGrid(scan, 91, 90);
+  scan->Update();
+  scan->GetOutput()->GetPointData()->GetArray("Range")->SetName("Renamed");
+  EXPECT_NE(scan->GetRangeImage()->GetPointData()->GetArray("Range"), nullptr);
+  EXPECT_EQ(scan->GetRangeImage()->GetPointData()->GetArray("Renamed"), nullptr);
 }
 
 TEST(ScanMemory, OutlivesItsFilter)
