@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace
 {
@@ -91,7 +92,12 @@ bool lms3dFusedPlanes::Covers(const lms3dFusedPlane& plane, const lms3dMappedRet
   {
     return false;
   }
-  const double height = std::abs(plane.Frame.GetHeight(mapped.Point));
-  return lms3dIsCovered(
-    plane.Raster, u, v, lms3dGetCoveredReach(height, this->Cell, this->MaximumError));
+  return this->IsCovered(plane, u, v, std::abs(plane.Frame.GetHeight(mapped.Point)));
+}
+
+bool lms3dFusedPlanes::IsCovered(
+  const lms3dFusedPlane& plane, std::int32_t u, std::int32_t v, double distance) const
+{
+  return lms3dIsCovered(plane.Raster, plane.GetCellsOfTile(u, v), u, v,
+    lms3dGetCoveredReach(distance, this->Cell, this->MaximumError));
 }
