@@ -101,8 +101,8 @@ TEST(LMS3DIslands, StayApartWhereNothingIsKnown)
   EXPECT_EQ(CountOutlines(region), 1U);
 }
 
-/// The islands have one corner in common. Beside it are two cells, in one of which a beam may have
-/// passed.
+/// The islands have one corner in common. A beam may have passed through one of the two cells
+/// beside it.
 TEST(LMS3DIslands, AreJoinedIfTheyTouch)
 {
   for (const std::int32_t bottom : { 6, 14 })
