@@ -247,10 +247,3 @@ void lms3dFusedPlanes::AddFacet(const lms3dMappedReturn& mapped)
   this->GrowBox(number, mapped.Point);
   this->AddReturn(number, mapped);
 }
-
-bool lms3dFusedPlanes::AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped)
-{
-  return std::any_of(planes.begin(), planes.end(),
-    [&](int plane)
-    { return this->Shows(this->Planes[plane], mapped) && this->AddReturn(plane, mapped); });
-}

@@ -37,6 +37,13 @@ bool lms3dFusedPlanes::Shows(const lms3dFusedPlane& plane, const lms3dMappedRetu
     !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) && IsAtVerbatim(plane, mapped.Point, bound);
 }
 
+bool lms3dFusedPlanes::AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped)
+{
+  return std::any_of(planes.begin(), planes.end(),
+    [&](int plane)
+    { return this->Shows(this->Planes[plane], mapped) && this->AddReturn(plane, mapped); });
+}
+
 std::vector<int> lms3dFusedPlanes::FindPlanesNear(
   const std::vector<lms3dMappedReturn>& returns, std::size_t end) const
 {
