@@ -15,9 +15,9 @@
 #include <cstddef>
 #include <vector>
 
-/// The new corner takes the place of all corners between two neighbours. The region lies on the left
-/// of the outline. The outlines before and after the merge enclose triangles that have the new corner
-/// in common. Coordinates are cells.
+/// The new corner takes the place of all corners between two neighbours. The region lies on the
+/// left of the outline. The outlines before and after the merge enclose triangles that have the new
+/// corner in common. Coordinates are cells.
 struct lms3dCornerMerge
 {
   using Triangle = std::array<lms3dPoint2, 3>;

@@ -189,7 +189,44 @@ bool lms3dCornerMerger::IsNearOutline(
   }
   const Corner far = this->Corners.FindFar(chain.front(), chain.back(), isNear);
   this->Far = far == chain.back() ? std::nullopt : std::optional<Corner>(far);
-  return far == chain.back();
+  return far == chain.back() && this->AreNeighboursNear(merge, chain);
+}
+
+// The same for the first corners before and behind a chain, and at its ends: the edges of the chain
+// may be the only ones that are near them. Each first corner stays near the edge that took its
+// place, or near one beside that.
+bool lms3dCornerMerger::AreNeighboursNear(
+  const lms3dCornerMerge& merge, const std::vector<Corner>& chain) const
+{
+  const Corner first = chain.front();
+  const Corner last = chain.back();
+  const Corner before = this->Corners.GetPrevious(first);
+  const Corner behind = this->Corners.GetNext(last);
+  const lms3dPoint2& start =
+    before == last ? merge.Corner : this->Corners[this->Corners.GetPrevious(before)];
+  const lms3dPoint2& end =
+    behind == first ? merge.Corner : this->Corners[this->Corners.GetNext(behind)];
+  const ThreeEdges edgesBefore = { start, this->Corners[before], this->Corners[first],
+    merge.Corner };
+  const ThreeEdges edgesOfLast = { this->Corners[first], merge.Corner, this->Corners[last],
+    this->Corners[behind] };
+  const ThreeEdges edgesBehind = { merge.Corner, this->Corners[last], this->Corners[behind], end };
+  return this->IsNear(this->Corners.GetFirstPoint(last), edgesOfLast) &&
+    this->AreNear(before, first, edgesBefore) && this->AreNear(last, behind, edgesBehind);
+}
+
+bool lms3dCornerMerger::IsNear(const lms3dPoint2& point, const ThreeEdges& points) const
+{
+  return lms3dSegment2(points[0], points[1]).GetSquaredDistance(point) <= this->Tolerance ||
+    lms3dSegment2(points[1], points[2]).GetSquaredDistance(point) <= this->Tolerance ||
+    lms3dSegment2(points[2], points[3]).GetSquaredDistance(point) <= this->Tolerance;
+}
+
+// Whether the outline's first corners behind one, up to another, are near edges.
+bool lms3dCornerMerger::AreNear(Corner from, Corner to, const ThreeEdges& points) const
+{
+  const auto isNear = [&](const lms3dPoint2& point) { return this->IsNear(point, points); };
+  return this->Corners.FindFar(from, to, isNear) == to && isNear(this->Corners.GetFirstPoint(to));
 }
 
 // The edges of a chain, first those that stay.

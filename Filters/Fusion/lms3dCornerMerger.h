@@ -18,9 +18,9 @@
 
 /**
  * Two successive corners that are not fixed become one, which may lie anywhere: where the edges
- * beside the two meet, or between the two. Then up to five corners become one. So a border that goes
- * to and fro between returns and beams that passed becomes straight, although none of its corners
- * can go. If the last of the corners is fixed, it alone can stay. At last corners move
+ * beside the two meet, or between the two. Then up to five corners become one. So a border that
+ * goes to and fro between returns and beams that passed becomes straight, although none of its
+ * corners can go. If the last of the corners is fixed, it alone can stay. At last corners move
  * outwards a little, so that the region has returns beside its border. The outline stays within a
  * tolerance of what it was, keeps the limits of borders, and crosses no other edge.
  */
@@ -37,6 +37,8 @@ public:
 private:
   using Corner = lms3dOutlineCorners::Corner;
   using Triangle = lms3dOutlineCorners::Triangle;
+  /// The ends of three successive edges.
+  using ThreeEdges = std::array<lms3dPoint2, 4>;
 
   void MergeQueued(std::size_t longest);
   void QueueBefore(Corner corner, std::size_t count);
@@ -46,6 +48,9 @@ private:
   bool MayMerge(const lms3dCornerMerge& merge, const std::vector<Corner>& chain);
   void Apply(const lms3dCornerMerge& merge, const std::vector<Corner>& chain);
   bool IsNearOutline(const lms3dCornerMerge& merge, const std::vector<Corner>& chain);
+  bool AreNeighboursNear(const lms3dCornerMerge& merge, const std::vector<Corner>& chain) const;
+  bool IsNear(const lms3dPoint2& point, const ThreeEdges& points) const;
+  bool AreNear(Corner from, Corner to, const ThreeEdges& points) const;
   static std::vector<lms3dBorderLimits::Edge> GetEdges(const std::vector<Corner>& chain);
   void Queue(Corner corner);
 

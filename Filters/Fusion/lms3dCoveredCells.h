@@ -9,6 +9,7 @@
 
 #include "Fusion/lms3dBlockGrid.h"
 
+#include <algorithm>
 #include <cstdint>
 
 /// How many cells away from a return a covered cell may be, so that the return is within the bound:
@@ -27,14 +28,19 @@ inline int lms3dGetCoveredReach(double deviation, double cell, double maximumErr
   return isWithin(FarDistance) ? 2 : (isWithin(NearDistance) ? 1 : 0);
 }
 
-/// Whether a cell within a reach of lms3dGetCoveredReach() is covered.
+/// Whether a cell within a reach of lms3dGetCoveredReach() is covered. Only the cells of `tile`
+/// count, the tile of the cell (u, v): the triangles of another tile may go without this tile being
+/// made anew.
 template <typename Block>
-bool lms3dIsCovered(const lms3dBlockGrid<Block>& grid, std::int32_t u, std::int32_t v, int reach)
+bool lms3dIsCovered(const lms3dBlockGrid<Block>& grid, const lms3dCellBox& tile, std::int32_t u,
+  std::int32_t v, int reach)
 {
-  for (std::int32_t row = v - reach; row <= v + reach; ++row)
+  const std::int32_t last = std::min(v + reach, tile.Top);
+  for (std::int32_t row = std::max(v - reach, tile.Bottom); row <= last; ++row)
   {
     const int width = row == v - 2 || row == v + 2 ? 1 : reach;
-    if (grid.HasAny(&lms3dRegionBlock::Covered, row, u - width, u + width))
+    if (grid.HasAny(&lms3dRegionBlock::Covered, row, std::max(u - width, tile.Left),
+          std::min(u + width, tile.Right)))
     {
       return true;
     }

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
@@ -44,10 +45,21 @@ struct lms3dFusedPlane
     return height >= 0.0 ? height <= bound : -height <= bound * cosine;
   }
 
+  /// The cells of the tile with a cell. A plane that is a triangle of a local map has one tile.
+  lms3dCellBox GetCellsOfTile(std::int32_t u, std::int32_t v) const
+  {
+    return this->Verbatim.empty()
+      ? lms3dFusedTile(lms3dFusedTile::GetTileOf(lms3dRaster::GetBlockOf(u)),
+          lms3dFusedTile::GetTileOf(lms3dRaster::GetBlockOf(v)))
+          .GetCells()
+      : lms3dFusedTile().GetCells();
+  }
+
   /// Whether the plane is a facet of lms3dFusedPlanes::AddFacet().
   bool IsFacet() const { return !this->Verbatim.empty() && !this->HasSurface; }
 
-  /// Takes out all that scans saw. The tiles stay, without blocks and triangles.
+  /// Takes out all that scans saw. The tiles stay without blocks. They lose their triangles when
+  /// they are made anew; tiles without blocks and triangles do not change.
   void Clear()
   {
     this->Raster.Clear();
@@ -68,15 +80,15 @@ struct lms3dFusedPlane
     this->HasNewCreases = true;
     for (lms3dFusedTile& tile : this->Tiles)
     {
+      tile.IsStale = !tile.Blocks.empty() || !tile.Mesh.Triangles.empty();
       tile.Blocks.clear();
       tile.Difference = 0;
       tile.DifferenceAtCreases = 0;
-      tile.IsStale = true;
     }
   }
 
-  /// Makes another plane of one that was cleared and has no creases. It has the tiles, which must be
-  /// up to date.
+  /// Makes another plane of one that was cleared and has no creases. It has the tiles, which must
+  /// be up to date.
   void Reuse(const lms3dPlaneFrame& frame)
   {
     this->Frame = frame;

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <iterator>
 
 namespace
 {
@@ -73,10 +72,29 @@ void lms3dFusedPlanes::Clear(int number)
 
 void lms3dFusedPlanes::ReuseNumbers()
 {
-  std::copy_if(this->Cleared.begin(), this->Cleared.end(), std::back_inserter(this->Unused),
-    [this](int number) { return this->Planes[number].Creases.empty(); });
-  this->Cleared.clear();
+  const auto unused = std::partition(this->Cleared.begin(), this->Cleared.end(),
+    [this](int number) { return this->IsCreaseOfOthers(number); });
+  std::for_each(unused, this->Cleared.end(), [this](int number) { this->DropCreases(number); });
+  this->Unused.insert(this->Unused.end(), unused, this->Cleared.end());
+  this->Cleared.erase(unused, this->Cleared.end());
   std::sort(this->Unused.begin(), this->Unused.end(), std::greater<>());
+}
+
+// Whether a plane that has not gone ends at a crease with a plane.
+bool lms3dFusedPlanes::IsCreaseOfOthers(int number) const
+{
+  const auto& creases = this->Planes[number].Creases;
+  return std::any_of(creases.begin(), creases.end(),
+    [this](const auto& crease) { return !this->Planes[crease.first].HasGone; });
+}
+
+void lms3dFusedPlanes::DropCreases(int number)
+{
+  for (const auto& crease : this->Planes[number].Creases)
+  {
+    this->Planes[crease.first].Creases.erase(number);
+  }
+  this->Planes[number].Creases.clear();
 }
 
 void lms3dFusedPlanes::GrowBox(int number, const lms3dLocalMap& local, int triangle)
@@ -140,9 +158,7 @@ bool lms3dFusedPlanes::IsCovered(
   {
     return true;
   }
-  const double deviation = (block.Far[row] & bit) != 0 ? block.Deviation : 0.0;
-  return lms3dIsCovered(
-    plane.Raster, u, v, lms3dGetCoveredReach(deviation, this->Cell, this->MaximumError));
+  return this->IsCovered(plane, u, v, (block.Far[row] & bit) != 0 ? block.Deviation : 0.0);
 }
 
 bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
@@ -230,11 +246,4 @@ void lms3dFusedPlanes::AddFacet(const lms3dMappedReturn& mapped)
   this->Planes[number].IsWeak = true;
   this->GrowBox(number, mapped.Point);
   this->AddReturn(number, mapped);
-}
-
-bool lms3dFusedPlanes::AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped)
-{
-  return std::any_of(planes.begin(), planes.end(),
-    [&](int plane)
-    { return this->Shows(this->Planes[plane], mapped) && this->AddReturn(plane, mapped); });
 }

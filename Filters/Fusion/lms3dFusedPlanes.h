@@ -43,8 +43,10 @@ public:
   void Clear(int number);
 
   /// Lets MakePlane() use the numbers of planes that were cleared. Their tiles must be up to date.
-  /// A plane with creases keeps its number, since other planes end there.
+  /// A plane keeps its number as long as another plane that has not gone ends at a crease with it.
   void ReuseNumbers();
+  /// How many numbers of planes that were cleared MakePlane() can use.
+  std::size_t GetNumberOfUnused() const { return this->Unused.size(); }
 
   ///@{
   /// Lets the box of a plane have a point, or a triangle of a local map.
@@ -108,11 +110,17 @@ public:
     const std::vector<lms3dMappedReturn>& returns) const;
 
 private:
+  bool IsCreaseOfOthers(int number) const;
+  void DropCreases(int number);
   /// `place` is that of the return, cells.
   void NoteReturn(lms3dFusedPlane& plane, int blockNumber, const lms3dMappedReturn& mapped,
     const lms3dPoint2& place) const;
   bool IsCovered(const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u,
     std::int32_t v) const;
+  /// Whether triangles in the tile of a cell explain a return in the cell, at a distance from the
+  /// plane, metres.
+  bool IsCovered(
+    const lms3dFusedPlane& plane, std::int32_t u, std::int32_t v, double distance) const;
 
   const double MaximumError;
   const double Cell;
@@ -120,7 +128,7 @@ private:
   /// The memory of the blocks of all planes.
   std::shared_ptr<lms3dBlockMemory> Memory;
   std::deque<lms3dFusedPlane> Planes;
-  /// The planes that were cleared since ReuseNumbers().
+  /// The planes that were cleared, without those whose numbers can be used again.
   std::vector<int> Cleared;
   /// The numbers that can be used again, the highest first.
   std::vector<int> Unused;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace
 {
@@ -34,6 +35,13 @@ bool lms3dFusedPlanes::Shows(const lms3dFusedPlane& plane, const lms3dMappedRetu
   return plane.Raster.Has(&lms3dRasterBlock::May, u, v) &&
     !plane.Raster.Has(&lms3dRasterBlock::Open, u, v) &&
     !plane.Raster.Has(&lms3dRasterBlock::Passed, u, v) && IsAtVerbatim(plane, mapped.Point, bound);
+}
+
+bool lms3dFusedPlanes::AddToPlanes(const std::vector<int>& planes, const lms3dMappedReturn& mapped)
+{
+  return std::any_of(planes.begin(), planes.end(),
+    [&](int plane)
+    { return this->Shows(this->Planes[plane], mapped) && this->AddReturn(plane, mapped); });
 }
 
 std::vector<int> lms3dFusedPlanes::FindPlanesNear(
@@ -91,7 +99,12 @@ bool lms3dFusedPlanes::Covers(const lms3dFusedPlane& plane, const lms3dMappedRet
   {
     return false;
   }
-  const double height = std::abs(plane.Frame.GetHeight(mapped.Point));
-  return lms3dIsCovered(
-    plane.Raster, u, v, lms3dGetCoveredReach(height, this->Cell, this->MaximumError));
+  return this->IsCovered(plane, u, v, std::abs(plane.Frame.GetHeight(mapped.Point)));
+}
+
+bool lms3dFusedPlanes::IsCovered(
+  const lms3dFusedPlane& plane, std::int32_t u, std::int32_t v, double distance) const
+{
+  return lms3dIsCovered(plane.Raster, plane.GetCellsOfTile(u, v), u, v,
+    lms3dGetCoveredReach(distance, this->Cell, this->MaximumError));
 }

@@ -38,6 +38,12 @@ struct lms3dFusedTile
   {
   }
 
+  /// The cells.
+  lms3dCellBox GetCells() const
+  {
+    return { this->Left, this->Right - 1, this->Bottom, this->Top - 1 };
+  }
+
   bool IsOnSide(const lms3dPoint2& point, int axis) const
   {
     return point[axis] == (axis == 0 ? this->Left : this->Bottom) ||

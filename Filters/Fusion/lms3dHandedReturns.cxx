@@ -57,11 +57,16 @@ public:
     {
       return;
     }
+    const bool hadReturns = !this->Plane.Returns.empty();
     this->Plane.DropForgotten();
     this->SetCovered(false);
     this->FindTakers();
     this->Move();
     this->SetCovered(true);
+    if (hadReturns && this->Plane.Returns.empty())
+    {
+      this->Planes.Clear(this->Number);
+    }
   }
 
 private:

@@ -116,8 +116,20 @@ std::vector<Bridge> FindBridges(const std::vector<Corner>& corners)
   return bridges;
 }
 
+// The square around the point in which two islands touch meets all four cells around it.
+Rectangle GetSquare(const lms3dPoint2& point)
+{
+  const auto& [u, v] = point;
+  return { { { u - HalfWidth, v - HalfWidth }, { u + HalfWidth, v - HalfWidth },
+    { u + HalfWidth, v + HalfWidth }, { u - HalfWidth, v + HalfWidth } } };
+}
+
 Rectangle GetCells(const Bridge& bridge)
 {
+  if (bridge.Square == 0.0)
+  {
+    return GetSquare(bridge.From);
+  }
   const double length = std::max(1.0, std::sqrt(bridge.Square));
   const double du = HalfWidth * (bridge.To[0] - bridge.From[0]) / length;
   const double dv = HalfWidth * (bridge.To[1] - bridge.From[1]) / length;
@@ -127,11 +139,36 @@ Rectangle GetCells(const Bridge& bridge)
     { bridge.From[0] - du - dv, bridge.From[1] - dv + du } } };
 }
 
-bool IsFree(const Rectangle& cells, const lms3dRegion& region)
+bool IsFree(const Rectangle& cells, const lms3dRaster& raster, const lms3dRegion& region)
 {
   return lms3dForTouchedStrips(cells,
     [&](const lms3dCellStrip& strip)
-    { return region.HasBlocks(strip) && !region.HasAny(&lms3dRegionBlock::Passed, strip); });
+    {
+      return region.HasBlocks(strip) && !region.HasAny(&lms3dRegionBlock::Passed, strip) &&
+        !raster.HasAny(&lms3dRasterBlock::Open, strip);
+    });
+}
+
+// Whether a bridge leads from one side of a crease to the other.
+bool Crosses(const Bridge& bridge, const lms3dCreaseLine& crease)
+{
+  const lms3dPoint2 ahead = { crease.Point[0] + crease.Direction[0],
+    crease.Point[1] + crease.Direction[1] };
+  const double from = GetCross(crease.Point, ahead, bridge.From);
+  const double to = GetCross(crease.Point, ahead, bridge.To);
+  if (from * to >= 0.0)
+  {
+    return false;
+  }
+  const double share = from / (from - to);
+  double along = 0.0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double place = bridge.From[axis] + share * (bridge.To[axis] - bridge.From[axis]);
+    along += (place - crease.Point[axis]) * crease.Direction[axis];
+  }
+  return std::any_of(crease.Parts.Drawn.begin(), crease.Parts.Drawn.end(),
+    [&](const auto& part) { return along >= part.first && along <= part.second; });
 }
 
 void Fill(const Rectangle& cells, lms3dRegion& region)
@@ -155,7 +192,8 @@ int FindRoot(std::vector<int>& parents, int island)
 }
 } // namespace
 
-bool lms3dJoinIslands(const std::vector<lms3dLoop>& outlines, lms3dRegion& region)
+bool lms3dJoinIslands(const std::vector<lms3dLoop>& outlines, const lms3dRaster& raster,
+  const std::vector<lms3dCreaseLine>& creases, lms3dRegion& region)
 {
   std::vector<const lms3dLoop*> islands;
   for (const lms3dLoop& loop : outlines)
@@ -177,7 +215,9 @@ bool lms3dJoinIslands(const std::vector<lms3dLoop>& outlines, lms3dRegion& regio
     const int first = FindRoot(parents, bridge.First);
     const int second = FindRoot(parents, bridge.Second);
     const Rectangle cells = GetCells(bridge);
-    if (first != second && IsFree(cells, region))
+    if (first != second && IsFree(cells, raster, region) &&
+      std::none_of(creases.begin(), creases.end(),
+        [&](const lms3dCreaseLine& crease) { return Crosses(bridge, crease); }))
     {
       parents[second] = first;
       Fill(cells, region);

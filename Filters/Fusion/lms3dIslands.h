@@ -7,6 +7,7 @@
 #ifndef lms3dIslands_h
 #define lms3dIslands_h
 
+#include "Fusion/lms3dCreaseLine.h"
 #include "Fusion/lms3dRaster.h"
 #include "Fusion/lms3dRasterOutline.h"
 
@@ -14,9 +15,11 @@
 
 /// Few beams of each scan meet a thing such as the leg of a chair, so that its region falls into
 /// islands around returns. Each island needs triangles of its own. Therefore two islands are joined
-/// by a narrow bridge of cells with May, if they are at most 32 cells apart and no beam passed where
-/// the bridge is. The nearest islands are joined first. The bridges lie in blocks of the region.
-/// `outlines` are what lms3dTraceOutlines() returns. Returns whether there are bridges.
-bool lms3dJoinIslands(const std::vector<lms3dLoop>& outlines, lms3dRegion& region);
+/// by a narrow bridge of cells with May, if they are at most 32 cells apart. No beam passed where
+/// the bridge is, no cell of it has Open in the raster, and it crosses no crease. The nearest
+/// islands are joined first. The bridges lie in blocks of the region. `outlines` are what
+/// lms3dTraceOutlines() returns. Returns whether there are bridges.
+bool lms3dJoinIslands(const std::vector<lms3dLoop>& outlines, const lms3dRaster& raster,
+  const std::vector<lms3dCreaseLine>& creases, lms3dRegion& region);
 
 #endif

@@ -54,11 +54,12 @@ public:
     if (!this->Plane.Verbatim.empty() && this->IsWhole())
     {
       this->AddVerbatim();
+      this->AddFacets(false);
     }
     else
     {
       this->AddRegion();
-      this->AddFacets();
+      this->AddFacets(true);
     }
     for (std::size_t i = 0; i < this->Tile.Blocks.size(); ++i)
     {
@@ -101,7 +102,7 @@ private:
   {
     std::vector<lms3dLoop> outlines = lms3dTraceOutlines(this->Region);
     if (this->Plane.Verbatim.empty() && this->Plane.IsWeak &&
-      lms3dJoinIslands(outlines, this->Region))
+      lms3dJoinIslands(outlines, this->Plane.Raster, this->Creases, this->Region))
     {
       outlines = lms3dTraceOutlines(this->Region);
     }
@@ -180,8 +181,9 @@ private:
     this->Tile.Mesh.Triangles.push_back(corners);
   }
 
-  /// Adds facets at returns that the triangles do not explain.
-  void AddFacets()
+  /// Adds facets at returns that the triangles do not explain. The triangle of a local map explains
+  /// its own returns, even where it covers the centre of no cell.
+  void AddFacets(bool addsToOwn)
   {
     for (std::size_t i = 0; i < this->Tile.Blocks.size(); ++i)
     {
@@ -196,14 +198,15 @@ private:
       const int reachOfOthers = lms3dGetCoveredReach(0.0, cell, this->MaximumError);
       for (int row = 0; row < lms3dRaster::Size; ++row)
       {
-        std::uint64_t open = (block.Must[row] | block.Beside[row]) & ~covered[row];
+        const std::uint64_t own = addsToOwn ? block.Must[row] : 0;
+        std::uint64_t open = (own | block.Beside[row]) & ~covered[row];
         for (; open != 0; open &= open - 1)
         {
           const int place = lms3dGetFirstBit(open);
           const std::int32_t u = block.U * lms3dRaster::Size + place;
           const std::int32_t v = block.V * lms3dRaster::Size + row;
           const int reach = (block.Far[row] >> place & 1U) != 0 ? reachOfFar : reachOfOthers;
-          if (!lms3dIsCovered(this->Region, u, v, reach))
+          if (!lms3dIsCovered(this->Region, this->Tile.GetCells(), u, v, reach))
           {
             this->AddFacet({ u + 0.5, v + 0.5 });
             this->Tile.Facets.push_back({ u, v });

@@ -17,8 +17,8 @@ namespace
 {
 // How often borders move to creases.
 constexpr int Attempts = 6;
-// Cells: how near to a crossing corners do not move. If they then cross at the same places, twice as
-// far.
+// Cells: how near to a crossing corners do not move. If they then cross at the same places, twice
+// as far.
 constexpr double NearCrossing = 24.0;
 
 /// Makes the outlines of a region simpler.

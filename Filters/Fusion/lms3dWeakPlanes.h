@@ -9,9 +9,9 @@
 
 #include "Fusion/lms3dFusedPlanes.h"
 
-/// A weak plane near surface that the last scan added goes if other planes show at least half of its
-/// returns, and if facets for the rest are fewer than its triangles. The rest get facets, which are
-/// weak, too.
+/// A weak plane near surface that the last scan added goes if other planes show at least half of
+/// its returns, and if facets for the rest are fewer than its triangles. The rest get facets, which
+/// are weak, too.
 void lms3dDissolveWeakPlanes(lms3dFusedPlanes& planes);
 
 #endif

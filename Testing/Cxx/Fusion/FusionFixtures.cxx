@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 TriangleTree MakeTree(vtkPolyData* map, const Point& origin)
 {
@@ -69,6 +70,21 @@ std::vector<MappedScan> ScanRoom(bool isCoarse, double noise)
          { 0.0, 0.3, 1.0 }, { -2.0, 1.2, 1.5 }, { 2.3, 1.2, 0.8 } })
   {
     scans.push_back(MakeMappedScan(room, position, isCoarse, noise));
+  }
+  return scans;
+}
+
+std::vector<MappedScan> ScanRoomAnywhere(int count)
+{
+  const vtkSmartPointer<vtkPolyData> room = ReadRoom();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  std::vector<MappedScan> scans;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = 2.3 * share(random);
+    const double y = 1.3 * share(random);
+    scans.push_back(MakeMappedScan(room, { x, y, 1.2 + 0.4 * share(random) }));
   }
   return scans;
 }

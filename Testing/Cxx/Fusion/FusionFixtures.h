@@ -31,6 +31,9 @@ MappedScan MakeMappedScan(
 /// Five poses in Data/room.wrl, on both sides of its furniture.
 std::vector<MappedScan> ScanRoom(bool isCoarse = true, double noise = 0.0);
 
+/// Coarse scans of poses anywhere in Data/room.wrl.
+std::vector<MappedScan> ScanRoomAnywhere(int count);
+
 /// Moves the returns, the pose and the map by an error of the pose, metres.
 void Move(const Point& error, MappedScan& scan);
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <vector>
 
 namespace
@@ -196,5 +197,34 @@ TEST(LMS3DCornerMerger, AddsNoSpikes)
   for (const lms3dPoint2& point : merged)
   {
     EXPECT_LE(point[1], 100.0 + Tolerance);
+  }
+}
+
+/// Borders without limits. Corners are merged again and again, so that an edge may be the only one
+/// near corners that it did not replace.
+TEST(LMS3DCornerMerger, StaysWithinTheToleranceOfTheFirstOutline)
+{
+  constexpr double Near = 3.0;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  const lms3dRegion region;
+  for (int i = 0; i < 300; ++i)
+  {
+    lms3dLoop loop;
+    for (int corner = 0; corner < 60; ++corner)
+    {
+      const double angle = 0.1047 * corner;
+      const double radius = 60.0 + 4.0 * share(random);
+      loop.push_back({ radius * std::cos(angle), radius * std::sin(angle) });
+    }
+    lms3dOutlineCorners corners({ loop }, std::vector<bool>(loop.size(), false));
+    lms3dBorderLimits limits(region, loop.size(), Reach);
+    lms3dCornerMerger(Near, Tile, corners, limits).Merge();
+    const lms3dLoop merged = corners.GetLoops().front();
+    EXPECT_LT(merged.size(), loop.size());
+    for (const lms3dPoint2& point : loop)
+    {
+      EXPECT_LE(GetDistance(point, merged), Near + 1e-9) << i;
+    }
   }
 }

@@ -138,3 +138,37 @@ TEST(LMS3DCoveringPlanes, AreNotThoseThatWent)
               [](const lms3dFusedPlane& plane) { return !plane.HasGone; }),
     Count);
 }
+
+/// The first cell of the next tile is 1024. Its mesh is not made anew when the triangles before go.
+TEST(LMS3DFusedPlanes, CoverReturnsOfTheirOwnTileAlone)
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    lms3dFusedPlanes planes(Bound);
+    lms3dFusedPlane& plane = planes[planes.MakePlane({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 })];
+    const auto at = [&](double along)
+    {
+      const lms3dPoint2 place = { axis == 0 ? along : 12.5, axis == 0 ? 12.5 : along };
+      return MakeReturn(plane.Frame.ToWorld(place));
+    };
+    const auto isStaleAfter = [&](double along)
+    {
+      plane.Raster.ClearMarks();
+      EXPECT_TRUE(planes.AddReturn(0, at(along)));
+      return plane.Raster.HasMark(along > 1024.0 ? 1 : 0, lms3dRaster::STALE);
+    };
+    plane.Raster.Make(axis == 0 ? 15 : 0, axis == 0 ? 0 : 15);
+    plane.Raster.Make(axis == 0 ? 16 : 0, axis == 0 ? 0 : 16);
+    plane.Raster.Set(&lms3dRasterBlock::Covered,
+      axis == 0 ? lms3dMakeCellStrip(1023, 12) : lms3dMakeCellStrip(12, 1023), true);
+    for (const double beyond : { 1024.5, 1025.5 })
+    {
+      EXPECT_TRUE(planes.Covers(plane, at(2047.0 - beyond)));
+      EXPECT_FALSE(planes.Covers(plane, at(beyond)));
+      EXPECT_FALSE(isStaleAfter(2047.0 - beyond));
+      EXPECT_TRUE(isStaleAfter(beyond));
+    }
+    plane.Verbatim.resize(1);
+    EXPECT_TRUE(planes.Covers(plane, at(1025.5))) << "the plane has one tile";
+  }
+}

@@ -120,3 +120,31 @@ TEST(LMS3DFusedFacets, StayIfOtherReturnsAreForgotten)
   EXPECT_EQ(scene.Plane.Returns.front().BeamId, 15);
   EXPECT_EQ(scene.MakeMesh().Facets, (std::vector<lms3dFusedTile::Cell>{ { 15, Row } }));
 }
+
+/// The region of a plane is the triangle of a local map. A return was covered by an earlier mesh.
+TEST(LMS3DFusedFacets, AreBesideTrianglesOfLocalMaps)
+{
+  for (const std::int32_t column : { 10, 24 })
+  {
+    SmallPlane scene;
+    const lms3dPlaneFrame& frame = scene.Plane.Frame;
+    scene.Plane.Verbatim.push_back(
+      { frame.ToWorld({ 5.0, 5.0 }), frame.ToWorld({ 25.0, 5.0 }), frame.ToWorld({ 5.0, 25.0 }) });
+    scene.Plane.Raster.Set(&lms3dRasterBlock::Must, MakeStrip(Row, 8, 8), true);
+    scene.AddBeside(column);
+    const lms3dFusedTile& tile = scene.MakeMesh();
+    EXPECT_EQ(tile.Facets.size(), column == 24 ? 1U : 0U);
+    EXPECT_EQ(tile.Mesh.Triangles.size(), column == 24 ? 2U : 1U);
+  }
+}
+
+/// The triangle has no cell's centre, but its returns lie on it.
+TEST(LMS3DFusedFacets, AreNotOnTrianglesOfLocalMaps)
+{
+  SmallPlane scene;
+  const lms3dPlaneFrame& frame = scene.Plane.Frame;
+  scene.Plane.Verbatim.push_back(
+    { frame.ToWorld({ 5.1, 5.1 }), frame.ToWorld({ 5.3, 5.1 }), frame.ToWorld({ 5.1, 5.3 }) });
+  scene.Plane.Raster.Set(&lms3dRasterBlock::Must, MakeStrip(5, 5, 5), true);
+  EXPECT_EQ(scene.MakeMesh().Mesh.Triangles.size(), 1U);
+}

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace
 {
@@ -34,9 +35,10 @@ lms3dRegion MakeIslands(int count, int gap)
   return region;
 }
 
-bool Join(lms3dRegion& region)
+bool Join(lms3dRegion& region, const lms3dRaster& raster = lms3dRaster(),
+  const std::vector<lms3dCreaseLine>& creases = {})
 {
-  return lms3dJoinIslands(lms3dTraceOutlines(region), region);
+  return lms3dJoinIslands(lms3dTraceOutlines(region), raster, creases, region);
 }
 
 std::size_t CountOutlines(const lms3dRegion& region)
@@ -97,4 +99,59 @@ TEST(LMS3DIslands, StayApartWhereNothingIsKnown)
   region.Make(1, 0);
   EXPECT_TRUE(Join(region));
   EXPECT_EQ(CountOutlines(region), 1U);
+}
+
+/// The islands have one corner in common. A beam may have passed through one of the two cells
+/// beside it.
+TEST(LMS3DIslands, AreJoinedIfTheyTouch)
+{
+  for (const std::int32_t bottom : { 6, 14 })
+  {
+    lms3dRegion region;
+    Fill(&lms3dRegionBlock::May, 10, 13, 10, 13, region);
+    Fill(&lms3dRegionBlock::May, 14, 17, bottom, bottom + 3, region);
+    lms3dRegion passed = region;
+    Fill(&lms3dRegionBlock::Passed, 13, 13, bottom == 6 ? 9 : 14, bottom == 6 ? 9 : 14, passed);
+    EXPECT_FALSE(Join(passed));
+    ASSERT_EQ(CountOutlines(region), 2U);
+    EXPECT_TRUE(Join(region));
+    EXPECT_EQ(CountOutlines(region), 1U);
+  }
+}
+
+TEST(LMS3DIslands, StayApartBetweenBeamsThatAllPassed)
+{
+  lms3dRegion region = MakeIslands(3, 20);
+  lms3dRaster raster;
+  raster.Make(0, 0);
+  lms3dCellStrip open;
+  open.Row = 0;
+  for (int row = 0; row < 40; ++row)
+  {
+    open.Add(12, 12);
+  }
+  raster.Open(open);
+  EXPECT_TRUE(Join(region, raster));
+  EXPECT_EQ(CountOutlines(region), 2U);
+}
+
+/// A crease between the first two of three islands. It ends in front of the islands, behind them,
+/// or is beside them.
+TEST(LMS3DIslands, StayApartAtCreases)
+{
+  const auto count = [](double place, double first, double last)
+  {
+    lms3dRegion region = MakeIslands(3, 20);
+    lms3dCreaseLine crease;
+    crease.Point = { place, 0.0 };
+    crease.Direction = { 0.0, 1.0 };
+    crease.Parts.Drawn = { { first, last } };
+    EXPECT_TRUE(Join(region, lms3dRaster(), { crease }));
+    return CountOutlines(region);
+  };
+  EXPECT_EQ(count(12.0, 0.0, 30.0), 2U);
+  EXPECT_EQ(count(12.0, 20.0, 30.0), 1U);
+  EXPECT_EQ(count(12.0, -30.0, 5.0), 1U);
+  EXPECT_EQ(count(-3.0, 0.0, 30.0), 1U);
+  EXPECT_EQ(count(4.0, 0.0, 30.0), 1U) << "the first island ends on the crease";
 }

@@ -325,3 +325,28 @@ TEST(LMS3DMapFusion, GivesNothingAfterAnAbort)
   fusion->Update();
   EXPECT_EQ(fusion->GetNumberOfScans(), 1);
 }
+
+/// Without the ranges of earlier scans, what a later scan guesses may block their beams.
+TEST(LMS3DMapFusion, BlocksFewBeamsAndForgetsFewReturns)
+{
+  const std::vector<MappedScan> scans = ScanRoomAnywhere(10);
+  const auto judge = [&](bool keepsReturns, bool forgets)
+  {
+    vtkNew<vtkLMS3DMapFusion> fusion;
+    fusion->SetKeepReturns(keepsReturns);
+    fusion->SetForgetSeenThrough(forgets);
+    AddAll(scans, fusion);
+    fusion->Update();
+    return JudgeFusion(fusion->GetOutput(), scans, MaximumError);
+  };
+  const FusionVerdict kept = judge(true, false);
+  EXPECT_EQ(kept.Beyond, 0);
+  EXPECT_LE(kept.Blocked, 3);
+  const FusionVerdict dropped = judge(false, false);
+  EXPECT_EQ(dropped.Beyond, 0);
+  EXPECT_GT(dropped.Blocked, 0);
+  EXPECT_LT(50 * dropped.Blocked, dropped.Returns);
+  const FusionVerdict forgotten = judge(true, true);
+  EXPECT_LE(forgotten.Blocked, 3);
+  EXPECT_LT(100 * forgotten.Beyond, forgotten.Returns);
+}

@@ -97,7 +97,8 @@ TEST(LMS3DLooseRegions, GoIfOtherTrianglesCoverTheirReturns)
   EXPECT_FALSE(Has(&lms3dRasterBlock::Must, mapped, scene.Planes[scene.Wall]));
 }
 
-/// A triangle beside the foot of a return is within the bound of it if the return is near the plane.
+/// A triangle beside the foot of a return is within the bound of it if the return is near the
+/// plane.
 TEST(LMS3DFusedPlanes, CoverReturnsBesideTheirBorders)
 {
   const double cell = Bound / 3.0;
@@ -136,8 +137,17 @@ TEST(LMS3DHandedReturns, GoToTheNearerPlane)
   EXPECT_EQ(scene.Planes[scene.Floor].Returns.size(), 1U) << "the tile is of another revision";
   lms3dHandReturnsOver(scene.Planes, Revision);
   EXPECT_TRUE(scene.Planes[scene.Floor].Returns.empty());
+  EXPECT_TRUE(scene.Planes[scene.Floor].HasGone) << "the return was its last one";
   EXPECT_FALSE(Has(&lms3dRasterBlock::Must, mapped, scene.Planes[scene.Floor]));
   EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
+}
+
+TEST(LMS3DHandedReturns, ClearNoPlaneThatNeverHadAny)
+{
+  FloorAndWall scene;
+  scene.Planes[scene.Floor].Raster.Make(0, 0);
+  lms3dHandReturnsOver(scene.Planes, Revision);
+  EXPECT_FALSE(scene.Planes[scene.Floor].HasGone);
 }
 
 /// The tile is of a plane that went and had the same number.
@@ -168,6 +178,7 @@ TEST(LMS3DHandedReturns, AreNotThoseForgotten)
   floor.Raster.Forget(lms3dMakeCellStrip(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1])));
   lms3dHandReturnsOver(scene.Planes, Revision);
   EXPECT_TRUE(floor.Returns.empty());
+  EXPECT_TRUE(floor.HasGone);
   EXPECT_FALSE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
 }
 
@@ -182,6 +193,7 @@ TEST(LMS3DHandedReturns, StayIfAReturnOfTheirCellStays)
   Cover(scene.Wall, low, scene.Planes);
   lms3dHandReturnsOver(scene.Planes, Revision);
   EXPECT_EQ(scene.Planes[scene.Floor].Returns.size(), 2U);
+  EXPECT_FALSE(scene.Planes[scene.Floor].HasGone);
   EXPECT_TRUE(Has(&lms3dRasterBlock::Must, high, scene.Planes[scene.Floor]));
 }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace
@@ -32,13 +33,13 @@ lms3dMappedReturn MakeReturn(double x)
   return mapped;
 }
 
-/// The planes that went, whose numbers can be used again after the next scan.
-std::set<std::size_t> FindReusable(const lms3dFusedPlanes& planes)
+/// The planes that went.
+std::set<std::size_t> FindGone(const lms3dFusedPlanes& planes)
 {
   std::set<std::size_t> found;
   for (std::size_t i = 0; i < planes.GetSize(); ++i)
   {
-    if (planes[i].HasGone && planes[i].Creases.empty())
+    if (planes[i].HasGone)
     {
       found.insert(i);
     }
@@ -68,6 +69,54 @@ TEST(LMS3DPlaneNumbers, AreUsedAgainWhenMeshesAreUpToDate)
   EXPECT_EQ(planes.MakePlane({ 0.0, 0.0, 2.0 }, { 1.0, 0.0, 0.0 }), 5) << "1 has a crease";
 }
 
+/// 1 has creases with 0 and 2. 0 has one with 3, too, which stays.
+TEST(LMS3DPlaneNumbers, AreUsedAgainWhenOtherPlanesAtCreasesHaveGone)
+{
+  lms3dFusedPlanes planes(Bound);
+  for (int i = 0; i < 4; ++i)
+  {
+    planes.AddFacet(MakeReturn(i));
+  }
+  for (const auto& [first, second] :
+    std::vector<std::pair<int, int>>{ { 0, 1 }, { 1, 2 }, { 0, 3 } })
+  {
+    planes[first].Creases[second] = {};
+    planes[second].Creases[first] = {};
+  }
+  planes.Clear(1);
+  planes.Clear(0);
+  planes.ReuseNumbers();
+  EXPECT_EQ(planes.GetNumberOfUnused(), 0U) << "2 has not gone";
+  planes.Clear(2);
+  planes.ReuseNumbers();
+  EXPECT_EQ(planes.GetNumberOfUnused(), 2U);
+  EXPECT_TRUE(planes[1].Creases.empty());
+  EXPECT_TRUE(planes[2].Creases.empty());
+  EXPECT_EQ(planes[0].Creases.size(), 1U);
+  EXPECT_EQ(planes[3].Creases.size(), 1U);
+  planes.Clear(3);
+  planes.ReuseNumbers();
+  EXPECT_EQ(planes.GetNumberOfUnused(), 4U);
+}
+
+/// The second tile was of an earlier plane of the number, and lost its triangles with this plane.
+TEST(LMS3DPlaneNumbers, ChangeNoTilesWithoutTriangles)
+{
+  lms3dFusedPlanes planes(Bound);
+  planes.AddFacet(MakeReturn(0.0));
+  planes[0].Tiles.resize(3);
+  planes[0].Tiles[0].Mesh.Triangles.resize(1);
+  planes[0].Tiles[2].Blocks.push_back(0);
+  for (lms3dFusedTile& tile : planes[0].Tiles)
+  {
+    tile.IsStale = false;
+  }
+  planes.Clear(0);
+  EXPECT_TRUE(planes[0].Tiles[0].IsStale);
+  EXPECT_FALSE(planes[0].Tiles[1].IsStale);
+  EXPECT_TRUE(planes[0].Tiles[2].IsStale);
+}
+
 TEST(LMS3DPlaneNumbers, HaveNothingOfTheOldPlane)
 {
   lms3dFusedPlanes planes(Bound);
@@ -89,26 +138,26 @@ TEST(LMS3DPlaneNumbers, HaveNothingOfTheOldPlane)
   EXPECT_TRUE(planes.FindPlanesNear(old, Bound).empty());
 }
 
-/// A new number is made only when all others are in use, or have been since the last scan.
+/// A new number is made only when no number can be used again.
 TEST(LMS3DPlaneNumbers, AreNotMoreThanAMapNeeds)
 {
   lms3dGrowingMap map({ Bound, true, false });
   std::size_t reused = 0;
+  int grown = 0;
   for (const MappedScan& scan : ScanRoom())
   {
-    const std::set<std::size_t> before = FindReusable(map.GetPlanes());
+    const std::set<std::size_t> before = FindGone(map.GetPlanes());
     const std::size_t size = map.GetPlanes().GetSize();
     const std::size_t regions = map.GetRegions().size();
     ASSERT_TRUE(map.Add(scan.Map, lms3dScanInput(scan.Scan), [](double) { return true; }));
-    const std::set<std::size_t> after = FindReusable(map.GetPlanes());
-    std::size_t used = 0;
     for (const std::size_t number : before)
     {
-      used += after.count(number) == 0 ? 1 : 0;
+      reused += map.GetPlanes()[number].HasGone ? 0 : 1;
     }
-    reused += used;
-    EXPECT_TRUE(map.GetPlanes().GetSize() == size || before.empty() || used > 0);
+    grown += map.GetPlanes().GetSize() > size ? 1 : 0;
+    EXPECT_TRUE(map.GetPlanes().GetSize() == size || map.GetPlanes().GetNumberOfUnused() == 0);
     EXPECT_GE(map.GetRegions().size(), regions);
   }
   EXPECT_GT(reused, 0U);
+  EXPECT_GT(grown, 1);
 }

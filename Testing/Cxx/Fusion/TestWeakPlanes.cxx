@@ -102,7 +102,8 @@ TEST(LMS3DFusedPlanes, StayIfFacetsWereMore)
   EXPECT_EQ(few.Planes.GetSize(), 2U);
 }
 
-/// Nearly all returns are shown, but the others would need more facets than the plane has triangles.
+/// Nearly all returns are shown, but the others would need more facets than the plane has
+/// triangles.
 TEST(LMS3DFusedPlanes, StayIfFacetsForFewOfManyReturnsWereMore)
 {
   lms3dFusedPlanes planes(0.01);
