@@ -18,7 +18,8 @@
  * that faces the sensor, so no return is lost. Then the filter removes the vertices that the bound
  * does not need. Where patches join smoothly, as on curved surfaces, it also moves vertices to
  * where they fit the returns around them best. At last, all vertices move along their directions
- * from the sensor, to where the map fits the returns best. (With a mirror beside the axis or a turning platform, no vertex
+ * from the sensor, so that the map fits the returns better, within the bound and, at depth steps,
+ * within what the returns support. (With a mirror beside the axis or a turning platform, no vertex
  * moves, and the border of the surface stays. If the beams are farther apart than 5,000 beams all
  * around would be, all vertices stay.) Bounds below four standard deviations of the noise need more
  * triangles. With noise, the bound counts from the noisy returns. The surface extends beyond the

@@ -118,7 +118,7 @@ void AddRowOfCauses(const Subject& subject, const MapContender& map, double boun
 }
 
 const Table::Row ColumnsOfDecimation = { "scene", "noise mm", "bound mm", "triangles",
-  "decimated to the same largest error", "both mean mm", "decimated to as many triangles" };
+  "decimated within the bound", "both mean mm", "decimated to as many triangles" };
 
 // What decimation needs for the same errors takes many decimations.
 void AddRowOfDecimation(const Subject& subject, const Maps& maps, const MapContender& decimated,

@@ -24,7 +24,7 @@ struct BenchmarkScene
   double DepthStep = 0.1;
 };
 
-/// From the smallest to the largest.
+/// The terrains come last, from the smallest to the largest.
 const std::vector<std::string>& GetSceneNames();
 
 /**

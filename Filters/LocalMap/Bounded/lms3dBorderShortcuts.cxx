@@ -51,14 +51,25 @@ bool lms3dBorderShortcuts::PassesSameGates(
   return this->MayLeaveOut(last, middle, next, [](const Gate&) { return true; });
 }
 
-bool lms3dBorderShortcuts::IsSupportedAtDepthSteps(const Vertex& from, const Vertex& to) const
+lms3dBorderShortcuts::Support lms3dBorderShortcuts::GetSupportAtDepthSteps(
+  const Vertex& from, const Vertex& to) const
 {
   std::vector<Gate> gates;
   gates.reserve(UsualGates);
-  return this->FindGates(from, to, gates) &&
-    std::all_of(gates.begin(), gates.end(),
-      [&](const Gate& gate)
-      { return !this->IsDepthStep(gate) || this->IsSupported(gate, from, to); });
+  if (!this->FindGates(from, to, gates))
+  {
+    return Support::Unsupported;
+  }
+  const auto last = std::partition(
+    gates.begin(), gates.end(), [this](const Gate& gate) { return this->IsDepthStep(gate); });
+  if (last == gates.begin())
+  {
+    return Support::NoDepthStep;
+  }
+  return std::all_of(
+           gates.begin(), last, [&](const Gate& gate) { return this->IsSupported(gate, from, to); })
+    ? Support::Supported
+    : Support::Unsupported;
 }
 
 bool lms3dBorderShortcuts::IsDepthStep(const Gate& gate) const

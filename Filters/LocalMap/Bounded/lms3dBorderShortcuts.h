@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Decides whether the border of the surface may leave out a vertex.
+ * @brief Decides whether the border of the surface may leave out a vertex or move.
  */
 #ifndef lms3dBorderShortcuts_h
 #define lms3dBorderShortcuts_h
@@ -13,7 +13,8 @@
 #include <vector>
 
 /**
- * A border may run straight from one vertex to the next but one if it passes at least the same
+ * The border of the surface may change where the returns support its new ranges. A border may run
+ * straight from one vertex to the next but one if it passes at least the same
  * gates (lms3dBorderGates), in the ranges that the returns support there (lms3dRangeSupport), and
  * if no beam lies between the old border and the new one. Beams must be regular.
  */
@@ -33,9 +34,19 @@ public:
   /// Whether it may do so if the surface goes on at the border, so that any range is supported.
   bool PassesSameGates(const Vertex& last, const Vertex& middle, const Vertex& next) const;
 
+  enum class Support
+  {
+    NoDepthStep,
+    Supported,
+    /// Or the gates are not certain.
+    Unsupported
+  };
+
   /// Whether the returns support the ranges of the border from one vertex to the next, with the
-  /// surface to the left, at each depth step that it passes.
-  bool IsSupportedAtDepthSteps(const Vertex& from, const Vertex& to) const;
+  /// surface to the left, at each depth step that it passes. Only steps between returns with
+  /// patches count, not the gates to missing beams. Whether there is a depth step does not depend
+  /// on the ranges of the vertices.
+  Support GetSupportAtDepthSteps(const Vertex& from, const Vertex& to) const;
 
 private:
   using GridIndex = lms3dBeamSphere::GridIndex;

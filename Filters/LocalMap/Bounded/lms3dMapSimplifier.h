@@ -22,8 +22,8 @@ class lms3dSmoothVertices;
  * between them. Edges between smooth vertices (lms3dSmoothVertices) collapse (lms3dEdgeCollapser),
  * as long as each return around them stays within the bound. The remaining vertex has the range
  * that fits the returns best (lms3dVertexFit), so the surface passes between the returns on both
- * sides. Vertices at sharp creases, offsets and borders take no part in this. Around collapsed edges,
- * all vertices are then fitted to the returns (lms3dSurfaceFit).
+ * sides. Vertices at sharp creases, offsets and borders take no part in this. Around collapsed
+ * edges, all vertices are then fitted to the returns (lms3dSurfaceFit).
  *
  * Then vertices of all kinds are removed (lms3dVertexRemover) without moving those that remain. At
  * last, all vertices are fitted to the returns. If beams are not regular, vertices are only

@@ -25,6 +25,7 @@ lms3dSurfaceFit::lms3dSurfaceFit(const lms3dBeamDemands& demands,
   , MaximumError(maximumError)
   , Stars(stars)
   , Sums(stars.GetTriangles().size())
+  , MayBeSteps(stars.GetTriangles().size(), AllCorners)
   , Before(stars.GetNumberOfVertices())
   , IsMovable(std::move(isChosen))
   , MovesBack(stars.GetNumberOfVertices())
@@ -43,7 +44,10 @@ void lms3dSurfaceFit::Run()
   this->Minimize();
   this->ForgetSmallMoves();
   this->MoveForbiddenBack();
-  this->MoveVertices();
+  if (this->GetSum(this->Inverses) < this->GetSum(this->Before))
+  {
+    this->MoveVertices();
+  }
 }
 
 void lms3dSurfaceFit::AddUpTriangles()

@@ -19,15 +19,19 @@
 
 /**
  * Vertices move along their directions, so that the sum of the squared distances of the returns
- * from the map, along their beams, becomes as small as the bound allows.
+ * from the map, along their beams, becomes smaller. If it does not, all vertices stay.
  *
  * On a triangle, the inverse range is linear in the inverse ranges of its corners. So the sum is
  * quadratic in the inverse ranges of all vertices, and each triangle adds to it what
  * lms3dTriangleSums finds. A few rounds of Gauss and Seidel's method come near its minimum. Then
- * the corners of some triangles move half of their way back, and at the third time all of it: if
- * the triangle leaves the bound of a return, or if it is at a depth step and the returns do not
- * support its new range there (lms3dBorderShortcuts). So the surface bridges no depth step. This
- * ends when all triangles that have moved are allowed.
+ * some vertices move back, in rounds, half of their way, and at the third time all of it:
+ *
+ * - the ends of a border at a depth step, if the returns do not support its new ranges there
+ *   (lms3dBorderShortcuts), so that the surface bridges no depth step, and
+ * - the corners of a triangle that leaves the bound of a return.
+ *
+ * This ends when all triangles that have moved are allowed. Vertices that did not move back keep
+ * their ranges, so the sum does not reach the minimum within the bound.
  *
  * A vertex stays if no beam near it determines its range, or if it would move by less than a
  * hundredth of the bound.
@@ -46,8 +50,12 @@ public:
 private:
   using Corners = std::array<std::int32_t, 3>;
 
+  /// A bit for each corner of a triangle.
+  static constexpr std::uint8_t AllCorners = 7;
+
   void AddUpTriangles();
   void FindMovable();
+  bool IsAtMoved(std::size_t triangle) const;
   void Minimize();
   double GetBest(std::int32_t vertex) const;
   lms3dTriangleSums::Triangle GetTriangle(std::size_t number) const;
@@ -56,12 +64,14 @@ private:
   {
     return this->Inverses[vertex] != this->Before[vertex];
   }
-  bool IsAllowed(std::int32_t triangle) const;
   bool IsBorder(std::int32_t from, std::int32_t to) const;
-  bool IsSupported(std::int32_t from, std::int32_t to) const;
+  lms3dBorderShortcuts::Support GetSupport(std::int32_t from, std::int32_t to) const;
   void MoveForbiddenBack();
-  std::vector<std::int32_t> FindForbidden(const std::vector<std::int32_t>& triangles) const;
-  std::vector<std::int32_t> MoveBack(const std::vector<std::int32_t>& triangles);
+  std::vector<std::int32_t> FindForbidden(const std::vector<std::int32_t>& triangles);
+  std::uint8_t FindForbiddenCorners(std::int32_t triangle);
+  std::uint8_t FindUnsupportedEnds(std::int32_t triangle);
+  std::vector<std::int32_t> MoveBack(const std::vector<std::int32_t>& vertices);
+  double GetSum(const std::vector<double>& inverses) const;
   void MoveVertices();
 
   const lms3dBeamDemands& Demands;
@@ -70,6 +80,9 @@ private:
   lms3dVertexStars& Stars;
   /// By triangle.
   std::vector<lms3dTriangleSums> Sums;
+  /// By triangle, a bit for each corner: whether the edge to the next corner can be a border at a
+  /// depth step. The first check of an edge decides it.
+  std::vector<std::uint8_t> MayBeSteps;
   ///@{
   /// By vertex: the inverse range before the fit and after it, 1/metre.
   std::vector<double> Before;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -14,6 +15,12 @@ constexpr double SmallShare = 0.01;
 constexpr int MaximumMovesBack = 3;
 // The number of triangles that a thread takes at least.
 constexpr std::size_t TrianglesOfTask = 8;
+
+void MakeUnique(std::vector<std::int32_t>& numbers)
+{
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
 } // namespace
 
 void lms3dSurfaceFit::ForgetSmallMoves()
@@ -29,15 +36,20 @@ void lms3dSurfaceFit::ForgetSmallMoves()
   }
 }
 
+bool lms3dSurfaceFit::IsAtMoved(std::size_t triangle) const
+{
+  const lms3dVertexStars::Triangle& found = this->Stars.GetTriangles()[triangle];
+  return !found.IsRemoved &&
+    std::any_of(found.Corners.begin(), found.Corners.end(),
+      [this](std::int32_t corner) { return this->HasMoved(corner); });
+}
+
 void lms3dSurfaceFit::MoveForbiddenBack()
 {
   std::vector<std::int32_t> triangles;
   for (std::size_t i = 0; i < this->Sums.size(); ++i)
   {
-    const lms3dVertexStars::Triangle& triangle = this->Stars.GetTriangles()[i];
-    if (!triangle.IsRemoved &&
-      std::any_of(triangle.Corners.begin(), triangle.Corners.end(),
-        [this](std::int32_t corner) { return this->HasMoved(corner); }))
+    if (this->IsAtMoved(i))
     {
       triangles.push_back(static_cast<std::int32_t>(i));
     }
@@ -48,28 +60,56 @@ void lms3dSurfaceFit::MoveForbiddenBack()
   }
 }
 
-std::vector<std::int32_t> lms3dSurfaceFit::FindForbidden(
-  const std::vector<std::int32_t>& triangles) const
+// Returns the vertices to move back.
+std::vector<std::int32_t> lms3dSurfaceFit::FindForbidden(const std::vector<std::int32_t>& triangles)
 {
-  std::vector<std::uint8_t> isAllowed(triangles.size());
+  std::vector<std::uint8_t> found(triangles.size());
   lms3dForEachInTasks(triangles.size(), TrianglesOfTask,
-    [&](std::size_t i) { isAllowed[i] = this->IsAllowed(triangles[i]); });
-  std::vector<std::int32_t> forbidden;
+    [&](std::size_t i) { found[i] = this->FindForbiddenCorners(triangles[i]); });
+  std::vector<std::int32_t> vertices;
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    if (!isAllowed[i])
+    const Corners& corners = this->Stars.GetTriangles()[triangles[i]].Corners;
+    for (int corner = 0; corner < 3; ++corner)
     {
-      forbidden.push_back(triangles[i]);
+      if (found[i] & 1 << corner && this->HasMoved(corners[corner]))
+      {
+        vertices.push_back(corners[corner]);
+      }
     }
   }
-  return forbidden;
+  MakeUnique(vertices);
+  return vertices;
 }
 
-bool lms3dSurfaceFit::IsAllowed(std::int32_t triangle) const
+// Returns a bit for each corner to move back.
+std::uint8_t lms3dSurfaceFit::FindForbiddenCorners(std::int32_t triangle)
 {
-  const auto& [a, b, c] = this->Stars.GetTriangles()[triangle].Corners;
-  return lms3dTriangleSums::IsWithinBound(this->Demands, this->GetTriangle(triangle)) &&
-    this->IsSupported(a, b) && this->IsSupported(b, c) && this->IsSupported(c, a);
+  const std::uint8_t ends = this->FindUnsupportedEnds(triangle);
+  const bool isAllowed =
+    ends != 0 || lms3dTriangleSums::IsWithinBound(this->Demands, this->GetTriangle(triangle));
+  return isAllowed ? ends : AllCorners;
+}
+
+// Returns a bit for each end of a moved border that is at a depth step and not supported there.
+std::uint8_t lms3dSurfaceFit::FindUnsupportedEnds(std::int32_t triangle)
+{
+  using Support = lms3dBorderShortcuts::Support;
+  const Corners& corners = this->Stars.GetTriangles()[triangle].Corners;
+  int ends = 0;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const int next = (corner + 1) % 3;
+    const bool mayBeStep = (this->MayBeSteps[triangle] & 1 << corner) != 0;
+    if (!mayBeStep || !(this->HasMoved(corners[corner]) || this->HasMoved(corners[next])))
+    {
+      continue;
+    }
+    const Support support = this->GetSupport(corners[corner], corners[next]);
+    this->MayBeSteps[triangle] &= support == Support::NoDepthStep ? ~(1 << corner) : AllCorners;
+    ends |= support == Support::Unsupported ? 1 << corner | 1 << next : 0;
+  }
+  return static_cast<std::uint8_t>(ends);
 }
 
 // Whether the edge from one corner of a triangle to the next belongs to no other triangle.
@@ -79,42 +119,48 @@ bool lms3dSurfaceFit::IsBorder(std::int32_t from, std::int32_t to) const
     from, [to](std::int32_t, std::int32_t, std::int32_t last) { return last != to; });
 }
 
-// Whether the returns support a moved edge if it is at a depth step.
-bool lms3dSurfaceFit::IsSupported(std::int32_t from, std::int32_t to) const
+lms3dBorderShortcuts::Support lms3dSurfaceFit::GetSupport(std::int32_t from, std::int32_t to) const
 {
-  if (!(this->HasMoved(from) || this->HasMoved(to)) || !this->IsBorder(from, to))
+  if (!this->IsBorder(from, to))
   {
-    return true;
+    return lms3dBorderShortcuts::Support::NoDepthStep;
   }
   const auto getVertex = [this](std::int32_t number)
   {
     return lms3dVertexStars::Vertex{ this->Stars.GetVertex(number).Corner, this->Inverses[number],
       false, false, false, {} };
   };
-  return this->Borders.IsSupportedAtDepthSteps(getVertex(from), getVertex(to));
+  return this->Borders.GetSupportAtDepthSteps(getVertex(from), getVertex(to));
 }
 
-// Moves the corners of triangles back a bit, and returns the triangles that have changed.
-std::vector<std::int32_t> lms3dSurfaceFit::MoveBack(const std::vector<std::int32_t>& triangles)
+// Moves vertices back a bit, and returns the triangles to check again.
+std::vector<std::int32_t> lms3dSurfaceFit::MoveBack(const std::vector<std::int32_t>& vertices)
 {
   std::vector<std::int32_t> changed;
-  for (std::int32_t triangle : triangles)
+  for (std::int32_t vertex : vertices)
   {
-    for (std::int32_t corner : this->Stars.GetTriangles()[triangle].Corners)
-    {
-      if (this->HasMoved(corner))
-      {
-        this->Inverses[corner] = ++this->MovesBack[corner] < MaximumMovesBack
-          ? 0.5 * (this->Inverses[corner] + this->Before[corner])
-          : this->Before[corner];
-        const std::vector<std::int32_t>& around = this->Stars.GetVertex(corner).Triangles;
-        changed.insert(changed.end(), around.begin(), around.end());
-      }
-    }
+    this->Inverses[vertex] = ++this->MovesBack[vertex] < MaximumMovesBack
+      ? 0.5 * (this->Inverses[vertex] + this->Before[vertex])
+      : this->Before[vertex];
+    const std::vector<std::int32_t>& around = this->Stars.GetVertex(vertex).Triangles;
+    std::copy_if(around.begin(), around.end(), std::back_inserter(changed),
+      [this](std::int32_t triangle) { return this->IsAtMoved(triangle); });
   }
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  MakeUnique(changed);
   return changed;
+}
+
+// The sum of the squared distances without a constant.
+double lms3dSurfaceFit::GetSum(const std::vector<double>& inverses) const
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < this->Sums.size(); ++i)
+  {
+    const Corners& corners = this->Stars.GetTriangles()[i].Corners;
+    sum +=
+      this->Sums[i].GetSum({ inverses[corners[0]], inverses[corners[1]], inverses[corners[2]] });
+  }
+  return sum;
 }
 
 void lms3dSurfaceFit::MoveVertices()

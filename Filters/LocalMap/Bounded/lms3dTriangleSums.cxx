@@ -32,6 +32,10 @@ struct ColumnVector
 
 lms3dTriangleSums::lms3dTriangleSums(const lms3dBeamDemands& demands, const Triangle& triangle)
 {
+  if (!(GetVolume(triangle) > 0.0))
+  {
+    return;
+  }
   const auto& [a, b, c] = triangle.Corners;
   const Vectors shares = GetShares(triangle);
   const lms3dVector plane = GetPlane(shares, triangle);
@@ -49,15 +53,21 @@ lms3dTriangleSums::lms3dTriangleSums(const lms3dBeamDemands& demands, const Tria
   this->SetSums(beams, shares);
 }
 
+// The volume of the parallelepiped of the corners.
+double lms3dTriangleSums::GetVolume(const Triangle& triangle)
+{
+  return lms3dDot(lms3dCross(triangle.Corners[2]->Position, triangle.Corners[1]->Position),
+    triangle.Corners[0]->Position);
+}
+
 // The vectors o_i.
 lms3dTriangleSums::Vectors lms3dTriangleSums::GetShares(const Triangle& triangle)
 {
   const lms3dVector& a = triangle.Corners[0]->Position;
   const lms3dVector& b = triangle.Corners[1]->Position;
   const lms3dVector& c = triangle.Corners[2]->Position;
-  const lms3dVector opposite = lms3dCross(c, b);
-  const double scale = 1.0 / lms3dDot(opposite, a);
-  return { lms3dScale(opposite, scale), lms3dScale(lms3dCross(a, c), scale),
+  const double scale = 1.0 / GetVolume(triangle);
+  return { lms3dScale(lms3dCross(c, b), scale), lms3dScale(lms3dCross(a, c), scale),
     lms3dScale(lms3dCross(b, a), scale) };
 }
 
@@ -136,6 +146,21 @@ void lms3dTriangleSums::SetSums(const BeamSums& beams, const Vectors& shares)
     }
     this->Products[j] = lms3dDot(share, beams.Products);
   }
+}
+
+double lms3dTriangleSums::GetSum(const std::array<double, 3>& inverses) const
+{
+  double sum = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    double slope = -2.0 * this->Products[i];
+    for (int j = 0; j < 3; ++j)
+    {
+      slope += this->Squares[i][j] * inverses[j];
+    }
+    sum += slope * inverses[i];
+  }
+  return sum;
 }
 
 bool lms3dTriangleSums::IsWithinBound(const lms3dBeamDemands& demands, const Triangle& triangle)

@@ -38,11 +38,15 @@ public:
   /// Sums of no beams.
   lms3dTriangleSums() = default;
 
+  /// If the corners lie in one plane with the sensor, no beam counts.
   lms3dTriangleSums(const lms3dBeamDemands& demands, const Triangle& triangle);
 
   /// A_ij and b_i, with metres as the unit of ranges.
   double GetSquare(int i, int j) const { return this->Squares[i][j]; }
   double GetProduct(int i) const { return this->Products[i]; }
+
+  /// The sum of the squared distances without the constant, for any inverse ranges of the corners.
+  double GetSum(const std::array<double, 3>& inverses) const;
 
   /// The largest share that a corner has in one of the beams. 0 if there is none.
   double GetLargestShare(int i) const { return this->LargestShares[i]; }
@@ -83,6 +87,7 @@ private:
     lms3dVector Products = {};
   };
 
+  static double GetVolume(const Triangle& triangle);
   static Vectors GetShares(const Triangle& triangle);
   static lms3dVector GetPlane(const Vectors& shares, const Triangle& triangle);
   ColumnSums AddUp(const lms3dBeamDemands& demands, const Span& span, int step,

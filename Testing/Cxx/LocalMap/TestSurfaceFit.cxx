@@ -13,8 +13,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <numeric>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -24,16 +26,26 @@ constexpr double Radius = 2.0;
 constexpr int Beams = 91;
 constexpr int Turns = 90;
 
-/// The scan of a ball, in one patch.
+/// The metres by which borders at a depth step may be away from their returns.
+constexpr double Tolerance = 0.045;
+
+/// The scan of a ball.
 struct BallScan
 {
-  BallScan()
-    : Geometry(Alpha, Beams, Beta, Turns)
+  /// `getRange` takes the numbers of the beam and the turn, and returns metres.
+  explicit BallScan(
+    const std::function<double(int, int)>& getRange = [](int, int) { return Radius; },
+    int beams = Beams)
+    : Geometry(Alpha, beams, Beta, Turns)
   {
-    const std::vector<double> ranges(static_cast<std::size_t>(Beams) * Turns, Radius);
+    std::vector<double> ranges(static_cast<std::size_t>(beams) * Turns);
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+    {
+      ranges[i] = getRange(static_cast<int>(i) % beams, static_cast<int>(i) / beams);
+    }
     std::vector<int> ids(ranges.size());
     std::iota(ids.begin(), ids.end(), 0);
-    this->Grid.Build(this->Geometry, ranges.data(), ids.data(), Beams * Turns);
+    this->Grid.Build(this->Geometry, ranges.data(), ids.data(), beams * Turns);
     this->Joins.Find(this->Grid, 0.1);
   }
 
@@ -49,13 +61,14 @@ struct BallScan
 class RoundMap
 {
 public:
-  explicit RoundMap(double radius)
+  /// Starts with an octant; those from 4 on are below the sensor.
+  explicit RoundMap(double radius, int firstOctant = 0)
     : Size(radius)
   {
     const lms3dVector x = { 1, 0, 0 };
     const lms3dVector y = { 0, 1, 0 };
     const lms3dVector z = { 0, 0, 1 };
-    for (int octant = 0; octant < 8; ++octant)
+    for (int octant = firstOctant; octant < 8; ++octant)
     {
       lms3dVector a = lms3dScale(x, octant & 1 ? -1.0 : 1.0);
       lms3dVector b = lms3dScale(y, octant & 2 ? -1.0 : 1.0);
@@ -111,6 +124,63 @@ struct Distances
   double Largest = 0.0;
   double SumOfSquares = 0.0;
 };
+
+std::int32_t FindVertex(const lms3dVertexStars& stars, const lms3dVector& direction)
+{
+  std::int32_t vertex = 0;
+  while (lms3dDot(stars.GetVertex(vertex).Corner.Position, direction) < 1.0 - 1e-9)
+  {
+    ++vertex;
+  }
+  return vertex;
+}
+
+std::vector<lms3dTriangleSums> GetSums(
+  const lms3dBeamDemands& demands, const lms3dVertexStars& stars)
+{
+  std::vector<lms3dTriangleSums> sums;
+  for (const lms3dVertexStars::Triangle& triangle : stars.GetTriangles())
+  {
+    const lms3dVertexStars::Vertex& a = stars.GetVertex(triangle.Corners[0]);
+    const lms3dVertexStars::Vertex& b = stars.GetVertex(triangle.Corners[1]);
+    const lms3dVertexStars::Vertex& c = stars.GetVertex(triangle.Corners[2]);
+    sums.emplace_back(demands,
+      lms3dTriangleSums::Triangle{
+        { &a.Corner, &b.Corner, &c.Corner }, { a.Inverse, b.Inverse, c.Inverse } });
+  }
+  return sums;
+}
+
+double GetSum(const std::vector<lms3dTriangleSums>& sums, const lms3dVertexStars& stars)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    const auto& [a, b, c] = stars.GetTriangles()[i].Corners;
+    sum += sums[i].GetSum(
+      { stars.GetVertex(a).Inverse, stars.GetVertex(b).Inverse, stars.GetVertex(c).Inverse });
+  }
+  return sum;
+}
+
+/// The number of edges at the height of the sensor with a support.
+int CountBorders(const lms3dVertexStars& stars, const lms3dBorderShortcuts& borders,
+  lms3dBorderShortcuts::Support support)
+{
+  int count = 0;
+  for (const lms3dVertexStars::Triangle& triangle : stars.GetTriangles())
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const lms3dVertexStars::Vertex& from = stars.GetVertex(triangle.Corners[corner]);
+      const lms3dVertexStars::Vertex& to = stars.GetVertex(triangle.Corners[(corner + 1) % 3]);
+      const bool isBorder =
+        std::abs(from.Corner.Position[2]) < 1e-9 && std::abs(to.Corner.Position[2]) < 1e-9;
+      count += isBorder && borders.GetSupportAtDepthSteps(from, to) == support ? 1 : 0;
+    }
+  }
+  return count;
+}
 
 class SurfaceFit : public testing::Test
 {
@@ -197,6 +267,111 @@ TEST_F(SurfaceFit, KeepsTheBound)
       const Distances after = this->Measure(stars);
       EXPECT_LE(after.Largest, std::max(before.Largest, share * distance) + 1e-9) << share;
       EXPECT_LE(after.SumOfSquares, 1.0001 * before.SumOfSquares) << share;
+    }
+  }
+}
+
+// A return in the direction of a vertex is nearly the bound nearer than the ball. So the vertex may
+// not move as far as without it.
+TEST_F(SurfaceFit, KeepsTheBoundOfASingleReturn)
+{
+  constexpr double Bound = 0.2;
+  const RoundMap map(Radius);
+  lms3dVertexStars free(map.Get());
+  this->FitAll(Bound, free);
+  const std::int32_t vertex = FindVertex(free, { 1.0, 0.0, 0.0 });
+  EXPECT_GT(1.0 / free.GetVertex(vertex).Inverse, Radius + 0.1 * Bound);
+
+  const BallScan scan(
+    [](int beam, int turn) { return beam == 45 && turn == 0 ? Radius - 0.95 * Bound : Radius; });
+  const lms3dBeamSphere sphere(scan.Grid, scan.Joins);
+  const lms3dBeamDemands demands(sphere, this->Patches, Bound);
+  const lms3dBorderShortcuts borders(sphere, this->Patches, Bound);
+  lms3dVertexStars stars(map.Get());
+  const std::vector<std::uint8_t> isChosen(stars.GetNumberOfVertices(), 1);
+  lms3dSurfaceFit(demands, borders, Bound, isChosen, stars).Run();
+  EXPECT_LE(1.0 / stars.GetVertex(vertex).Inverse, Radius + 0.05 * Bound + 1e-9);
+}
+
+// The lower half of a ball ends before a wider one. With its vertices on the ball, its border runs
+// a bit inside; vertices that fit the returns lie too far outside for a border at a depth step.
+TEST_F(SurfaceFit, KeepsBordersAtDepthStepsSupported)
+{
+  using Support = lms3dBorderShortcuts::Support;
+  constexpr double Bound = 0.2;
+  constexpr int EvenBeams = 90;
+  const BallScan scan(
+    [](int beam, int) { return beam < EvenBeams / 2 ? Radius : 2.0 * Radius; }, EvenBeams);
+  const lms3dBeamSphere sphere(scan.Grid, scan.Joins);
+  lms3dPatches patches;
+  patches.Patches.resize(2);
+  patches.Labels.assign(sphere.GetSize(), 0);
+  lms3dPatches onlyLower = patches;
+  for (int turn = 0; turn < Turns; ++turn)
+  {
+    for (int row = EvenBeams / 2; row < EvenBeams; ++row)
+    {
+      patches.Labels[sphere.GetIndex(turn, row)] = 1;
+      onlyLower.Labels[sphere.GetIndex(turn, row)] = -1;
+    }
+  }
+  const RoundMap map(Radius, 4);
+  const lms3dBorderShortcuts judge(sphere, patches, Tolerance);
+  int unsupported[2] = { 0, 0 };
+  for (bool hasStep : { false, true })
+  {
+    const lms3dPatches& used = hasStep ? patches : onlyLower;
+    const lms3dBeamDemands demands(sphere, used, Bound);
+    const lms3dBorderShortcuts borders(sphere, used, Tolerance);
+    lms3dVertexStars stars(map.Get());
+    const std::vector<std::uint8_t> isChosen(stars.GetNumberOfVertices(), 1);
+    EXPECT_EQ(CountBorders(stars, judge, Support::Supported), 16);
+    lms3dSurfaceFit(demands, borders, Bound, isChosen, stars).Run();
+    EXPECT_TRUE(stars.GetVertex(FindVertex(stars, { 0.0, 0.0, -1.0 })).HasMoved);
+    unsupported[hasStep] = CountBorders(stars, judge, Support::Unsupported);
+  }
+  EXPECT_GT(unsupported[0], 0);
+  EXPECT_EQ(unsupported[1], 0);
+}
+
+// Its corners lie in one plane with the sensor.
+TEST_F(SurfaceFit, CountsNoBeamOfAFlatTriangle)
+{
+  const lms3dBeamDemands demands(this->Sphere, this->Patches, 0.2);
+  const lms3dTriangleCorner a({ 1.0, 0.0, 0.0 });
+  const lms3dTriangleCorner b({ 0.8, 0.6, 0.0 });
+  const lms3dTriangleCorner c({ 0.6, 0.8, 0.0 });
+  const lms3dTriangleSums sums(demands, { { &a, &b, &c }, { 0.5, 0.5, 0.5 } });
+  EXPECT_EQ(sums.GetSum({ 1.0, 1.0, 1.0 }), 0.0);
+  EXPECT_EQ(sums.GetLargestShare(0), 0.0);
+}
+
+// Vertices that move back leave their neighbours where they fitted together. In one of these scans,
+// the second fit would enlarge the sum.
+TEST_F(SurfaceFit, NeverEnlargesTheSumOfSquares)
+{
+  constexpr double Bound = 0.06;
+  constexpr int FewBeams = 32;
+  const RoundMap map(Radius);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> noise(-(Bound - 0.025), Bound - 0.025);
+  for (int trial = 0; trial < 60; ++trial)
+  {
+    const BallScan scan([&](int, int) { return Radius - 0.025 + 0.9 * noise(random); }, FewBeams);
+    const lms3dBeamSphere sphere(scan.Grid, scan.Joins);
+    lms3dPatches patches;
+    patches.Patches.resize(1);
+    patches.Labels.assign(sphere.GetSize(), 0);
+    const lms3dBeamDemands demands(sphere, patches, Bound);
+    const lms3dBorderShortcuts borders(sphere, patches, Bound);
+    lms3dVertexStars stars(map.Get());
+    const std::vector<std::uint8_t> isChosen(stars.GetNumberOfVertices(), 1);
+    for (int fit = 0; fit < 2; ++fit)
+    {
+      const std::vector<lms3dTriangleSums> sums = GetSums(demands, stars);
+      const double before = GetSum(sums, stars);
+      lms3dSurfaceFit(demands, borders, Bound, isChosen, stars).Run();
+      EXPECT_LE(GetSum(sums, stars), before) << trial;
     }
   }
 }
