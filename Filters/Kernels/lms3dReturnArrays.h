@@ -24,8 +24,8 @@ struct lms3dReturnsOfTurn
   const double* Position;
 };
 
-/// The returns of neighbouring beams of one turn. All arrays belong to the caller. Apart from Range,
-/// which may be Ranges, no output overlaps another array.
+/// The returns of neighbouring beams of one turn. All arrays belong to the caller. Apart from
+/// Range, which may be Ranges, no output overlaps another array.
 struct lms3dReturnRunArrays
 {
   int Count;

@@ -193,7 +193,8 @@ private:
   ///@}
 
   ///@{
-  /// One task for each thread that waits, null if there can be none, and the process that woke them.
+  /// One task for each thread that waits, null if there can be none, and the process that woke
+  /// them.
   std::unique_ptr<tbb::task_group> Waiting;
   pid_t WakingProcess = 0;
   ///@}
