@@ -15,11 +15,23 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace
 {
 // How often vertices are fitted to the returns, after which more edges can collapse.
 constexpr int Fits = 2;
+
+template <typename ConditionT>
+std::vector<std::uint8_t> Choose(const lms3dVertexStars& stars, const ConditionT& isChosen)
+{
+  std::vector<std::uint8_t> chosen(stars.GetNumberOfVertices());
+  for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
+  {
+    chosen[vertex] = isChosen(stars.GetVertex(vertex)) ? 1 : 0;
+  }
+  return chosen;
+}
 } // namespace
 
 lms3dMapSimplifier::lms3dMapSimplifier(
@@ -75,11 +87,14 @@ void lms3dMapSimplifier::SimplifySmoothSurface(const std::vector<int>& members,
   }
   for (int fit = 0; fit < Fits; ++fit)
   {
-    lms3dVertexFits::Run(demands, FindFreeAndChanged(stars), stars);
+    const auto isFreeAndChanged = [](const auto& vertex)
+    { return vertex.IsFree && vertex.IsChanged; };
+    lms3dVertexFits::Run(demands, Choose(stars, isFreeAndChanged), stars);
     stars.ReleaseChanged();
     lms3dEdgeCollapser::Run(demands, stars);
   }
-  lms3dSurfaceFit(demands, borders, this->MaximumError, FindChanged(stars), stars).Run();
+  const auto isChanged = [](const auto& vertex) { return vertex.IsChanged; };
+  lms3dSurfaceFit(demands, borders, this->MaximumError, Choose(stars, isChanged), stars).Run();
 }
 
 // Returns false if there are none.
@@ -95,26 +110,6 @@ bool lms3dMapSimplifier::FreeSmoothVertices(
   }
   stars.SetFree(isFree);
   return true;
-}
-
-std::vector<std::uint8_t> lms3dMapSimplifier::FindChanged(const lms3dVertexStars& stars)
-{
-  std::vector<std::uint8_t> isChosen(stars.GetNumberOfVertices());
-  for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
-  {
-    isChosen[vertex] = stars.GetVertex(vertex).IsChanged ? 1 : 0;
-  }
-  return isChosen;
-}
-
-std::vector<std::uint8_t> lms3dMapSimplifier::FindFreeAndChanged(const lms3dVertexStars& stars)
-{
-  std::vector<std::uint8_t> isChosen = FindChanged(stars);
-  for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
-  {
-    isChosen[vertex] &= stars.GetVertex(vertex).IsFree ? 1 : 0;
-  }
-  return isChosen;
 }
 
 void lms3dMapSimplifier::Replace(const lms3dVertexStars& stars, lms3dBoundedMap& map)

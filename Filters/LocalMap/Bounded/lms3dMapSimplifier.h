@@ -12,7 +12,6 @@
 #include "LocalMap/Bounded/lms3dBoundedMap.h"
 #include "LocalMap/Bounded/lms3dVertexStars.h"
 
-#include <cstdint>
 #include <vector>
 
 class lms3dSmoothVertices;
@@ -49,8 +48,6 @@ private:
     const lms3dBeamDemands& demands, const lms3dBorderShortcuts& borders,
     lms3dVertexStars& stars) const;
   static bool FreeSmoothVertices(const lms3dSmoothVertices& smooth, lms3dVertexStars& stars);
-  static std::vector<std::uint8_t> FindChanged(const lms3dVertexStars& stars);
-  static std::vector<std::uint8_t> FindFreeAndChanged(const lms3dVertexStars& stars);
   static void Replace(const lms3dVertexStars& stars, lms3dBoundedMap& map);
   double GetLargestDeviation(const lms3dBoundedMap& map) const;
 

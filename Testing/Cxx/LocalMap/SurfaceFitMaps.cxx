@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalMap/SurfaceFitMaps.h"
+
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+BallScan::BallScan(const std::function<double(int, int)>& getRange, int beams)
+  : Geometry(Alpha, beams, Beta, Turns)
+{
+  std::vector<double> ranges(static_cast<std::size_t>(beams) * Turns);
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+  {
+    ranges[i] = getRange(static_cast<int>(i) % beams, static_cast<int>(i) / beams);
+  }
+  std::vector<int> ids(ranges.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  this->Grid.Build(this->Geometry, ranges.data(), ids.data(), beams * Turns);
+  this->Joins.Find(this->Grid, 0.1);
+}
+
+RoundMap::RoundMap(double radius, int firstOctant)
+  : Size(radius)
+{
+  const lms3dVector x = { 1, 0, 0 };
+  const lms3dVector y = { 0, 1, 0 };
+  const lms3dVector z = { 0, 0, 1 };
+  for (int octant = firstOctant; octant < 8; ++octant)
+  {
+    lms3dVector a = lms3dScale(x, octant & 1 ? -1.0 : 1.0);
+    lms3dVector b = lms3dScale(y, octant & 2 ? -1.0 : 1.0);
+    const lms3dVector c = lms3dScale(z, octant & 4 ? -1.0 : 1.0);
+    if (lms3dDot(lms3dCross(a, b), c) > 0.0)
+    {
+      std::swap(a, b);
+    }
+    this->Divide(a, b, c, 2);
+  }
+  this->Map.PatchIds.assign(this->Map.Triangles.size(), 0);
+  this->Map.NumberOfPatches = 1;
+}
+
+void RoundMap::Divide(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c, int times)
+{
+  if (times == 0)
+  {
+    this->Map.Triangles.push_back({ this->Add(a), this->Add(b), this->Add(c) });
+    return;
+  }
+  const lms3dVector ab = lms3dNormalize(lms3dAdd(a, b));
+  const lms3dVector bc = lms3dNormalize(lms3dAdd(b, c));
+  const lms3dVector ca = lms3dNormalize(lms3dAdd(c, a));
+  this->Divide(a, ab, ca, times - 1);
+  this->Divide(ab, b, bc, times - 1);
+  this->Divide(ca, bc, c, times - 1);
+  this->Divide(ab, bc, ca, times - 1);
+}
+
+std::int32_t RoundMap::Add(const lms3dVector& direction)
+{
+  const auto [entry, isNew] =
+    this->Numbers.insert({ direction, static_cast<std::int32_t>(this->Map.Points.size()) });
+  if (isNew)
+  {
+    this->Map.Points.push_back(lms3dScale(direction, this->Size));
+  }
+  return entry->second;
+}
+
+std::int32_t FindVertex(const lms3dVertexStars& stars, const lms3dVector& direction)
+{
+  std::int32_t vertex = 0;
+  while (lms3dDot(stars.GetVertex(vertex).Corner.Position, direction) < 1.0 - 1e-9)
+  {
+    ++vertex;
+  }
+  return vertex;
+}
