@@ -220,6 +220,11 @@ void lms3dFusedPlanes::AddBeside(int number, const lms3dMappedReturn& mapped)
   plane.Raster.GetBlock(block).Beside[lms3dRaster::GetPlaceOf(v)] |= std::uint64_t{ 1 }
     << lms3dRaster::GetPlaceOf(u);
   this->NoteReturn(plane, block, mapped, place);
+  // The mesher takes the farthest return of a block for all of its far returns.
+  if (!this->IsCovered(plane, plane.Raster.GetBlock(block), u, v))
+  {
+    plane.Raster.SetMark(block, lms3dRaster::STALE);
+  }
 }
 
 void lms3dFusedPlanes::AddBesideOrFacet(int number, const lms3dMappedReturn& mapped)
