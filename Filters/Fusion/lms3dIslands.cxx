@@ -108,6 +108,7 @@ std::vector<Bridge> FindBridges(const std::vector<Corner>& corners)
     }
   }
   std::vector<Bridge> bridges;
+  bridges.reserve(shortest.size());
   for (const auto& [islands, bridge] : shortest)
   {
     bridges.push_back(bridge);

@@ -174,8 +174,8 @@ private:
   // The destructors would wait for threads that do not exist.
   void Abandon()
   {
-    static_cast<void>(this->Waiting.release());
-    static_cast<void>(this->Arena.release());
+    [[maybe_unused]] const tbb::task_group* waiting = this->Waiting.release();
+    [[maybe_unused]] const tbb::task_arena* arena = this->Arena.release();
     this->NumberOfWaiting = 0;
     this->IsPreparing = false;
   }

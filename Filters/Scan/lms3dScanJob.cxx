@@ -66,7 +66,8 @@ bool lms3dScanJob::Run(const lms3dScanJobRequest& request)
 
 void lms3dScanJob::Wake(const lms3dScanSettings& settings, bool canPlan)
 {
-  if (this->Threads.AreAwake() && NeedTheSame(settings, *this->WokenSettings))
+  if (this->Threads.AreAwake() && this->WokenSettings &&
+    NeedTheSame(settings, *this->WokenSettings))
   {
     return;
   }

@@ -39,8 +39,11 @@ TEST(LMS3DCreasePlaces, AreOnTheFirstOfCreasesThatAreNearlyTheSame)
 TEST(LMS3DCreasePlaces, AreOnTheNearestOfOthers)
 {
   const std::vector<lms3dCreaseLine> creases = { MakeCrease(10.0), MakeCrease(12.0) };
-  EXPECT_EQ((*lms3dFindPlaceOnCrease({ 50.0, 10.9 }, creases, Tile))[1], 10.0);
-  EXPECT_EQ((*lms3dFindPlaceOnCrease({ 50.0, 11.1 }, creases, Tile))[1], 12.0);
+  const auto find = [&](double height) {
+    return lms3dFindPlaceOnCrease({ 50.0, height }, creases, Tile).value_or(lms3dPoint2{});
+  };
+  EXPECT_EQ(find(10.9)[1], 10.0);
+  EXPECT_EQ(find(11.1)[1], 12.0);
   EXPECT_FALSE(lms3dFindPlaceOnCrease({ 50.0, 30.0 }, creases, Tile));
 }
 
