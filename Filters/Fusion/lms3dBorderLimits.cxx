@@ -11,7 +11,7 @@
 namespace
 {
 // Cells: a border need not cut off a return that is farther from all beams that passed.
-constexpr int NearBeams = 2;
+constexpr int NearBeams = 3;
 
 int GetOrientation(const lms3dCornerMerge::Triangle& triangle)
 {

@@ -91,6 +91,7 @@ TEST_F(SurfaceFit, HardlyMovesAMapThatFits)
   lms3dVertexStars stars(map.Get());
   this->FitAll(0.2, stars);
   std::vector<double> inverses;
+  inverses.reserve(stars.GetNumberOfVertices());
   for (std::int32_t vertex = 0; vertex < stars.GetNumberOfVertices(); ++vertex)
   {
     inverses.push_back(stars.GetVertex(vertex).Inverse);
