@@ -68,43 +68,38 @@ std::size_t CountCorners(const std::vector<lms3dLoop>& loops)
   }
   return count;
 }
+
+/// Merges the corners of a border from right to left, between a return in a row of cells and a beam
+/// that passed. Expects that the limits of the border are kept.
+lms3dLoop MergeBetweenReturnAndBeam(int row)
+{
+  lms3dRegion region;
+  region.Make(0, 0);
+  Set(&lms3dRegionBlock::Must, 22, row, region);
+  Set(&lms3dRegionBlock::Far, 22, row, region);
+  Set(&lms3dRegionBlock::Passed, 42, 40, region);
+  const lms3dLoop border = { { 2.0, 2.0 }, { 62.0, 2.0 }, { 62.0, 39.9 }, { 42.0, 37.9 },
+    { 22.0, 41.9 }, { 2.0, 39.9 } };
+  lms3dOutlineCorners corners({ border }, { true, true, true, false, false, true });
+  lms3dBorderLimits limits(region, border.size(), Reach);
+  lms3dCornerMerger(Tolerance, Tile, corners, limits).Merge();
+  const lms3dLoop merged = corners.GetLoops().front();
+  ExpectLimitsKept(merged, region, Reach);
+  return merged;
+}
 } // namespace
 
-/// A border from right to left, between a return that it must not cut off and a beam that passed.
-/// Neither of its two free corners can go alone, and no single corner can take the place of both.
+/// Neither of the two free corners can go alone, and no single corner can take the place of both.
 TEST(LMS3DCornerChains, BecomeOneCornerAtOnce)
 {
-  lms3dRegion region;
-  region.Make(0, 0);
-  Set(&lms3dRegionBlock::Must, 22, 39, region);
-  Set(&lms3dRegionBlock::Far, 22, 39, region);
-  Set(&lms3dRegionBlock::Passed, 42, 40, region);
-  const lms3dLoop border = { { 2.0, 2.0 }, { 62.0, 2.0 }, { 62.0, 39.9 }, { 42.0, 37.9 },
-    { 22.0, 41.9 }, { 2.0, 39.9 } };
-  lms3dOutlineCorners corners({ border }, { true, true, true, false, false, true });
-  lms3dBorderLimits limits(region, border.size(), Reach);
-  lms3dCornerMerger(Tolerance, Tile, corners, limits).Merge();
-  const lms3dLoop merged = corners.GetLoops().front();
-  EXPECT_EQ(merged, (lms3dLoop{ { 2.0, 2.0 }, { 62.0, 2.0 }, { 62.0, 39.9 }, { 2.0, 39.9 } }));
-  ExpectLimitsKept(merged, region, Reach);
+  EXPECT_EQ(MergeBetweenReturnAndBeam(39),
+    (lms3dLoop{ { 2.0, 2.0 }, { 62.0, 2.0 }, { 62.0, 39.9 }, { 2.0, 39.9 } }));
 }
 
-/// The same with another return above the straight border.
+/// The return is above the straight border.
 TEST(LMS3DCornerChains, StayIfTheyHaveReturns)
 {
-  lms3dRegion region;
-  region.Make(0, 0);
-  Set(&lms3dRegionBlock::Must, 22, 40, region);
-  Set(&lms3dRegionBlock::Far, 22, 40, region);
-  Set(&lms3dRegionBlock::Passed, 42, 40, region);
-  const lms3dLoop border = { { 2.0, 2.0 }, { 62.0, 2.0 }, { 62.0, 39.9 }, { 42.0, 37.9 },
-    { 22.0, 41.9 }, { 2.0, 39.9 } };
-  lms3dOutlineCorners corners({ border }, { true, true, true, false, false, true });
-  lms3dBorderLimits limits(region, border.size(), Reach);
-  lms3dCornerMerger(Tolerance, Tile, corners, limits).Merge();
-  const lms3dLoop merged = corners.GetLoops().front();
-  EXPECT_GT(merged.size(), 4U);
-  ExpectLimitsKept(merged, region, Reach);
+  EXPECT_GT(MergeBetweenReturnAndBeam(40).size(), 4U);
 }
 
 /// A roof between two walls, with the notch in its middle as the third corner. Lines through the

@@ -5,9 +5,9 @@
  * @brief A process that was forked does not wait for the threads that its parent woke.
  */
 #include "Pipeline/lms3dThreads.h"
+#include "Scan/ThreadWork.h"
 
 #include <tbb/info.h>
-#include <tbb/parallel_for.h>
 
 #include <gtest/gtest.h>
 
@@ -20,15 +20,6 @@
 
 namespace
 {
-constexpr int Count = 1000;
-
-int CountWork(lms3dThreads& threads, int number)
-{
-  std::atomic<int> done{ 0 };
-  threads.Run(number, [&done] { tbb::parallel_for(0, Count, [&done](int) { ++done; }); });
-  return done;
-}
-
 // Forks while a thread runs a preparation. Returns what waitpid says of the child, which exits with
 // 0 if `work` returns true, and is killed if it hangs.
 template <typename Work>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/lms3dThreads.h"
+#include "Scan/ThreadWork.h"
 
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -15,15 +16,6 @@
 
 namespace
 {
-constexpr int Count = 1000;
-
-int CountWork(lms3dThreads& threads, int number)
-{
-  std::atomic<int> done{ 0 };
-  threads.Run(number, [&done] { tbb::parallel_for(0, Count, [&done](int) { ++done; }); });
-  return done;
-}
-
 void Sleep()
 {
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
