@@ -2,10 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/SurfaceFitMaps.h"
 
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <utility>
 #include <vector>
+
+namespace
+{
+using Corners = std::array<lms3dVector, 3>;
+
+/// The four triangles that the middles of the edges make of a triangle on the unit sphere.
+std::array<Corners, 4> Divide(const Corners& triangle)
+{
+  const auto& [a, b, c] = triangle;
+  const lms3dVector ab = lms3dNormalize(lms3dAdd(a, b));
+  const lms3dVector bc = lms3dNormalize(lms3dAdd(b, c));
+  const lms3dVector ca = lms3dNormalize(lms3dAdd(c, a));
+  return { { { a, ab, ca }, { ab, b, bc }, { ca, bc, c }, { ab, bc, ca } } };
+}
+} // namespace
 
 BallScan::BallScan(const std::function<double(int, int)>& getRange, int beams)
   : Geometry(Alpha, beams, Beta, Turns)
@@ -36,26 +52,16 @@ RoundMap::RoundMap(double radius, int firstOctant)
     {
       std::swap(a, b);
     }
-    this->Divide(a, b, c, 2);
+    for (const Corners& quarter : Divide({ a, b, c }))
+    {
+      for (const auto& [d, e, f] : Divide(quarter))
+      {
+        this->Map.Triangles.push_back({ this->Add(d), this->Add(e), this->Add(f) });
+      }
+    }
   }
   this->Map.PatchIds.assign(this->Map.Triangles.size(), 0);
   this->Map.NumberOfPatches = 1;
-}
-
-void RoundMap::Divide(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c, int times)
-{
-  if (times == 0)
-  {
-    this->Map.Triangles.push_back({ this->Add(a), this->Add(b), this->Add(c) });
-    return;
-  }
-  const lms3dVector ab = lms3dNormalize(lms3dAdd(a, b));
-  const lms3dVector bc = lms3dNormalize(lms3dAdd(b, c));
-  const lms3dVector ca = lms3dNormalize(lms3dAdd(c, a));
-  this->Divide(a, ab, ca, times - 1);
-  this->Divide(ab, b, bc, times - 1);
-  this->Divide(ca, bc, c, times - 1);
-  this->Divide(ab, bc, ca, times - 1);
 }
 
 std::int32_t RoundMap::Add(const lms3dVector& direction)

@@ -47,7 +47,6 @@ public:
   const lms3dBoundedMap& Get() const { return this->Map; }
 
 private:
-  void Divide(const lms3dVector& a, const lms3dVector& b, const lms3dVector& c, int times);
   std::int32_t Add(const lms3dVector& direction);
 
   const double Size;
