@@ -67,12 +67,11 @@ bool lms3dBuiltScene::IsUpToDate(vtkDataObject* scene, int method) const
 
 bool lms3dBuiltScene::Update(vtkDataObject* scene, int method, const lms3dProgress& progress)
 {
-  const vtkMTimeType time = ComputeSceneTime(scene);
-  const bool isSameMethod = this->Method == method;
-  if (this->Scene == scene && this->SceneTime == time && isSameMethod)
+  if (this->IsUpToDate(scene, method))
   {
     return true;
   }
+  const vtkMTimeType time = ComputeSceneTime(scene);
   this->Scene = nullptr;
   lms3dSceneTriangles triangles =
     lms3dCollectTriangles(scene, lms3dGetStepProgress(progress, 0.0, CollectShare));
@@ -82,7 +81,7 @@ bool lms3dBuiltScene::Update(vtkDataObject* scene, int method, const lms3dProgre
   }
   this->Describe(triangles);
   const bool isBuilt =
-    isSameMethod && this->Caster && AreSame(this->Caster->GetMesh(), triangles.Mesh);
+    this->Method == method && this->Caster && AreSame(this->Caster->GetMesh(), triangles.Mesh);
   if (!isBuilt &&
     !this->Build(std::move(triangles), method, lms3dGetStepProgress(progress, CollectShare, 1.0)))
   {
