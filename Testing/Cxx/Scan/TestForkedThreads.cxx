@@ -47,6 +47,8 @@ int RunInChild(lms3dThreads& threads, const Work& work)
     _exit(work() ? 0 : 1);
   }
   mayEnd = true;
+  // The preparation uses this function's variables.
+  threads.EndWait();
   int status = -1;
   waitpid(child, &status, 0);
   return status;
