@@ -51,6 +51,7 @@ bool lms3dMapSimplifier::Simplify(const std::vector<int>& members, lms3dBoundedM
   {
     return this->SimplifyOnRays(map);
   }
+  // Making the stars takes one thread, which leaves the others to the demands.
   std::optional<lms3dVertexStars> starsOfMap;
   std::optional<lms3dBeamDemands> demandsOfBeams;
   tbb::parallel_invoke([&] { starsOfMap.emplace(map); },

@@ -20,8 +20,8 @@ constexpr std::int32_t NoReturn = -1;
 constexpr double MaximumRange = std::numeric_limits<double>::max();
 constexpr std::int64_t MinimumReturnsPerTask = 16384;
 
-// Whether ranges are good and the beams of returns from `first` on grow. Without branches, so that
-// the compiler makes the loops loops over vectors.
+// Whether ranges are good and the beams of returns grow. The loops have no branches, so that
+// the compiler makes them loops over vectors.
 LMS3D_WIDE_LOOPS
 bool AreInOrder(const double* ranges, const int* beamIds, std::int64_t first, std::int64_t end)
 {
