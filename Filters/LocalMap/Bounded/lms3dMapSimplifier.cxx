@@ -12,12 +12,10 @@
 #include "LocalMap/Bounded/lms3dVertexRemover.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 namespace
 {
@@ -51,13 +49,8 @@ bool lms3dMapSimplifier::Simplify(const std::vector<int>& members, lms3dBoundedM
   {
     return this->SimplifyOnRays(map);
   }
-  // Making the stars takes one thread, which leaves the others to the demands.
-  std::optional<lms3dVertexStars> starsOfMap;
-  std::optional<lms3dBeamDemands> demandsOfBeams;
-  tbb::parallel_invoke([&] { starsOfMap.emplace(map); },
-    [&] { demandsOfBeams.emplace(this->Sphere, this->Patches, this->MaximumError); });
-  lms3dVertexStars& stars = *starsOfMap;
-  const lms3dBeamDemands& demands = *demandsOfBeams;
+  lms3dVertexStars stars(map);
+  const lms3dBeamDemands demands(this->Sphere, this->Patches, this->MaximumError);
   const lms3dBorderShortcuts shortcuts(
     this->Sphere, this->Patches, lms3dPatches::CreaseShare * this->MaximumError);
   this->SimplifySmoothSurface(members, map, demands, shortcuts, stars);
