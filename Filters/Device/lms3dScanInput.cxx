@@ -3,6 +3,7 @@
 #include "Device/lms3dScanInput.h"
 
 #include "Device/lms3dScanFieldData.h"
+#include "Geometry/lms3dWideLoops.h"
 
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
@@ -58,6 +59,7 @@ vtkSmartPointer<ArrayT> Take(vtkFieldData* data, const char* name, vtkIdType cou
 }
 
 // Counts, because compilers vectorize a loop that does not stop early.
+LMS3D_WIDE_LOOPS
 bool AreFinite(const double* first, const double* last)
 {
   std::int64_t infinite = 0;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dBorderShortcuts.h"
 
-#include "Geometry/lms3dAngle.h"
 #include "LocalMap/Borders/lms3dRangeSupport.h"
 
 #include <algorithm>
@@ -13,21 +12,8 @@ namespace
 {
 // Radians that the border keeps from beams when it moves.
 constexpr double BeamMargin = 1e-4;
-// Radians within which a vertex lies in a gate.
-constexpr double Rounding = 1e-9;
-// The longest part of a border and the widest column, radians.
-constexpr double MaximumAngle = 1.5;
-constexpr double MaximumColumn = 0.5;
-// The arc of a great circle between two columns has larger tangents than its ends: by at most this
-// share of their tangents, over the square of the columns' distance.
-constexpr double BulgeShare = 0.3;
 // Room for the gates of most parts of a border.
 constexpr std::size_t UsualGates = 16;
-
-double GetTangent(const lms3dVector& direction)
-{
-  return direction[2] / std::sqrt(direction[0] * direction[0] + direction[1] * direction[1]);
-}
 } // namespace
 
 lms3dBorderShortcuts::lms3dBorderShortcuts(
@@ -113,107 +99,6 @@ bool lms3dBorderShortcuts::AreBeamsBetween(
   }
   const lms3dTriangleRasterizer triangle(this->Sphere, middle.Corner, *a, *b, BeamMargin);
   return !triangle.ForEachColumnWhile([](int, int, int) { return false; });
-}
-
-// Appends the gates that an arc of the border passes or touches. Returns false if they are not
-// certain.
-bool lms3dBorderShortcuts::FindGates(
-  const Vertex& from, const Vertex& to, std::vector<Gate>& gates) const
-{
-  const std::vector<double>& azimuths = this->Sphere.GetAzimuths();
-  const std::vector<double>& tangents = this->Sphere.GetTangents();
-  const int columns = this->Sphere.GetNumberOfColumns();
-  const lms3dVector normal = lms3dCross(from.Corner.Position, to.Corner.Position);
-  const Arc arc = { from.Corner.Position, to.Corner.Position, normal,
-    Rounding * lms3dGetLength(normal) };
-  double width = to.Corner.Azimuth - from.Corner.Azimuth;
-  width -= 2.0 * lms3dPi * std::round(width / (2.0 * lms3dPi));
-  if (!(std::abs(width) < MaximumAngle) || from.Corner.IsPole || to.Corner.IsPole)
-  {
-    return false;
-  }
-  const bool isTurned = width < 0.0;
-  double low = isTurned ? to.Corner.Azimuth : from.Corner.Azimuth;
-  double tangent = GetTangent(isTurned ? arc.To : arc.From);
-  const double lastTangent = GetTangent(isTurned ? arc.From : arc.To);
-  low -= 2.0 * lms3dPi * std::floor((low - azimuths.front()) / (2.0 * lms3dPi));
-  const double high = low + std::abs(width) + Rounding;
-  low -= Rounding;
-  int column =
-    static_cast<int>(std::lower_bound(azimuths.begin(), azimuths.end(), low) - azimuths.begin());
-  double turns = 0.0;
-  while (true)
-  {
-    const int before = (column + columns - 1) % columns;
-    column = column == columns ? 0 : column;
-    turns += column == 0 && before == columns - 1 && low > azimuths.front() ? 2.0 * lms3dPi : 0.0;
-    const double azimuth = azimuths[column] + turns;
-    double step = azimuths[column] - azimuths[before];
-    step += step < 0.0 ? 2.0 * lms3dPi : 0.0;
-    if (step > MaximumColumn)
-    {
-      return false;
-    }
-    if (azimuth > high)
-    {
-      this->AppendGatesOfRows(arc, before, step, tangent, lastTangent, gates);
-      return true;
-    }
-    // Where the border passes the column.
-    const std::array<double, 2>& level = this->Sphere.GetHorizontal(column);
-    if (std::abs(normal[2]) <= arc.Tolerance)
-    {
-      return false;
-    }
-    const double here = -(normal[0] * level[0] + normal[1] * level[1]) / normal[2];
-    this->AppendGatesOfRows(arc, before, step, tangent, here, gates);
-    const auto above = std::upper_bound(tangents.begin(), tangents.end(), here);
-    if (above == tangents.begin() || above == tangents.end())
-    {
-      return false;
-    }
-    gates.push_back({ this->Sphere.GetIndex(column, static_cast<int>(above - tangents.begin()) - 1),
-      lms3dBeamSphere::Up });
-    tangent = here;
-    ++column;
-  }
-}
-
-// Appends the gates between a column and the next one that an arc passes. There, its tangents lie
-// between two.
-void lms3dBorderShortcuts::AppendGatesOfRows(
-  const Arc& arc, int column, double width, double low, double high, std::vector<Gate>& gates) const
-{
-  const std::vector<double>& tangents = this->Sphere.GetTangents();
-  const GridIndex start = this->Sphere.GetIndex(column, 0);
-  const GridIndex toRight = this->Sphere.GetNeighbor(start, lms3dBeamSphere::Right) - start;
-  const double largest = std::max(std::abs(low), std::abs(high));
-  const double bulge = Rounding + BulgeShare * width * width * largest;
-  const int first = static_cast<int>(
-    std::lower_bound(tangents.begin(), tangents.end(), std::min(low, high) - bulge) -
-    tangents.begin());
-  const int last = static_cast<int>(
-    std::upper_bound(tangents.begin(), tangents.end(), std::max(low, high) + bulge) -
-    tangents.begin());
-  for (int row = first; row < last; ++row)
-  {
-    if (this->Sphere.IsPoleRow(row))
-    {
-      continue;
-    }
-    const GridIndex index = start + row;
-    const lms3dVector left = this->Sphere.GetDirection(index);
-    const lms3dVector right = this->Sphere.GetDirection(index + toRight);
-    const lms3dVector across = lms3dCross(left, right);
-    const auto areApart = [](double a, double b, double tolerance)
-    { return std::min(a, b) <= tolerance && std::max(a, b) >= -tolerance; };
-    if (areApart(lms3dDot(arc.Normal, left), lms3dDot(arc.Normal, right), arc.Tolerance) &&
-      areApart(
-        lms3dDot(across, arc.From), lms3dDot(across, arc.To), Rounding * lms3dGetLength(across)))
-    {
-      gates.push_back({ index, lms3dBeamSphere::Right });
-    }
-  }
 }
 
 // Whether the returns support the range of the surface where its border passes a gate.

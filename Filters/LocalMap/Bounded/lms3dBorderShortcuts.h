@@ -51,6 +51,9 @@ public:
 private:
   using GridIndex = lms3dBeamSphere::GridIndex;
 
+  /// Radians within which a vertex lies in a gate.
+  static constexpr double Rounding = 1e-9;
+
   /// The arc from a beam to its neighbour above or to its right.
   struct Gate
   {
@@ -79,6 +82,7 @@ private:
   bool FindGates(const Vertex& from, const Vertex& to, std::vector<Gate>& gates) const;
   void AppendGatesOfRows(const Arc& arc, int column, double width, double low, double high,
     std::vector<Gate>& gates) const;
+  int FindRowAbove(double tangent) const;
   bool IsDepthStep(const Gate& gate) const;
   bool IsSupported(const Gate& gate, const Vertex& from, const Vertex& to) const;
 

@@ -64,12 +64,31 @@ int lms3dStarSides::CountCommon(const lms3dStarSides& other) const
   return common;
 }
 
+// Whether the sides lead around the vertex, once. Most stars are closed, and this is fast.
+bool lms3dStarSides::IsClosed() const
+{
+  const std::int32_t first = this->GetSides()[this->Size - 1].Next;
+  std::int32_t at = this->FindLast(first);
+  std::size_t steps = 1;
+  while (at != first && at != None && steps < this->Size)
+  {
+    at = this->FindLast(at);
+    ++steps;
+  }
+  return at == first && steps == this->Size;
+}
+
 bool lms3dStarSides::FindBorder(lms3dStarBorder& border) const
 {
   if (this->Size == 0)
   {
     border = {};
     return false;
+  }
+  if (this->IsClosed())
+  {
+    border = {};
+    return true;
   }
   // Starts at the side without one before it or, if there is none, at any.
   const Side* const sides = this->GetSides();

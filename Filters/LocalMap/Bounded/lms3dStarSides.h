@@ -67,6 +67,7 @@ private:
     return this->Size > this->Usual.size() ? this->Many.data() : this->Usual.data();
   }
   std::int32_t FindLast(std::int32_t next) const;
+  bool IsClosed() const;
   bool IsLast(std::int32_t vertex) const;
 
   std::size_t Size = 0;

@@ -24,6 +24,7 @@ lms3dSurfaceFit::lms3dSurfaceFit(const lms3dBeamDemands& demands,
   , Borders(borders)
   , MaximumError(maximumError)
   , Stars(stars)
+  , Beams(stars.GetTriangles().size())
   , Sums(stars.GetTriangles().size())
   , MayBeSteps(stars.GetTriangles().size(), AllCorners)
   , Before(stars.GetNumberOfVertices())
@@ -60,17 +61,24 @@ void lms3dSurfaceFit::AddUpTriangles()
         std::any_of(triangle.Corners.begin(), triangle.Corners.end(),
           [this](std::int32_t corner) { return this->IsMovable[corner] != 0; }))
       {
-        this->Sums[i] = lms3dTriangleSums(this->Demands, this->GetTriangle(i));
+        this->Beams[i] = this->FindBeams(i);
+        this->Sums[i] = lms3dTriangleSums(this->Demands, this->Beams[i], this->GetInverses(i));
       }
     });
 }
 
-lms3dTriangleSums::Triangle lms3dSurfaceFit::GetTriangle(std::size_t number) const
+lms3dTriangleBeams lms3dSurfaceFit::FindBeams(std::size_t triangle) const
 {
-  const auto& [a, b, c] = this->Stars.GetTriangles()[number].Corners;
-  return { { &this->Stars.GetVertex(a).Corner, &this->Stars.GetVertex(b).Corner,
-             &this->Stars.GetVertex(c).Corner },
-    { this->Inverses[a], this->Inverses[b], this->Inverses[c] } };
+  const auto& [a, b, c] = this->Stars.GetTriangles()[triangle].Corners;
+  return { this->Demands.GetSphere(),
+    { &this->Stars.GetVertex(a).Corner, &this->Stars.GetVertex(b).Corner,
+      &this->Stars.GetVertex(c).Corner } };
+}
+
+std::array<double, 3> lms3dSurfaceFit::GetInverses(std::size_t triangle) const
+{
+  const auto& [a, b, c] = this->Stars.GetTriangles()[triangle].Corners;
+  return { this->Inverses[a], this->Inverses[b], this->Inverses[c] };
 }
 
 void lms3dSurfaceFit::FindMovable()

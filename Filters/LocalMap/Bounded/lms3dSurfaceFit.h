@@ -58,7 +58,8 @@ private:
   bool IsAtMoved(std::size_t triangle) const;
   void Minimize();
   double GetBest(std::int32_t vertex) const;
-  lms3dTriangleSums::Triangle GetTriangle(std::size_t number) const;
+  lms3dTriangleBeams FindBeams(std::size_t triangle) const;
+  std::array<double, 3> GetInverses(std::size_t triangle) const;
   void ForgetSmallMoves();
   bool HasMoved(std::int32_t vertex) const
   {
@@ -78,8 +79,11 @@ private:
   const lms3dBorderShortcuts& Borders;
   const double MaximumError;
   lms3dVertexStars& Stars;
-  /// By triangle.
+  ///@{
+  /// By triangle, for those with a chosen corner.
+  std::vector<lms3dTriangleBeams> Beams;
   std::vector<lms3dTriangleSums> Sums;
+  ///@}
   /// By triangle, a bit for each corner: whether the edge to the next corner can be a border at a
   /// depth step. The first check of an edge decides it.
   std::vector<std::uint8_t> MayBeSteps;

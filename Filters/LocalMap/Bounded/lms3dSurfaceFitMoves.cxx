@@ -87,7 +87,7 @@ std::uint8_t lms3dSurfaceFit::FindForbiddenCorners(std::int32_t triangle)
 {
   const std::uint8_t ends = this->FindUnsupportedEnds(triangle);
   const bool isAllowed =
-    ends != 0 || lms3dTriangleSums::IsWithinBound(this->Demands, this->GetTriangle(triangle));
+    ends != 0 || this->Beams[triangle].AreWithinBound(this->Demands, this->GetInverses(triangle));
   return isAllowed ? ends : AllCorners;
 }
 

@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dTriangleSums.h"
 
-#include "Geometry/lms3dWideLoops.h"
-
 #include <algorithm>
-#include <cstdint>
 
 namespace
 {
-// Radians by which a beam may pass outside of a triangle that it hits, as in lms3dVertexFit.
-constexpr double Margin = 1e-9;
 // About the largest number of columns of a triangle that count, and of rows of a column.
 constexpr int MaximumSamples = 16;
 
@@ -30,57 +25,30 @@ struct ColumnVector
 };
 } // namespace
 
-lms3dTriangleSums::lms3dTriangleSums(const lms3dBeamDemands& demands, const Triangle& triangle)
+lms3dTriangleSums::lms3dTriangleSums(const lms3dBeamDemands& demands,
+  const lms3dTriangleBeams& beams, const std::array<double, 3>& inverses)
 {
-  if (!(GetVolume(triangle) > 0.0))
+  if (beams.IsFlat())
   {
     return;
   }
-  const auto& [a, b, c] = triangle.Corners;
-  const Vectors shares = GetShares(triangle);
-  const lms3dVector plane = GetPlane(shares, triangle);
-  const lms3dTriangleRasterizer rasterizer(demands.GetSphere(), *a, *b, *c, Margin);
-  const int columnStep = 1 + rasterizer.GetNumberOfColumns() / MaximumSamples;
-  BeamSums beams;
-  rasterizer.ForEachColumnOf([columnStep](int column) { return column % columnStep == 0; },
-    [&](int column, int first, int last)
+  const lms3dVector plane = beams.GetPlane(inverses);
+  const int columnStep = 1 + beams.GetNumberOfColumns() / MaximumSamples;
+  BeamSums sums;
+  for (const lms3dTriangleBeams::Span& span : beams.GetSpans())
+  {
+    if (span.Column % columnStep == 0)
     {
-      const int rowStep = 1 + (last - first + 1) / MaximumSamples;
-      beams.Add(this->AddUp(demands, { column, first, last }, rowStep, shares, plane),
-        static_cast<double>(columnStep) * rowStep, demands.GetSphere().GetHorizontal(column));
-      return true;
-    });
-  this->SetSums(beams, shares);
-}
-
-// The volume of the parallelepiped of the corners.
-double lms3dTriangleSums::GetVolume(const Triangle& triangle)
-{
-  return lms3dDot(lms3dCross(triangle.Corners[2]->Position, triangle.Corners[1]->Position),
-    triangle.Corners[0]->Position);
-}
-
-// The vectors o_i.
-lms3dTriangleSums::Vectors lms3dTriangleSums::GetShares(const Triangle& triangle)
-{
-  const lms3dVector& a = triangle.Corners[0]->Position;
-  const lms3dVector& b = triangle.Corners[1]->Position;
-  const lms3dVector& c = triangle.Corners[2]->Position;
-  const double scale = 1.0 / GetVolume(triangle);
-  return { lms3dScale(lms3dCross(c, b), scale), lms3dScale(lms3dCross(a, c), scale),
-    lms3dScale(lms3dCross(b, a), scale) };
-}
-
-// The inverse range in a direction is its product with this vector.
-lms3dVector lms3dTriangleSums::GetPlane(const Vectors& shares, const Triangle& triangle)
-{
-  const std::array<double, 3>& inverses = triangle.Inverses;
-  return lms3dAdd(lms3dScale(shares[0], inverses[0]),
-    lms3dAdd(lms3dScale(shares[1], inverses[1]), lms3dScale(shares[2], inverses[2])));
+      const int rowStep = 1 + (span.Last - span.First + 1) / MaximumSamples;
+      sums.Add(this->AddUp(demands, span, rowStep, beams.GetShares(), plane),
+        static_cast<double>(columnStep) * rowStep, demands.GetSphere().GetHorizontal(span.Column));
+    }
+  }
+  this->SetSums(sums, beams.GetShares());
 }
 
 lms3dTriangleSums::ColumnSums lms3dTriangleSums::AddUp(const lms3dBeamDemands& demands,
-  const Span& span, int step, const Vectors& shares, const lms3dVector& plane)
+  const lms3dTriangleBeams::Span& span, int step, const Shares& shares, const lms3dVector& plane)
 {
   const lms3dBeamSphere& sphere = demands.GetSphere();
   const lms3dBeamDemands::Demands column = demands[sphere.GetIndex(span.Column, 0)];
@@ -130,9 +98,9 @@ void lms3dTriangleSums::BeamSums::Add(
   this->Products[2] += weight * column.Sine;
 }
 
-void lms3dTriangleSums::SetSums(const BeamSums& beams, const Vectors& shares)
+void lms3dTriangleSums::SetSums(const BeamSums& beams, const Shares& shares)
 {
-  const Vectors& squares = beams.Squares;
+  const std::array<lms3dVector, 3>& squares = beams.Squares;
   for (int j = 0; j < 3; ++j)
   {
     const lms3dVector& share = shares[j];
@@ -161,36 +129,4 @@ double lms3dTriangleSums::GetSum(const std::array<double, 3>& inverses) const
     sum += slope * inverses[i];
   }
   return sum;
-}
-
-bool lms3dTriangleSums::IsWithinBound(const lms3dBeamDemands& demands, const Triangle& triangle)
-{
-  const auto& [a, b, c] = triangle.Corners;
-  const lms3dVector plane = GetPlane(GetShares(triangle), triangle);
-  return lms3dTriangleRasterizer(demands.GetSphere(), *a, *b, *c, Margin)
-    .ForEachColumnWhile(
-      [&](int column, int first, int last)
-      {
-        const ColumnVector onColumn(plane, demands.GetSphere().GetHorizontal(column));
-        return IsColumnWithinBound(demands, { column, first, last }, onColumn.Level, onColumn.Up);
-      });
-}
-
-// Without branches, so that the compiler makes it a loop over vectors.
-LMS3D_WIDE_LOOPS
-bool lms3dTriangleSums::IsColumnWithinBound(
-  const lms3dBeamDemands& demands, const Span& span, double level, double up)
-{
-  const lms3dBeamSphere& sphere = demands.GetSphere();
-  const lms3dBeamDemands::Demands column = demands[sphere.GetIndex(span.Column, 0)];
-  const double* const cosines = sphere.GetCosines();
-  const double* const sines = sphere.GetSines();
-  std::int64_t outside = 0;
-  for (int row = span.First; row <= span.Last; ++row)
-  {
-    const double inverse = level * cosines[row] + up * sines[row];
-    const bool isInside = (inverse >= column.Minimum[row]) & (inverse <= column.Maximum[row]);
-    outside += isInside ? 0 : 1;
-  }
-  return outside == 0;
 }

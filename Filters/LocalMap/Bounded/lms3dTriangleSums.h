@@ -8,14 +8,13 @@
 #define lms3dTriangleSums_h
 
 #include "LocalMap/Bounded/lms3dBeamDemands.h"
-#include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
+#include "LocalMap/Bounded/lms3dTriangleBeams.h"
 
 #include <array>
 
 /**
- * A beam in the direction d meets the triangle at the inverse range sum(s_i x_i), where x_i are the
- * inverse ranges of the corners. The *share* s_i = d.o_i of a corner is linear in d, 1 at the
- * corner and 0 on the opposite edge. A return at the range r is then about
+ * A beam meets the triangle at the inverse range sum(s_i x_i), where x_i are the inverse ranges of
+ * the corners and s_i their shares (lms3dTriangleBeams). A return at the range r is then about
  * r^2 |sum(s_i x_i) - 1 / r| away, along its beam. So the sum of the squared distances is
  *
  *     sum(A_ij x_i x_j) - 2 sum(b_i x_i) + constant,   A_ij = sum(r^4 s_i s_j),  b_i = sum(r^3 s_i)
@@ -26,20 +25,12 @@
 class lms3dTriangleSums
 {
 public:
-  /// A triangle that faces the sensor.
-  struct Triangle
-  {
-    /// The positions of the corners are unit vectors.
-    std::array<const lms3dTriangleCorner*, 3> Corners;
-    /// The inverse ranges of the corners, 1/metre.
-    std::array<double, 3> Inverses;
-  };
-
   /// Sums of no beams.
   lms3dTriangleSums() = default;
 
-  /// If the corners lie in one plane with the sensor, no beam counts.
-  lms3dTriangleSums(const lms3dBeamDemands& demands, const Triangle& triangle);
+  /// Takes the inverse ranges of the corners, 1/metre. If the triangle is flat, no beam counts.
+  lms3dTriangleSums(const lms3dBeamDemands& demands, const lms3dTriangleBeams& beams,
+    const std::array<double, 3>& inverses);
 
   /// A_ij and b_i, with metres as the unit of ranges.
   double GetSquare(int i, int j) const { return this->Squares[i][j]; }
@@ -51,19 +42,8 @@ public:
   /// The largest share that a corner has in one of the beams. 0 if there is none.
   double GetLargestShare(int i) const { return this->LargestShares[i]; }
 
-  /// Whether all beams that hit a triangle meet it where their returns demand.
-  static bool IsWithinBound(const lms3dBeamDemands& demands, const Triangle& triangle);
-
 private:
-  using Vectors = std::array<lms3dVector, 3>;
-
-  /// The beams of a column that hit, rows included.
-  struct Span
-  {
-    int Column;
-    int First;
-    int Last;
-  };
+  using Shares = lms3dTriangleBeams::Shares;
 
   /// Sums over the beams of a column. A beam is the cosine of its row times the horizontal
   /// direction of the column, plus the sine of its row times the z axis.
@@ -83,18 +63,13 @@ private:
   {
     void Add(const ColumnSums& column, double weight, const std::array<double, 2>& horizontal);
 
-    Vectors Squares = {};
+    std::array<lms3dVector, 3> Squares = {};
     lms3dVector Products = {};
   };
 
-  static double GetVolume(const Triangle& triangle);
-  static Vectors GetShares(const Triangle& triangle);
-  static lms3dVector GetPlane(const Vectors& shares, const Triangle& triangle);
-  ColumnSums AddUp(const lms3dBeamDemands& demands, const Span& span, int step,
-    const Vectors& shares, const lms3dVector& plane);
-  void SetSums(const BeamSums& beams, const Vectors& shares);
-  static bool IsColumnWithinBound(
-    const lms3dBeamDemands& demands, const Span& span, double level, double up);
+  ColumnSums AddUp(const lms3dBeamDemands& demands, const lms3dTriangleBeams::Span& span, int step,
+    const Shares& shares, const lms3dVector& plane);
+  void SetSums(const BeamSums& beams, const Shares& shares);
 
   std::array<std::array<double, 3>, 3> Squares = {};
   std::array<double, 3> Products = {};

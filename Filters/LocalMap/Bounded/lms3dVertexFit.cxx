@@ -60,19 +60,46 @@ void lms3dVertexFit::AddColumn(const Triangle& triangle, int column, const Rows&
 {
   const lms3dBeamSphere& sphere = this->Beams.GetSphere();
   const lms3dBeamDemands::Demands demands = this->Beams[sphere.GetIndex(column, 0)];
-  const double* const ranges = sphere.GetRanges() + sphere.GetIndex(column, 0);
   const ColumnShares shares(sphere, triangle, column);
-  Sums sums = this->Sum;
+  if (!KeepsInterval(demands, shares, rows, this->Sum))
+  {
+    Narrow(demands, shares, rows, this->Sum);
+  }
+  AddSquares(sphere.GetRanges() + sphere.GetIndex(column, 0), demands, shares, rows, this->Sum);
+}
+
+// Whether no beam narrows the interval, which takes no division to see. Without branches, so that
+// the compiler makes it a loop over vectors. Few columns have a beam that does.
+LMS3D_WIDE_LOOPS
+bool lms3dVertexFit::KeepsInterval(const lms3dBeamDemands::Demands& demands,
+  const ColumnShares& shares, const Rows& rows, const Sums& sums)
+{
+  const double minimum = sums.Minimum;
+  const double maximum = sums.Maximum;
+  std::int64_t uncertain = 0;
   for (int row = rows.First; row <= rows.Last; ++row)
   {
     const double share = shares.GetOwn(row);
     const double others = shares.GetRest(row);
-    const double range = ranges[row];
+    const bool isInside = ((demands.Minimum[row] - others) * Rounding < minimum * share) &
+      (demands.Maximum[row] - others > maximum * share * Rounding);
+    const bool demandsNothing = (demands.Minimum[row] < 0.0) | (share < MinimumShare);
+    uncertain += (isInside | demandsNothing) ? 0 : 1;
+  }
+  return uncertain == 0;
+}
+
+void lms3dVertexFit::Narrow(const lms3dBeamDemands::Demands& demands, const ColumnShares& shares,
+  const Rows& rows, Sums& sums)
+{
+  for (int row = rows.First; row <= rows.Last; ++row)
+  {
+    const double share = shares.GetOwn(row);
+    const double others = shares.GetRest(row);
     if (demands.Minimum[row] < 0.0 || share < MinimumShare)
     {
       continue;
     }
-    // Most beams do not narrow the interval, which takes no division to see.
     const double low = demands.Minimum[row] - others;
     const double high = demands.Maximum[row] - others;
     if (!(low * Rounding < sums.Minimum * share))
@@ -83,13 +110,40 @@ void lms3dVertexFit::AddColumn(const Triangle& triangle, int column, const Rows&
     {
       sums.Maximum = std::min(sums.Maximum, high / share);
     }
-    sums.LargestShare = std::max(sums.LargestShare, share);
-    // The weight of a difference in inverse range.
-    const double weight = range * range * range * range;
-    sums.Squares += weight * share * share;
-    sums.Products += weight * share * (1.0 / range - others);
   }
-  this->Sum = sums;
+}
+
+// The compiler makes loops over vectors of what has no branches. Sums keep the order of the rows.
+LMS3D_WIDE_LOOPS
+void lms3dVertexFit::AddSquares(const double* ranges, const lms3dBeamDemands::Demands& demands,
+  const ColumnShares& shares, const Rows& rows, Sums& sums)
+{
+  constexpr int Part = 32;
+  double squares[Part];
+  double products[Part];
+  for (int first = rows.First; first <= rows.Last; first += Part)
+  {
+    const int count = std::min(Part, rows.Last - first + 1);
+    std::int64_t determining = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      const double share = shares.GetOwn(first + i);
+      const double range = ranges[first + i];
+      const bool counts = !(demands.Minimum[first + i] < 0.0) & !(share < MinimumShare);
+      determining += counts & (share >= DeterminingShare) ? 1 : 0;
+      // The weight of a difference in inverse range.
+      const double weight = range * range * range * range;
+      const double difference = 1.0 / range - shares.GetRest(first + i);
+      squares[i] = counts ? weight * share * share : 0.0;
+      products[i] = counts ? weight * share * difference : 0.0;
+    }
+    sums.DeterminingBeams += determining;
+    for (int i = 0; i < count; ++i)
+    {
+      sums.Squares += squares[i];
+      sums.Products += products[i];
+    }
+  }
 }
 
 bool lms3dVertexFit::Allows(const lms3dBeamDemands& beams, const lms3dTriangleCorner& vertex,
@@ -145,7 +199,7 @@ bool lms3dVertexFit::AllowsExactly(const lms3dBeamDemands::Demands& demands,
 
 bool lms3dVertexFit::IsDetermined() const
 {
-  return this->Sum.LargestShare >= DeterminingShare && this->Sum.IsPossible();
+  return this->Sum.DeterminingBeams > 0 && this->Sum.IsPossible();
 }
 
 double lms3dVertexFit::GetInverse() const

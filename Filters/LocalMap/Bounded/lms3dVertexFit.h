@@ -11,6 +11,7 @@
 #include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
 #include "LocalMap/Bounded/lms3dVertexStars.h"
 
+#include <cstdint>
 #include <limits>
 
 /**
@@ -112,12 +113,19 @@ private:
 
     double Minimum = 0.0;
     double Maximum = std::numeric_limits<double>::infinity();
-    double LargestShare = 0.0;
+    /// The number of beams that determine the range.
+    std::int64_t DeterminingBeams = 0;
     double Squares = 0.0;
     double Products = 0.0;
   };
 
   void AddColumn(const Triangle& triangle, int column, const Rows& rows);
+  static bool KeepsInterval(const lms3dBeamDemands::Demands& demands, const ColumnShares& shares,
+    const Rows& rows, const Sums& sums);
+  static void Narrow(const lms3dBeamDemands::Demands& demands, const ColumnShares& shares,
+    const Rows& rows, Sums& sums);
+  static void AddSquares(const double* ranges, const lms3dBeamDemands::Demands& demands,
+    const ColumnShares& shares, const Rows& rows, Sums& sums);
   static bool AllowsColumn(const lms3dBeamDemands::Demands& demands, const ColumnShares& shares,
     const Rows& rows, double inverse);
   static bool AllowsExactly(const lms3dBeamDemands::Demands& demands, const ColumnShares& shares,

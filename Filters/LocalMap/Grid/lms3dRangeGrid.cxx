@@ -3,6 +3,7 @@
 #include "LocalMap/Grid/lms3dRangeGrid.h"
 
 #include "Device/lms3dScanInput.h"
+#include "Geometry/lms3dWideLoops.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -18,6 +19,24 @@ namespace
 constexpr std::int32_t NoReturn = -1;
 constexpr double MaximumRange = std::numeric_limits<double>::max();
 constexpr std::int64_t MinimumReturnsPerTask = 16384;
+
+// Whether ranges are good and the beams of returns grow. The loops have no branches, so that
+// the compiler makes them loops over vectors.
+LMS3D_WIDE_LOOPS
+bool AreInOrder(const double* ranges, const int* beamIds, std::int64_t first, std::int64_t end)
+{
+  std::int64_t bad = 0;
+  for (std::int64_t i = first; i < end; ++i)
+  {
+    bad += (ranges[i] > 0.0) & (ranges[i] <= MaximumRange) ? 0 : 1;
+  }
+  int unsorted = 0;
+  for (std::int64_t i = std::max<std::int64_t>(first, 1); i < end; ++i)
+  {
+    unsorted |= beamIds[i] > beamIds[i - 1] ? 0 : 1;
+  }
+  return bad == 0 && unsorted == 0;
+}
 } // namespace
 
 void lms3dRangeGrid::Build(
@@ -100,19 +119,12 @@ double lms3dRangeGrid::LimitToLargestRange(double length) const
 void lms3dRangeGrid::AssignReturns(const double* ranges, const int* beamIds, std::int64_t count)
 {
   const std::int64_t beams = this->Geometry->CountBeamsOfAllTurns();
-  this->ReturnOfBeam.assign(beams, NoReturn);
   if (this->AreSorted(ranges, beamIds, count))
   {
-    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count, MinimumReturnsPerTask),
-      [&](const tbb::blocked_range<std::int64_t>& part)
-      {
-        for (std::int64_t i = part.begin(); i < part.end(); ++i)
-        {
-          this->ReturnOfBeam[beamIds[i]] = static_cast<std::int32_t>(i);
-        }
-      });
+    this->AssignSortedReturns(beamIds, count);
     return;
   }
+  this->ReturnOfBeam.assign(beams, NoReturn);
   for (std::int64_t i = 0; i < count; ++i)
   {
     const int beam = beamIds[i];
@@ -128,21 +140,33 @@ void lms3dRangeGrid::AssignReturns(const double* ranges, const int* beamIds, std
 // Whether all returns are good and in the order of their beams. Then no beam has two of them.
 bool lms3dRangeGrid::AreSorted(const double* ranges, const int* beamIds, std::int64_t count) const
 {
-  const std::int64_t beams = this->Geometry->CountBeamsOfAllTurns();
-  return tbb::parallel_reduce(
-    tbb::blocked_range<std::int64_t>(0, count, MinimumReturnsPerTask), true,
-    [&](const tbb::blocked_range<std::int64_t>& part, bool isSorted)
+  const auto areSorted = [&](const tbb::blocked_range<std::int64_t>& part, bool before)
+  { return before && AreInOrder(ranges, beamIds, part.begin(), part.end()); };
+  return count == 0 ||
+    (beamIds[0] >= 0 && beamIds[count - 1] < this->Geometry->CountBeamsOfAllTurns() &&
+      tbb::parallel_reduce(tbb::blocked_range<std::int64_t>(0, count, MinimumReturnsPerTask), true,
+        areSorted, [](bool a, bool b) { return a && b; }));
+}
+
+// Each return sets its beam, and the beams since the return before.
+void lms3dRangeGrid::AssignSortedReturns(const int* beamIds, std::int64_t count)
+{
+  this->ReturnOfBeam.resize(this->Geometry->CountBeamsOfAllTurns());
+  const auto assign = [&](const tbb::blocked_range<std::int64_t>& part)
+  {
+    int next = part.begin() > 0 ? beamIds[part.begin() - 1] + 1 : 0;
+    for (std::int64_t i = part.begin(); i < part.end(); ++i)
     {
-      int last = part.begin() > 0 ? std::max(-1, beamIds[part.begin() - 1]) : -1;
-      for (std::int64_t i = part.begin(); i < part.end() && isSorted; ++i)
+      while (next < beamIds[i])
       {
-        isSorted =
-          beamIds[i] > last && beamIds[i] < beams && ranges[i] > 0.0 && ranges[i] <= MaximumRange;
-        last = beamIds[i];
+        this->ReturnOfBeam[next++] = NoReturn;
       }
-      return isSorted;
-    },
-    [](bool a, bool b) { return a && b; });
+      this->ReturnOfBeam[next++] = static_cast<std::int32_t>(i);
+    }
+  };
+  tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count, MinimumReturnsPerTask), assign);
+  const std::ptrdiff_t end = count > 0 ? beamIds[count - 1] + 1 : 0;
+  std::fill(this->ReturnOfBeam.begin() + end, this->ReturnOfBeam.end(), NoReturn);
 }
 
 // Keeps the return of median range in the first turn and removes the others.
@@ -188,19 +212,31 @@ void lms3dRangeGrid::CountVertices()
 
 void lms3dRangeGrid::FillTurn(int turn, const double* ranges)
 {
-  const std::int32_t* returns = this->GetReturnsOfTurn(turn);
-  double* range = this->Ranges.GetRow(turn);
-  std::int32_t* vertex = this->Vertices.GetRow(turn);
+  const std::int32_t* const returns = this->GetReturnsOfTurn(turn);
+  double* const range = this->Ranges.GetRow(turn);
+  std::int32_t* const vertex = this->Vertices.GetRow(turn);
   std::int32_t next = this->FirstVertices[turn];
-  for (int beam = 0; beam < this->GetNumberOfBeams(); ++beam)
+  const int beams = this->GetNumberOfBeams();
+  for (int beam = 0; beam < beams;)
   {
     const std::int32_t found = returns[beam];
-    range[beam] = found != NoReturn ? ranges[found] : 0.0;
-    vertex[beam] = found != NoReturn ? next : NoVertex;
-    if (found != NoReturn)
+    if (found == NoReturn)
     {
-      this->Returns[next++] = found;
+      range[beam] = 0.0;
+      vertex[beam++] = NoVertex;
+      continue;
     }
+    // Most returns follow each other. They are copied together.
+    int count = 1;
+    while (beam + count < beams && returns[beam + count] == found + count)
+    {
+      ++count;
+    }
+    std::copy_n(ranges + found, count, range + beam);
+    std::iota(vertex + beam, vertex + beam + count, next);
+    std::iota(this->Returns.begin() + next, this->Returns.begin() + next + count, found);
+    next += count;
+    beam += count;
   }
 }
 

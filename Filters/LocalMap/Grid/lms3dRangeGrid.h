@@ -101,6 +101,7 @@ public:
 private:
   void AssignReturns(const double* ranges, const int* beamIds, std::int64_t count);
   bool AreSorted(const double* ranges, const int* beamIds, std::int64_t count) const;
+  void AssignSortedReturns(const int* beamIds, std::int64_t count);
   void CollapsePole(int beam, const double* ranges);
   void CountVertices();
   void FillTurn(int turn, const double* ranges);

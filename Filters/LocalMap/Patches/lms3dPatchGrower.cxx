@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Patches/lms3dPatchGrower.h"
 
+#include "Geometry/lms3dWideLoops.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -30,6 +32,7 @@ lms3dPatchGrower::lms3dPatchGrower(const lms3dBeamSphere& sphere, double toleran
   : Sphere(sphere)
   , Tolerance(tolerance)
   , SeedPlanes(sphere, this->Result, tolerance)
+  , IsOpen(sphere.GetNumberOfRows())
 {
   this->Result.Labels.resize(sphere.GetSize());
   std::transform(sphere.GetRanges(), sphere.GetRanges() + sphere.GetSize(),
@@ -176,32 +179,66 @@ lms3dPatches::Span lms3dPatchGrower::FloodSpan(const Span& run, const lms3dColum
 void lms3dPatchGrower::QueueNeighbors(const Span& span, int side, const lms3dPlane& plane)
 {
   const GridIndex first = this->Sphere.GetNeighbor(span.First, side);
-  const int column = this->Sphere.GetColumn(first);
-  const GridIndex offset = first - span.First;
-  const GridIndex start = this->Sphere.GetIndex(column, 0);
-  if (!HasAny(this->Result.Labels.data() + first, span.Last - span.First + 1, lms3dPatches::Free))
+  const int count = span.Last - span.First + 1;
+  if (!HasAny(this->Result.Labels.data() + first, count, lms3dPatches::Free))
   {
     return;
   }
-  const GridIndex joinOffset = side == lms3dBeamSphere::Left ? offset : 0;
+  const int column = this->Sphere.GetColumn(first);
   const lms3dColumnPlane inColumn(plane, this->Sphere, column);
-  bool isRun = false;
-  for (GridIndex index = span.First; index <= span.Last; ++index)
+  const Neighbors neighbors = { first, side == lms3dBeamSphere::Left ? first : span.First,
+    first - this->Sphere.GetIndex(column, 0), count };
+  this->Sphere.IsRegular() ? this->MarkOpenOfRegular(neighbors, inColumn)
+                           : this->MarkOpen(neighbors, inColumn);
+  const auto begin = this->IsOpen.begin();
+  const auto end = begin + count;
+  for (auto run = std::find(begin, end, 1); run != end;)
   {
-    const GridIndex next = index + offset;
-    const bool isOpen = this->IsFree(next) &&
-      this->Sphere.IsJoined(index + joinOffset, lms3dBeamSphere::Right) &&
-      lms3dIsWithinTolerance(
-        this->Sphere.GetRange(next), inColumn.GetInverseRange(next - start), this->Tolerance);
-    if (isOpen && isRun && this->Sphere.IsJoined(next - 1, lms3dBeamSphere::Up))
+    const auto isEnd = [&](const std::int32_t& isOpen)
     {
-      this->Queue.back().Last = next;
-    }
-    else if (isOpen)
-    {
-      this->Queue.push_back({ next, next });
-    }
-    isRun = isOpen;
+      const auto index = first + static_cast<GridIndex>(&isOpen - this->IsOpen.data());
+      return isOpen == 0 || !this->Sphere.IsJoined(index - 1, lms3dBeamSphere::Up);
+    };
+    const auto next = std::find_if(run + 1, end, isEnd);
+    this->Queue.push_back({ first + static_cast<GridIndex>(run - begin),
+      first + static_cast<GridIndex>(next - begin) - 1 });
+    run = std::find(next, end, 1);
+  }
+}
+
+// Marks the entries to which the flood can go on.
+void lms3dPatchGrower::MarkOpen(const Neighbors& neighbors, const lms3dColumnPlane& plane)
+{
+  for (int i = 0; i < neighbors.Count; ++i)
+  {
+    const GridIndex index = neighbors.First + i;
+    const bool isOpen = this->IsFree(index) &&
+      this->Sphere.IsJoined(neighbors.FirstJoin + i, lms3dBeamSphere::Right) &&
+      lms3dIsWithinTolerance(this->Sphere.GetRange(index),
+        plane.GetInverseRange(neighbors.FirstRow + i), this->Tolerance);
+    this->IsOpen[i] = isOpen ? 1 : 0;
+  }
+}
+
+// The same without branches, so that the compiler makes it a loop over vectors.
+LMS3D_WIDE_LOOPS
+void lms3dPatchGrower::MarkOpenOfRegular(const Neighbors& neighbors, lms3dColumnPlane plane)
+{
+  const std::int32_t* const labels = this->Result.Labels.data() + neighbors.First;
+  const double* const ranges = this->Sphere.GetRanges() + neighbors.First;
+  const std::uint8_t* const joins = this->Sphere.GetJoins() + neighbors.FirstJoin;
+  std::int32_t* const isOpen = this->IsOpen.data();
+  const double tolerance = this->Tolerance;
+  const int row = neighbors.FirstRow;
+  const int count = neighbors.Count;
+  for (int i = 0; i < count; ++i)
+  {
+    const bool fits =
+      lms3dIsWithinTolerance(ranges[i], plane.GetInverseRangeOfRegular(row + i), tolerance);
+    isOpen[i] =
+      fits & ((joins[i] & lms3dBeamSphere::JoinedRight) != 0) & (labels[i] == lms3dPatches::Free)
+      ? 1
+      : 0;
   }
 }
 

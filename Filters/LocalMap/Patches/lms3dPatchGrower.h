@@ -10,6 +10,7 @@
 #include "LocalMap/Patches/lms3dPatches.h"
 #include "LocalMap/Patches/lms3dSeedPlanes.h"
 
+#include <cstdint>
 #include <vector>
 
 /**
@@ -31,12 +32,24 @@ private:
   using GridIndex = lms3dBeamSphere::GridIndex;
   using Span = lms3dPatches::Span;
 
+  /// Consecutive entries of a column, beside a span.
+  struct Neighbors
+  {
+    GridIndex First;
+    /// The entry that says whether the first neighbour is joined with the span.
+    GridIndex FirstJoin;
+    int FirstRow;
+    int Count;
+  };
+
   void GrowFromLattice(int stride);
   void GrowFromFreeReturns();
   void GrowFrom(GridIndex seed, lms3dPlane plane);
   void Flood(GridIndex seed, const lms3dPlane& plane, lms3dPatches::Patch& patch);
   Span FloodSpan(const Span& run, const lms3dColumnPlane& plane);
   void QueueNeighbors(const Span& span, int side, const lms3dPlane& plane);
+  void MarkOpen(const Neighbors& neighbors, const lms3dColumnPlane& plane);
+  void MarkOpenOfRegular(const Neighbors& neighbors, lms3dColumnPlane plane);
   void Release(lms3dPatches::Patch& patch);
   bool HasMoved(const lms3dPatches::Patch& patch, const lms3dPlane& plane) const;
 
@@ -49,6 +62,8 @@ private:
   const lms3dSeedPlanes SeedPlanes;
   /// Runs of joined returns on the plane from which the flood goes on.
   std::vector<Span> Queue;
+  /// For neighbours of a span, 1 if the flood can go on there, and 0 if not.
+  std::vector<std::int32_t> IsOpen;
 };
 
 #endif

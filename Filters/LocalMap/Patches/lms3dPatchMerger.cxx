@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Patches/lms3dPatchMerger.h"
 
+#include "Geometry/lms3dWideLoops.h"
 #include "LocalMap/Patches/lms3dLabelChanges.h"
 
 #include <tbb/blocked_range.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 
 namespace
@@ -125,19 +127,42 @@ bool lms3dPatchMerger::Explains(const lms3dPlane& plane, const lms3dPatches::Pat
     [&](const lms3dPatches::Span& span)
     {
       const int column = this->Sphere.GetColumn(span.First);
-      const GridIndex start = this->Sphere.GetIndex(column, 0);
       const lms3dColumnPlane inColumn(plane, this->Sphere, column);
-      for (GridIndex index = span.First; index <= span.Last; ++index)
-      {
-        const int row = index - start;
-        if (!lms3dIsWithinTolerance(
-              this->Sphere.GetRange(index), inColumn.GetInverseRange(row), this->Tolerance))
-        {
-          return false;
-        }
-      }
-      return true;
+      return this->Sphere.IsRegular() ? this->ExplainsSpanOfRegular(inColumn, span)
+                                      : this->ExplainsSpan(inColumn, span);
     });
+}
+
+bool lms3dPatchMerger::ExplainsSpan(
+  const lms3dColumnPlane& plane, const lms3dPatches::Span& span) const
+{
+  for (GridIndex index = span.First; index <= span.Last; ++index)
+  {
+    if (!lms3dIsWithinTolerance(this->Sphere.GetRange(index),
+          plane.GetInverseRange(this->Sphere.GetRow(index)), this->Tolerance))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The same without branches, so that the compiler makes it a loop over vectors.
+LMS3D_WIDE_LOOPS
+bool lms3dPatchMerger::ExplainsSpanOfRegular(
+  const lms3dColumnPlane& plane, const lms3dPatches::Span& span) const
+{
+  const double* const ranges = this->Sphere.GetRanges() + span.First;
+  const int first = this->Sphere.GetRow(span.First);
+  const int count = span.Last - span.First + 1;
+  const double tolerance = this->Tolerance;
+  std::int64_t outside = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const double inverse = plane.GetInverseRangeOfRegular(first + i);
+    outside += lms3dIsWithinTolerance(ranges[i], inverse, tolerance) ? 0 : 1;
+  }
+  return outside == 0;
 }
 
 void lms3dPatchMerger::Join(int large, int small, const lms3dPlane& plane)

@@ -37,6 +37,8 @@ private:
   int FindRoot(int patch);
   bool TryToMerge(int large, int small);
   bool Explains(const lms3dPlane& plane, const lms3dPatches::Patch& patch) const;
+  bool ExplainsSpan(const lms3dColumnPlane& plane, const lms3dPatches::Span& span) const;
+  bool ExplainsSpanOfRegular(const lms3dColumnPlane& plane, const lms3dPatches::Span& span) const;
   void Join(int large, int small, const lms3dPlane& plane);
 
   const lms3dBeamSphere& Sphere;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Patches/lms3dRangeNoise.h"
 
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -67,11 +70,18 @@ void AppendResidualsOnRays(
 
 double lms3dEstimateNoise(const lms3dBeamSphere& sphere)
 {
+  tbb::enumerable_thread_specific<std::vector<double>> ofThreads;
+  tbb::parallel_for(0, (sphere.GetNumberOfColumns() + Stride - 1) / Stride,
+    [&](int sample)
+    {
+      sphere.IsRegular() ? AppendResiduals(sphere, sample * Stride, ofThreads.local())
+                         : AppendResidualsOnRays(sphere, sample * Stride, ofThreads.local());
+    });
+  // The median does not depend on their order.
   std::vector<double> residuals;
-  for (int column = 0; column < sphere.GetNumberOfColumns(); column += Stride)
+  for (const std::vector<double>& ofThread : ofThreads)
   {
-    sphere.IsRegular() ? AppendResiduals(sphere, column, residuals)
-                       : AppendResidualsOnRays(sphere, column, residuals);
+    residuals.insert(residuals.end(), ofThread.begin(), ofThread.end());
   }
   return lms3dGetNoiseOfResiduals(residuals);
 }

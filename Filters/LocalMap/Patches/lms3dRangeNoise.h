@@ -16,7 +16,7 @@
  * of a column satisfy w[i-1] + w[i+1] = 2 cos(step) w[i]. The residual of that equation, times the
  * squared range, has six times the variance of the noise. The median of the residuals is robust
  * against creases and depth steps. Returns 0 if no three consecutive beams returned. Filled beams
- * (lms3dRangeGrid) do not count.
+ * (lms3dRangeGrid) do not count. Uses the threads of the calling TBB arena.
  */
 double lms3dEstimateNoise(const lms3dBeamSphere& sphere);
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -24,9 +25,8 @@ std::vector<lms3dTriangleSums> GetSums(
     const lms3dVertexStars::Vertex& a = stars.GetVertex(triangle.Corners[0]);
     const lms3dVertexStars::Vertex& b = stars.GetVertex(triangle.Corners[1]);
     const lms3dVertexStars::Vertex& c = stars.GetVertex(triangle.Corners[2]);
-    sums.emplace_back(demands,
-      lms3dTriangleSums::Triangle{
-        { &a.Corner, &b.Corner, &c.Corner }, { a.Inverse, b.Inverse, c.Inverse } });
+    const lms3dTriangleBeams beams(demands.GetSphere(), { &a.Corner, &b.Corner, &c.Corner });
+    sums.emplace_back(demands, beams, std::array<double, 3>{ a.Inverse, b.Inverse, c.Inverse });
   }
   return sums;
 }
@@ -51,7 +51,8 @@ TEST_F(SurfaceFit, CountsNoBeamOfAFlatTriangle)
   const lms3dTriangleCorner a({ 1.0, 0.0, 0.0 });
   const lms3dTriangleCorner b({ 0.8, 0.6, 0.0 });
   const lms3dTriangleCorner c({ 0.6, 0.8, 0.0 });
-  const lms3dTriangleSums sums(demands, { { &a, &b, &c }, { 0.5, 0.5, 0.5 } });
+  const lms3dTriangleBeams beams(this->Sphere, { &a, &b, &c });
+  const lms3dTriangleSums sums(demands, beams, { 0.5, 0.5, 0.5 });
   EXPECT_EQ(sums.GetSum({ 1.0, 1.0, 1.0 }), 0.0);
   EXPECT_EQ(sums.GetLargestShare(0), 0.0);
 }

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The beams that hit a triangle, kept for several uses.
+ */
+#ifndef lms3dTriangleBeams_h
+#define lms3dTriangleBeams_h
+
+#include "LocalMap/Bounded/lms3dBeamDemands.h"
+#include "LocalMap/Bounded/lms3dTriangleRasterizer.h"
+
+#include <array>
+#include <vector>
+
+/**
+ * The beams that hit a triangle while its corners keep their directions. The ranges of the corners
+ * may change.
+ *
+ * A beam in the direction d meets the triangle at the inverse range sum(s_i x_i), where x_i are the
+ * inverse ranges of the corners. The *share* s_i = d.o_i of a corner is linear in d, 1 at the
+ * corner and 0 on the opposite edge.
+ */
+class lms3dTriangleBeams
+{
+public:
+  /// The positions of the corners are unit vectors.
+  using Corners = std::array<const lms3dTriangleCorner*, 3>;
+  /// The vectors o_i.
+  using Shares = std::array<lms3dVector, 3>;
+
+  /// The beams of a column that hit, rows included.
+  struct Span
+  {
+    int Column;
+    int First;
+    int Last;
+  };
+
+  /// No beams.
+  lms3dTriangleBeams() = default;
+
+  /// The triangle faces the sensor.
+  lms3dTriangleBeams(const lms3dBeamSphere& sphere, const Corners& corners);
+
+  /// Whether the corners lie in one plane with the sensor. Then the shares are not finite.
+  bool IsFlat() const { return this->IsInPlaneWithSensor; }
+
+  /// At most one for each column, in the order of lms3dTriangleRasterizer.
+  const std::vector<Span>& GetSpans() const { return this->Spans; }
+  /// The number of columns that can have beams that hit.
+  int GetNumberOfColumns() const { return this->NumberOfColumns; }
+  const Shares& GetShares() const { return this->SharesOfCorners; }
+
+  /// The inverse range on the triangle, in a direction, is its product with this vector. Takes the
+  /// inverse ranges of the corners, 1/metre.
+  lms3dVector GetPlane(const std::array<double, 3>& inverses) const;
+
+  /// Whether all beams meet the triangle where their returns demand.
+  bool AreWithinBound(const lms3dBeamDemands& demands, const std::array<double, 3>& inverses) const;
+
+private:
+  static bool AreWithin(
+    const lms3dBeamDemands& demands, const lms3dVector& plane, const Span* first, const Span* last);
+
+  bool IsInPlaneWithSensor = true;
+  int NumberOfColumns = 0;
+  std::vector<Span> Spans;
+  Shares SharesOfCorners = {};
+};
+
+#endif

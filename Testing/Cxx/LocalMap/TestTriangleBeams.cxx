@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks the beams that hit a triangle, and whether they stay within the bound.
+ */
+#include "LocalMap/Bounded/lms3dTriangleBeams.h"
+#include "LocalMap/SurfaceFitFixture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace
+{
+/// Triangles of several sizes that face the sensor.
+class TriangleBeams : public SurfaceFit
+{
+protected:
+  using GridIndex = lms3dBeamSphere::GridIndex;
+
+  void SetUp() override
+  {
+    for (double size : { 0.05, 0.3, 0.9 })
+    {
+      for (int i = 0; i < 20; ++i)
+      {
+        const lms3dVector center = this->GetRandomDirection();
+        const lms3dVector a = this->GetCornerNear(center, size);
+        const lms3dVector b = this->GetCornerNear(center, size);
+        const lms3dVector c = this->GetCornerNear(center, size);
+        const bool isTurned = lms3dDot(lms3dCross(c, b), a) < 0.0;
+        this->Triangles.push_back({ lms3dTriangleCorner(a), lms3dTriangleCorner(isTurned ? c : b),
+          lms3dTriangleCorner(isTurned ? b : c) });
+      }
+    }
+  }
+
+  static lms3dTriangleBeams::Corners GetCorners(const std::array<lms3dTriangleCorner, 3>& triangle)
+  {
+    return { &triangle[0], &triangle[1], &triangle[2] };
+  }
+
+  /// How far inside of all edges a beam passes, as the product with their normals.
+  static double GetDepth(
+    const std::array<lms3dTriangleCorner, 3>& triangle, const lms3dVector& direction)
+  {
+    double depth = 1.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const lms3dVector edge = lms3dCross(triangle[(i + 1) % 3].Position, triangle[i].Position);
+      depth = std::min(depth, lms3dDot(edge, direction) / lms3dGetLength(edge));
+    }
+    return depth;
+  }
+
+  lms3dVector GetRandomDirection()
+  {
+    std::normal_distribution<double> normal;
+    return lms3dNormalize({ normal(this->Random), normal(this->Random), normal(this->Random) });
+  }
+
+  lms3dVector GetCornerNear(const lms3dVector& center, double size)
+  {
+    return lms3dNormalize(lms3dAdd(center, lms3dScale(this->GetRandomDirection(), size)));
+  }
+
+  std::mt19937 Random{ 7 };
+  std::vector<std::array<lms3dTriangleCorner, 3>> Triangles;
+};
+} // namespace
+
+TEST_F(TriangleBeams, AreThoseInsideOfItsEdges)
+{
+  constexpr double Rounding = 1e-8;
+  for (const std::array<lms3dTriangleCorner, 3>& triangle : this->Triangles)
+  {
+    std::set<GridIndex> found;
+    const lms3dTriangleBeams beams(this->Sphere, GetCorners(triangle));
+    for (const lms3dTriangleBeams::Span& span : beams.GetSpans())
+    {
+      for (int row = span.First; row <= span.Last; ++row)
+      {
+        EXPECT_TRUE(found.insert(this->Sphere.GetIndex(span.Column, row)).second);
+      }
+    }
+    for (GridIndex index = 0; index < this->Sphere.GetSize(); ++index)
+    {
+      const double depth = GetDepth(triangle, this->Sphere.GetDirection(index));
+      if (std::abs(depth) > Rounding)
+      {
+        EXPECT_EQ(found.count(index) > 0, depth > 0.0) << index;
+      }
+    }
+  }
+}
+
+// The share of a corner is 1 there and 0 on the opposite edge, so the plane passes the corners.
+TEST_F(TriangleBeams, HavePlanesThroughTheCorners)
+{
+  const std::array<double, 3> inverses = { 0.4, 0.5, 0.7 };
+  for (const std::array<lms3dTriangleCorner, 3>& triangle : this->Triangles)
+  {
+    const lms3dTriangleBeams beams(this->Sphere, GetCorners(triangle));
+    EXPECT_FALSE(beams.IsFlat());
+    const lms3dVector plane = beams.GetPlane(inverses);
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(lms3dDot(plane, triangle[i].Position), inverses[i], 1e-9);
+      EXPECT_NEAR(lms3dDot(beams.GetShares()[i], triangle[(i + 1) % 3].Position), 0.0, 1e-9);
+    }
+  }
+}
+
+// Corners move until single beams leave the bound.
+TEST_F(TriangleBeams, AreWithinTheBoundIfEachBeamIs)
+{
+  constexpr double Bound = 0.2;
+  const lms3dBeamDemands demands(this->Sphere, this->Patches, Bound);
+  std::uniform_real_distribution<double> range(Radius - 0.3, Radius + 0.3);
+  int within = 0;
+  int beyond = 0;
+  for (const std::array<lms3dTriangleCorner, 3>& triangle : this->Triangles)
+  {
+    const lms3dTriangleBeams beams(this->Sphere, GetCorners(triangle));
+    for (int trial = 0; trial < 10; ++trial)
+    {
+      const std::array<double, 3> inverses = { 1.0 / range(this->Random), 1.0 / range(this->Random),
+        1.0 / range(this->Random) };
+      const lms3dVector plane = beams.GetPlane(inverses);
+      double largest = 0.0;
+      for (const lms3dTriangleBeams::Span& span : beams.GetSpans())
+      {
+        for (int row = span.First; row <= span.Last; ++row)
+        {
+          const lms3dVector direction =
+            this->Sphere.GetDirection(this->Sphere.GetIndex(span.Column, row));
+          largest = std::max(largest, std::abs(1.0 / lms3dDot(plane, direction) - Radius));
+        }
+      }
+      if (std::abs(largest - Bound) > 1e-6)
+      {
+        EXPECT_EQ(beams.AreWithinBound(demands, inverses), largest < Bound);
+        ++(largest < Bound ? within : beyond);
+      }
+    }
+  }
+  EXPECT_GT(within, 100);
+  EXPECT_GT(beyond, 100);
+}
