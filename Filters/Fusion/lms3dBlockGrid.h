@@ -139,6 +139,11 @@ public:
     return missing == 0;
   }
 
+  /// Calls `visit` with both coordinates of the cells of a strip that have the bit, row by row.
+  /// Stops, and returns false, if `visit` returns false.
+  template <typename Visitor>
+  bool ForCells(BitsOf bits, const lms3dCellStrip& strip, const Visitor& visit) const;
+
   /// Returns whether all cells of a box lie in blocks.
   bool HasBlocks(const lms3dCellBox& box) const;
 
@@ -198,6 +203,33 @@ protected:
   std::int32_t LastU = 0;
   std::int32_t LastV = 0;
 };
+
+template <typename Block>
+template <typename Visitor>
+bool lms3dBlockGrid<Block>::ForCells(
+  BitsOf bits, const lms3dCellStrip& strip, const Visitor& visit) const
+{
+  const std::int32_t v = GetBlockOf(strip.Row);
+  for (int i = 0; i < strip.Count; ++i)
+  {
+    const std::int32_t end = strip.First[i] <= strip.Last[i] ? GetBlockOf(strip.Last[i]) + 1 : 0;
+    for (std::int32_t u = GetBlockOf(strip.First[i]); u < end; ++u)
+    {
+      const int number = this->Find(u, v);
+      std::uint64_t cells = number < 0
+        ? 0
+        : (this->Blocks[number].*bits)[GetPlaceOf(strip.Row) + i] & strip.GetBits(i, u * Size);
+      for (; cells != 0; cells &= cells - 1)
+      {
+        if (!visit(u * Size + lms3dGetFirstBit(cells), strip.Row + i))
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
 
 using lms3dRegion = lms3dBlockGrid<lms3dRegionBlock>;
 

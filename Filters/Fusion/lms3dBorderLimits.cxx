@@ -59,20 +59,10 @@ bool lms3dBorderLimits::ForReturns(const Triangle& triangle, const Visitor& visi
   return lms3dForCentreStrips(triangle,
     [&](const lms3dCellStrip& strip)
     {
-      return !this->Region.HasAny(&lms3dRegionBlock::Must, strip) ||
-        lms3dForRows(strip,
-          [&](std::int32_t row, std::int32_t first, std::int32_t last)
-          {
-            for (std::int32_t cell = first; cell <= last; ++cell)
-            {
-              if (this->Region.Has(&lms3dRegionBlock::Must, cell, row) &&
-                !visit(lms3dPoint2{ cell + 0.5, row + 0.5 }))
-              {
-                return false;
-              }
-            }
-            return true;
-          });
+      return this->Region.ForCells(&lms3dRegionBlock::Must, strip,
+        [&](std::int32_t u, std::int32_t v) {
+          return visit(lms3dPoint2{ u + 0.5, v + 0.5 });
+        });
     });
 }
 

@@ -37,30 +37,31 @@ lms3dCornerMerger::lms3dCornerMerger(double tolerance, const lms3dFusedTile& til
   }
 }
 
-void lms3dCornerMerger::Queue(Corner corner)
-{
-  if (!this->IsQueued[corner])
-  {
-    this->IsQueued[corner] = true;
-    this->Queued.push_back(corner);
-  }
-}
-
 void lms3dCornerMerger::Merge()
 {
   this->MergeQueued(2);
+  this->DropGone();
   for (const Corner corner : this->Left)
   {
     this->Queue(corner);
   }
   this->MergeQueued(ChainLimit);
+  this->DropGone();
   for (const Corner corner : this->Left)
   {
-    if (!this->Corners.HasGone(corner) && !this->Corners.IsFixed(corner))
+    if (!this->Corners.IsFixed(corner))
     {
       this->MoveOutwards(corner);
     }
   }
+}
+
+// Each merge looks at all corners that are left.
+void lms3dCornerMerger::DropGone()
+{
+  this->Left.erase(std::remove_if(this->Left.begin(), this->Left.end(),
+                     [this](Corner corner) { return this->Corners.HasGone(corner); }),
+    this->Left.end());
 }
 
 // Merges queue more corners.
@@ -115,11 +116,11 @@ bool lms3dCornerMerger::MergeAt(Corner corner, std::size_t longest)
 
 bool lms3dCornerMerger::MergeChain(Corner behind)
 {
-  lms3dCornerMerge merge = { this->Points, {} };
-  merge.Before.push_back(this->Corners[behind]);
   std::vector<Corner> chain = this->Chain;
   chain.push_back(behind);
-  this->Far.reset();
+  lms3dCornerMerge merge = { this->Points, {} };
+  merge.Before.push_back(this->Corners[behind]);
+  this->Prepare(chain);
   const bool isFixed = this->Corners.IsFixed(this->Chain.back());
   for (const lms3dPoint2& place :
     isFixed ? std::vector<lms3dPoint2>{ this->Points.back() } : lms3dFindMergedPlaces(merge.Before))
@@ -134,11 +135,20 @@ bool lms3dCornerMerger::MergeChain(Corner behind)
   return false;
 }
 
+// The edges of a chain, first those that stay.
+void lms3dCornerMerger::Prepare(const std::vector<Corner>& chain)
+{
+  this->Far.reset();
+  this->Edges = { static_cast<std::size_t>(chain.front()),
+    static_cast<std::size_t>(chain[chain.size() - 2]) };
+  this->Edges.insert(this->Edges.end(), chain.begin() + 1, chain.end() - 2);
+}
+
 // The last of the corners between the ends of a chain stays.
 void lms3dCornerMerger::Apply(const lms3dCornerMerge& merge, const std::vector<Corner>& chain)
 {
   const Corner kept = chain[chain.size() - 2];
-  this->Limits.Merge(merge, GetEdges(chain));
+  this->Limits.Merge(merge, this->Edges);
   for (std::size_t i = 1; i + 2 < chain.size(); ++i)
   {
     this->Corners.Remove(chain[i]);
@@ -154,7 +164,7 @@ void lms3dCornerMerger::MoveOutwards(Corner corner)
   const std::optional<lms3dPoint2> way = lms3dFindWayOutwards(triangle);
   const std::vector<Corner> chain = { this->Corners.GetPrevious(corner), corner,
     this->Corners.GetNext(corner) };
-  this->Far.reset();
+  this->Prepare(chain);
   for (std::size_t i = 0; way && i < Steps.size(); ++i)
   {
     const lms3dPoint2 place = { point[0] + Steps[i] * (*way)[0], point[1] + Steps[i] * (*way)[1] };
@@ -172,22 +182,30 @@ bool lms3dCornerMerger::MayMerge(const lms3dCornerMerge& merge, const std::vecto
 {
   return this->Tile.Has(merge.Corner) && merge.GetSquaredDistanceOfCorner() <= this->Tolerance &&
     lms3dGetOrientation(merge.Before.front(), merge.Corner, merge.Before.back()) != 0 &&
-    this->Limits.MayMerge(merge, GetEdges(chain)) && this->IsNearOutline(merge, chain) &&
+    !this->IsFar(merge) && this->IsNearOutline(merge, chain) &&
+    this->Limits.MayMerge(merge, this->Edges) &&
     lms3dIsMergeApart(merge, chain, this->Left, this->Corners);
 }
 
-// Whether the outline's first corners are within the tolerance of a merge. A corner that is too far
-// from one place of a merge is often too far from the others.
+// A corner that is too far from one place of a merge is often too far from the others.
+bool lms3dCornerMerger::IsFar(const lms3dCornerMerge& merge) const
+{
+  return this->Far &&
+    merge.GetSquaredDistance(this->Corners.GetFirstPoint(*this->Far)) > this->Tolerance;
+}
+
+// Whether the outline's first corners are within the tolerance of a merge.
 bool lms3dCornerMerger::IsNearOutline(
   const lms3dCornerMerge& merge, const std::vector<Corner>& chain)
 {
-  const auto isNear = [&](const lms3dPoint2& point)
-  { return merge.GetSquaredDistance(point) <= this->Tolerance; };
-  if (this->Far && !isNear(this->Corners.GetFirstPoint(*this->Far)))
-  {
-    return false;
-  }
-  const Corner far = this->Corners.FindFar(chain.front(), chain.back(), isNear);
+  const lms3dSegment2 first(merge.Before.front(), merge.Corner);
+  const lms3dSegment2 second(merge.Corner, merge.Before.back());
+  const Corner far = this->Corners.FindFar(chain.front(), chain.back(),
+    [&](const lms3dPoint2& point)
+    {
+      return first.GetSquaredDistance(point) <= this->Tolerance ||
+        second.GetSquaredDistance(point) <= this->Tolerance;
+    });
   this->Far = far == chain.back() ? std::nullopt : std::optional<Corner>(far);
   return far == chain.back() && this->AreNeighboursNear(merge, chain);
 }
@@ -211,29 +229,20 @@ bool lms3dCornerMerger::AreNeighboursNear(
   const ThreeEdges edgesOfLast = { this->Corners[first], merge.Corner, this->Corners[last],
     this->Corners[behind] };
   const ThreeEdges edgesBehind = { merge.Corner, this->Corners[last], this->Corners[behind], end };
-  return this->IsNear(this->Corners.GetFirstPoint(last), edgesOfLast) &&
-    this->AreNear(before, first, edgesBefore) && this->AreNear(last, behind, edgesBehind);
-}
-
-bool lms3dCornerMerger::IsNear(const lms3dPoint2& point, const ThreeEdges& points) const
-{
-  return lms3dSegment2(points[0], points[1]).GetSquaredDistance(point) <= this->Tolerance ||
-    lms3dSegment2(points[1], points[2]).GetSquaredDistance(point) <= this->Tolerance ||
-    lms3dSegment2(points[2], points[3]).GetSquaredDistance(point) <= this->Tolerance;
+  return this->AreNear(last, last, edgesOfLast) && this->AreNear(before, first, edgesBefore) &&
+    this->AreNear(last, behind, edgesBehind);
 }
 
 // Whether the outline's first corners behind one, up to another, are near edges.
 bool lms3dCornerMerger::AreNear(Corner from, Corner to, const ThreeEdges& points) const
 {
-  const auto isNear = [&](const lms3dPoint2& point) { return this->IsNear(point, points); };
-  return this->Corners.FindFar(from, to, isNear) == to && isNear(this->Corners.GetFirstPoint(to));
-}
-
-// The edges of a chain, first those that stay.
-std::vector<lms3dBorderLimits::Edge> lms3dCornerMerger::GetEdges(const std::vector<Corner>& chain)
-{
-  std::vector<lms3dBorderLimits::Edge> edges = { static_cast<std::size_t>(chain.front()),
-    static_cast<std::size_t>(chain[chain.size() - 2]) };
-  edges.insert(edges.end(), chain.begin() + 1, chain.end() - 2);
-  return edges;
+  const std::array<lms3dSegment2, 3> edges = { lms3dSegment2(points[0], points[1]),
+    lms3dSegment2(points[1], points[2]), lms3dSegment2(points[2], points[3]) };
+  const auto isNear = [&](const lms3dPoint2& point)
+  {
+    return std::any_of(edges.begin(), edges.end(),
+      [&](const lms3dSegment2& edge) { return edge.GetSquaredDistance(point) <= this->Tolerance; });
+  };
+  return isNear(this->Corners.GetFirstPoint(to)) &&
+    (from == to || this->Corners.FindFar(from, to, isNear) == to);
 }

@@ -40,19 +40,27 @@ private:
   /// The ends of three successive edges.
   using ThreeEdges = std::array<lms3dPoint2, 4>;
 
+  void DropGone();
   void MergeQueued(std::size_t longest);
   void QueueBefore(Corner corner, std::size_t count);
   bool MergeAt(Corner corner, std::size_t longest);
   bool MergeChain(Corner behind);
+  void Prepare(const std::vector<Corner>& chain);
   void MoveOutwards(Corner corner);
   bool MayMerge(const lms3dCornerMerge& merge, const std::vector<Corner>& chain);
   void Apply(const lms3dCornerMerge& merge, const std::vector<Corner>& chain);
+  bool IsFar(const lms3dCornerMerge& merge) const;
   bool IsNearOutline(const lms3dCornerMerge& merge, const std::vector<Corner>& chain);
   bool AreNeighboursNear(const lms3dCornerMerge& merge, const std::vector<Corner>& chain) const;
-  bool IsNear(const lms3dPoint2& point, const ThreeEdges& points) const;
   bool AreNear(Corner from, Corner to, const ThreeEdges& points) const;
-  static std::vector<lms3dBorderLimits::Edge> GetEdges(const std::vector<Corner>& chain);
-  void Queue(Corner corner);
+  void Queue(Corner corner)
+  {
+    if (!this->IsQueued[corner])
+    {
+      this->IsQueued[corner] = true;
+      this->Queued.push_back(corner);
+    }
+  }
 
   /// Squared.
   const double Tolerance;
@@ -67,6 +75,8 @@ private:
   /// The corners that become one, with the one before them, and their places.
   std::vector<Corner> Chain;
   std::vector<lms3dPoint2> Points;
+  /// The edges of the merge that is tried.
+  std::vector<lms3dBorderLimits::Edge> Edges;
   /// A corner that was too far from the last place of the merge that is tried.
   std::optional<Corner> Far;
 };

@@ -25,9 +25,9 @@ public:
     lms3dBits Near = {};
   };
 
-  /// Draws a crease on the blocks of a raster. Blocks with new cells are marked as dirty, and count
-  /// them.
-  void Draw(const lms3dCreaseLine& crease, lms3dRaster& raster);
+  /// Draws creases on the blocks of a raster. What was drawn before is drawn on new blocks alone.
+  /// Blocks with new cells are marked as dirty, and count them.
+  void Draw(const std::vector<lms3dCreaseLine>& creases, lms3dRaster& raster);
 
   /// Returns nullptr for a block without cells.
   const Cells* Get(int block) const
@@ -39,10 +39,15 @@ private:
   using BitsOf = lms3dBits Cells::*;
   using Rectangle = std::array<lms3dPoint2, 4>;
 
-  void Draw(BitsOf bits, const Rectangle& corners, lms3dRaster& raster);
-  void Draw(BitsOf bits, const lms3dCellStrip& strip, std::int32_t u, lms3dRaster& raster);
+  /// Blocks before the first one stay as they are.
+  void Draw(const lms3dCreaseLine& crease, int firstBlock, lms3dRaster& raster);
+  void Draw(BitsOf bits, const Rectangle& corners, int firstBlock, lms3dRaster& raster);
+  void Draw(
+    BitsOf bits, const lms3dCellStrip& strip, std::int32_t u, int firstBlock, lms3dRaster& raster);
 
   std::vector<std::unique_ptr<Cells>> Blocks;
+  /// The creases that these blocks have.
+  std::vector<lms3dCreaseLine> Drawn;
 };
 
 #endif

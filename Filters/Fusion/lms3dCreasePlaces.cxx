@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dCreasePlaces.h"
 
+#include "Fusion/lms3dBox2.h"
+
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -116,6 +120,19 @@ bool IsNearMeeting(const lms3dPoint2& point, const std::optional<lms3dPoint2>& m
     std::hypot((*meeting)[0] - point[0], (*meeting)[1] - point[1]) <= ReachOfMeeting;
 }
 
+// Whether a part of a crease is so near to a box that a corner in the box may be near the part.
+bool IsNear(const lms3dCreaseLine& crease, const lms3dBox2& box)
+{
+  return std::any_of(crease.Parts.Seen.begin(), crease.Parts.Seen.end(),
+    [&](const auto& part)
+    {
+      lms3dBox2 ends;
+      ends.Add(GetPoint(crease, part.first));
+      ends.Add(GetPoint(crease, part.second));
+      return ends.IsNear(box, 2.0 * std::max(Reach, ReachAlong));
+    });
+}
+
 // A corner on a side of a tile stays on it, so that both tiles beside it have the same corner.
 std::optional<lms3dPoint2> FindPlaceOnSide(
   const lms3dPoint2& point, const lms3dCreaseLine& crease, int axis)
@@ -154,4 +171,18 @@ std::optional<lms3dPoint2> lms3dFindPlaceOnCrease(
     }
   }
   return GetPoint(*near.First, near.FootOfFirst.Along);
+}
+
+std::vector<lms3dCreaseLine> lms3dFindCreasesNear(
+  const std::vector<lms3dLoop>& outlines, const std::vector<lms3dCreaseLine>& creases)
+{
+  lms3dBox2 box;
+  for (const lms3dLoop& loop : outlines)
+  {
+    std::for_each(loop.begin(), loop.end(), [&](const lms3dPoint2& point) { box.Add(point); });
+  }
+  std::vector<lms3dCreaseLine> near;
+  std::copy_if(creases.begin(), creases.end(), std::back_inserter(near),
+    [&](const lms3dCreaseLine& crease) { return IsNear(crease, box); });
+  return near;
 }

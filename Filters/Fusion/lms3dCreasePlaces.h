@@ -9,6 +9,7 @@
 
 #include "Fusion/lms3dCreaseLine.h"
 #include "Fusion/lms3dFusedTile.h"
+#include "Fusion/lms3dRasterOutline.h"
 
 #include <optional>
 #include <vector>
@@ -17,5 +18,9 @@
 /// nearest meet. A corner on a side of the tile stays on it. Returns none if no crease is near.
 std::optional<lms3dPoint2> lms3dFindPlaceOnCrease(const lms3dPoint2& point,
   const std::vector<lms3dCreaseLine>& creases, const lms3dFusedTile& tile);
+
+/// Returns the creases that may be near a corner of outlines, in their order.
+std::vector<lms3dCreaseLine> lms3dFindCreasesNear(
+  const std::vector<lms3dLoop>& outlines, const std::vector<lms3dCreaseLine>& creases);
 
 #endif

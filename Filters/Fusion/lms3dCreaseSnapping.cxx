@@ -53,20 +53,16 @@ bool KeepsReturns(
     return true;
   }
   const lms3dSegment2 segment(side[0], side[1]);
-  return lms3dForTouchedRows(triangle,
-    [&](std::int32_t row, std::int32_t first, std::int32_t last)
+  return lms3dForTouchedStrips(triangle,
+    [&](const lms3dCellStrip& strip)
     {
-      for (std::int32_t cell = first; cell <= last; ++cell)
-      {
-        const lms3dPoint2 centre = { cell + 0.5, row + 0.5 };
-        if (region.Has(&lms3dRegionBlock::Must, cell, row) &&
-          segment.GetSquaredDistance(centre) > ReachOfReturns * ReachOfReturns &&
-          lms3dGetOrientation(side[0], side[1], centre) < 0)
+      return region.ForCells(&lms3dRegionBlock::Must, strip,
+        [&](std::int32_t u, std::int32_t v)
         {
-          return false;
-        }
-      }
-      return true;
+          const lms3dPoint2 centre = { u + 0.5, v + 0.5 };
+          return segment.GetSquaredDistance(centre) <= ReachOfReturns * ReachOfReturns ||
+            lms3dGetOrientation(side[0], side[1], centre) >= 0;
+        });
     });
 }
 

@@ -7,6 +7,7 @@
 #include "Fusion/lms3dLocalMap.h"
 #include "Fusion/lms3dLooseRegions.h"
 #include "Fusion/lms3dPassedPlanes.h"
+#include "Fusion/lms3dPlaneTiles.h"
 #include "Fusion/lms3dRegionMesher.h"
 #include "Fusion/lms3dRegionSightings.h"
 #include "Fusion/lms3dRegrouping.h"
@@ -125,7 +126,7 @@ bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
     plane.OldBlocks = plane.Raster.GetNumberOfBlocks();
     if (plane.HasNewCreases || !plane.Raster.GetMarked().empty())
     {
-      this->AddTiles(plane);
+      lms3dAddTiles(plane, this->Regions);
       changed.push_back(static_cast<int>(i));
     }
   }
@@ -148,32 +149,6 @@ bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
     }
   }
   return progress(1.0);
-}
-
-// Gives new blocks to tiles, which become regions.
-void lms3dGrowingMap::AddTiles(lms3dFusedPlane& plane)
-{
-  lms3dRaster& raster = plane.Raster;
-  for (; plane.TiledBlocks < raster.GetNumberOfBlocks(); ++plane.TiledBlocks)
-  {
-    lms3dRasterBlock& block = raster.GetBlock(plane.TiledBlocks);
-    const bool isWhole = !plane.Verbatim.empty();
-    const std::int32_t u = isWhole ? 0 : lms3dFusedTile::GetTileOf(block.U);
-    const std::int32_t v = isWhole ? 0 : lms3dFusedTile::GetTileOf(block.V);
-    block.Tile = plane.TileNumbers.Find(u, v);
-    if (block.Tile < 0)
-    {
-      block.Tile = plane.UsedTiles++;
-      plane.TileNumbers.Add(u, v, block.Tile);
-      if (block.Tile == static_cast<int>(plane.Tiles.size()))
-      {
-        plane.Tiles.emplace_back();
-        this->Regions.push_back(&plane.Tiles.back());
-      }
-      plane.Tiles[block.Tile] = isWhole ? lms3dFusedTile() : lms3dFusedTile(u, v);
-    }
-    plane.Tiles[block.Tile].Blocks.push_back(plane.TiledBlocks);
-  }
 }
 
 void lms3dGrowingMap::RenewShape(int planeNumber)
@@ -211,6 +186,7 @@ std::vector<lms3dGrowingMap::TileToRenew> lms3dGrowingMap::FindTiles(const std::
   for (const int number : planes)
   {
     lms3dFusedPlane& plane = this->Planes[number];
+    std::shared_ptr<const std::vector<lms3dCreaseLine>> creases;
     for (const int block : plane.Raster.GetMarked())
     {
       lms3dFusedTile& tile = plane.Tiles[plane.Raster.GetBlock(block).Tile];
@@ -221,9 +197,14 @@ std::vector<lms3dGrowingMap::TileToRenew> lms3dGrowingMap::FindTiles(const std::
     for (lms3dFusedTile& tile : plane.Tiles)
     {
       tile.IsStale = tile.IsStale || tile.HasOtherShape();
+      if (tile.IsStale && !creases)
+      {
+        creases = std::make_shared<const std::vector<lms3dCreaseLine>>(
+          lms3dGetCreaseLines(this->Planes, number));
+      }
       if (tile.IsStale || tile.IsSeen)
       {
-        tiles.push_back({ number, &tile });
+        tiles.push_back({ number, &tile, creases });
       }
     }
   }
@@ -236,8 +217,7 @@ void lms3dGrowingMap::RenewTile(const TileToRenew& place)
   lms3dFusedTile& tile = *place.Tile;
   if (tile.IsStale)
   {
-    lms3dMakeTileMesh(
-      plane, tile, lms3dGetCreaseLines(this->Planes, place.Plane), this->Settings.MaximumError);
+    lms3dMakeTileMesh(plane, tile, *place.Creases, this->Settings.MaximumError);
     tile.Revision = this->MeshedRevision;
     tile.Difference = 0;
     tile.DifferenceAtCreases = 0;

@@ -37,12 +37,13 @@ private:
   {
     int Plane;
     lms3dFusedTile* Tile;
+    /// The creases of the plane, if the tile gets new triangles.
+    std::shared_ptr<const std::vector<lms3dCreaseLine>> Creases;
   };
 
   void AddTable(const lms3dScanInput& scan);
   bool Reduce(const lms3dProgress& progress);
   bool Renew(const lms3dProgress& progress);
-  void AddTiles(lms3dFusedPlane& plane);
   void RenewShape(int number);
   std::vector<TileToRenew> FindTiles(const std::vector<int>& planes);
   void RenewTile(const TileToRenew& place);

@@ -63,20 +63,25 @@ public:
       !IsInAny(this->Before.back(), begin, end - 1);
   }
 
+  /// Whether an edge may be near. Others are apart.
+  bool BoxMeets(const Segment& segment) const
+  {
+    return this->BoxMeets(segment[0][0], segment[1][0], 0) &&
+      this->BoxMeets(segment[0][1], segment[1][1], 1);
+  }
+
   /// Whether an edge is apart that has no end in common with the merge.
   bool IsApart(const Segment& edge) const
   {
-    return !this->BoxMeets(edge) ||
-      (!this->HasInside(edge[0]) && !DoMeet(this->GetSpoke(0), edge) &&
-        !DoMeet(this->GetSpoke(this->GetLast()), edge) && this->AreInnerSpokesApart(edge));
+    return !this->HasInside(edge[0]) && !DoMeet(this->GetSpoke(0), edge) &&
+      !DoMeet(this->GetSpoke(this->GetLast()), edge) && this->AreInnerSpokesApart(edge);
   }
 
   /// Whether an edge is apart that ends at the first corner.
   bool IsApartBefore(const Segment& edge) const
   {
-    return !this->BoxMeets(edge) ||
-      (!this->HasInside(edge[0]) && GetOrientation(this->GetSpoke(0), edge[0]) != 0 &&
-        !DoMeet(this->GetSpoke(this->GetLast()), edge) && this->AreInnerSpokesApart(edge));
+    return !this->HasInside(edge[0]) && GetOrientation(this->GetSpoke(0), edge[0]) != 0 &&
+      !DoMeet(this->GetSpoke(this->GetLast()), edge) && this->AreInnerSpokesApart(edge);
   }
 
   /// Whether an edge is apart that begins at the last corner. It may end at the first one.
@@ -84,10 +89,9 @@ public:
   {
     const bool isClosed = edge[1] == this->Before.front();
     const Segment first = this->GetSpoke(0);
-    return !this->BoxMeets(edge) ||
-      (GetOrientation(this->GetSpoke(this->GetLast()), edge[1]) != 0 &&
-        (isClosed ? GetOrientation(first, edge[0]) != 0 : !DoMeet(first, edge)) &&
-        this->AreInnerSpokesApart(edge));
+    return GetOrientation(this->GetSpoke(this->GetLast()), edge[1]) != 0 &&
+      (isClosed ? GetOrientation(first, edge[0]) != 0 : !DoMeet(first, edge)) &&
+      this->AreInnerSpokesApart(edge);
   }
 
 private:
@@ -120,12 +124,6 @@ private:
     return true;
   }
 
-  bool BoxMeets(const Segment& segment) const
-  {
-    return this->BoxMeets(segment[0][0], segment[1][0], 0) &&
-      this->BoxMeets(segment[0][1], segment[1][1], 1);
-  }
-
   bool BoxMeets(double from, double to, int axis) const
   {
     return std::min(from, to) <= this->High[axis] && std::max(from, to) >= this->Low[axis];
@@ -147,7 +145,7 @@ bool lms3dIsMergeApart(const lms3dCornerMerge& merge, const std::vector<Corner>&
   {
     const Corner end = corners.GetNext(other);
     const Segment edge = { corners[other], corners[end] };
-    if (corners.HasGone(other) ||
+    if (corners.HasGone(other) || !area.BoxMeets(edge) ||
       std::find(chain.begin(), chain.end() - 1, other) < chain.end() - 1)
     {
       return true;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 
 namespace
 {
@@ -66,8 +65,19 @@ lms3dPoint2 Intersect(const Edge& a, const Edge& b)
   return { a[0][0] + along * au, a[0][1] + along * av };
 }
 
+// Whether two edges are apart along the second axis.
+bool AreApart(const Edge& a, const Edge& b)
+{
+  return std::max(a[0][1], a[1][1]) < std::min(b[0][1], b[1][1]) ||
+    std::max(b[0][1], b[1][1]) < std::min(a[0][1], a[1][1]);
+}
+
 void AddCrossings(const Edge& a, const Edge& b, std::vector<lms3dPoint2>& crossings)
 {
+  if (AreApart(a, b))
+  {
+    return;
+  }
   if (std::minmax(a[0], a[1]) == std::minmax(b[0], b[1]))
   {
     crossings.insert(crossings.end(), a.begin(), a.end());
@@ -91,11 +101,13 @@ void AddCrossings(const Edge& a, const Edge& b, std::vector<lms3dPoint2>& crossi
 }
 
 // The points at which there are several corners.
-std::vector<lms3dPoint2> FindSharedCorners(const std::vector<Edge>& edges)
+std::vector<lms3dPoint2> FindSharedCorners(const std::vector<lms3dLoop>& loops)
 {
   std::vector<lms3dPoint2> corners;
-  std::transform(edges.begin(), edges.end(), std::back_inserter(corners),
-    [](const Edge& edge) { return edge[0]; });
+  for (const lms3dLoop& loop : loops)
+  {
+    corners.insert(corners.end(), loop.begin(), loop.end());
+  }
   std::sort(corners.begin(), corners.end());
   std::vector<lms3dPoint2> shared;
   for (std::size_t i = 1; i < corners.size(); ++i)
@@ -109,7 +121,7 @@ std::vector<lms3dPoint2> FindSharedCorners(const std::vector<Edge>& edges)
 }
 } // namespace
 
-std::vector<lms3dPoint2> lms3dFindCrossings(const std::vector<lms3dLoop>& loops)
+std::vector<lms3dPoint2> lms3dFindCrossingEdges(const std::vector<lms3dLoop>& loops)
 {
   const std::vector<Edge> edges = SortEdges(loops);
   std::vector<lms3dPoint2> crossings;
@@ -120,5 +132,11 @@ std::vector<lms3dPoint2> lms3dFindCrossings(const std::vector<lms3dLoop>& loops)
       AddCrossings(edges[i], edges[j], crossings);
     }
   }
-  return crossings.empty() ? FindSharedCorners(edges) : crossings;
+  return crossings;
+}
+
+std::vector<lms3dPoint2> lms3dFindCrossings(const std::vector<lms3dLoop>& loops)
+{
+  const std::vector<lms3dPoint2> crossings = lms3dFindCrossingEdges(loops);
+  return crossings.empty() ? FindSharedCorners(loops) : crossings;
 }

@@ -13,8 +13,12 @@
 #include <vector>
 
 /// Returns the points in which edges of the loops cross, corners that lie on other edges, and the
-/// corners of equal edges. If there are none, returns the corners that loops have in common, since
-/// loops may cross in these. A point may be there several times.
+/// corners of equal edges. A point may be there several times. Loops with such points cannot be
+/// divided into triangles.
+std::vector<lms3dPoint2> lms3dFindCrossingEdges(const std::vector<lms3dLoop>& loops);
+
+/// The same. If there are none, returns the corners that loops have in common, since loops may
+/// cross in these.
 std::vector<lms3dPoint2> lms3dFindCrossings(const std::vector<lms3dLoop>& loops);
 
 #endif

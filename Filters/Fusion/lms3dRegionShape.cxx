@@ -118,10 +118,7 @@ std::vector<int> lms3dRegionShape::Update(
   const std::vector<lms3dCreaseLine>& creases, lms3dRaster& raster)
 {
   this->Reached.AddBlocks(raster);
-  for (const lms3dCreaseLine& crease : creases)
-  {
-    this->Creases.Draw(crease, raster);
-  }
+  this->Creases.Draw(creases, raster);
   std::vector<Round> rounds;
   std::vector<int> all;
   lms3dMarkDependents(raster);

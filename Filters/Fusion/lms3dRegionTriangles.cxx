@@ -4,6 +4,7 @@
 
 #include "Fusion/lms3dBorderLimits.h"
 #include "Fusion/lms3dCornerMerger.h"
+#include "Fusion/lms3dCreasePlaces.h"
 #include "Fusion/lms3dCreaseSnapping.h"
 #include "Fusion/lms3dOutlineCorners.h"
 #include "Fusion/lms3dOutlineCrossings.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace
 {
@@ -20,6 +22,13 @@ constexpr int Attempts = 6;
 // Cells: how near to a crossing corners do not move. If they then cross at the same places, twice
 // as far.
 constexpr double NearCrossing = 24.0;
+
+/// Outlines that are simpler, or that were left as they are since their edges cross.
+struct Straightened
+{
+  std::vector<lms3dLoop> Loops;
+  std::vector<lms3dPoint2> Crossings;
+};
 
 /// Makes the outlines of a region simpler.
 class Straightener
@@ -35,8 +44,9 @@ public:
   {
   }
 
-  /// Corners within a distance of the places do not move to creases.
-  std::vector<lms3dLoop> Straighten(const std::vector<lms3dCreaseLine>& creases,
+  /// Corners within a distance of the places do not move to creases. Merges of corners would take
+  /// time, and would leave most crossings as they are.
+  Straightened Straighten(const std::vector<lms3dCreaseLine>& creases,
     const std::vector<lms3dPoint2>& places, double distance) const
   {
     std::vector<bool> isFixed;
@@ -45,8 +55,12 @@ public:
     lms3dOutlineCorners corners(snapped, isFixed);
     lms3dBorderLimits limits(this->Region, corners.GetPoints().size(), this->Reach);
     lms3dOutlineSimplifier(this->Tolerance, corners, limits).Simplify();
-    lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits).Merge();
-    return corners.GetLoops();
+    std::vector<lms3dPoint2> crossings = lms3dFindCrossingEdges(corners.GetLoops());
+    if (crossings.empty())
+    {
+      lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits).Merge();
+    }
+    return { corners.GetLoops(), std::move(crossings) };
   }
 
 private:
@@ -56,38 +70,52 @@ private:
   const double Tolerance;
   const double Reach;
 };
+
+std::optional<std::vector<lms3dTriangle2>> Triangulate(const Straightened& made)
+{
+  return made.Crossings.empty() ? lms3dTriangulateOutlines(made.Loops) : std::nullopt;
+}
+
+// Adds the places at which outlines without triangles cross, each once.
+void AddCrossings(const Straightened& made, std::vector<lms3dPoint2>& crossings)
+{
+  for (const lms3dPoint2& found :
+    made.Crossings.empty() ? lms3dFindCrossings(made.Loops) : made.Crossings)
+  {
+    if (std::find(crossings.begin(), crossings.end(), found) == crossings.end())
+    {
+      crossings.push_back(found);
+    }
+  }
+}
 } // namespace
 
 std::vector<lms3dTriangle2> lms3dTriangulateRegion(const std::vector<lms3dLoop>& outlines,
   const lms3dRegion& region, const std::vector<lms3dCreaseLine>& creases,
   const lms3dFusedTile& tile, double tolerance, double reach)
 {
+  const std::vector<lms3dCreaseLine> near = lms3dFindCreasesNear(outlines, creases);
   const Straightener straightener(outlines, region, tile, tolerance, reach);
   std::vector<lms3dPoint2> crossings;
   double distance = NearCrossing;
   for (int attempt = 0; attempt < Attempts; ++attempt)
   {
-    const std::vector<lms3dLoop> loops = straightener.Straighten(creases, crossings, distance);
-    if (const auto triangles = lms3dTriangulateOutlines(loops))
+    const Straightened made = straightener.Straighten(near, crossings, distance);
+    if (const auto triangles = Triangulate(made))
     {
       return *triangles;
     }
     const std::size_t before = crossings.size();
-    for (const lms3dPoint2& found : lms3dFindCrossings(loops))
-    {
-      if (std::find(crossings.begin(), crossings.end(), found) == crossings.end())
-      {
-        crossings.push_back(found);
-      }
-    }
-    if (crossings.empty() || creases.empty())
+    AddCrossings(made, crossings);
+    if (crossings.empty() || near.empty())
     {
       break;
     }
     distance *= crossings.size() == before ? 2.0 : 1.0;
   }
   // Without creases, the corners on the sides of the tile alone are fixed.
-  for (const std::vector<lms3dLoop>& loops : { straightener.Straighten({}, {}, 0.0), outlines })
+  for (const std::vector<lms3dLoop>& loops :
+    { straightener.Straighten({}, {}, 0.0).Loops, outlines })
   {
     if (const auto triangles = lms3dTriangulateOutlines(loops))
     {

@@ -5,6 +5,8 @@
 #include "Fusion/lms3dCoveringPlanes.h"
 #include "Fusion/lms3dRegroupedPlane.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -60,20 +62,33 @@ std::vector<int> lms3dRegrouping::FindSeeds() const
   return numbers;
 }
 
+// The threads divide places.
 bool lms3dRegrouping::MakePlanes()
 {
-  this->IsTaken.assign(this->Planes.GetSize(), false);
-  std::size_t places = 0;
-  for (const int seed : this->FindSeeds())
+  std::vector<Place> places = this->FindPlaces();
+  const double bound = LargestShare * this->Planes.GetMaximumError();
+  tbb::parallel_for(std::size_t{ 0 }, places.size(),
+    [&](std::size_t i) { places[i].Groups = lms3dGroupReturns(places[i].Returns, bound); });
+  for (Place& place : places)
   {
-    if (places < PlacesOfScan && !this->IsTaken[seed])
-    {
-      this->AddPlace(this->FindPlace(seed));
-      ++places;
-    }
+    this->AddPlace(std::move(place));
   }
   return std::any_of(this->Places.begin(), this->Places.end(),
     [](const Place& place) { return !place.NewPlanes.empty(); });
+}
+
+std::vector<lms3dRegrouping::Place> lms3dRegrouping::FindPlaces()
+{
+  this->IsTaken.assign(this->Planes.GetSize(), false);
+  std::vector<Place> places;
+  for (const int seed : this->FindSeeds())
+  {
+    if (places.size() < PlacesOfScan && !this->IsTaken[seed])
+    {
+      places.push_back(this->FindPlace(seed));
+    }
+  }
+  return places;
 }
 
 // The weak planes near one, as long as they have few returns together.
@@ -85,6 +100,7 @@ lms3dRegrouping::Place lms3dRegrouping::FindPlace(int seed)
     this->Planes[number].DropForgotten();
     const std::vector<lms3dMappedReturn>& returns = this->Planes[number].Returns;
     place.OldPlanes.push_back(number);
+    this->IsTaken[number] = true;
     place.Returns.insert(place.Returns.end(), returns.begin(), returns.end());
   };
   add(seed);
@@ -92,7 +108,7 @@ lms3dRegrouping::Place lms3dRegrouping::FindPlace(int seed)
   for (const int number :
     this->Planes.FindPlanesNear(this->Planes.GetBox(static_cast<std::size_t>(seed)), gap))
   {
-    if (number != seed && !this->IsTaken[number] && this->IsCandidate(number) &&
+    if (!this->IsTaken[number] && this->IsCandidate(number) &&
       place.Returns.size() + this->Planes[number].Returns.size() <= LargestCount)
     {
       add(number);
@@ -101,17 +117,11 @@ lms3dRegrouping::Place lms3dRegrouping::FindPlace(int seed)
   return place;
 }
 
-void lms3dRegrouping::AddPlace(Place&& place)
+// The returns without a group are left.
+void lms3dRegrouping::FindLeft(Place& place)
 {
-  for (const int number : place.OldPlanes)
-  {
-    this->IsTaken[number] = true;
-    this->Planes[number].RegroupedTriangles = this->Planes[number].CountTriangles();
-  }
-  const std::vector<lms3dReturnGroup> groups =
-    lms3dGroupReturns(place.Returns, LargestShare * this->Planes.GetMaximumError());
   std::vector<bool> isGrouped(place.Returns.size());
-  for (const lms3dReturnGroup& group : groups)
+  for (const lms3dReturnGroup& group : place.Groups)
   {
     for (const int i : group.Returns)
     {
@@ -125,15 +135,23 @@ void lms3dRegrouping::AddPlace(Place&& place)
       place.Left.push_back(static_cast<int>(i));
     }
   }
-  if (TrianglesOfPlane * groups.size() + place.Left.size() < this->CountTriangles(place.OldPlanes))
+}
+
+void lms3dRegrouping::AddPlace(Place&& place)
+{
+  for (const int number : place.OldPlanes)
   {
-    place.NewPlanes.reserve(groups.size());
-    for (const lms3dReturnGroup& group : groups)
+    this->Planes[number].RegroupedTriangles = this->Planes[number].CountTriangles();
+  }
+  FindLeft(place);
+  if (TrianglesOfPlane * place.Groups.size() + place.Left.size() <
+    this->CountTriangles(place.OldPlanes))
+  {
+    place.NewPlanes.reserve(place.Groups.size());
+    for (const lms3dReturnGroup& group : place.Groups)
     {
       place.NewPlanes.push_back(
         lms3dMakeRegroupedPlane(place.Returns, group, place.OldPlanes, this->Tables, this->Planes));
-      this->IsTaken.resize(this->Planes.GetSize());
-      this->IsTaken[place.NewPlanes.back()] = true;
     }
     this->Places.push_back(std::move(place));
   }

@@ -9,6 +9,7 @@
 
 #include "Fusion/lms3dBeamTable.h"
 #include "Fusion/lms3dFusedPlanes.h"
+#include "Fusion/lms3dReturnGroups.h"
 
 #include <cstddef>
 #include <vector>
@@ -41,6 +42,7 @@ private:
   {
     std::vector<int> OldPlanes;
     std::vector<lms3dMappedReturn> Returns;
+    std::vector<lms3dReturnGroup> Groups;
     std::vector<int> NewPlanes;
     /// The returns that are on no new plane.
     std::vector<int> Left;
@@ -49,7 +51,9 @@ private:
   bool IsCandidate(int number) const;
   std::size_t CountTriangles(const std::vector<int>& numbers) const;
   std::vector<int> FindSeeds() const;
+  std::vector<Place> FindPlaces();
   Place FindPlace(int seed);
+  static void FindLeft(Place& place);
   void AddPlace(Place&& place);
   std::size_t CountFacets(const Place& place) const;
   bool IsBetter(const Place& place) const;

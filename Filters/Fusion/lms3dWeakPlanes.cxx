@@ -31,24 +31,22 @@ struct WeakPlane
 // The weak planes near surface that the last scan added, in order.
 std::vector<int> FindNearNewSurface(const lms3dFusedPlanes& planes)
 {
-  std::vector<int> found;
-  for (const lms3dFusedPlane& plane : planes.GetAll())
-  {
-    lms3dBlockBoxes grown;
-    for (const int number : plane.Raster.GetMarked())
+  return lms3dFindForPlanes(planes,
+    [&](std::size_t number, std::vector<int>& found)
     {
-      if (plane.Raster.HasMark(number, lms3dRaster::GREW))
+      const lms3dFusedPlane& plane = planes[number];
+      lms3dBlockBoxes grown;
+      for (const int block : plane.Raster.GetMarked())
       {
-        grown.Add(plane, number);
+        if (plane.Raster.HasMark(block, lms3dRaster::GREW))
+        {
+          grown.Add(plane, block);
+        }
       }
-    }
-    grown.FindPlanesNear(
-      planes, planes.GetMaximumError(),
-      [](const lms3dFusedPlane& near) { return near.IsWeak && !near.Returns.empty(); }, found);
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
+      grown.FindPlanesNear(
+        planes, planes.GetMaximumError(),
+        [](const lms3dFusedPlane& near) { return near.IsWeak && !near.Returns.empty(); }, found);
+    });
 }
 
 // The share of a weak plane's returns that others must show. Facets for the other returns are then

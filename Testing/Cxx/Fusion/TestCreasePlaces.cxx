@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
 #include <vector>
 
 namespace
@@ -56,6 +58,38 @@ TEST(LMS3DCreasePlaces, AreWhereCreasesMeetBesideLikeOnes)
   ASSERT_TRUE(place);
   EXPECT_DOUBLE_EQ((*place)[0], 53.0);
   EXPECT_DOUBLE_EQ((*place)[1], 10.0);
+}
+
+/// Creases of other parts of a plane spare no corner its place.
+TEST(LMS3DCreasePlaces, DependOnCreasesNearTheOutlinesAlone)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-400.0, 400.0);
+  int found = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    std::vector<lms3dCreaseLine> creases;
+    for (int crease = 0; crease < 40; ++crease)
+    {
+      const double angle = place(random);
+      const double along = place(random);
+      const lms3dCreaseParts parts = { { along, along + 60.0 } };
+      creases.push_back({ { place(random), place(random) }, { std::cos(angle), std::sin(angle) },
+        { parts, parts } });
+    }
+    const double u = place(random);
+    const double v = place(random);
+    const lms3dLoop loop = { { u, v }, { u + 50.0, v }, { u, v + 50.0 } };
+    const std::vector<lms3dCreaseLine> near = lms3dFindCreasesNear({ loop }, creases);
+    EXPECT_LT(near.size(), creases.size());
+    for (const lms3dPoint2& corner : loop)
+    {
+      const auto expected = lms3dFindPlaceOnCrease(corner, creases, Tile);
+      EXPECT_EQ(lms3dFindPlaceOnCrease(corner, near, Tile), expected);
+      found += expected ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found, 20);
 }
 
 TEST(LMS3DCreaseSnapping, LetsCornersNearPlacesStay)

@@ -57,6 +57,21 @@ TEST(LMS3DOutlineCrossings, AreSharedCornersIfNothingElse)
     (Points{ { 10.0, 10.0 } }));
 }
 
+/// Outlines may touch in corners, but have no triangles if their edges cross.
+TEST(LMS3DOutlineCrossings, AreOfEdgesExactlyIfThereAreNoTriangles)
+{
+  const auto expectCrossings = [](const std::vector<lms3dLoop>& loops, bool doCross)
+  {
+    EXPECT_EQ(!lms3dFindCrossingEdges(loops).empty(), doCross);
+    EXPECT_EQ(!lms3dTriangulateOutlines(loops), doCross);
+  };
+  expectCrossings({ Square }, false);
+  expectCrossings({ Square, { { 10.0, 10.0 }, { 14.0, 12.0 }, { 12.0, 14.0 } } }, false);
+  expectCrossings({ Square, { { 5.0, 10.0 }, { 8.0, 14.0 }, { 2.0, 14.0 } } }, true);
+  expectCrossings({ Square, { { 0.0, 10.0 }, { 10.0, 10.0 }, { 5.0, 14.0 } } }, true);
+  expectCrossings({ Square, { { 5.0, 5.0 }, { 20.0, 5.0 }, { 20.0, 8.0 } } }, true);
+}
+
 /// Two strips of surface lie on both sides of a crease, so near to it that both move to it. Far
 /// away the border follows the crease all the same.
 TEST(LMS3DOutlineCrossings, LeaveCreasesOutNearby)
