@@ -25,7 +25,7 @@ class lms3dOutlineSimplifier
 {
 public:
   /// The tolerance is in cells. The edges of the limits have the numbers of their first corners.
-  /// Keeps references to corners, which have all their neighbours, and to limits.
+  /// Keeps references to corners and limits. Some corners may have gone or moved before.
   lms3dOutlineSimplifier(double tolerance, lms3dOutlineCorners& corners, lms3dBorderLimits& limits);
 
   void Simplify();

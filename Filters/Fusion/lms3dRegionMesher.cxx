@@ -10,6 +10,7 @@
 #include "Fusion/lms3dRegionCover.h"
 #include "Fusion/lms3dRegionRaster.h"
 #include "Fusion/lms3dRegionTriangles.h"
+#include "Fusion/lms3dSmallHoles.h"
 #include "Fusion/lms3dTileSides.h"
 
 #include <algorithm>
@@ -101,8 +102,7 @@ private:
   void AddRegion()
   {
     std::vector<lms3dLoop> outlines = lms3dTraceOutlines(this->Region);
-    if (this->Plane.Verbatim.empty() && this->Plane.IsWeak &&
-      lms3dJoinIslands(outlines, this->Plane.Raster, this->Creases, this->Region))
+    if (this->Plane.Verbatim.empty() && this->CloseGaps(outlines))
     {
       outlines = lms3dTraceOutlines(this->Region);
     }
@@ -115,6 +115,15 @@ private:
     {
       this->Add(triangle);
     }
+  }
+
+  /// Returns whether the region has more cells then.
+  bool CloseGaps(const std::vector<lms3dLoop>& outlines)
+  {
+    const bool hasClosed = lms3dCloseSmallHoles(outlines, this->Plane.Raster, this->Region);
+    return (this->Plane.IsWeak &&
+             lms3dJoinIslands(outlines, this->Plane.Raster, this->Creases, this->Region)) ||
+      hasClosed;
   }
 
   static void SetCovered(const lms3dRegionBlock& cells, lms3dRasterBlock& block)
