@@ -32,7 +32,6 @@ lms3dCornerMerger::lms3dCornerMerger(double tolerance, const lms3dFusedTile& til
     if (!corners.HasGone(corner))
     {
       this->Left.push_back(corner);
-      this->Queue(corner);
     }
   }
 }
@@ -48,18 +47,25 @@ void lms3dCornerMerger::Queue(Corner corner)
 
 void lms3dCornerMerger::Merge()
 {
-  this->MergeQueued(2);
-  for (const Corner corner : this->Left)
-  {
-    this->Queue(corner);
-  }
-  this->MergeQueued(ChainLimit);
+  this->MergeNear(this->Left);
   for (const Corner corner : this->Left)
   {
     if (!this->Corners.HasGone(corner) && !this->Corners.IsFixed(corner))
     {
       this->MoveOutwards(corner);
     }
+  }
+}
+
+void lms3dCornerMerger::MergeNear(const std::vector<Corner>& corners)
+{
+  for (const std::size_t longest : { std::size_t{ 2 }, ChainLimit })
+  {
+    for (const Corner corner : corners)
+    {
+      this->Queue(corner);
+    }
+    this->MergeQueued(longest);
   }
 }
 

@@ -86,6 +86,8 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
 void lms3dOutlineSimplifier::Remove(Corner corner)
 {
   this->Limits.Join(this->Corners.GetTriangle(corner), this->Corners.GetPrevious(corner), corner);
+  this->Neighbours.push_back(this->Corners.GetPrevious(corner));
+  this->Neighbours.push_back(this->Corners.GetNext(corner));
   this->Corners.Remove(corner);
   this->Buckets.Remove(corner);
 }

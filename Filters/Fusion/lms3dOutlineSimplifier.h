@@ -30,6 +30,9 @@ public:
 
   void Simplify();
 
+  /// The corners that were beside a corner when it went. They may have gone since.
+  const std::vector<lms3dOutlineCorners::Corner>& GetNeighbours() const { return this->Neighbours; }
+
 private:
   using Corner = lms3dOutlineCorners::Corner;
   using Triangle = lms3dOutlineCorners::Triangle;
@@ -47,6 +50,7 @@ private:
   lms3dOutlineCorners& Corners;
   lms3dBorderLimits& Limits;
   std::vector<int> Versions;
+  std::vector<Corner> Neighbours;
   /// The corners that did not go.
   lms3dCornerBuckets Buckets;
   lms3dCornerCandidates Candidates;

@@ -102,7 +102,12 @@ private:
   void AddRegion()
   {
     std::vector<lms3dLoop> outlines = lms3dTraceOutlines(this->Region);
-    if (this->Plane.Verbatim.empty() && this->CloseGaps(outlines))
+    if (this->Plane.Verbatim.empty())
+    {
+      lms3dCloseSmallHoles(this->Plane.Raster, outlines, this->Region);
+    }
+    if (this->Plane.Verbatim.empty() && this->Plane.IsWeak &&
+      lms3dJoinIslands(outlines, this->Plane.Raster, this->Creases, this->Region))
     {
       outlines = lms3dTraceOutlines(this->Region);
     }
@@ -115,15 +120,6 @@ private:
     {
       this->Add(triangle);
     }
-  }
-
-  /// Returns whether the region has more cells then.
-  bool CloseGaps(const std::vector<lms3dLoop>& outlines)
-  {
-    const bool hasClosed = lms3dCloseSmallHoles(outlines, this->Plane.Raster, this->Region);
-    return (this->Plane.IsWeak &&
-             lms3dJoinIslands(outlines, this->Plane.Raster, this->Creases, this->Region)) ||
-      hasClosed;
   }
 
   static void SetCovered(const lms3dRegionBlock& cells, lms3dRasterBlock& block)

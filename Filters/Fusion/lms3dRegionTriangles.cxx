@@ -20,8 +20,6 @@ constexpr int Attempts = 6;
 // Cells: how near to a crossing corners do not move. If they then cross at the same places, twice
 // as far.
 constexpr double NearCrossing = 24.0;
-// How often corners go and are merged. Corners that moved let others go.
-constexpr int Rounds = 2;
 
 /// Makes the outlines of a region simpler.
 class Straightener
@@ -46,12 +44,17 @@ public:
       this->Outlines, creases, this->Region, this->Tile, places, distance, isFixed);
     lms3dOutlineCorners corners(snapped, isFixed);
     lms3dBorderLimits limits(this->Region, corners.GetPoints().size(), this->Reach);
-    for (int round = 0; round < Rounds; ++round)
-    {
-      lms3dOutlineSimplifier(this->Tolerance, corners, limits).Simplify();
-      lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits).Merge();
-    }
     lms3dOutlineSimplifier(this->Tolerance, corners, limits).Simplify();
+    lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits).Merge();
+    // Corners that moved let others go, and the reverse.
+    lms3dOutlineSimplifier again(this->Tolerance, corners, limits);
+    again.Simplify();
+    if (!again.GetNeighbours().empty())
+    {
+      lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits)
+        .MergeNear(again.GetNeighbours());
+      lms3dOutlineSimplifier(this->Tolerance, corners, limits).Simplify();
+    }
     return corners.GetLoops();
   }
 

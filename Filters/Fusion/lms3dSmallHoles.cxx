@@ -59,7 +59,7 @@ std::vector<lms3dCellStrip> FindCells(const lms3dLoop& loop)
   return cells;
 }
 
-// Whether no beam passed through cells of a hole, nor around them.
+// Whether no beam passed through cells of a hole, nor around them, and no island lies in it.
 bool IsFree(
   const std::vector<lms3dCellStrip>& cells, const lms3dRaster& raster, const lms3dRegion& region)
 {
@@ -67,28 +67,28 @@ bool IsFree(
     [&](const lms3dCellStrip& strip)
     {
       return region.HasBlocks(strip) && !region.HasAny(&lms3dRegionBlock::Passed, strip) &&
+        !region.HasAny(&lms3dRegionBlock::May, strip) &&
         !raster.HasAny(&lms3dRasterBlock::Open, strip);
     });
 }
 } // namespace
 
-bool lms3dCloseSmallHoles(
-  const std::vector<lms3dLoop>& outlines, const lms3dRaster& raster, lms3dRegion& region)
+void lms3dCloseSmallHoles(
+  const lms3dRaster& raster, std::vector<lms3dLoop>& outlines, lms3dRegion& region)
 {
-  bool hasClosed = false;
-  for (const lms3dLoop& loop : outlines)
+  const auto close = [&](const lms3dLoop& loop)
   {
-    const std::vector<lms3dCellStrip> cells =
-      IsSmallHole(loop) ? FindCells(loop) : std::vector<lms3dCellStrip>();
-    if (cells.empty() || !IsFree(cells, raster, region))
+    if (!IsSmallHole(loop))
     {
-      continue;
+      return false;
     }
-    for (const lms3dCellStrip& strip : cells)
+    const std::vector<lms3dCellStrip> cells = FindCells(loop);
+    const bool isFree = IsFree(cells, raster, region);
+    for (std::size_t i = 0; isFree && i < cells.size(); ++i)
     {
-      region.Set(&lms3dRegionBlock::May, strip, true);
+      region.Set(&lms3dRegionBlock::May, cells[i], true);
     }
-    hasClosed = true;
-  }
-  return hasClosed;
+    return isFree;
+  };
+  outlines.erase(std::remove_if(outlines.begin(), outlines.end(), close), outlines.end());
 }
