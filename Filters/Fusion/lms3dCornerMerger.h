@@ -37,8 +37,8 @@ public:
   /// Merges corners, and moves edges outwards.
   void Merge();
 
-  /// Merges some corners with the ones behind them, and corners near those that were merged. Corners
-  /// that have gone are left out.
+  /// Merges some corners with the ones behind them, and corners near merged ones. Corners that have
+  /// gone are left out.
   void MergeNear(const std::vector<Corner>& corners);
 
 private:

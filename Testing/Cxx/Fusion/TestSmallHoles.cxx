@@ -33,7 +33,7 @@ lms3dRegion MakeHole(std::int32_t width, std::int32_t height)
   return region;
 }
 
-/// Returns whether a hole was closed. Expects that the outlines are those of the region then.
+/// Returns whether a hole was closed. Expects the outlines that the region then has.
 bool Close(lms3dRegion& region, const lms3dRaster& raster = lms3dRaster())
 {
   std::vector<lms3dLoop> outlines = lms3dTraceOutlines(region);
