@@ -32,7 +32,8 @@
  * along the beam. There the surface of other scans ends, so that beams without noise meet no
  * triangle nearer than their return by more. What lies between beams is a guess. A scan's guess far
  * behind the planes of the returns around it is left out. Beyond a crease, surface needs a return
- * that it is joined to without a way across a crease.
+ * that it is joined to without a way across a crease. Holes of up to 11 times MaximumError through
+ * which no beam passed are closed.
  *
  * @par Noise and errors of poses
  * With noise, the bound counts from the noisy returns. Poses are taken as they are. With errors

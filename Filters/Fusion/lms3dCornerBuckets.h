@@ -22,14 +22,19 @@ class lms3dCornerBuckets
 public:
   using Corner = std::int32_t;
 
-  /// The corners have the numbers of their points.
-  void Fill(const std::vector<lms3dPoint2>& points)
+  /// The corners have the numbers of their points. `isLeft` says of a number whether the corner is
+  /// one that can be found.
+  template <typename Predicate>
+  void Fill(const std::vector<lms3dPoint2>& points, const Predicate& isLeft)
   {
-    this->BucketOf.reserve(points.size());
-    for (const lms3dPoint2& point : points)
+    this->BucketOf.assign(points.size(), -1);
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-      this->BucketOf.push_back(this->GetBucket(point));
-      ++this->Buckets[this->BucketOf.back()].Count;
+      if (isLeft(static_cast<Corner>(i)))
+      {
+        this->BucketOf[i] = this->GetBucket(points[i]);
+        ++this->Buckets[this->BucketOf[i]].Count;
+      }
     }
     std::size_t first = 0;
     for (Bucket& bucket : this->Buckets)
@@ -37,11 +42,14 @@ public:
       bucket.First = first;
       first += std::exchange(bucket.Count, 0);
     }
-    this->Places.resize(points.size());
+    this->Places.resize(first);
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      Bucket& bucket = this->Buckets[this->BucketOf[i]];
-      this->Places[bucket.First + bucket.Count++] = { points[i], static_cast<Corner>(i) };
+      if (this->BucketOf[i] >= 0)
+      {
+        Bucket& bucket = this->Buckets[this->BucketOf[i]];
+        this->Places[bucket.First + bucket.Count++] = { points[i], static_cast<Corner>(i) };
+      }
     }
   }
 
@@ -135,6 +143,7 @@ private:
 
   lms3dBlockIndex Numbers;
   std::vector<Bucket> Buckets;
+  /// -1 for a corner that cannot be found.
   std::vector<int> BucketOf;
   std::vector<Place> Places;
 };

@@ -32,27 +32,32 @@ lms3dCornerMerger::lms3dCornerMerger(double tolerance, const lms3dFusedTile& til
     if (!corners.HasGone(corner))
     {
       this->Left.push_back(corner);
-      this->Queue(corner);
     }
   }
 }
 
 void lms3dCornerMerger::Merge()
 {
-  this->MergeQueued(2);
-  this->DropGone();
-  for (const Corner corner : this->Left)
-  {
-    this->Queue(corner);
-  }
-  this->MergeQueued(ChainLimit);
-  this->DropGone();
+  this->MergeNear(this->Left);
   for (const Corner corner : this->Left)
   {
     if (!this->Corners.IsFixed(corner))
     {
       this->MoveOutwards(corner);
     }
+  }
+}
+
+void lms3dCornerMerger::MergeNear(const std::vector<Corner>& corners)
+{
+  for (const std::size_t longest : { std::size_t{ 2 }, ChainLimit })
+  {
+    for (const Corner corner : corners)
+    {
+      this->Queue(corner);
+    }
+    this->MergeQueued(longest);
+    this->DropGone();
   }
 }
 

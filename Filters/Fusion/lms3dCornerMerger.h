@@ -32,10 +32,16 @@ public:
   lms3dCornerMerger(double tolerance, const lms3dFusedTile& tile, lms3dOutlineCorners& corners,
     lms3dBorderLimits& limits);
 
+  using Corner = lms3dOutlineCorners::Corner;
+
+  /// Merges corners, and moves edges outwards.
   void Merge();
 
+  /// Merges some corners with the ones behind them, and corners near merged ones. Corners that have
+  /// gone are left out.
+  void MergeNear(const std::vector<Corner>& corners);
+
 private:
-  using Corner = lms3dOutlineCorners::Corner;
   using Triangle = lms3dOutlineCorners::Triangle;
   /// The ends of three successive edges.
   using ThreeEdges = std::array<lms3dPoint2, 4>;

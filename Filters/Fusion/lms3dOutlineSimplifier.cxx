@@ -23,7 +23,7 @@ lms3dOutlineSimplifier::lms3dOutlineSimplifier(
   , Limits(limits)
   , Versions(corners.GetPoints().size(), 0)
 {
-  this->Buckets.Fill(corners.GetPoints());
+  this->Buckets.Fill(corners.GetPoints(), [&](Corner corner) { return !corners.HasGone(corner); });
 }
 
 // The square of the largest distance of a corner, and of those that went beside it, from the line
@@ -86,6 +86,8 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
 void lms3dOutlineSimplifier::Remove(Corner corner)
 {
   this->Limits.Join(this->Corners.GetTriangle(corner), this->Corners.GetPrevious(corner), corner);
+  this->Neighbours.push_back(this->Corners.GetPrevious(corner));
+  this->Neighbours.push_back(this->Corners.GetNext(corner));
   this->Corners.Remove(corner);
   this->Buckets.Remove(corner);
 }
@@ -96,8 +98,8 @@ void lms3dOutlineSimplifier::RemoveSteps()
 {
   for (Corner corner = 0; corner < this->Corners.GetSize(); ++corner)
   {
-    if (!this->Corners.IsOfTriangle(corner) && this->GetCost(corner) <= ToleranceOfSteps &&
-      this->MayGo(corner))
+    if (!this->Corners.HasGone(corner) && !this->Corners.IsOfTriangle(corner) &&
+      this->GetCost(corner) <= ToleranceOfSteps && this->MayGo(corner))
     {
       this->Remove(corner);
     }

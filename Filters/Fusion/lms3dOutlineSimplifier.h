@@ -25,10 +25,13 @@ class lms3dOutlineSimplifier
 {
 public:
   /// The tolerance is in cells. The edges of the limits have the numbers of their first corners.
-  /// Keeps references to corners, which have all their neighbours, and to limits.
+  /// Keeps references to corners and limits. Some corners may have gone or moved before.
   lms3dOutlineSimplifier(double tolerance, lms3dOutlineCorners& corners, lms3dBorderLimits& limits);
 
   void Simplify();
+
+  /// The corners that were beside a corner when it went. They may have gone since.
+  const std::vector<lms3dOutlineCorners::Corner>& GetNeighbours() const { return this->Neighbours; }
 
 private:
   using Corner = lms3dOutlineCorners::Corner;
@@ -47,6 +50,7 @@ private:
   lms3dOutlineCorners& Corners;
   lms3dBorderLimits& Limits;
   std::vector<int> Versions;
+  std::vector<Corner> Neighbours;
   /// The corners that did not go.
   lms3dCornerBuckets Buckets;
   lms3dCornerCandidates Candidates;

@@ -10,6 +10,7 @@
 #include "Fusion/lms3dRegionCover.h"
 #include "Fusion/lms3dRegionRaster.h"
 #include "Fusion/lms3dRegionTriangles.h"
+#include "Fusion/lms3dSmallHoles.h"
 #include "Fusion/lms3dTileSides.h"
 
 #include <algorithm>
@@ -101,6 +102,10 @@ private:
   void AddRegion()
   {
     std::vector<lms3dLoop> outlines = lms3dTraceOutlines(this->Region);
+    if (this->Plane.Verbatim.empty())
+    {
+      lms3dCloseSmallHoles(this->Plane.Raster, outlines, this->Region);
+    }
     if (this->Plane.Verbatim.empty() && this->Plane.IsWeak &&
       lms3dJoinIslands(outlines, this->Plane.Raster, this->Creases, this->Region))
     {

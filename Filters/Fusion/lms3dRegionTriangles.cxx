@@ -58,12 +58,26 @@ public:
     std::vector<lms3dPoint2> crossings = lms3dFindCrossingEdges(corners.GetLoops());
     if (crossings.empty())
     {
-      lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits).Merge();
+      this->MergeCorners(corners, limits);
     }
     return { corners.GetLoops(), std::move(crossings) };
   }
 
 private:
+  void MergeCorners(lms3dOutlineCorners& corners, lms3dBorderLimits& limits) const
+  {
+    lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits).Merge();
+    // Corners that moved let others go, and the reverse.
+    lms3dOutlineSimplifier again(this->Tolerance, corners, limits);
+    again.Simplify();
+    if (!again.GetNeighbours().empty())
+    {
+      lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits)
+        .MergeNear(again.GetNeighbours());
+      lms3dOutlineSimplifier(this->Tolerance, corners, limits).Simplify();
+    }
+  }
+
   const std::vector<lms3dLoop>& Outlines;
   const lms3dRegion& Region;
   const lms3dFusedTile& Tile;
