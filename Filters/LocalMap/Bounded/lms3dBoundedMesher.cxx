@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Bounded/lms3dBoundedMesher.h"
 
+#include "LocalMap/Bounded/lms3dDeviationMeter.h"
 #include "LocalMap/Bounded/lms3dFacetedGrid.h"
 #include "LocalMap/Bounded/lms3dMapSimplifier.h"
 #include "LocalMap/Bounded/lms3dPatchSetMesher.h"
@@ -164,7 +165,8 @@ std::optional<lms3dBoundedMap> lms3dBoundedMesher::MakePatchMap(const lms3dProgr
       .Simplify(members, map);
   if (this->Sphere.IsRegular() && !isSimplified)
   {
-    map.LargestDeviation = mesher.GetLargestDeviation(patches, map);
+    map.LargestDeviation =
+      lms3dDeviationMeter(this->Sphere, patches, map).GetLargest(this->MaximumError);
   }
   if (map.ReturnsOnPatches < this->Sphere.GetNumberOfReturns())
   {

@@ -17,27 +17,10 @@
  */
 struct lms3dColumnDeviations
 {
-  /// Measures the returns of a column from one row to another, both included. Entries without a
-  /// return count as returns at range 0. Beams must be regular.
-  lms3dColumnDeviations(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane, int column,
-    int firstRow, int lastRow, double limit);
-
-  /// The largest deviation without filled entries, metres.
-  static double GetLargestOfReturns(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane,
-    int column, int firstRow, int lastRow);
-
-  /// Returns true only if all deviations are within the limit. Takes no division; rounding can make
-  /// it return false.
+  /// Returns true only if all deviations of a column from one row to another, both included, are
+  /// within the limit, metres. Entries without a return count as returns at range 0. Beams must be
+  /// regular. Takes no division; rounding can make it return false.
   static bool AreWithin(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane, int column,
-    int firstRow, int lastRow, double limit);
-
-  /// The number of deviations that are not within the limit.
-  std::int64_t Beyond = 0;
-  /// The largest deviation, if all are within the limit.
-  double Largest = 0.0;
-
-private:
-  void Measure(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane, int column,
     int firstRow, int lastRow, double limit);
 };
 

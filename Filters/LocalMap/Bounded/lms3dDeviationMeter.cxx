@@ -20,39 +20,22 @@ constexpr double FirstShare = 0.7;
 constexpr double Margin = 1e-6;
 } // namespace
 
-double lms3dDeviationMeter::GetLargest(std::vector<Part> parts)
+double lms3dDeviationMeter::GetLargest(double maximumAlongBeams)
 {
-  std::stable_sort(parts.begin(), parts.end(),
-    [](const Part& a, const Part& b) { return a.MaximumAlongBeams > b.MaximumAlongBeams; });
-  double largest = 0.0;
-  for (const Part& part : parts)
-  {
-    if (part.MaximumAlongBeams <= largest)
-    {
-      break;
-    }
-    largest = std::max(largest, this->GetLargest(part, largest));
-  }
-  return largest;
+  const double share = FirstShare * maximumAlongBeams;
+  const double largest = this->GetLargestAbove(share);
+  return largest >= share ? largest : this->GetLargestAbove(largest);
 }
 
-// The largest deviation of a patch, or any number below the threshold if none exceeds it.
-double lms3dDeviationMeter::GetLargest(const Part& part, double threshold)
+double lms3dDeviationMeter::GetLargestAbove(double threshold)
 {
-  const double share = std::max(threshold, FirstShare * part.MaximumAlongBeams);
-  const double largest = this->GetLargestAbove(part, share);
-  return largest >= share ? largest : this->GetLargestAbove(part, std::max(threshold, largest));
-}
-
-double lms3dDeviationMeter::GetLargestAbove(const Part& part, double threshold)
-{
-  Distances distances = this->FindDistances(part, threshold);
+  Distances distances = this->FindDistances(threshold);
   if (distances.empty())
   {
     return 0.0;
   }
   // A beam that passes an edge at a depth step can hit a triangle of the other side, too.
-  this->MarkNear(part, threshold, distances);
+  this->MarkNear(threshold, distances);
   distances.erase(std::remove_if(distances.begin(), distances.end(),
                     [this](const auto& entry) { return this->Near[entry.first] == this->Pass; }),
     distances.end());
@@ -70,17 +53,16 @@ double lms3dDeviationMeter::GetLargestAbove(const Part& part, double threshold)
 
 // The returns that are farther than the threshold from a triangle along their beams, and their
 // distances from it.
-lms3dDeviationMeter::Distances lms3dDeviationMeter::FindDistances(
-  const Part& part, double threshold) const
+lms3dDeviationMeter::Distances lms3dDeviationMeter::FindDistances(double threshold) const
 {
   tbb::enumerable_thread_specific<Distances> ofThreads;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(part.First, part.End),
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Map.Triangles.size()),
     [&](const tbb::blocked_range<std::size_t>& triangles)
     {
       Distances& distances = ofThreads.local();
       for (std::size_t triangle = triangles.begin(); triangle < triangles.end(); ++triangle)
       {
-        this->Measure(part, triangle, threshold, distances);
+        this->Measure(triangle, threshold, distances);
       }
     });
   Distances distances;
@@ -93,7 +75,7 @@ lms3dDeviationMeter::Distances lms3dDeviationMeter::FindDistances(
 
 // Marks the beams that hit a triangle within the threshold, at least in the columns of some
 // returns.
-void lms3dDeviationMeter::MarkNear(const Part& part, double threshold, const Distances& distances)
+void lms3dDeviationMeter::MarkNear(double threshold, const Distances& distances)
 {
   ++this->Pass;
   std::vector<std::uint8_t> isIncluded(this->Sphere.GetNumberOfColumns(), 0);
@@ -101,7 +83,7 @@ void lms3dDeviationMeter::MarkNear(const Part& part, double threshold, const Dis
   {
     isIncluded[this->Sphere.GetColumn(entry.first)] = 1;
   }
-  tbb::parallel_for(part.First, part.End,
+  tbb::parallel_for(std::size_t(0), this->Map.Triangles.size(),
     [&](std::size_t triangle)
     {
       const lms3dTriangleRasterizer beams = this->MakeRasterizer(triangle);
@@ -130,7 +112,7 @@ lms3dTriangleRasterizer lms3dDeviationMeter::MakeRasterizer(std::size_t triangle
 }
 
 void lms3dDeviationMeter::Measure(
-  const Part& part, std::size_t triangle, double threshold, Distances& distances) const
+  std::size_t triangle, double threshold, Distances& distances) const
 {
   const std::array<std::int32_t, 3>& corners = this->Map.Triangles[triangle];
   const lms3dTriangleRasterizer beams = this->MakeRasterizer(triangle);
@@ -151,10 +133,9 @@ void lms3dDeviationMeter::Measure(
     for (int row = from; row <= to; ++row)
     {
       const GridIndex index = start + row;
-      const std::int32_t label = this->Patches.Labels[index];
       const double range = this->Sphere.GetRange(index);
-      if ((part.Patch == AllPatches ? label >= 0 : label == part.Patch) &&
-        !this->Sphere.IsFilled(index) && !(std::abs(range - hits.GetRange(row)) <= threshold))
+      if (this->Patches.Labels[index] >= 0 && !this->Sphere.IsFilled(index) &&
+        !(std::abs(range - hits.GetRange(row)) <= threshold))
       {
         distances.emplace_back(index,
           lms3dGetDistance(lms3dScale(this->Sphere.GetDirection(index), range),

@@ -19,31 +19,15 @@
 #include <vector>
 
 /**
- * The deviation of a return is its distance to the nearest of its patch's triangles that its beam
- * hits. A beam along an edge hits the triangles on both sides. All distances are metres.
+ * The deviation of a return is its distance to the nearest of the triangles that its beam hits. A
+ * beam along an edge hits the triangles on both sides. All distances are metres.
  *
  * Beams must be regular. lms3dRayCheck measures others.
  */
 class lms3dDeviationMeter
 {
 public:
-  /// Stands for all patches.
-  static constexpr std::int32_t AllPatches = -1;
-
-  /// The triangles of one patch.
-  struct Part
-  {
-    /// Or AllPatches: then the returns of all patches count, and the triangles make up the whole
-    /// map.
-    std::int32_t Patch;
-    /// The numbers of the patch's triangles in the map, from First to before End.
-    std::size_t First;
-    std::size_t End;
-    /// No return is farther from the patch's triangles along its beam.
-    double MaximumAlongBeams;
-  };
-
-  /// Keeps references. The map may hold other triangles as well.
+  /// Keeps references.
   lms3dDeviationMeter(
     const lms3dBeamSphere& sphere, const lms3dPatches& patches, const lms3dBoundedMap& map)
     : Sphere(sphere)
@@ -58,22 +42,21 @@ public:
     }
   }
 
-  /// The largest deviation of all returns of the patches, except the returns of poles. Measures
-  /// only the few returns whose deviation can be the largest. Uses the threads of the calling TBB
-  /// arena.
-  double GetLargest(std::vector<Part> parts);
+  /// The largest deviation of all returns on patches, except the returns of poles. No return may be
+  /// farther than `maximumAlongBeams`, metres, along its beam from the triangle that the beam hits.
+  /// Measures only the few returns whose deviation can be the largest. Uses the threads of the
+  /// calling TBB arena.
+  double GetLargest(double maximumAlongBeams);
 
 private:
   using GridIndex = lms3dBeamSphere::GridIndex;
   using Distances = std::vector<std::pair<GridIndex, double>>;
 
-  double GetLargest(const Part& part, double threshold);
-  double GetLargestAbove(const Part& part, double threshold);
-  Distances FindDistances(const Part& part, double threshold) const;
-  void MarkNear(const Part& part, double threshold, const Distances& distances);
+  double GetLargestAbove(double threshold);
+  Distances FindDistances(double threshold) const;
+  void MarkNear(double threshold, const Distances& distances);
   lms3dTriangleRasterizer MakeRasterizer(std::size_t triangle) const;
-  void Measure(
-    const Part& part, std::size_t triangle, double threshold, Distances& distances) const;
+  void Measure(std::size_t triangle, double threshold, Distances& distances) const;
 
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;

@@ -139,7 +139,5 @@ void lms3dMapSimplifier::Replace(const lms3dVertexStars& stars, lms3dBoundedMap&
 // A beam can hit a triangle of the patch beside its own.
 double lms3dMapSimplifier::GetLargestDeviation(const lms3dBoundedMap& map) const
 {
-  return lms3dDeviationMeter(this->Sphere, this->Patches, map)
-    .GetLargest(
-      { { lms3dDeviationMeter::AllPatches, 0, map.Triangles.size(), this->MaximumError } });
+  return lms3dDeviationMeter(this->Sphere, this->Patches, map).GetLargest(this->MaximumError);
 }

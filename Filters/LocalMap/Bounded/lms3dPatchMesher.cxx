@@ -40,7 +40,6 @@ lms3dPatchMesh lms3dPatchMesher::Mesh(int patch, int members)
     mesh.IsValid = true;
     mesh.Added = work.Triangulation.GetAddedVertices();
     mesh.Triangles = work.Triangulation.GetTriangles();
-    mesh.DeviationOnBeams = work.DeviationOnBeams;
     if (!this->Sphere.IsRegular())
     {
       mesh.Rays = lms3dCheckRays(
@@ -76,7 +75,6 @@ bool lms3dPatchMesher::Check(Work& work)
 {
   work.Violations.clear();
   work.CoversOwnBeamsOnly = false;
-  work.DeviationOnBeams = 0.0;
   work.Triangles.resize(work.Triangulation.GetNumberOfTriangles());
   for (int i = 0; i < work.Triangulation.GetNumberOfTriangles(); ++i)
   {
@@ -93,7 +91,6 @@ bool lms3dPatchMesher::Check(Work& work)
         return false;
       }
     }
-    work.DeviationOnBeams = std::max(work.DeviationOnBeams, triangle.Deviation);
   }
   work.CoversOwnBeamsOnly = true;
   return work.Covered == work.Members || !this->Sphere.IsRegular();

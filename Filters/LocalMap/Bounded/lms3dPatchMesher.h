@@ -24,8 +24,6 @@ struct lms3dPatchMesh
   std::vector<lms3dMapVertex> Added;
   /// Numbers of vertices, counter-clockwise as the sensor sees them.
   std::vector<std::array<std::int32_t, 3>> Triangles;
-  /// No return is farther from the triangle that its beam hits, along the beam, metres.
-  double DeviationOnBeams = 0.0;
   /// If the mesh is not valid only because some beams of the patch hit no triangle: these beams,
   /// sorted.
   std::vector<lms3dBeamSphere::GridIndex> Uncovered;
@@ -76,8 +74,8 @@ private:
   bool CheckTriangle(Work& work, int triangle);
   bool CheckBeams(Work& work, int triangle, const lms3dTriangleRasterizer& beams, int column,
     int first, int last);
-  bool TryToCoverBeams(Work& work, int triangle, const lms3dTriangleRasterizer::ColumnRanges& hits,
-    int column, int first, int last);
+  bool TryToCoverBeams(
+    Work& work, const lms3dTriangleRasterizer::ColumnRanges& hits, int column, int first, int last);
   int CoverBeams(GridIndex first, int count);
   bool InsertBeams(Work& work);
   lms3dMapVertex MakeVertex(GridIndex beam, double hit) const;

@@ -4,7 +4,6 @@
 #include "LocalMap/Bounded/lms3dPatchMesher.h"
 #include "LocalMap/Bounded/lms3dPatchMesherWork.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace
@@ -44,13 +43,12 @@ bool lms3dPatchMesher::CheckBeams(
     return false;
   }
   const lms3dTriangleRasterizer::ColumnRanges hits(beams, column);
-  if (isRegular && this->TryToCoverBeams(work, triangle, hits, column, first, last))
+  if (isRegular && this->TryToCoverBeams(work, hits, column, first, last))
   {
     return true;
   }
   const double maximumError = this->MaximumError;
   State* const states = this->States.data() + start;
-  double largest = work.Triangles[triangle].Deviation;
   int covered = 0;
   for (int row = first; row <= last; ++row)
   {
@@ -64,24 +62,19 @@ bool lms3dPatchMesher::CheckBeams(
     const double hit = hits.GetRange(row);
     const double deviation = std::abs(this->Sphere.GetRangeOnBeam(start + row) - hit) +
       this->Sphere.GetPoleHalfSpread(row);
-    if (deviation <= maximumError)
-    {
-      largest = isFilled ? largest : std::max(largest, deviation);
-    }
-    else if (states[row] != IsVertex)
+    if (!(deviation <= maximumError) && states[row] != IsVertex)
     {
       work.AddViolation({ start + row, triangle, hit, deviation });
     }
   }
   work.Covered += covered;
-  work.Triangles[triangle].Deviation = largest;
   return true;
 }
 
 // Does the same as CheckBeams() for beams that hit within the bound, and is faster. Returns false,
-// and changes nothing, if one does not.
-bool lms3dPatchMesher::TryToCoverBeams(Work& work, int triangle,
-  const lms3dTriangleRasterizer::ColumnRanges& hits, int column, int first, int last)
+// and changes nothing, if one does not, or if rounding could hide it.
+bool lms3dPatchMesher::TryToCoverBeams(
+  Work& work, const lms3dTriangleRasterizer::ColumnRanges& hits, int column, int first, int last)
 {
   const bool hasPoleCopy =
     column > 0 && (this->Sphere.IsPoleRow(first) || this->Sphere.IsPoleRow(last));
@@ -89,20 +82,10 @@ bool lms3dPatchMesher::TryToCoverBeams(Work& work, int triangle,
   {
     return false;
   }
-  const lms3dColumnDeviations deviations(
-    this->Sphere, hits.GetPlane(), column, first, last, this->MaximumError);
-  if (deviations.Beyond > 0)
+  if (!lms3dColumnDeviations::AreWithin(
+        this->Sphere, hits.GetPlane(), column, first, last, this->MaximumError))
   {
     return false;
-  }
-  double& largest = work.Triangles[triangle].Deviation;
-  if (deviations.Largest > largest)
-  {
-    const double ofReturns = this->Sphere.HasFilled()
-      ? lms3dColumnDeviations::GetLargestOfReturns(
-          this->Sphere, hits.GetPlane(), column, first, last)
-      : deviations.Largest;
-    largest = std::max(largest, ofReturns);
   }
   work.Covered += this->CoverBeams(this->Sphere.GetIndex(column, first), last - first + 1);
   return true;

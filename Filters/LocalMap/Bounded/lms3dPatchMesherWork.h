@@ -26,12 +26,10 @@ struct lms3dPatchMesher::Work
     double Deviation;
   };
 
-  /// The corners of a triangle when its beams were last checked, and the largest deviation within
-  /// the bound.
+  /// The corners of a triangle when its beams were last checked.
   struct CheckedTriangle
   {
     std::array<std::int32_t, 3> Corners = { -1, -1, -1 };
-    double Deviation = 0.0;
   };
 
   Work(const lms3dPatchOutlines& outlines, int patch, int members, const lms3dPlane& plane)
@@ -63,7 +61,6 @@ struct lms3dPatchMesher::Work
   int Covered = 0;
   /// Whether all triangles have been checked, and only beams of the patch hit them.
   bool CoversOwnBeamsOnly = false;
-  double DeviationOnBeams = 0.0;
   std::vector<Violation> Violations;
   std::vector<CheckedTriangle> Triangles;
 };

@@ -149,7 +149,6 @@ void lms3dPatchSetMesher::Append(const lms3dPatchOutlines& outlines, const Meshe
   const std::int32_t shared = static_cast<std::int32_t>(map.Points.size());
   map.Triangles = outlines.GetStripTriangles();
   map.PatchIds.assign(map.Triangles.size(), lms3dBoundedMap::NoPatch);
-  this->Parts.clear();
   for (std::size_t i = 0; i < meshes.size(); ++i)
   {
     if (members[i] == 0)
@@ -158,7 +157,6 @@ void lms3dPatchSetMesher::Append(const lms3dPatchOutlines& outlines, const Meshe
     }
     const std::int32_t offset = static_cast<std::int32_t>(map.Points.size()) - shared;
     std::for_each(meshes[i].Added.begin(), meshes[i].Added.end(), addPoint);
-    const std::size_t first = map.Triangles.size();
     for (std::array<std::int32_t, 3> triangle : meshes[i].Triangles)
     {
       for (std::int32_t& corner : triangle)
@@ -170,8 +168,6 @@ void lms3dPatchSetMesher::Append(const lms3dPatchOutlines& outlines, const Meshe
     }
     ++map.NumberOfPatches;
     map.ReturnsOnPatches += members[i];
-    this->Parts.push_back(
-      { static_cast<std::int32_t>(i), first, map.Triangles.size(), meshes[i].DeviationOnBeams });
   }
   for (const lms3dPatchMesh& mesh : meshes)
   {

@@ -8,7 +8,6 @@
 #define lms3dPatchSetMesher_h
 
 #include "LocalMap/Bounded/lms3dBoundedMap.h"
-#include "LocalMap/Bounded/lms3dDeviationMeter.h"
 #include "LocalMap/Bounded/lms3dKeptMeshes.h"
 #include "LocalMap/Bounded/lms3dPatchMesher.h"
 
@@ -48,12 +47,6 @@ public:
   bool TryToMesh(
     lms3dPatches& patches, const std::vector<int>& members, bool releasesFew, lms3dBoundedMap& map);
 
-  /// The largest deviation of a map of regular beams that TryToMesh() has just made.
-  double GetLargestDeviation(const lms3dPatches& patches, const lms3dBoundedMap& map) const
-  {
-    return lms3dDeviationMeter(this->Sphere, patches, map).GetLargest(this->Parts);
-  }
-
 private:
   using GridIndex = lms3dBeamSphere::GridIndex;
   using Meshes = std::vector<lms3dPatchMesh>;
@@ -74,8 +67,6 @@ private:
   const double Noise;
   /// The meshes of the last attempt. None if beams are not regular.
   lms3dKeptMeshes Kept;
-  /// The patches of the map.
-  std::vector<lms3dDeviationMeter::Part> Parts;
 };
 
 #endif

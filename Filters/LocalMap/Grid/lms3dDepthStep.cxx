@@ -20,6 +20,9 @@ constexpr double MinimumFlatness = 0.001;
 // The largest gap, in depth steps, that is not separated where neither plane meets the other
 // return.
 constexpr double LargestGap = 1.8;
+// Two planes that both miss the other return by more than a depth step are separate if the ranges
+// differ by more than this number of depth steps.
+constexpr double PlanesDifference = 1.5;
 // A crease is small if a gap beside it has at most this number of depth steps.
 constexpr double SmallGap = 2.0;
 // The tolerance, in depth steps, above which returns can be Loose or Gentle: the beams are far
@@ -146,8 +149,13 @@ lms3dDepthStep::Relation lms3dDepthStep::Classify(const Pair& pair) const
 // Where the planes do not intersect between the beams.
 lms3dDepthStep::Relation lms3dDepthStep::ClassifyApart(const Pair& pair) const
 {
-  const bool isStep = std::max(pair.AtFar.Size, pair.AtNear.Size) > LargestGap * this->Absolute ||
-    std::min(pair.AtFar.Size, pair.AtNear.Size) > pair.Tolerance;
+  const auto [smaller, larger] = std::minmax(pair.AtFar.Size, pair.AtNear.Size);
+  if (pair.Difference > PlanesDifference * this->Absolute && smaller > this->Absolute &&
+    this->IsStraight(pair.Near) && this->IsStraight(pair.Far))
+  {
+    return Separate;
+  }
+  const bool isStep = larger > LargestGap * this->Absolute || smaller > pair.Tolerance;
   if (!isStep || this->IsGentleBetween(pair))
   {
     return Joined;

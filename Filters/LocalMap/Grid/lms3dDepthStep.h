@@ -22,11 +22,12 @@
  * whole, however far apart its returns are.
  *
  * - If one plane meets the other beam before its return, and the other plane behind, the planes do
- *   not intersect between the beams. The returns are Separate. (If both gaps are small, below 1.8
- *   depth steps, and one is within the tolerance, no larger step fits in between: they are Joined.
- *   If the slope from one return to the other is gentle (lms3dSlopeLimits), they are Joined as well
- *   where both planes are steeper, or where both sides are curved and one gap is within the
- *   tolerance.)
+ *   not intersect between the beams. The returns are Separate. If three returns show each plane,
+ *   both gaps exceed the depth step, and the ranges differ by more than 1.5 depth steps, this is
+ *   certain. (Otherwise, if both gaps are small, below 1.8 depth steps, and one is within the
+ *   tolerance, no larger step fits in between: they are Joined. If the slope from one return to the
+ *   other is gentle (lms3dSlopeLimits), they are Joined as well where both planes are steeper, or
+ *   where both sides are curved and one gap is within the tolerance.)
  * - If both planes meet the other beam at its return, they are Joined.
  * - Otherwise the planes intersect between the beams, as floor and wall do at the crease of a room.
  *   The side of an object can intersect the wall far behind it in the same way. Therefore a third

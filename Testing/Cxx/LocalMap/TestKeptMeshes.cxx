@@ -140,7 +140,6 @@ void ExpectSame(const lms3dPatchMesh& mesh, const lms3dPatchMesh& expected)
 {
   EXPECT_TRUE(mesh.IsValid);
   EXPECT_EQ(mesh.Triangles, expected.Triangles);
-  EXPECT_EQ(mesh.DeviationOnBeams, expected.DeviationOnBeams);
   ASSERT_EQ(mesh.Added.size(), expected.Added.size());
   for (std::size_t i = 0; i < mesh.Added.size(); ++i)
   {

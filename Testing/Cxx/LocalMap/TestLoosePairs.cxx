@@ -57,8 +57,19 @@ TEST(LoosePairs, AreGentleBetweenPlanesThatDoNotIntersect)
 // Up to a tolerance of six depth steps: in a room, the front of a shelf ends before the wall.
 TEST(LoosePairs, AreNotGentleWhereBeamsAreNear)
 {
-  EXPECT_EQ(Classify({ 14.0, 14.0, 14.0, 14.45, 14.45, 14.45 }, 2.0), lms3dDepthStep::Separate);
-  EXPECT_EQ(Classify({ 14.5, 14.5, 14.5, 14.95, 14.95, 14.95 }, 2.0), lms3dDepthStep::Gentle);
+  const auto classify = [](double range) {
+    return Classify({ range, range - 0.05, range, range + 0.45, range + 0.4, range + 0.45 }, 2.0);
+  };
+  EXPECT_EQ(classify(14.0), lms3dDepthStep::Separate);
+  EXPECT_EQ(classify(14.5), lms3dDepthStep::Gentle);
+}
+
+// Three returns on each side show two walls: one ends before the other.
+TEST(LoosePairs, AreNotGentleBetweenPlanes)
+{
+  EXPECT_EQ(Classify({ 14.5, 14.5, 14.5, 14.95, 14.95, 14.95 }, 2.0), lms3dDepthStep::Separate);
+  // Here, the bend of one of the sides is too large.
+  EXPECT_EQ(Classify({ 14.5, 14.45, 14.5, 14.95, 14.95, 14.95 }, 2.0), lms3dDepthStep::Gentle);
 }
 
 // A wall that begins to bend: with a depth step of 0, gaps below a millimetre do not count.

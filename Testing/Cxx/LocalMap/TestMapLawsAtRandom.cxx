@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 namespace
 {
 double Pick(Random& random, const std::vector<double>& values)
@@ -42,6 +44,20 @@ TEST_P(MapLawsAtRandom, Hold)
     " m, misses " + std::to_string(misses) + ", " + std::to_string(scene.AlphaResolution) + " x " +
     std::to_string(scene.BetaResolution) + " beams");
   ExpectLawful(scan, { bound, 0.1, scene.Surface, 4.0 * sigma });
+}
+
+// Vertices lie off the returns of noisy scans, and no triangle of a coarse scan need be hit by the
+// beam of a vertex, since rounding decides whether a beam hits a corner.
+TEST(MapsOfCoarseScans, TellTheLargestDeviation)
+{
+  for (std::uint64_t seed : { 479, 678, 879, 977 })
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const MapScene scene = MakeRandomMapScene(random);
+    vtkSmartPointer<vtkPolyData> scan = AddNoise(MakeScan(scene), 0.01, random);
+    ExpectLawful(scan, { 0.04, 0.1, scene.Surface, 0.04 });
+  }
 }
 
 // For random resolutions and poses.

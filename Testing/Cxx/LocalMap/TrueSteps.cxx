@@ -97,6 +97,7 @@ struct Way
 
 TrueSteps::TrueSteps(vtkPolyData* scan, vtkPolyData* scene, double depthStep, double share)
   : Grid(scan)
+  , Scene(scene)
   , DepthStep(depthStep)
   , Share(share)
 {
@@ -153,12 +154,12 @@ double TrueSteps::GetJump(const TriangleTree& surface, const Beam& a, const Beam
   return std::abs(sum);
 }
 
-int TrueSteps::CountBridged(vtkPolyData* map) const
+int TrueSteps::CountBridged(vtkPolyData* map, const std::vector<Step>& steps) const
 {
   const std::unique_ptr<TriangleTree> surface = this->MakeTree(map);
-  return static_cast<int>(std::count_if(this->Steps.begin(), this->Steps.end(),
+  return static_cast<int>(std::count_if(steps.begin(), steps.end(),
     [&](const Step& step)
-    { return !(this->GetJump(*surface, step.Beam, step.Next) > LargestShare * step.Jump); }));
+    { return !(this->GetJump(*surface, step.From, step.Next) > LargestShare * step.Jump); }));
 }
 
 int TrueSteps::CountOpen(vtkPolyData* map) const
@@ -166,7 +167,7 @@ int TrueSteps::CountOpen(vtkPolyData* map) const
   const std::unique_ptr<TriangleTree> surface = this->MakeTree(map);
   return static_cast<int>(std::count_if(this->Slopes.begin(), this->Slopes.end(),
     [&](const Step& slope)
-    { return this->GetJump(*surface, slope.Beam, slope.Next) > LargestShare * slope.Jump; }));
+    { return this->GetJump(*surface, slope.From, slope.Next) > LargestShare * slope.Jump; }));
 }
 
 std::unique_ptr<TriangleTree> TrueSteps::MakeTree(vtkPolyData* triangles) const

@@ -12,6 +12,7 @@
 #include "Fixtures/TriangleTree.h"
 
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <memory>
 #include <vector>
@@ -21,11 +22,13 @@
 class TrueSteps
 {
 public:
+  using Beam = ScanGrid::Beam;
+
   /// Two neighbours, and how far the range jumps between them, metres.
   struct Step
   {
-    ScanGrid::Beam Beam;
-    ScanGrid::Beam Next;
+    Beam From;
+    Beam Next;
     double Jump;
   };
 
@@ -39,20 +42,43 @@ public:
   /// difference.
   const std::vector<Step>& GetSlopes() const { return this->Slopes; }
 
+  /**
+   * The steps that the returns show: on both sides, the last three returns before the step lie on
+   * the plane of the triangle that the last one hits. The planes of both sides do not meet between
+   * the beams: one is before the other return and the other plane behind, each by more than
+   * `margin`, metres. Along a turn, the returns beside the last two, towards the horizon, must lie
+   * on the plane as well.
+   *
+   * Returns do not show other steps: where the planes meet, a crease would give the same returns.
+   */
+  std::vector<Step> FindShown(double margin) const;
+
   /// The number of steps at which the map has a surface from one beam to the other without a
   /// quarter of the jump.
-  int CountBridged(vtkPolyData* map) const;
+  int CountBridged(vtkPolyData* map) const { return this->CountBridged(map, this->Steps); }
+  int CountBridged(vtkPolyData* map, const std::vector<Step>& steps) const;
   /// The number of slopes at which the map has no such surface, or one that jumps by a quarter of
   /// the difference.
   int CountOpen(vtkPolyData* map) const;
 
 private:
-  void AddIfStep(const TriangleTree& scene, const ScanGrid::Beam& beam, const ScanGrid::Beam& next);
-  double GetJump(
-    const TriangleTree& surface, const ScanGrid::Beam& a, const ScanGrid::Beam& b) const;
+  /// The points p with Normal . p = Offset.
+  struct Plane
+  {
+    Vector Normal;
+    double Offset;
+  };
+
+  Plane GetPlane(const Beam& beam) const;
+  bool IsOn(const Plane& plane, const Beam& beam) const;
+  bool IsPlane(const Beam& last, const Beam& other) const;
+  double GetGap(const Beam& from, const Beam& to) const;
+  void AddIfStep(const TriangleTree& scene, const Beam& beam, const Beam& next);
+  double GetJump(const TriangleTree& surface, const Beam& a, const Beam& b) const;
   std::unique_ptr<TriangleTree> MakeTree(vtkPolyData* triangles) const;
 
   const ScanGrid Grid;
+  const vtkSmartPointer<vtkPolyData> Scene;
   const double DepthStep;
   const double Share;
   std::vector<Step> Steps;

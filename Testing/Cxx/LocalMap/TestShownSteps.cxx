@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the LMS3D developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks that maps bridge none of the depth steps that the returns show, in scans of all
+ * resolutions, without and with noise.
+ */
+#include "Fixtures/SceneBuilder.h"
+#include "LocalMap/MapFixtures.h"
+#include "LocalMap/TrueSteps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#ifndef LMS3D_FEWER_BEAMS
+namespace
+{
+constexpr double DepthStep = 0.1;
+// The bound of a map of a scan without noise, metres, and of one with noise, standard deviations.
+constexpr double Bound = 0.01;
+constexpr double BoundOfNoise = 4.0;
+// The plane through two returns, and so its distance from a third one, has a standard deviation of
+// 2.4 times that of the noise. This is the number of standard deviations of the noise by which
+// planes must miss the returns, in addition to the depth step: 4.5 of those of the distance.
+constexpr double MarginOfNoise = 11.0;
+
+MapScene MakeRoomFrom(int place, int beams)
+{
+  MapScene scene = MakeMapScene("FurnishedRoom");
+  Random random(static_cast<std::uint64_t>(place));
+  if (place > 0)
+  {
+    scene.Position = { random.Get(-2.0, 3.0), random.Get(-2.0, 2.0), random.Get(0.6, 2.0) };
+  }
+  scene.AlphaResolution = beams;
+  scene.BetaResolution = beams - 1;
+  return scene;
+}
+
+/// A wall around a yard in a hall, with battlements and a round tower in each corner.
+MapScene MakeCastleFrom(int place, int beams)
+{
+  SceneBuilder castle;
+  castle.AddBox({ -30.0, -30.0, 0.0 }, { 30.0, 30.0, 25.0 });
+  for (double side : { -20.0, 20.0 })
+  {
+    castle.AddBox({ side - 0.5, -20.0, 0.0 }, { side + 0.5, 20.0, 6.0 });
+    castle.AddBox({ -20.0, side - 0.5, 0.0 }, { 20.0, side + 0.5, 6.0 });
+    for (int merlon = -4; merlon <= 4; ++merlon)
+    {
+      const double at = 3.5 * merlon;
+      castle.AddBox({ side - 0.5, at - 0.9, 6.0 }, { side + 0.5, at + 0.9, 7.2 });
+      castle.AddBox({ at - 0.9, side - 0.5, 6.0 }, { at + 0.9, side + 0.5, 7.2 });
+    }
+    castle.AddCone({ side, side, 0.0 }, 3.0, 3.0, 11.0, 32);
+    castle.AddCone({ side, -side, 0.0 }, 3.0, 3.0, 11.0, 32);
+  }
+  MapScene scene = { castle.GetSurface() };
+  Random random(static_cast<std::uint64_t>(place));
+  scene.Position = { random.Get(-14.0, 14.0), random.Get(-14.0, 14.0), random.Get(1.0, 9.0) };
+  scene.AlphaResolution = beams;
+  scene.BetaResolution = beams - 1;
+  return scene;
+}
+
+/// Counts over many scans.
+struct Count
+{
+  std::size_t Steps = 0;
+  int Bridged = 0;
+
+  void Add(const TrueSteps& truth, vtkPolyData* map, double margin)
+  {
+    const std::vector<TrueSteps::Step> shown = truth.FindShown(margin);
+    this->Steps += shown.size();
+    this->Bridged += truth.CountBridged(map, shown);
+  }
+};
+
+class ShownSteps : public testing::Test
+{
+protected:
+  /// Makes maps of a scan without noise, and with noise of 5 and 20 mm.
+  void AddMaps(const MapScene& scene, std::uint64_t seed)
+  {
+    const vtkSmartPointer<vtkPolyData> scan = MakeScan(scene);
+    const TrueSteps truth(scan, scene.Surface, DepthStep, 0.0);
+    this->Ideal.Add(truth, MakeMap(scan, Bound), DepthStep);
+    for (double sigma : { 0.005, 0.02 })
+    {
+      Random random(seed);
+      this->Noisy.Add(truth, MakeMap(AddNoise(scan, sigma, random), BoundOfNoise * sigma),
+        DepthStep + MarginOfNoise * sigma);
+    }
+  }
+
+  void ExpectNoneOf(std::size_t ideal, std::size_t noisy) const
+  {
+    EXPECT_GT(this->Ideal.Steps, ideal);
+    EXPECT_EQ(this->Ideal.Bridged, 0) << "of " << this->Ideal.Steps;
+    EXPECT_GT(this->Noisy.Steps, noisy);
+    EXPECT_EQ(this->Noisy.Bridged, 0) << "of " << this->Noisy.Steps;
+  }
+
+  Count Ideal;
+  Count Noisy;
+};
+} // namespace
+
+TEST_F(ShownSteps, OfARoomAreNotBridged)
+{
+  for (int place = 0; place < 12; ++place)
+  {
+    this->AddMaps(MakeRoomFrom(place, 181), place);
+  }
+  this->ExpectNoneOf(1800, 3500);
+}
+
+TEST_F(ShownSteps, OfARoomAreNotBridgedInCoarseScans)
+{
+  for (int place = 0; place < 24; ++place)
+  {
+    for (int beams : { 46, 61, 91 })
+    {
+      this->AddMaps(MakeRoomFrom(place, beams), place);
+    }
+  }
+  this->ExpectNoneOf(2000, 4000);
+}
+
+TEST_F(ShownSteps, OfACastleAreNotBridged)
+{
+  for (int place = 0; place < 6; ++place)
+  {
+    for (int beams : { 46, 91, 181 })
+    {
+      this->AddMaps(MakeCastleFrom(place, beams), place);
+    }
+  }
+  this->ExpectNoneOf(1500, 3000);
+}
+
+// Rooms with balls, boxes and plates in any pose, at 2 to 60 turns of 2 to 61 beams.
+TEST_F(ShownSteps, OfRandomRoomsAreNotBridged)
+{
+  for (int seed = 0; seed < 300; ++seed)
+  {
+    Random random(static_cast<std::uint64_t>(seed));
+    const MapScene scene = MakeRandomMapScene(random);
+    const vtkSmartPointer<vtkPolyData> scan = MakeScan(scene);
+    const TrueSteps truth(scan, scene.Surface, DepthStep, 0.0);
+    this->Ideal.Add(truth, MakeMap(scan, Bound), DepthStep);
+  }
+  EXPECT_GT(this->Ideal.Steps, 600U);
+  EXPECT_EQ(this->Ideal.Bridged, 0) << "of " << this->Ideal.Steps;
+}
+#endif
