@@ -20,8 +20,9 @@ namespace
 {
 // As a share of the bound: how far the border of a region may move when it is straightened.
 constexpr double BorderShare = 6.0;
-// Cells: how far a border may stay away from the centre of a cell with a return.
-constexpr double ReachOfBorder = 1.25;
+// Cells: how far a border may stay away from the centre of a cell with a return, which may lie
+// anywhere in the cell.
+constexpr double ReachOfBorder = 0.5;
 
 /// Makes the mesh of one tile.
 class Mesher
