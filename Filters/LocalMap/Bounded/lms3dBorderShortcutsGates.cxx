@@ -44,6 +44,10 @@ bool lms3dBorderShortcuts::FindGates(
   double low = isTurned ? to.Corner.Azimuth : from.Corner.Azimuth;
   double tangent = GetTangent(isTurned ? arc.To : arc.From);
   const double lastTangent = GetTangent(isTurned ? arc.From : arc.To);
+  if (!std::isfinite(tangent) || !std::isfinite(lastTangent))
+  {
+    return false;
+  }
   low -= 2.0 * lms3dPi * std::floor((low - azimuths.front()) / (2.0 * lms3dPi));
   const double high = low + std::abs(width) + Rounding;
   low -= Rounding;

@@ -20,9 +20,9 @@ int lms3dFindEndOf(const std::vector<double>& values, int near, const Predicate&
   constexpr int Window = 4;
   constexpr int MaximumSteps = 8;
   const int size = static_cast<int>(values.size());
-  const int start = near - Window / 2;
-  if (start >= 0 && start + Window <= size)
+  if (near >= Window / 2 && near <= size - Window / 2)
   {
+    const int start = near - Window / 2;
     // Without branches, which processors would predict wrongly.
     int before = 0;
     for (int i = 0; i < Window; ++i)

@@ -90,21 +90,23 @@ bool lms3dStarSides::FindBorder(lms3dStarBorder& border) const
     border = {};
     return true;
   }
-  // Starts at the side without one before it or, if there is none, at any.
+  // The border starts at the side without one before it.
   const Side* const sides = this->GetSides();
   const Side* const end = sides + this->Size;
   const Side* const start =
     std::find_if(sides, end, [this](const Side& side) { return !this->IsLast(side.Next); });
-  const bool isClosed = start == end;
-  const std::int32_t first = isClosed ? sides[this->Size - 1].Next : start->Next;
-  std::int32_t last = first;
+  if (start == end)
+  {
+    border = {};
+    return false;
+  }
+  std::int32_t last = start->Next;
   std::size_t steps = 0;
-  for (std::int32_t at = this->FindLast(first); at != None && steps <= this->Size;)
+  for (std::int32_t at = start->Last; at != None && steps <= this->Size; at = this->FindLast(at))
   {
     last = at;
     ++steps;
-    at = at == first ? None : this->FindLast(at);
   }
-  border = isClosed ? lms3dStarBorder{} : lms3dStarBorder{ last, first };
-  return steps == this->Size && isClosed == (last == first);
+  border = { last, start->Next };
+  return steps == this->Size;
 }

@@ -80,7 +80,8 @@ private:
   const double MaximumError;
   lms3dVertexStars& Stars;
   ///@{
-  /// By triangle, for those with a chosen corner.
+  /// By triangle, for those with a chosen corner. The beams take about 100 bytes for each triangle
+  /// and 12 for each of its columns, until the fit ends.
   std::vector<lms3dTriangleBeams> Beams;
   std::vector<lms3dTriangleSums> Sums;
   ///@}

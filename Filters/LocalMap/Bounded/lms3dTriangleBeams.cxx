@@ -6,12 +6,6 @@
 
 #include <cstdint>
 
-namespace
-{
-// Radians by which a beam may pass outside of a triangle that it hits, as in lms3dVertexFit.
-constexpr double Margin = 1e-9;
-} // namespace
-
 lms3dTriangleBeams::lms3dTriangleBeams(const lms3dBeamSphere& sphere, const Corners& corners)
 {
   const lms3dVector& a = corners[0]->Position;
@@ -19,11 +13,12 @@ lms3dTriangleBeams::lms3dTriangleBeams(const lms3dBeamSphere& sphere, const Corn
   const lms3dVector& c = corners[2]->Position;
   const lms3dVector opposite = lms3dCross(c, b);
   const double volume = lms3dDot(opposite, a);
-  this->IsInPlaneWithSensor = !(volume > 0.0);
+  this->IsFacingSensor = volume > 0.0;
   const double scale = 1.0 / volume;
   this->SharesOfCorners = { lms3dScale(opposite, scale), lms3dScale(lms3dCross(a, c), scale),
     lms3dScale(lms3dCross(b, a), scale) };
-  const lms3dTriangleRasterizer rasterizer(sphere, *corners[0], *corners[1], *corners[2], Margin);
+  const lms3dTriangleRasterizer rasterizer(
+    sphere, *corners[0], *corners[1], *corners[2], lms3dTriangleRasterizer::VertexMargin);
   this->NumberOfColumns = rasterizer.GetNumberOfColumns();
   this->Spans.reserve(this->NumberOfColumns);
   rasterizer.ForEachColumn(

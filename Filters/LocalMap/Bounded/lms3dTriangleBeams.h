@@ -40,11 +40,12 @@ public:
   /// No beams.
   lms3dTriangleBeams() = default;
 
-  /// The triangle faces the sensor.
+  /// Beams must be regular. The triangle must face the sensor, or lie in one plane with it.
   lms3dTriangleBeams(const lms3dBeamSphere& sphere, const Corners& corners);
 
-  /// Whether the corners lie in one plane with the sensor. Then the shares are not finite.
-  bool IsFlat() const { return this->IsInPlaneWithSensor; }
+  /// False if the triangle lies in one plane with the sensor, and without a triangle. Then the
+  /// shares are not valid.
+  bool FacesSensor() const { return this->IsFacingSensor; }
 
   /// At most one for each column, in the order of lms3dTriangleRasterizer.
   const std::vector<Span>& GetSpans() const { return this->Spans; }
@@ -63,7 +64,7 @@ private:
   static bool AreWithin(
     const lms3dBeamDemands& demands, const lms3dVector& plane, const Span* first, const Span* last);
 
-  bool IsInPlaneWithSensor = true;
+  bool IsFacingSensor = false;
   int NumberOfColumns = 0;
   std::vector<Span> Spans;
   Shares SharesOfCorners = {};

@@ -39,6 +39,10 @@ struct lms3dTriangleCorner
 class lms3dTriangleRasterizer
 {
 public:
+  /// A margin for beams through a vertex, radians. Rounding can put them outside of all triangles
+  /// there.
+  static constexpr double VertexMargin = 1e-9;
+
   /// Keeps a reference to the sphere. Beams that pass outside of the triangle by at most `margin`,
   /// radians, count as hits.
   lms3dTriangleRasterizer(const lms3dBeamSphere& sphere, const lms3dTriangleCorner& a,

@@ -28,7 +28,7 @@ struct ColumnVector
 lms3dTriangleSums::lms3dTriangleSums(const lms3dBeamDemands& demands,
   const lms3dTriangleBeams& beams, const std::array<double, 3>& inverses)
 {
-  if (beams.IsFlat())
+  if (!beams.FacesSensor())
   {
     return;
   }

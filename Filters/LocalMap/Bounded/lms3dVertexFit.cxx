@@ -13,16 +13,13 @@ namespace
 constexpr double MinimumShare = 1e-9;
 // A beam with at least this share of the vertex determines its range.
 constexpr double DeterminingShare = 0.5;
-// Radians by which a beam may pass outside of a triangle that it hits. Rounding can put a beam
-// through a vertex outside of all triangles there.
-constexpr double Margin = 1e-9;
 // More than a product and a quotient round.
 constexpr double Rounding = 1.0 + 1e-14;
 } // namespace
 
 lms3dVertexFit::Triangle::Triangle(
   const lms3dBeamSphere& sphere, const lms3dTriangleCorner& vertex, const Side& side)
-  : Beams(sphere, vertex, side.Next, side.Last, Margin)
+  : Beams(sphere, vertex, side.Next, side.Last, lms3dTriangleRasterizer::VertexMargin)
 {
   const lms3dVector toLast = lms3dCross(side.Last.Position, side.Next.Position);
   const double scale = 1.0 / lms3dDot(toLast, vertex.Position);

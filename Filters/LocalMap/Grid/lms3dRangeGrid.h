@@ -99,6 +99,8 @@ public:
   const std::vector<std::int32_t>& GetReturns() const { return this->Returns; }
 
 private:
+  static constexpr std::int32_t NoReturn = -1;
+
   void AssignReturns(const double* ranges, const int* beamIds, std::int64_t count);
   bool AreSorted(const double* ranges, const int* beamIds, std::int64_t count) const;
   void AssignSortedReturns(const int* beamIds, std::int64_t count);
@@ -118,7 +120,7 @@ private:
   bool HasFilled = false;
   std::vector<int> Poles;
   std::vector<std::vector<double>> RangesOfPoles;
-  /// The return of each BeamId.
+  /// The return of each BeamId, or NoReturn.
   std::vector<std::int32_t> ReturnOfBeam;
   lms3dPaddedGrid<double> Ranges{ 0.0 };
   lms3dPaddedGrid<std::int32_t> Vertices{ NoVertex };

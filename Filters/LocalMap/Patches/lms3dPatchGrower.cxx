@@ -191,18 +191,18 @@ void lms3dPatchGrower::QueueNeighbors(const Span& span, int side, const lms3dPla
   this->Sphere.IsRegular() ? this->MarkOpenOfRegular(neighbors, inColumn)
                            : this->MarkOpen(neighbors, inColumn);
   const auto begin = this->IsOpen.begin();
-  const auto end = begin + count;
-  for (auto run = std::find(begin, end, 1); run != end;)
+  const auto findOpen = [&](int from)
+  { return static_cast<int>(std::find(begin + from, begin + count, 1) - begin); };
+  for (int run = findOpen(0); run < count;)
   {
-    const auto isEnd = [&](const std::int32_t& isOpen)
+    int next = run + 1;
+    while (next < count && this->IsOpen[next] != 0 &&
+      this->Sphere.IsJoined(first + next - 1, lms3dBeamSphere::Up))
     {
-      const auto index = first + static_cast<GridIndex>(&isOpen - this->IsOpen.data());
-      return isOpen == 0 || !this->Sphere.IsJoined(index - 1, lms3dBeamSphere::Up);
-    };
-    const auto next = std::find_if(run + 1, end, isEnd);
-    this->Queue.push_back({ first + static_cast<GridIndex>(run - begin),
-      first + static_cast<GridIndex>(next - begin) - 1 });
-    run = std::find(next, end, 1);
+      ++next;
+    }
+    this->Queue.push_back({ first + run, first + next - 1 });
+    run = findOpen(next);
   }
 }
 

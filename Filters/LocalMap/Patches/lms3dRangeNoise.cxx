@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Patches/lms3dRangeNoise.h"
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -70,18 +69,20 @@ void AppendResidualsOnRays(
 
 double lms3dEstimateNoise(const lms3dBeamSphere& sphere)
 {
-  tbb::enumerable_thread_specific<std::vector<double>> ofThreads;
-  tbb::parallel_for(0, (sphere.GetNumberOfColumns() + Stride - 1) / Stride,
+  const int samples = (sphere.GetNumberOfColumns() + Stride - 1) / Stride;
+  std::vector<std::vector<double>> ofSamples(samples);
+  tbb::parallel_for(0, samples,
     [&](int sample)
     {
-      sphere.IsRegular() ? AppendResiduals(sphere, sample * Stride, ofThreads.local())
-                         : AppendResidualsOnRays(sphere, sample * Stride, ofThreads.local());
+      sphere.IsRegular() ? AppendResiduals(sphere, sample * Stride, ofSamples[sample])
+                         : AppendResidualsOnRays(sphere, sample * Stride, ofSamples[sample]);
     });
-  // The median does not depend on their order.
+  // In the order of the columns: tiny ranges make residuals that are no numbers, and then the
+  // median depends on the order.
   std::vector<double> residuals;
-  for (const std::vector<double>& ofThread : ofThreads)
+  for (const std::vector<double>& ofSample : ofSamples)
   {
-    residuals.insert(residuals.end(), ofThread.begin(), ofThread.end());
+    residuals.insert(residuals.end(), ofSample.begin(), ofSample.end());
   }
   return lms3dGetNoiseOfResiduals(residuals);
 }

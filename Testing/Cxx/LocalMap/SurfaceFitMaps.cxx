@@ -3,8 +3,6 @@
 #include "LocalMap/SurfaceFitMaps.h"
 
 #include <array>
-#include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -26,14 +24,19 @@ std::array<Corners, 4> Divide(const Corners& triangle)
 BallScan::BallScan(const std::function<double(int, int)>& getRange, int beams)
   : Geometry(Alpha, beams, Beta, Turns)
 {
-  std::vector<double> ranges(static_cast<std::size_t>(beams) * Turns);
-  for (std::size_t i = 0; i < ranges.size(); ++i)
+  std::vector<double> ranges;
+  std::vector<int> ids;
+  for (int id = 0; id < beams * Turns; ++id)
   {
-    ranges[i] = getRange(static_cast<int>(i) % beams, static_cast<int>(i) / beams);
+    const double range = getRange(id % beams, id / beams);
+    if (range > 0.0)
+    {
+      ranges.push_back(range);
+      ids.push_back(id);
+    }
   }
-  std::vector<int> ids(ranges.size());
-  std::iota(ids.begin(), ids.end(), 0);
-  this->Grid.Build(this->Geometry, ranges.data(), ids.data(), beams * Turns);
+  this->Grid.Build(
+    this->Geometry, ranges.data(), ids.data(), static_cast<std::int64_t>(ids.size()));
   this->Joins.Find(this->Grid, 0.1);
 }
 

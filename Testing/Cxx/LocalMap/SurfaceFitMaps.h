@@ -23,7 +23,8 @@ struct BallScan
   static constexpr int Beams = 91;
   static constexpr int Turns = 90;
 
-  /// `getRange` takes the numbers of the beam and the turn, and returns metres.
+  /// `getRange` takes the numbers of the beam and the turn, and returns metres, or 0 if the beam
+  /// has no return.
   explicit BallScan(
     const std::function<double(int, int)>& getRange = [](int, int) { return Radius; },
     int beams = Beams);

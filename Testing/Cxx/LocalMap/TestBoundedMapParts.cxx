@@ -231,6 +231,9 @@ TEST(SortedSearch, FindsTheSameFromEachStart)
     {
       EXPECT_EQ(lms3dFindEndOf(values, near, isBefore), expected) << value << " from " << near;
     }
+    using Limits = std::numeric_limits<int>;
+    EXPECT_EQ(lms3dFindEndOf(values, Limits::min(), isBefore), expected) << value;
+    EXPECT_EQ(lms3dFindEndOf(values, Limits::max(), isBefore), expected) << value;
   }
   EXPECT_EQ(lms3dFindEndOf({}, 0, [](double) { return true; }), 0);
 }

@@ -6,9 +6,7 @@
  * and that it finds a bad return anywhere.
  */
 #include "Fixtures/VectorFixtures.h"
-#include "LocalMap/Grid/lms3dRangeGrid.h"
-
-#include <tbb/task_arena.h>
+#include "LocalMap/RangeGridFixtures.h"
 
 #include <gtest/gtest.h>
 
@@ -17,136 +15,17 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace
 {
-constexpr int Beams = 129;
-constexpr int Turns = 256;
-/// As many as two tasks of a thread take, so that the second one begins in the middle.
-constexpr int Count = 32768;
+constexpr int Beams = Returns::Beams;
+constexpr int Turns = Returns::Turns;
+constexpr int Count = Returns::Count;
+constexpr int Quarter = Count / 4;
 constexpr int Middle = Count / 2;
-
-constexpr double Alpha[2] = { -90.0, 90.0 };
-constexpr double Beta[2] = { 0.0, 360.0 };
-
-/// Both ends of each fan are poles. All ranges differ.
-struct Returns
-{
-  /// One beam in 131 has no return, in each turn another one.
-  Returns()
-  {
-    for (int id = 0; static_cast<int>(this->BeamIds.size()) < Count; ++id)
-    {
-      if (id % (Beams + 2) != 17)
-      {
-        this->BeamIds.push_back(id);
-        this->Ranges.push_back(2.0 + std::sin(id) + 1e-5 * id);
-      }
-    }
-  }
-
-  /// The same returns in another order.
-  Returns Sort(const std::vector<std::size_t>& order) const
-  {
-    Returns sorted = *this;
-    for (std::size_t i = 0; i < order.size(); ++i)
-    {
-      sorted.Ranges[i] = this->Ranges[order[i]];
-      sorted.BeamIds[i] = this->BeamIds[order[i]];
-    }
-    return sorted;
-  }
-
-  std::vector<double> Ranges;
-  std::vector<int> BeamIds;
-};
-
-/// All that a grid holds, with returns by their beams.
-struct Content
-{
-  std::vector<double> Ranges;
-  std::vector<std::int32_t> Vertices;
-  std::vector<std::int32_t> FirstVertices;
-  std::vector<int> BeamsOfVertices;
-  std::vector<std::vector<double>> RangesOfPoles;
-
-  bool operator==(const Content& other) const
-  {
-    return this->Ranges == other.Ranges && this->Vertices == other.Vertices &&
-      this->FirstVertices == other.FirstVertices &&
-      this->BeamsOfVertices == other.BeamsOfVertices && this->RangesOfPoles == other.RangesOfPoles;
-  }
-};
-
-/// The grid with its halo.
-Content GetContent(const lms3dRangeGrid& grid, const Returns& returns)
-{
-  Content content;
-  for (int turn = -2; turn < Turns + 3; ++turn)
-  {
-    content.Ranges.insert(
-      content.Ranges.end(), grid.GetRanges(turn) - 2, grid.GetRanges(turn) + Beams + 2);
-    content.Vertices.insert(
-      content.Vertices.end(), grid.GetVertices(turn) - 2, grid.GetVertices(turn) + Beams + 2);
-  }
-  for (int turn = 0; turn <= Turns; ++turn)
-  {
-    content.FirstVertices.push_back(grid.GetFirstVertex(turn));
-  }
-  for (std::int32_t found : grid.GetReturns())
-  {
-    content.BeamsOfVertices.push_back(returns.BeamIds[found]);
-  }
-  content.RangesOfPoles = grid.GetRangesOfPoles();
-  for (std::vector<double>& ofPole : content.RangesOfPoles)
-  {
-    std::sort(ofPole.begin(), ofPole.end());
-  }
-  return content;
-}
-
-/// Builds a grid on a number of threads.
-class RangeGridBuilder
-{
-public:
-  explicit RangeGridBuilder(int threads)
-    : Threads(threads)
-  {
-  }
-
-  Content Build(const Returns& returns)
-  {
-    tbb::task_arena(this->Threads)
-      .execute(
-        [&] {
-          this->Grid.Build(this->Geometry, returns.Ranges.data(), returns.BeamIds.data(), Count);
-        });
-    return GetContent(this->Grid, returns);
-  }
-
-  /// The message of the error, or an empty one.
-  std::string GetError(const Returns& returns)
-  {
-    try
-    {
-      this->Build(returns);
-    }
-    catch (const std::runtime_error& error)
-    {
-      return error.what();
-    }
-    return {};
-  }
-
-private:
-  const int Threads;
-  const lms3dScanGeometry Geometry{ Alpha, Beams, Beta, Turns };
-  lms3dRangeGrid Grid;
-};
 
 std::vector<std::size_t> GetOrder()
 {
@@ -174,11 +53,11 @@ std::vector<std::size_t> GetHalvesSwapped()
   return order;
 }
 
-/// All but the two returns in the middle are sorted.
-std::vector<std::size_t> GetMiddleSwapped()
+/// All but a return and the one before are sorted.
+std::vector<std::size_t> GetPairSwapped(int index)
 {
   std::vector<std::size_t> order = GetOrder();
-  std::swap(order[Middle - 1], order[Middle]);
+  std::swap(order[index - 1], order[index]);
   return order;
 }
 
@@ -192,12 +71,13 @@ protected:
 
 TEST_P(RangeGrids, AreTheSameForReturnsInAnyOrder)
 {
-  const Content expected = RangeGridBuilder(1).Build(this->Sorted);
+  const GridContent expected = RangeGridBuilder(1).Build(this->Sorted);
   ASSERT_EQ(std::count(expected.Ranges.begin(), expected.Ranges.end(), 0.0) > 0, true);
   ASSERT_EQ(expected.RangesOfPoles.size(), 2U);
   EXPECT_TRUE(this->Builder.Build(this->Sorted) == expected);
   for (const std::vector<std::size_t>& order :
-    { GetRandomOrder(), GetHalvesSwapped(), GetMiddleSwapped() })
+    { GetRandomOrder(), GetHalvesSwapped(), GetPairSwapped(1), GetPairSwapped(Quarter),
+      GetPairSwapped(Middle), GetPairSwapped(Middle + 1), GetPairSwapped(Count - 1) })
   {
     EXPECT_TRUE(this->Builder.Build(this->Sorted.Sort(order)) == expected);
     // Nothing is left of the other order.
@@ -205,9 +85,30 @@ TEST_P(RangeGrids, AreTheSameForReturnsInAnyOrder)
   }
 }
 
+// Returns in falling order take another way through the grid than sorted ones.
+TEST_P(RangeGrids, KeepNothingOfTheScanBefore)
+{
+  for (int count : { 0, 1, Quarter, Middle, Middle + 1 })
+  {
+    const Returns first = this->Sorted.GetFirst(count);
+    this->Builder.Build(this->Sorted);
+    EXPECT_TRUE(this->Builder.Build(first) == RangeGridBuilder(1).Build(first.Reverse())) << count;
+  }
+  for (int part : { 0, Quarter, Middle, Middle + Quarter, Count })
+  {
+    for (int index = std::max(part - 2, 0); index < std::min(part + 2, Count); ++index)
+    {
+      const Returns others = this->Sorted.LeaveOut(index);
+      this->Builder.Build(this->Sorted);
+      EXPECT_TRUE(this->Builder.Build(others) == RangeGridBuilder(1).Build(others.Reverse()))
+        << index;
+    }
+  }
+}
+
 TEST_P(RangeGrids, FindABadReturnAnywhere)
 {
-  for (int index : { 0, Middle - 1, Middle, Count - 1 })
+  for (int index : { 0, 1, Quarter - 1, Quarter, Middle - 1, Middle, Count - 1 })
   {
     const auto expectError = [&](const std::string& words, double range, int beam)
     {

@@ -57,6 +57,12 @@ TEST(StarSides, MustFollowEachOtherOnce)
   withLoop.Add(10, 11);
   withLoop.Add(11, 10);
   EXPECT_FALSE(withLoop.FindBorder(border));
+  lms3dStarSides twoLoops = MakeFan(0, 4);
+  twoLoops.Add(4, 0);
+  twoLoops.Add(10, 11);
+  twoLoops.Add(11, 10);
+  EXPECT_FALSE(twoLoops.FindBorder(border));
+  EXPECT_FALSE(border.IsOpen());
 }
 
 TEST(StarSides, CountEachCommonVertexOnce)

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <set>
 
@@ -106,7 +107,7 @@ TEST_F(TriangleBeams, HavePlanesThroughTheCorners)
   for (const std::array<lms3dTriangleCorner, 3>& triangle : this->Triangles)
   {
     const lms3dTriangleBeams beams(this->Sphere, GetCorners(triangle));
-    EXPECT_FALSE(beams.IsFlat());
+    EXPECT_TRUE(beams.FacesSensor());
     const lms3dVector plane = beams.GetPlane(inverses);
     for (int i = 0; i < 3; ++i)
     {
@@ -116,17 +117,25 @@ TEST_F(TriangleBeams, HavePlanesThroughTheCorners)
   }
 }
 
-// Corners move until single beams leave the bound.
+// Corners move until single beams leave the bound. Missing beams, and returns without a patch,
+// demand nothing.
 TEST_F(TriangleBeams, AreWithinTheBoundIfEachBeamIs)
 {
   constexpr double Bound = 0.2;
-  const lms3dBeamDemands demands(this->Sphere, this->Patches, Bound);
+  std::bernoulli_distribution isSpoiled(0.1);
+  const BallScan scan([&](int, int) { return isSpoiled(this->Random) ? 0.0 : Radius; });
+  const lms3dBeamSphere sphere(scan.Grid, scan.Joins);
+  for (std::int32_t& label : this->Patches.Labels)
+  {
+    label = isSpoiled(this->Random) ? lms3dPatches::None : label;
+  }
+  const lms3dBeamDemands demands(sphere, this->Patches, Bound);
   std::uniform_real_distribution<double> range(Radius - 0.3, Radius + 0.3);
   int within = 0;
   int beyond = 0;
   for (const std::array<lms3dTriangleCorner, 3>& triangle : this->Triangles)
   {
-    const lms3dTriangleBeams beams(this->Sphere, GetCorners(triangle));
+    const lms3dTriangleBeams beams(sphere, GetCorners(triangle));
     for (int trial = 0; trial < 10; ++trial)
     {
       const std::array<double, 3> inverses = { 1.0 / range(this->Random), 1.0 / range(this->Random),
@@ -137,9 +146,10 @@ TEST_F(TriangleBeams, AreWithinTheBoundIfEachBeamIs)
       {
         for (int row = span.First; row <= span.Last; ++row)
         {
-          const lms3dVector direction =
-            this->Sphere.GetDirection(this->Sphere.GetIndex(span.Column, row));
-          largest = std::max(largest, std::abs(1.0 / lms3dDot(plane, direction) - Radius));
+          const GridIndex index = sphere.GetIndex(span.Column, row);
+          const double met = 1.0 / lms3dDot(plane, sphere.GetDirection(index));
+          const bool demandsNothing = !sphere.HasReturn(index) || this->Patches.Labels[index] < 0;
+          largest = demandsNothing ? largest : std::max(largest, std::abs(met - Radius));
         }
       }
       if (std::abs(largest - Bound) > 1e-6)

@@ -18,11 +18,15 @@
 
 namespace
 {
-/// A ball whose returns have errors.
+/// A ball whose returns have errors. A tenth of the beams have no return, a tenth of the returns no
+/// patch, and no beam within 18 degrees of one pole returns.
 class VertexFit : public SurfaceFit
 {
 protected:
   static constexpr double Bound = 0.2;
+  /// Many for each column of a triangle.
+  static constexpr int ManyBeams = 721;
+  static constexpr int BeamsBelowHole = 648;
 
   /// What the beams around a vertex demand of its inverse range.
   struct Sums
@@ -32,15 +36,34 @@ protected:
     double LargestShare = 0.0;
     double Squares = 0.0;
     double Products = 0.0;
+    int LargestSpan = 0;
   };
 
   VertexFit()
-    : NoisyScan([this](int, int) { return Radius + this->Error(this->Random); })
+    : NoisyScan(
+        [this](int beam, int)
+        {
+          const bool isMissing = beam > BeamsBelowHole || this->IsSpoiled(this->Random);
+          return isMissing ? 0.0 : Radius + this->Error(this->Random);
+        },
+        ManyBeams)
     , NoisySphere(this->NoisyScan.Grid, this->NoisyScan.Joins)
-    , Demands(this->NoisySphere, this->Patches, Bound)
+    , Demands(this->NoisySphere, this->MakePatches(), Bound)
     , Map(Radius)
     , Stars(this->Map.Get())
   {
+  }
+
+  lms3dPatches MakePatches()
+  {
+    lms3dPatches patches;
+    patches.Patches.resize(1);
+    patches.Labels.assign(this->NoisySphere.GetSize(), 0);
+    for (std::int32_t& label : patches.Labels)
+    {
+      label = this->IsSpoiled(this->Random) ? lms3dPatches::None : 0;
+    }
+    return patches;
   }
 
   void AddBeams(std::int32_t vertex, std::int32_t next, std::int32_t last, Sums& sums) const
@@ -52,6 +75,7 @@ protected:
       { 0.0, this->Stars.GetVertex(next).Inverse, this->Stars.GetVertex(last).Inverse });
     for (const lms3dTriangleBeams::Span& span : beams.GetSpans())
     {
+      sums.LargestSpan = std::max(sums.LargestSpan, span.Last - span.First + 1);
       for (int row = span.First; row <= span.Last; ++row)
       {
         const lms3dBeamSphere::GridIndex index = this->NoisySphere.GetIndex(span.Column, row);
@@ -106,7 +130,8 @@ protected:
   }
 
   std::mt19937 Random{ 3 };
-  std::uniform_real_distribution<double> Error{ -0.15, 0.15 };
+  std::uniform_real_distribution<double> Error{ -0.1, 0.1 };
+  std::bernoulli_distribution IsSpoiled{ 0.1 };
   const BallScan NoisyScan;
   const lms3dBeamSphere NoisySphere;
   const lms3dBeamDemands Demands;
@@ -119,6 +144,8 @@ TEST_F(VertexFit, MinimizesTheSquaresWithinAllIntervals)
 {
   int limited = 0;
   int possible = 0;
+  int undetermined = 0;
+  int largestSpan = 0;
   for (std::int32_t vertex = 0; vertex < this->Stars.GetNumberOfVertices(); ++vertex)
   {
     const Sums sums = this->GetSums(vertex);
@@ -132,12 +159,18 @@ TEST_F(VertexFit, MinimizesTheSquaresWithinAllIntervals)
       EXPECT_EQ(fit.IsDetermined(), sums.LargestShare >= 0.5) << vertex;
       EXPECT_NEAR(fit.GetInverse(), expected, 1e-12) << vertex;
       ++possible;
+      undetermined += fit.IsDetermined() ? 0 : 1;
+      largestSpan = std::max(largestSpan, sums.LargestSpan);
       limited += expected != best ? 1 : 0;
     }
   }
   EXPECT_GT(possible, 20);
   EXPECT_GT(limited, 3);
   EXPECT_LT(limited, possible);
+  EXPECT_GT(undetermined, 0);
+  EXPECT_LT(undetermined, possible);
+  // The fit divides the beams of a column into parts.
+  EXPECT_GT(largestSpan, 64);
 }
 
 TEST_F(VertexFit, AllowsWhatSatisfiesAllBeams)
