@@ -4,6 +4,8 @@
 
 #include "Geometry/lms3dWideLoops.h"
 
+#include <cstdint>
+
 namespace
 {
 // More than a few operations round.
@@ -12,8 +14,8 @@ constexpr double Rounding = 1e-12;
 
 // Without branches, so that the compiler makes it a loop over vectors.
 LMS3D_WIDE_LOOPS
-bool lms3dColumnDeviations::AreWithin(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane,
-  int column, int firstRow, int lastRow, double limit)
+bool lms3dAreWithin(const lms3dBeamSphere& sphere, const lms3dColumnPlane& plane, int column,
+  int firstRow, int lastRow, double limit)
 {
   const double* const ranges = sphere.GetRanges() + sphere.GetIndex(column, 0);
   const double* const halfSpreads = sphere.GetPoleHalfSpreads();

@@ -14,15 +14,15 @@
 
 namespace
 {
-// Returns below this share of the largest possible deviation are measured only if none lies above.
+// Returns below this share of the expected deviation are measured only if none lies above.
 constexpr double FirstShare = 0.7;
 // Radians by which a beam may pass outside of a triangle that it hits.
 constexpr double Margin = 1e-6;
 } // namespace
 
-double lms3dDeviationMeter::GetLargest(double maximumAlongBeams)
+double lms3dDeviationMeter::GetLargest(double expected)
 {
-  const double share = FirstShare * maximumAlongBeams;
+  const double share = FirstShare * expected;
   const double largest = this->GetLargestAbove(share);
   return largest >= share ? largest : this->GetLargestAbove(largest);
 }
@@ -124,8 +124,7 @@ void lms3dDeviationMeter::Measure(
     const lms3dTriangleRasterizer::ColumnRanges hits(beams, column);
     const int from = std::max(first, lowest);
     const int to = std::min(last, highest);
-    if (lms3dColumnDeviations::AreWithin(
-          this->Sphere, hits.GetPlane(), column, from, to, threshold))
+    if (lms3dAreWithin(this->Sphere, hits.GetPlane(), column, from, to, threshold))
     {
       return;
     }

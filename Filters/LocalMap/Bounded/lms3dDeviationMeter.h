@@ -42,11 +42,11 @@ public:
     }
   }
 
-  /// The largest deviation of all returns on patches, except the returns of poles. No return may be
-  /// farther than `maximumAlongBeams`, metres, along its beam from the triangle that the beam hits.
-  /// Measures only the few returns whose deviation can be the largest. Uses the threads of the
-  /// calling TBB arena.
-  double GetLargest(double maximumAlongBeams);
+  /// The largest deviation of all returns on patches, except the returns of poles. `expected`,
+  /// metres, is a guess of the result. A poor one costs time only: if a return deviates by more
+  /// than 0.7 of it, only such returns are measured, otherwise all. Uses the threads of the calling
+  /// TBB arena.
+  double GetLargest(double expected);
 
 private:
   using GridIndex = lms3dBeamSphere::GridIndex;

@@ -75,17 +75,17 @@ bool lms3dPatchMesher::Check(Work& work)
 {
   work.Violations.clear();
   work.CoversOwnBeamsOnly = false;
-  work.Triangles.resize(work.Triangulation.GetNumberOfTriangles());
+  work.CheckedTriangles.resize(work.Triangulation.GetNumberOfTriangles(), { -1, -1, -1 });
   for (int i = 0; i < work.Triangulation.GetNumberOfTriangles(); ++i)
   {
     if (!work.Triangulation.IsInside(i))
     {
       continue;
     }
-    Work::CheckedTriangle& triangle = work.Triangles[i];
-    if (triangle.Corners != work.Triangulation.GetCorners(i))
+    std::array<std::int32_t, 3>& checked = work.CheckedTriangles[i];
+    if (checked != work.Triangulation.GetCorners(i))
     {
-      triangle = { work.Triangulation.GetCorners(i) };
+      checked = work.Triangulation.GetCorners(i);
       if (!this->CheckTriangle(work, i))
       {
         return false;

@@ -78,12 +78,8 @@ bool lms3dPatchMesher::TryToCoverBeams(
 {
   const bool hasPoleCopy =
     column > 0 && (this->Sphere.IsPoleRow(first) || this->Sphere.IsPoleRow(last));
-  if (hasPoleCopy)
-  {
-    return false;
-  }
-  if (!lms3dColumnDeviations::AreWithin(
-        this->Sphere, hits.GetPlane(), column, first, last, this->MaximumError))
+  if (hasPoleCopy ||
+    !lms3dAreWithin(this->Sphere, hits.GetPlane(), column, first, last, this->MaximumError))
   {
     return false;
   }

@@ -26,12 +26,6 @@ struct lms3dPatchMesher::Work
     double Deviation;
   };
 
-  /// The corners of a triangle when its beams were last checked.
-  struct CheckedTriangle
-  {
-    std::array<std::int32_t, 3> Corners = { -1, -1, -1 };
-  };
-
   Work(const lms3dPatchOutlines& outlines, int patch, int members, const lms3dPlane& plane)
     : Patch(patch)
     , Members(members)
@@ -62,7 +56,8 @@ struct lms3dPatchMesher::Work
   /// Whether all triangles have been checked, and only beams of the patch hit them.
   bool CoversOwnBeamsOnly = false;
   std::vector<Violation> Violations;
-  std::vector<CheckedTriangle> Triangles;
+  /// The corners of each triangle when its beams were last checked.
+  std::vector<std::array<std::int32_t, 3>> CheckedTriangles;
 };
 
 #endif

@@ -21,8 +21,12 @@ constexpr double MinimumFlatness = 0.001;
 // return.
 constexpr double LargestGap = 1.8;
 // Two planes that both miss the other return by more than a depth step are separate if the ranges
-// differ by more than this number of depth steps.
+// differ by more than this number of depth steps. For smaller differences the other rules decide,
+// which leave gentle slopes whole.
 constexpr double PlanesDifference = 1.5;
+// The gaps of such planes must exceed this number of flatnesses as well: the ground bends. (From a
+// depth step of 5 mm on, this is at most the depth step.)
+constexpr double FlatnessesOfGap = 5.0;
 // A crease is small if a gap beside it has at most this number of depth steps.
 constexpr double SmallGap = 2.0;
 // The tolerance, in depth steps, above which returns can be Loose or Gentle: the beams are far
@@ -76,7 +80,9 @@ lms3dDepthStep::Gap lms3dDepthStep::Measure(const Plane& plane, const Plane& oth
     across > margin ? Gap::Before : (across < -margin ? Gap::Behind : Gap::AtReturn);
   const double size =
     ofPlane > 0.0 ? std::abs(across) / ofPlane : std::numeric_limits<double>::infinity();
-  return { at, size, std::abs(across), noise > this->Absolute * other.Inverse * other.Inverse };
+  // Vague if the range within the noise ends more than a depth step behind the return.
+  const double ofStep = this->Absolute * other.Inverse * std::max(other.Inverse - noise, 0.0);
+  return { at, size, std::abs(across), noise > ofStep };
 }
 
 lms3dDepthStep::Relation lms3dDepthStep::Classify(const Side& a, const Side& b) const
@@ -150,7 +156,8 @@ lms3dDepthStep::Relation lms3dDepthStep::Classify(const Pair& pair) const
 lms3dDepthStep::Relation lms3dDepthStep::ClassifyApart(const Pair& pair) const
 {
   const auto [smaller, larger] = std::minmax(pair.AtFar.Size, pair.AtNear.Size);
-  if (pair.Difference > PlanesDifference * this->Absolute && smaller > this->Absolute &&
+  if (pair.Difference > PlanesDifference * this->Absolute &&
+    smaller > std::max(this->Absolute, FlatnessesOfGap * this->Flatness) &&
     this->IsStraight(pair.Near) && this->IsStraight(pair.Far))
   {
     return Separate;

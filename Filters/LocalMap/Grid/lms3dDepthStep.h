@@ -23,8 +23,9 @@
  *
  * - If one plane meets the other beam before its return, and the other plane behind, the planes do
  *   not intersect between the beams. The returns are Separate. If three returns show each plane,
- *   both gaps exceed the depth step, and the ranges differ by more than 1.5 depth steps, this is
- *   certain. (Otherwise, if both gaps are small, below 1.8 depth steps, and one is within the
+ *   both gaps exceed the depth step (and 5 mm), and the ranges differ by more than 1.5 depth steps,
+ *   no two planes explain one surface: the pair is certain. (A narrow slope in between is cut, too.
+ *   Otherwise, if both gaps are small, below 1.8 depth steps, and one is within the
  *   tolerance, no larger step fits in between: they are Joined. If the slope from one return to the
  *   other is gentle (lms3dSlopeLimits), they are Joined as well where both planes are steeper, or
  *   where both sides are curved and one gap is within the tolerance.)
@@ -43,8 +44,8 @@
  * If the beams are so far apart that the tolerance exceeds six depth steps, the surface around
  * decides two kinds of pairs (lms3dJoinResolver). Joined pairs are Loose instead if the ranges
  * differ by more than two depth steps, one plane misses the other return by more than five, and the
- * other plane does not meet it within half of one (at least 1 mm). Separate pairs are Gentle
- * instead if the slope is gentle and the tolerance is at most 30 depth steps.
+ * other plane does not meet it within half of one (at least 1 mm). Separate pairs that are not
+ * certain are Gentle instead if the slope is gentle and the tolerance is at most 30 depth steps.
  *
  * On a plane, three consecutive inverse ranges w along a fan satisfy w[i-1] + w[i+1] = 2 cos(step)
  * w[i]. Along a turn at elevation e, the plane's tilt is added: 2 (1 - cos(step)) sin(e) h, where h
@@ -74,8 +75,8 @@ public:
     /// The returns are within the tolerance, but both planes miss the other return: one surface,
     /// unless it is open around the pair.
     Loose,
-    /// The planes do not intersect, but the slope is gentle: no surface, unless it is whole around
-    /// the pair.
+    /// The planes do not intersect, but the slope is gentle and the pair is not certain: no
+    /// surface, unless it is whole around the pair.
     Gentle,
     /// The returns and those before them do not decide.
     Uncertain,
@@ -201,7 +202,7 @@ private:
     double Size;
     /// The difference of the inverse ranges, without sign.
     double InInverse;
-    /// Whether noise could hide a depth step.
+    /// Whether noise could hide a depth step behind the return.
     bool IsVague;
   };
 

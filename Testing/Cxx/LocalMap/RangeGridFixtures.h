@@ -19,7 +19,7 @@ struct Returns
 {
   static constexpr int Beams = 129;
   static constexpr int Turns = 400;
-  /// So many that a thread takes a quarter at once.
+  /// A thread takes a quarter at once.
   static constexpr int Count = 48000;
 
   /// One beam in 131 has no return, in each turn another one.

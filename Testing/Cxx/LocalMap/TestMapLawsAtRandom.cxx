@@ -46,8 +46,8 @@ TEST_P(MapLawsAtRandom, Hold)
   ExpectLawful(scan, { bound, 0.1, scene.Surface, 4.0 * sigma });
 }
 
-// Vertices lie off the returns of noisy scans, and no triangle of a coarse scan need be hit by the
-// beam of a vertex, since rounding decides whether a beam hits a corner.
+// Noise moves vertices off their returns. In a coarse scan, rounding can let the beam of such a
+// vertex miss all triangles. Its return counts as well.
 TEST(MapsOfCoarseScans, TellTheLargestDeviation)
 {
   for (std::uint64_t seed : { 479, 678, 879, 977 })

@@ -22,10 +22,14 @@ constexpr double DepthStep = 0.1;
 // The bound of a map of a scan without noise, metres, and of one with noise, standard deviations.
 constexpr double Bound = 0.01;
 constexpr double BoundOfNoise = 4.0;
-// The plane through two returns, and so its distance from a third one, has a standard deviation of
-// 2.4 times that of the noise. This is the number of standard deviations of the noise by which
-// planes must miss the returns, in addition to the depth step: 4.5 of those of the distance.
+// The number of standard deviations of the noise by which planes must miss the returns, in addition
+// to the depth step. If a plane lies nearly across the beams, and ranges are far above the noise,
+// the distance of a return from the plane through two others has a standard deviation of 2.4 times
+// that of the noise. This is lms3dDepthStep::Deviations times as much.
 constexpr double MarginOfNoise = 11.0;
+// Metres.
+constexpr double Noise = 0.005;
+constexpr double LargeNoise = 0.02;
 
 MapScene MakeRoomFrom(int place, int beams)
 {
@@ -71,29 +75,41 @@ struct Count
 {
   std::size_t Steps = 0;
   int Bridged = 0;
+  std::size_t Slopes = 0;
+  int Open = 0;
 
   void Add(const TrueSteps& truth, vtkPolyData* map, double margin)
   {
     const std::vector<TrueSteps::Step> shown = truth.FindShown(margin);
     this->Steps += shown.size();
     this->Bridged += truth.CountBridged(map, shown);
+    this->Slopes += truth.GetSlopes().size();
+    this->Open += truth.CountOpen(map);
+  }
+
+  /// A map of holes bridges no step either.
+  void ExpectFewOpen() const
+  {
+    EXPECT_GT(this->Slopes, 5000U);
+    EXPECT_LT(this->Open, 0.2 * static_cast<double>(this->Slopes));
   }
 };
 
 class ShownSteps : public testing::Test
 {
 protected:
-  /// Makes maps of a scan without noise, and with noise of 5 and 20 mm.
+  /// Makes maps of a scan without noise and with both noises.
   void AddMaps(const MapScene& scene, std::uint64_t seed)
   {
     const vtkSmartPointer<vtkPolyData> scan = MakeScan(scene);
     const TrueSteps truth(scan, scene.Surface, DepthStep, 0.0);
     this->Ideal.Add(truth, MakeMap(scan, Bound), DepthStep);
-    for (double sigma : { 0.005, 0.02 })
+    for (double sigma : { Noise, LargeNoise })
     {
       Random random(seed);
-      this->Noisy.Add(truth, MakeMap(AddNoise(scan, sigma, random), BoundOfNoise * sigma),
-        DepthStep + MarginOfNoise * sigma);
+      (sigma == Noise ? this->Noisy : this->VeryNoisy)
+        .Add(truth, MakeMap(AddNoise(scan, sigma, random), BoundOfNoise * sigma),
+          DepthStep + MarginOfNoise * sigma);
     }
   }
 
@@ -101,12 +117,22 @@ protected:
   {
     EXPECT_GT(this->Ideal.Steps, ideal);
     EXPECT_EQ(this->Ideal.Bridged, 0) << "of " << this->Ideal.Steps;
-    EXPECT_GT(this->Noisy.Steps, noisy);
+    EXPECT_GT(this->Noisy.Steps + this->VeryNoisy.Steps, noisy);
     EXPECT_EQ(this->Noisy.Bridged, 0) << "of " << this->Noisy.Steps;
+    EXPECT_EQ(this->VeryNoisy.Bridged, 0) << "of " << this->VeryNoisy.Steps;
+    this->ExpectFewOpen();
+  }
+
+  void ExpectFewOpen() const
+  {
+    this->Ideal.ExpectFewOpen();
+    this->Noisy.ExpectFewOpen();
+    this->VeryNoisy.ExpectFewOpen();
   }
 
   Count Ideal;
   Count Noisy;
+  Count VeryNoisy;
 };
 } // namespace
 
@@ -143,18 +169,22 @@ TEST_F(ShownSteps, OfACastleAreNotBridged)
   this->ExpectNoneOf(1500, 3000);
 }
 
-// Rooms with balls, boxes and plates in any pose, at 2 to 60 turns of 2 to 61 beams.
+// Rooms with balls, boxes and plates in any pose, at 2 to 60 turns of 2 to 61 beams. One sensor is
+// nearer to a surface than three standard deviations of the large noise. Its map bridges the steps
+// there.
 TEST_F(ShownSteps, OfRandomRoomsAreNotBridged)
 {
   for (int seed = 0; seed < 300; ++seed)
   {
     Random random(static_cast<std::uint64_t>(seed));
-    const MapScene scene = MakeRandomMapScene(random);
-    const vtkSmartPointer<vtkPolyData> scan = MakeScan(scene);
-    const TrueSteps truth(scan, scene.Surface, DepthStep, 0.0);
-    this->Ideal.Add(truth, MakeMap(scan, Bound), DepthStep);
+    this->AddMaps(MakeRandomMapScene(random), seed);
   }
   EXPECT_GT(this->Ideal.Steps, 600U);
   EXPECT_EQ(this->Ideal.Bridged, 0) << "of " << this->Ideal.Steps;
+  EXPECT_GT(this->Noisy.Steps, 600U);
+  EXPECT_EQ(this->Noisy.Bridged, 0) << "of " << this->Noisy.Steps;
+  EXPECT_GT(this->VeryNoisy.Steps, 500U);
+  EXPECT_LT(this->VeryNoisy.Bridged, 0.02 * static_cast<double>(this->VeryNoisy.Steps));
+  this->ExpectFewOpen();
 }
 #endif

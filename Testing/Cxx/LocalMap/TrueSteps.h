@@ -47,9 +47,7 @@ public:
    * the plane of the triangle that the last one hits. The planes of both sides do not meet between
    * the beams: one is before the other return and the other plane behind, each by more than
    * `margin`, metres. Along a turn, the returns beside the last two, towards the horizon, must lie
-   * on the plane as well.
-   *
-   * Returns do not show other steps: where the planes meet, a crease would give the same returns.
+   * on the plane as well: the tilt of the plane follows from them.
    */
   std::vector<Step> FindShown(double margin) const;
 
