@@ -11,15 +11,20 @@
 #include <vtkMath.h>
 
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 namespace
@@ -64,10 +69,33 @@ struct NoisyBall
   lms3dRangeJoins Joins;
 };
 
+/// Waits up to a second until a number of threads work in the arena.
+void GatherThreads(int threads)
+{
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  std::atomic<int> arrived{ 0 };
+  tbb::parallel_for(
+    0, threads, 1,
+    [&](int)
+    {
+      ++arrived;
+      while (arrived < threads && std::chrono::steady_clock::now() < end)
+      {
+        std::this_thread::yield();
+      }
+    },
+    tbb::simple_partitioner());
+}
+
 /// The bits of the noise that some threads estimate.
 std::uint64_t Estimate(const lms3dBeamSphere& sphere, int threads)
 {
-  const double noise = tbb::task_arena(threads).execute([&] { return lms3dEstimateNoise(sphere); });
+  const double noise = tbb::task_arena(threads).execute(
+    [&]
+    {
+      GatherThreads(threads);
+      return lms3dEstimateNoise(sphere);
+    });
   std::uint64_t bits = 0;
   std::memcpy(&bits, &noise, sizeof(bits));
   return bits;
