@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks that the surface fit leaves borders at depth steps at their returns.
+ * Checks that the surface fit leaves borders at depth steps at their returns, and which borders are
+ * certain.
  */
 #include "LocalMap/SurfaceFitFixture.h"
 
@@ -10,6 +11,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace
@@ -76,4 +78,30 @@ TEST_F(SurfaceFit, KeepsBordersAtDepthStepsSupported)
   }
   EXPECT_GT(unsupported[0], 0);
   EXPECT_EQ(unsupported[1], 0);
+}
+
+// The rows beside such a vertex are not certain.
+TEST_F(SurfaceFit, FindsNoCertainBorderIfATangentIsNotFinite)
+{
+  using Support = lms3dBorderShortcuts::Support;
+  const lms3dBorderShortcuts borders(this->Sphere, this->Patches, Tolerance);
+  const auto getSupport = [&](const lms3dVector& a, const lms3dVector& b)
+  {
+    const auto makeVertex = [](const lms3dVector& position)
+    {
+      return lms3dVertexStars::Vertex{ lms3dTriangleCorner(position), 1.0 / Radius, false, false,
+        false, {} };
+    };
+    return borders.GetSupportAtDepthSteps(makeVertex(a), makeVertex(b));
+  };
+  // Between two columns.
+  const lms3dVector finite = lms3dNormalize({ 1.0, -0.02, 0.3 });
+  EXPECT_EQ(getSupport(lms3dNormalize({ 1.0, -0.04, 0.3 }), finite), Support::NoDepthStep);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const lms3dVector& other :
+    { lms3dVector{ 1.0, -0.04, nan }, lms3dVector{ 1e-200, -4e-202, 1.0 } })
+  {
+    EXPECT_EQ(getSupport(other, finite), Support::Unsupported);
+    EXPECT_EQ(getSupport(finite, other), Support::Unsupported);
+  }
 }
