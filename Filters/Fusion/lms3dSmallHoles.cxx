@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dSmallHoles.h"
 
+#include "Fusion/lms3dBox2.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -15,19 +17,15 @@ constexpr double LargestHole = 32.0;
 bool IsSmallHole(const lms3dLoop& loop)
 {
   double area = 0.0;
-  lms3dPoint2 low = loop[0];
-  lms3dPoint2 high = loop[0];
+  lms3dBox2 box;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
     const lms3dPoint2& next = loop[(i + 1) % loop.size()];
     area += loop[i][0] * next[1] - loop[i][1] * next[0];
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      low[axis] = std::min(low[axis], loop[i][axis]);
-      high[axis] = std::max(high[axis], loop[i][axis]);
-    }
+    box.Add(loop[i]);
   }
-  return area < 0.0 && high[0] - low[0] <= LargestHole && high[1] - low[1] <= LargestHole;
+  return area < 0.0 && box.High[0] - box.Low[0] <= LargestHole &&
+    box.High[1] - box.Low[1] <= LargestHole;
 }
 
 // The cells in a loop along the axes, row by row.
