@@ -38,7 +38,7 @@ lms3dRegion MakeRegion(std::mt19937& random)
     const int block = region.Make(number % 6 - 3, number / 6 - 3);
     for (std::uint64_t& row : region.GetBlock(block).*Bits)
     {
-      row = word(random) & word(random);
+      row = word(random);
     }
   }
   return region;

@@ -171,7 +171,8 @@ TEST(LMS3DLooseRegions, AreJudgedWithReturnsThatTheyGot)
   EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, ofFacet, planes[wall]));
 }
 
-/// A region that has got too many returns is weak no more, and has no list of them.
+/// A region that has got too many returns is weak no more, and has no list of them. So it could not
+/// give them to the wall that covers them.
 TEST(LMS3DLooseRegions, StayIfTheyDoNotKeepTheirReturns)
 {
   const lms3dMappedReturn ofFacet = MakeReturn({ 0.001, 0.001, 0.004 });
@@ -180,6 +181,7 @@ TEST(LMS3DLooseRegions, StayIfTheyDoNotKeepTheirReturns)
   const int facet = AddLooseRegion(ofFacet, planes);
   const int region = AddLooseRegion(ofRegion, planes);
   Cover(region, ofFacet, planes);
+  Cover(AddWall(planes), ofRegion, planes);
   const int count = FindLargestWeakCount();
   for (int i = 1; i < count; ++i)
   {
