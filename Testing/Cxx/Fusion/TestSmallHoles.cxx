@@ -4,9 +4,13 @@
  * @file
  * Checks which holes of a region are closed.
  */
+#include "Fixtures/SceneBuilder.h"
+#include "Fusion/FusionFixtures.h"
 #include "Fusion/lms3dFusedPlanes.h"
 #include "Fusion/lms3dRegionMesher.h"
 #include "Fusion/lms3dSmallHoles.h"
+
+#include <vtkNew.h>
 
 #include <gtest/gtest.h>
 
@@ -264,4 +268,28 @@ TEST(LMS3DSmallHoles, OpenBetweenBeamsThatPass)
   scene.GetRaster().Open(lms3dMakeCellStrip(25, 25));
   scene.MakeMesh();
   EXPECT_FALSE(scene.IsClosed());
+}
+
+/// A plate before a hole in a wall hides it from the first pose, but not from the second one.
+TEST(LMS3DSmallHoles, OpenWhereALaterScanSeesThrough)
+{
+  SceneBuilder scene;
+  scene.AddBox({ -3.0, -3.0, 0.0 }, { 3.0, 3.0, 2.5 });
+  const auto addWall = [&](double left, double right, double bottom, double top, double y) {
+    scene.AddQuad({ left, y, bottom }, { right, y, bottom }, { right, y, top }, { left, y, top });
+  };
+  addWall(-3.0, -0.03, 0.0, 2.5, 1.0);
+  addWall(0.03, 3.0, 0.0, 2.5, 1.0);
+  addWall(-0.03, 0.03, 0.0, 1.17, 1.0);
+  addWall(-0.03, 0.03, 1.23, 2.5, 1.0);
+  addWall(-0.04, 0.04, 1.16, 1.24, 0.95);
+  const MappedScan first = MakeMappedScan(scene.GetSurface(), { 0.0, -0.5, 1.2 }, false);
+  const MappedScan second = MakeMappedScan(scene.GetSurface(), { 0.9, 0.5, 1.2 }, false);
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  AddAll({ first }, fusion);
+  fusion->Update();
+  EXPECT_GT(JudgeFusion(fusion->GetOutput(), second, Bound).Blocked, 0);
+  AddAll({ second }, fusion);
+  fusion->Update();
+  EXPECT_EQ(JudgeFusion(fusion->GetOutput(), { first, second }, Bound).Blocked, 0);
 }
