@@ -10,12 +10,8 @@
 #include "Fusion/lms3dFusedPlanes.h"
 #include "Fusion/lms3dWorldBox.h"
 
-#include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -61,21 +57,5 @@ private:
   /// By the square of 8 x 8 blocks in which they lie.
   std::map<std::array<std::int32_t, 2>, std::vector<lms3dWorldBox>> Squares;
 };
-
-/// Calls `find` with the number of each plane and a list of numbers, to which it adds some. Returns
-/// all that it added, in order, each once. The threads divide planes.
-template <typename Visitor>
-std::vector<int> lms3dFindForPlanes(const lms3dFusedPlanes& planes, const Visitor& find)
-{
-  tbb::combinable<std::vector<int>> lists;
-  tbb::parallel_for(
-    std::size_t{ 0 }, planes.GetSize(), [&](std::size_t number) { find(number, lists.local()); });
-  std::vector<int> found;
-  lists.combine_each(
-    [&](const std::vector<int>& list) { found.insert(found.end(), list.begin(), list.end()); });
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
-}
 
 #endif

@@ -212,8 +212,12 @@ bool lms3dBlockGrid<Block>::ForCells(
   const std::int32_t v = GetBlockOf(strip.Row);
   for (int i = 0; i < strip.Count; ++i)
   {
-    const std::int32_t end = strip.First[i] <= strip.Last[i] ? GetBlockOf(strip.Last[i]) + 1 : 0;
-    for (std::int32_t u = GetBlockOf(strip.First[i]); u < end; ++u)
+    if (strip.First[i] > strip.Last[i])
+    {
+      continue;
+    }
+    const std::int32_t last = GetBlockOf(strip.Last[i]);
+    for (std::int32_t u = GetBlockOf(strip.First[i]); u <= last; ++u)
     {
       const int number = this->Find(u, v);
       std::uint64_t cells = number < 0

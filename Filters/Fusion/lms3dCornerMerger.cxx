@@ -38,7 +38,9 @@ lms3dCornerMerger::lms3dCornerMerger(double tolerance, const lms3dFusedTile& til
 
 void lms3dCornerMerger::Merge()
 {
-  this->MergeNear(this->Left);
+  // Left loses the corners that go meanwhile.
+  const std::vector<Corner> corners = this->Left;
+  this->MergeNear(corners);
   for (const Corner corner : this->Left)
   {
     if (!this->Corners.IsFixed(corner))

@@ -77,6 +77,7 @@ void lms3dCreaseMask::Draw(const std::vector<lms3dCreaseLine>& creases, lms3dRas
   const auto before = static_cast<int>(this->Blocks.size());
   this->Blocks.resize(static_cast<std::size_t>(raster.GetNumberOfBlocks()));
   const lms3dBox2 newBlocks = GetBoxOfBlocks(before, raster);
+  std::vector<lms3dCreaseLine> drawnNow;
   for (const lms3dCreaseLine& crease : creases)
   {
     const bool isDrawn = std::any_of(this->Drawn.begin(), this->Drawn.end(),
@@ -85,8 +86,9 @@ void lms3dCreaseMask::Draw(const std::vector<lms3dCreaseLine>& creases, lms3dRas
     {
       this->Draw(crease, isDrawn ? before : 0, raster);
     }
+    drawnNow.push_back({ crease.Point, crease.Direction, { {}, crease.Parts.Drawn } });
   }
-  this->Drawn = creases;
+  this->Drawn.swap(drawnNow);
 }
 
 void lms3dCreaseMask::Draw(const lms3dCreaseLine& crease, int firstBlock, lms3dRaster& raster)

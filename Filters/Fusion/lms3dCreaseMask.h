@@ -46,7 +46,7 @@ private:
     BitsOf bits, const lms3dCellStrip& strip, std::int32_t u, int firstBlock, lms3dRaster& raster);
 
   std::vector<std::unique_ptr<Cells>> Blocks;
-  /// The creases that these blocks have.
+  /// The creases that these blocks have, without Seen.
   std::vector<lms3dCreaseLine> Drawn;
 };
 

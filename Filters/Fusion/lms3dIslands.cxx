@@ -51,17 +51,6 @@ double GetCross(const lms3dPoint2& from, const lms3dPoint2& a, const lms3dPoint2
   return (a[0] - from[0]) * (b[1] - from[1]) - (a[1] - from[1]) * (b[0] - from[0]);
 }
 
-// Whether a loop goes around cells, and not around a hole.
-bool IsIsland(const lms3dLoop& loop)
-{
-  double area = 0.0;
-  for (std::size_t i = 2; i < loop.size(); ++i)
-  {
-    area += GetCross(loop[0], loop[i - 1], loop[i]);
-  }
-  return area > 0.0;
-}
-
 // The corners at which islands are convex, from left to right.
 std::vector<Corner> FindCorners(const std::vector<const lms3dLoop*>& islands)
 {
@@ -199,7 +188,7 @@ bool lms3dJoinIslands(const std::vector<lms3dLoop>& outlines, const lms3dRaster&
   std::vector<const lms3dLoop*> islands;
   for (const lms3dLoop& loop : outlines)
   {
-    if (IsIsland(loop))
+    if (lms3dIsAroundCells(loop))
     {
       islands.push_back(&loop);
     }

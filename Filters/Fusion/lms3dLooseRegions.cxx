@@ -4,6 +4,7 @@
 
 #include "Fusion/lms3dBlockBoxes.h"
 #include "Fusion/lms3dCoveringPlanes.h"
+#include "Fusion/lms3dFoundPlanes.h"
 
 #include <tbb/parallel_for.h>
 
@@ -50,37 +51,39 @@ std::vector<int> FindToJudge(const lms3dFusedPlanes& planes, int revision)
     { AddToJudge(planes, number, revision, found); });
 }
 
-// The planes that cover the returns of a region, -1 for none.
-std::vector<int> FindCovering(const lms3dFusedPlanes& planes, int number)
+// Adds the planes that cover the returns of a region, -1 for none. `covering` has the planes for
+// its first returns.
+void FindCovering(const lms3dFusedPlanes& planes, int number, std::vector<int>& covering)
 {
   const std::vector<lms3dMappedReturn>& returns = planes[number].Returns;
-  std::vector<int> covering;
   covering.reserve(returns.size());
   lms3dCoveringPlanes search(planes);
-  for (const lms3dMappedReturn& mapped : returns)
+  for (std::size_t i = covering.size(); i < returns.size(); ++i)
   {
-    covering.push_back(search.Find(mapped, { number }, planes.GetMaximumError()));
+    covering.push_back(search.Find(returns[i], { number }, planes.GetMaximumError()));
   }
-  return covering;
 }
 
-// What was found before regions went holds if none of the planes has gone, and if the region has
-// not got returns.
-bool IsValid(
-  const lms3dFusedPlanes& planes, const lms3dFusedPlane& plane, const std::vector<int>& covering)
+bool HasAnyGone(const lms3dFusedPlanes& planes, const std::vector<int>& numbers)
 {
-  return covering.size() == plane.Returns.size() &&
-    std::none_of(covering.begin(), covering.end(),
-      [&](int other) { return other >= 0 && planes[other].HasGone; });
+  return std::any_of(numbers.begin(), numbers.end(),
+    [&](int number) { return number >= 0 && planes[number].HasGone; });
 }
 
+// A region that has got too many returns to keep them stays. What was found before regions went
+// holds if none of the planes has gone. Returns that the region has got since are its last ones.
 void DropIfNeedless(lms3dFusedPlanes& planes, int number, std::vector<int> covering)
 {
   const lms3dFusedPlane& plane = planes[number];
-  if (!IsValid(planes, plane, covering))
+  if (!plane.IsWeak)
   {
-    covering = FindCovering(planes, number);
+    return;
   }
+  if (HasAnyGone(planes, covering))
+  {
+    covering.clear();
+  }
+  FindCovering(planes, number, covering);
   const auto open = static_cast<std::size_t>(std::count(covering.begin(), covering.end(), -1));
   if (open >= plane.CountTriangles())
   {
@@ -104,7 +107,7 @@ void lms3dDropLooseRegions(lms3dFusedPlanes& planes, int revision)
     [&](std::size_t i)
     {
       planes[numbers[i]].DropForgotten();
-      covering[i] = FindCovering(planes, numbers[i]);
+      FindCovering(planes, numbers[i], covering[i]);
     });
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {

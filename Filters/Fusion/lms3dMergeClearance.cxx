@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dMergeClearance.h"
 
+#include "Fusion/lms3dBox2.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -37,20 +39,15 @@ public:
   explicit Merge(const lms3dCornerMerge& merge)
     : Before(merge.Before)
     , Corner(merge.Corner)
-    , Low(merge.Corner)
-    , High(merge.Corner)
   {
+    this->Box.Add(merge.Corner);
     for (std::size_t i = 0; i < merge.GetNumberOfEdges(); ++i)
     {
       this->Triangles.push_back(merge.GetTriangle(i));
     }
     for (const lms3dPoint2& point : merge.Before)
     {
-      for (int axis = 0; axis < 2; ++axis)
-      {
-        this->Low[axis] = std::min(this->Low[axis], point[axis]);
-        this->High[axis] = std::max(this->High[axis], point[axis]);
-      }
+      this->Box.Add(point);
     }
   }
 
@@ -66,8 +63,10 @@ public:
   /// Whether an edge may be near. Others are apart.
   bool BoxMeets(const Segment& segment) const
   {
-    return this->BoxMeets(segment[0][0], segment[1][0], 0) &&
-      this->BoxMeets(segment[0][1], segment[1][1], 1);
+    lms3dBox2 edge;
+    edge.Add(segment[0]);
+    edge.Add(segment[1]);
+    return this->Box.IsNear(edge, 0.0);
   }
 
   /// Whether an edge is apart that has no end in common with the merge.
@@ -124,15 +123,9 @@ private:
     return true;
   }
 
-  bool BoxMeets(double from, double to, int axis) const
-  {
-    return std::min(from, to) <= this->High[axis] && std::max(from, to) >= this->Low[axis];
-  }
-
   const std::vector<lms3dPoint2>& Before;
   const lms3dPoint2& Corner;
-  lms3dPoint2 Low;
-  lms3dPoint2 High;
+  lms3dBox2 Box;
   std::vector<Triangle> Triangles;
 };
 } // namespace

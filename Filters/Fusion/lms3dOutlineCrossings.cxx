@@ -20,13 +20,18 @@ double GetRight(const Edge& edge)
   return std::max(edge[0][0], edge[1][0]);
 }
 
-/// The edges of all loops, from left to right.
+bool HasArea(const lms3dLoop& loop)
+{
+  return loop.size() >= 3;
+}
+
+// The edges of all loops, from left to right.
 std::vector<Edge> SortEdges(const std::vector<lms3dLoop>& loops)
 {
   std::vector<Edge> edges;
   for (const lms3dLoop& loop : loops)
   {
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    for (std::size_t i = 0; HasArea(loop) && i < loop.size(); ++i)
     {
       edges.push_back({ loop[i], loop[(i + 1) % loop.size()] });
     }
@@ -106,7 +111,7 @@ std::vector<lms3dPoint2> FindSharedCorners(const std::vector<lms3dLoop>& loops)
   std::vector<lms3dPoint2> corners;
   for (const lms3dLoop& loop : loops)
   {
-    corners.insert(corners.end(), loop.begin(), loop.end());
+    corners.insert(corners.end(), loop.begin(), HasArea(loop) ? loop.end() : loop.begin());
   }
   std::sort(corners.begin(), corners.end());
   std::vector<lms3dPoint2> shared;

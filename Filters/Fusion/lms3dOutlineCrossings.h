@@ -13,8 +13,8 @@
 #include <vector>
 
 /// Returns the points in which edges of the loops cross, corners that lie on other edges, and the
-/// corners of equal edges. A point may be there several times. Loops with such points cannot be
-/// divided into triangles.
+/// corners of equal edges. A point may be there several times. Loops of less than three corners are
+/// left out. Different loops with such points cannot be divided into triangles.
 std::vector<lms3dPoint2> lms3dFindCrossingEdges(const std::vector<lms3dLoop>& loops);
 
 /// The same. If there are none, returns the corners that loops have in common, since loops may

@@ -19,7 +19,8 @@
  * within a tolerance, if the limits of borders allow it, and if the triangle between corner and
  * line holds no other corner, so outlines never cross. Fixed corners go only if they lie on a
  * straight line. Corners of steps go first, then those that cost least (M. Visvalingam and
- * J. Whyatt 1993, "Line generalisation by repeated elimination of points").
+ * J. Whyatt 1993, "Line generalisation by repeated elimination of points"). If a neighbour of the
+ * corner has moved, its first place does not count.
  */
 class lms3dOutlineSimplifier
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dRasterOutline.h"
 
+#include <cstddef>
 #include <utility>
 
 namespace
@@ -128,4 +129,16 @@ private:
 std::vector<lms3dLoop> lms3dTraceOutlines(const lms3dRegion& raster)
 {
   return Tracer(raster).Trace();
+}
+
+// The area is relative to a corner, so that its rounding is that of the loop's size.
+bool lms3dIsAroundCells(const lms3dLoop& loop)
+{
+  double area = 0.0;
+  for (std::size_t i = 2; i < loop.size(); ++i)
+  {
+    area += (loop[i - 1][0] - loop[0][0]) * (loop[i][1] - loop[0][1]) -
+      (loop[i - 1][1] - loop[0][1]) * (loop[i][0] - loop[0][0]);
+  }
+  return area > 0.0;
 }

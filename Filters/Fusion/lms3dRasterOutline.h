@@ -18,4 +18,7 @@ using lms3dLoop = std::vector<lms3dPoint2>;
 /// around holes. Their corners are corners of cells. Cells that touch at a corner only are apart.
 std::vector<lms3dLoop> lms3dTraceOutlines(const lms3dRegion& raster);
 
+/// Whether a loop goes around cells, and not around a hole.
+bool lms3dIsAroundCells(const lms3dLoop& loop);
+
 #endif

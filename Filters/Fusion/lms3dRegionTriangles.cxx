@@ -23,7 +23,7 @@ constexpr int Attempts = 6;
 // as far.
 constexpr double NearCrossing = 24.0;
 
-/// Outlines that are simpler, or that were left as they are since their edges cross.
+/// Outlines that are simpler. If `Crossings` has points, corners were not merged.
 struct Straightened
 {
   std::vector<lms3dLoop> Loops;
@@ -44,8 +44,8 @@ public:
   {
   }
 
-  /// Corners within a distance of the places do not move to creases. Merges of corners would take
-  /// time, and would leave most crossings as they are.
+  /// Corners within a distance of the places do not move to creases. If edges cross then, corners
+  /// are not merged, since merges would take time and leave most crossings as they are.
   Straightened Straighten(const std::vector<lms3dCreaseLine>& creases,
     const std::vector<lms3dPoint2>& places, double distance) const
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dSmallHoles.h"
 
+#include "Fusion/lms3dBox2.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,20 +16,13 @@ constexpr double LargestHole = 32.0;
 // Whether a loop goes around a hole that is small.
 bool IsSmallHole(const lms3dLoop& loop)
 {
-  double area = 0.0;
-  lms3dPoint2 low = loop[0];
-  lms3dPoint2 high = loop[0];
-  for (std::size_t i = 0; i < loop.size(); ++i)
+  lms3dBox2 box;
+  for (const lms3dPoint2& corner : loop)
   {
-    const lms3dPoint2& next = loop[(i + 1) % loop.size()];
-    area += loop[i][0] * next[1] - loop[i][1] * next[0];
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      low[axis] = std::min(low[axis], loop[i][axis]);
-      high[axis] = std::max(high[axis], loop[i][axis]);
-    }
+    box.Add(corner);
   }
-  return area < 0.0 && high[0] - low[0] <= LargestHole && high[1] - low[1] <= LargestHole;
+  return box.High[0] - box.Low[0] <= LargestHole && box.High[1] - box.Low[1] <= LargestHole &&
+    !lms3dIsAroundCells(loop);
 }
 
 // The cells in a loop along the axes, row by row.
@@ -59,14 +54,15 @@ std::vector<lms3dCellStrip> FindCells(const lms3dLoop& loop)
   return cells;
 }
 
-// Whether no beam passed through cells of a hole, nor around them, and no island lies in it.
+// Whether no beam passed through cells of a hole, they are not between beams that all passed, and
+// no island lies in the hole.
 bool IsFree(
   const std::vector<lms3dCellStrip>& cells, const lms3dRaster& raster, const lms3dRegion& region)
 {
   return std::all_of(cells.begin(), cells.end(),
     [&](const lms3dCellStrip& strip)
     {
-      return region.HasBlocks(strip) && !region.HasAny(&lms3dRegionBlock::Passed, strip) &&
+      return !region.HasAny(&lms3dRegionBlock::Passed, strip) &&
         !region.HasAny(&lms3dRegionBlock::May, strip) &&
         !raster.HasAny(&lms3dRasterBlock::Open, strip);
     });

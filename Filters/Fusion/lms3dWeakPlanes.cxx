@@ -3,6 +3,7 @@
 #include "Fusion/lms3dWeakPlanes.h"
 
 #include "Fusion/lms3dBlockBoxes.h"
+#include "Fusion/lms3dFoundPlanes.h"
 
 #include <tbb/parallel_for.h>
 

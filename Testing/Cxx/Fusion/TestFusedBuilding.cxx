@@ -17,7 +17,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -28,14 +30,15 @@ constexpr double Spacing = 0.2;
 constexpr Vector Low = { -12.14, -8.14, 0.0 };
 constexpr Vector High = { 12.0, 7.34, 3.6 };
 
-/// From both ends of the corridor, and from rooms with tables, shelves and columns.
-std::vector<MappedScan> ScanBuilding(vtkPolyData* building)
+/// From both ends of the corridor, and from rooms with tables, shelves and columns, all poses moved
+/// by an offset.
+std::vector<MappedScan> ScanBuilding(vtkPolyData* building, const Point& offset = { 0.0, 0.0, 0.0 })
 {
   std::vector<MappedScan> scans;
   for (const Point& position : std::vector<Point>{ { 10.5, 0.0, 1.2 }, { 4.0, 0.2, 1.2 },
          { -4.0, 0.0, 1.2 }, { -10.5, 0.0, 1.2 }, { -6.5, -3.5, 1.2 }, { 8.0, 3.5, 1.2 } })
   {
-    scans.push_back(MakeMappedScan(building, position));
+    scans.push_back(MakeMappedScan(building, lms3dAdd(position, offset)));
   }
   return scans;
 }
@@ -113,4 +116,24 @@ TEST(LMS3DFusedBuilding, HasLittleSurfaceFarFromTheBuilding)
   const FusionVerdict verdict = JudgeFusion(fusion->GetOutput(), scans, MaximumError);
   EXPECT_EQ(verdict.Beyond, 0) << verdict.LargestDistance;
   EXPECT_EQ(verdict.Blocked, 0);
+}
+
+TEST(LMS3DFusedBuilding, DoesNotDependOnThreadsIfItForgets)
+{
+  const vtkSmartPointer<vtkPolyData> building = ReadBuilding();
+  std::vector<MappedScan> scans = ScanBuilding(building);
+  const std::vector<MappedScan> more = ScanBuilding(building, { 0.4, 0.3, 0.2 });
+  scans.insert(scans.end(), more.begin(), more.end());
+  const auto fuse = [&](int threads)
+  {
+    vtkNew<vtkLMS3DMapFusion> fusion;
+    fusion->SetForgetSeenThrough(true);
+    fusion->SetNumberOfThreads(threads);
+    AddAll(scans, fusion);
+    fusion->Update();
+    return Hash(fusion->GetOutput());
+  };
+  const std::uint64_t expected = fuse(1);
+  EXPECT_EQ(fuse(2), expected);
+  EXPECT_EQ(fuse(5), expected);
 }

@@ -48,6 +48,39 @@ bool Has(lms3dRaster::BitsOf bits, const lms3dMappedReturn& mapped, const lms3dF
   return plane.Raster.Has(bits, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
 }
 
+/// Adds a facet around a return, with one triangle. Returns its number.
+int AddLooseRegion(const lms3dMappedReturn& mapped, lms3dFusedPlanes& planes)
+{
+  planes.AddFacet(mapped);
+  const auto number = static_cast<int>(planes.GetSize()) - 1;
+  planes[number].Tiles.emplace_back();
+  lms3dFusedTile& tile = planes[number].Tiles.front();
+  tile.Mesh.Triangles.resize(1);
+  tile.Revision = Revision;
+  tile.Blocks.push_back(0);
+  return number;
+}
+
+int AddWall(lms3dFusedPlanes& planes)
+{
+  return planes.MakePlane({ 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 });
+}
+
+/// How many returns a weak plane keeps at most.
+int FindLargestWeakCount()
+{
+  const lms3dMappedReturn mapped = MakeReturn({ 0.0, 0.0, 0.0 });
+  lms3dFusedPlanes planes(Bound);
+  planes.AddFacet(mapped);
+  int count = 0;
+  while (planes[0].IsWeak)
+  {
+    planes.AddReturn(0, mapped);
+    ++count;
+  }
+  return count;
+}
+
 /// A floor of few returns, and a wall that meets it at x = 0.
 struct FloorAndWall
 {
@@ -95,6 +128,91 @@ TEST(LMS3DLooseRegions, GoIfOtherTrianglesCoverTheirReturns)
   EXPECT_TRUE(scene.Planes[facet].HasGone);
   EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, mapped, scene.Planes[scene.Wall]));
   EXPECT_FALSE(Has(&lms3dRasterBlock::Must, mapped, scene.Planes[scene.Wall]));
+}
+
+/// The region that covered the facet's return goes first.
+TEST(LMS3DLooseRegions, GiveReturnsToPlanesThatStay)
+{
+  const lms3dMappedReturn ofFacet = MakeReturn({ 0.001, 0.001, 0.004 });
+  const lms3dMappedReturn ofRegion = MakeReturn({ 0.001, 0.021, 0.004 });
+  lms3dFusedPlanes planes(Bound);
+  const int region = AddLooseRegion(ofRegion, planes);
+  const int facet = AddLooseRegion(ofFacet, planes);
+  const int wall = AddWall(planes);
+  Cover(region, ofFacet, planes);
+  Cover(wall, ofFacet, planes);
+  Cover(wall, ofRegion, planes);
+  lms3dDropLooseRegions(planes, Revision);
+  EXPECT_TRUE(planes[region].HasGone);
+  EXPECT_TRUE(planes[facet].HasGone);
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, ofRegion, planes[wall]));
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, ofFacet, planes[wall]));
+}
+
+/// The facet goes first.
+TEST(LMS3DLooseRegions, AreJudgedWithReturnsThatTheyGot)
+{
+  const lms3dMappedReturn ofFacet = MakeReturn({ 0.001, 0.001, 0.004 });
+  const lms3dMappedReturn ofRegion = MakeReturn({ 0.001, 0.021, 0.004 });
+  lms3dFusedPlanes planes(Bound);
+  const int facet = AddLooseRegion(ofFacet, planes);
+  const int region = AddLooseRegion(ofRegion, planes);
+  const int wall = AddWall(planes);
+  Cover(region, ofFacet, planes);
+  Cover(wall, ofRegion, planes);
+  lms3dDropLooseRegions(planes, Revision);
+  EXPECT_TRUE(planes[facet].HasGone);
+  EXPECT_FALSE(planes[region].HasGone) << "the wall does not cover the return of the facet";
+  EXPECT_EQ(planes[region].Returns.size(), 2U);
+  Cover(wall, ofFacet, planes);
+  lms3dDropLooseRegions(planes, Revision);
+  EXPECT_TRUE(planes[region].HasGone);
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, ofRegion, planes[wall]));
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, ofFacet, planes[wall]));
+}
+
+/// A region that has got too many returns is weak no more, and has no list of them. So it could not
+/// give them to the wall that covers them.
+TEST(LMS3DLooseRegions, StayIfTheyDoNotKeepTheirReturns)
+{
+  const lms3dMappedReturn ofFacet = MakeReturn({ 0.001, 0.001, 0.004 });
+  const lms3dMappedReturn ofRegion = MakeReturn({ 0.001, 0.021, 0.004 });
+  lms3dFusedPlanes planes(Bound);
+  const int facet = AddLooseRegion(ofFacet, planes);
+  const int region = AddLooseRegion(ofRegion, planes);
+  Cover(region, ofFacet, planes);
+  Cover(AddWall(planes), ofRegion, planes);
+  const int count = FindLargestWeakCount();
+  for (int i = 1; i < count; ++i)
+  {
+    planes.AddReturn(region, ofRegion);
+  }
+  ASSERT_TRUE(planes[region].IsWeak);
+  lms3dDropLooseRegions(planes, Revision);
+  EXPECT_TRUE(planes[facet].HasGone);
+  EXPECT_FALSE(planes[region].IsWeak);
+  EXPECT_FALSE(planes[region].HasGone);
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Must, ofRegion, planes[region]));
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, ofFacet, planes[region]));
+}
+
+/// A later scan saw through the return of a region. The return of a facet comes to the same cell.
+TEST(LMS3DLooseRegions, DropForgottenReturnsBeforeTheyGetOthers)
+{
+  const lms3dMappedReturn ofFacet = MakeReturn({ 0.001, 0.001, 0.004 });
+  lms3dMappedReturn forgotten = ofFacet;
+  forgotten.BeamId = 7;
+  lms3dFusedPlanes planes(Bound);
+  const int facet = AddLooseRegion(ofFacet, planes);
+  const int region = AddLooseRegion(forgotten, planes);
+  Cover(region, ofFacet, planes);
+  const lms3dPoint2 place = planes[region].Frame.ToCells(forgotten.Point);
+  planes[region].Raster.Forget(
+    lms3dMakeCellStrip(lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1])));
+  lms3dDropLooseRegions(planes, Revision);
+  EXPECT_TRUE(planes[facet].HasGone);
+  ASSERT_EQ(planes[region].Returns.size(), 1U);
+  EXPECT_EQ(planes[region].Returns.front().BeamId, ofFacet.BeamId);
 }
 
 /// A triangle beside the foot of a return is within the bound of it if the return is near the

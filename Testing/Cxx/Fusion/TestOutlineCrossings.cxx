@@ -57,8 +57,22 @@ TEST(LMS3DOutlineCrossings, AreSharedCornersIfNothingElse)
     (Points{ { 10.0, 10.0 } }));
 }
 
+TEST(LMS3DOutlineCrossings, AreNoneOfLoopsWithoutArea)
+{
+  EXPECT_TRUE(lms3dFindCrossings({ Square, { { 5.0, 5.0 }, { 5.0, 15.0 } } }).empty());
+  EXPECT_TRUE(lms3dFindCrossings({ Square, { { 0.0, 0.0 }, { 10.0, 10.0 } } }).empty());
+  EXPECT_TRUE(lms3dFindCrossings({ Square, { { 10.0, 5.0 } } }).empty());
+}
+
+TEST(LMS3DOutlineCrossings, AreTheCornersOfEqualLoops)
+{
+  const std::vector<lms3dLoop> loops = { Square, Square };
+  EXPECT_EQ(lms3dFindCrossingEdges(loops).size(), 8U);
+  EXPECT_TRUE(lms3dTriangulateOutlines(loops));
+}
+
 /// Outlines may touch in corners, but have no triangles if their edges cross.
-TEST(LMS3DOutlineCrossings, AreOfEdgesExactlyIfThereAreNoTriangles)
+TEST(LMS3DOutlineCrossings, AreOfEdgesExactlyIfDifferentLoopsHaveNoTriangles)
 {
   const auto expectCrossings = [](const std::vector<lms3dLoop>& loops, bool doCross)
   {
@@ -66,6 +80,7 @@ TEST(LMS3DOutlineCrossings, AreOfEdgesExactlyIfThereAreNoTriangles)
     EXPECT_EQ(!lms3dTriangulateOutlines(loops), doCross);
   };
   expectCrossings({ Square }, false);
+  expectCrossings({ Square, { { 5.0, 5.0 }, { 5.0, 15.0 } } }, false);
   expectCrossings({ Square, { { 10.0, 10.0 }, { 14.0, 12.0 }, { 12.0, 14.0 } } }, false);
   expectCrossings({ Square, { { 5.0, 10.0 }, { 8.0, 14.0 }, { 2.0, 14.0 } } }, true);
   expectCrossings({ Square, { { 0.0, 10.0 }, { 10.0, 10.0 }, { 5.0, 14.0 } } }, true);

@@ -4,7 +4,13 @@
  * @file
  * Checks which holes of a region are closed.
  */
+#include "Fixtures/SceneBuilder.h"
+#include "Fusion/FusionFixtures.h"
+#include "Fusion/lms3dFusedPlanes.h"
+#include "Fusion/lms3dRegionMesher.h"
 #include "Fusion/lms3dSmallHoles.h"
+
+#include <vtkNew.h>
 
 #include <gtest/gtest.h>
 
@@ -60,6 +66,52 @@ std::size_t CountSurface(const lms3dRegion& region)
   }
   return count;
 }
+
+constexpr double Bound = 0.01;
+
+/// A plane with surface in one block, which is its tile, with a hole of 20 x 20 cells.
+class PlaneWithHole
+{
+public:
+  PlaneWithHole()
+    : Plane(Planes[Planes.MakePlane({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 })])
+  {
+    this->Plane.Tiles.emplace_back();
+    this->Plane.Tiles.front().Blocks.push_back(this->Plane.Raster.Make(0, 0));
+    this->Plane.Raster.GetBlock(0).Tile = 0;
+    for (std::int32_t row = 5; row < 60; ++row)
+    {
+      const bool isBeside = row >= 20 && row < 40;
+      this->SetShape(row, 5, isBeside ? 19 : 59);
+      this->SetShape(row, isBeside ? 40 : 5, 59);
+    }
+  }
+
+  void MakeMesh()
+  {
+    lms3dMakeTileMesh(this->Plane, this->Plane.Tiles.front(), {}, Bound);
+    this->Plane.Raster.ClearMarks();
+  }
+
+  /// Whether triangles cover all cells of the hole.
+  bool IsClosed() const
+  {
+    return this->Plane.Raster.HasAll(&lms3dRasterBlock::Covered, { 20, 39, 20, 39 });
+  }
+  lms3dRaster& GetRaster() { return this->Plane.Raster; }
+
+private:
+  void SetShape(std::int32_t row, std::int32_t first, std::int32_t last)
+  {
+    lms3dCellStrip strip;
+    strip.Row = row;
+    strip.Add(first, last);
+    this->Plane.Raster.Set(&lms3dRasterBlock::Shape, strip, true);
+  }
+
+  lms3dFusedPlanes Planes{ Bound };
+  lms3dFusedPlane& Plane;
+};
 } // namespace
 
 TEST(LMS3DSmallHoles, AreClosed)
@@ -92,16 +144,45 @@ TEST(LMS3DSmallHoles, HaveAnyShape)
   EXPECT_EQ(CountSurface(region), 128U * 128U);
 }
 
-/// Two holes touch at a corner, and another one touches the border.
 TEST(LMS3DSmallHoles, CloseOneByOne)
 {
   lms3dRegion region = MakeHole(10, 10);
-  Set(&lms3dRegionBlock::May, 60, 100, 60, 65, false, region);
+  Set(&lms3dRegionBlock::May, 70, 110, 50, 59, false, region);
+  EXPECT_TRUE(Close(region));
+  EXPECT_TRUE(region.Has(&lms3dRegionBlock::May, 55, 55));
+  EXPECT_FALSE(region.Has(&lms3dRegionBlock::May, 80, 55));
+  EXPECT_EQ(CountOutlines(region), 2U);
+}
+
+/// Two holes touch at a corner. Both would be small enough alone, but not together.
+TEST(LMS3DSmallHoles, CountAsOneIfTheyTouch)
+{
+  lms3dRegion region = MakeHole(10, 10);
+  Set(&lms3dRegionBlock::May, 60, 89, 60, 65, false, region);
+  EXPECT_FALSE(Close(region));
+  EXPECT_EQ(CountOutlines(region), 2U);
+}
+
+/// One corner of the hole touches the border.
+TEST(LMS3DSmallHoles, AreNotAtTheBorder)
+{
+  lms3dRegion region = MakeHole(10, 10);
+  Set(&lms3dRegionBlock::May, 50, 59, 50, 59, true, region);
   Set(&lms3dRegionBlock::May, 1, 9, 1, 9, false, region);
   Set(&lms3dRegionBlock::May, 0, 0, 0, 0, false, region);
-  Close(region);
-  EXPECT_FALSE(region.Has(&lms3dRegionBlock::May, 0, 0));
-  EXPECT_FALSE(region.Has(&lms3dRegionBlock::May, 80, 62));
+  EXPECT_FALSE(Close(region));
+  EXPECT_FALSE(region.Has(&lms3dRegionBlock::May, 5, 5));
+}
+
+/// Coordinates whose squares are rounded.
+TEST(LMS3DSmallHoles, AreClosedFarAway)
+{
+  constexpr std::int32_t Far = 1 << 30;
+  lms3dRegion region;
+  Set(&lms3dRegionBlock::May, Far, Far + 63, Far, Far + 63, true, region);
+  Set(&lms3dRegionBlock::May, Far + 20, Far + 22, Far + 30, Far + 30, false, region);
+  EXPECT_TRUE(Close(region));
+  EXPECT_EQ(CountOutlines(region), 1U);
 }
 
 TEST(LMS3DSmallHoles, StayAroundIslands)
@@ -124,13 +205,16 @@ TEST(LMS3DSmallHoles, StayWhereBeamsPassed)
   }
 }
 
-/// A beam that passed beside the hole does not matter.
+/// A beam that passed through another hole does not matter.
 TEST(LMS3DSmallHoles, AreClosedBesideBeams)
 {
   lms3dRegion region = MakeHole(20, 20);
-  Set(&lms3dRegionBlock::Passed, 140, 140, 66, 66, true, region);
+  Set(&lms3dRegionBlock::May, 71, 74, 64, 68, false, region);
+  Set(&lms3dRegionBlock::Passed, 72, 72, 66, 66, true, region);
   EXPECT_TRUE(Close(region));
-  EXPECT_EQ(CountOutlines(region), 1U);
+  EXPECT_EQ(CountOutlines(region), 2U);
+  EXPECT_TRUE(region.Has(&lms3dRegionBlock::May, 69, 66));
+  EXPECT_FALSE(region.Has(&lms3dRegionBlock::May, 71, 66));
 }
 
 TEST(LMS3DSmallHoles, StayBetweenBeamsThatPassed)
@@ -154,4 +238,58 @@ TEST(LMS3DSmallHoles, AreNotBesideARegion)
   Set(&lms3dRegionBlock::May, 4, 5, 4, 9, false, region);
   EXPECT_FALSE(Close(region));
   EXPECT_EQ(CountSurface(region), 88U);
+}
+
+TEST(LMS3DSmallHoles, HaveTriangles)
+{
+  PlaneWithHole scene;
+  scene.MakeMesh();
+  EXPECT_TRUE(scene.IsClosed());
+}
+
+TEST(LMS3DSmallHoles, OpenWhereABeamPasses)
+{
+  PlaneWithHole scene;
+  scene.MakeMesh();
+  EXPECT_TRUE(scene.GetRaster().Has(&lms3dRasterBlock::Touched, 25, 25));
+  scene.GetRaster().Pass(0, 25, 25);
+  scene.MakeMesh();
+  EXPECT_FALSE(scene.IsClosed());
+  EXPECT_FALSE(scene.GetRaster().Has(&lms3dRasterBlock::Touched, 25, 25));
+}
+
+TEST(LMS3DSmallHoles, OpenBetweenBeamsThatPass)
+{
+  PlaneWithHole scene;
+  scene.MakeMesh();
+  scene.GetRaster().Open(lms3dMakeCellStrip(50, 50));
+  scene.MakeMesh();
+  EXPECT_TRUE(scene.IsClosed());
+  scene.GetRaster().Open(lms3dMakeCellStrip(25, 25));
+  scene.MakeMesh();
+  EXPECT_FALSE(scene.IsClosed());
+}
+
+/// A plate before a hole in a wall hides it from the first pose, but not from the second one.
+TEST(LMS3DSmallHoles, OpenWhereALaterScanSeesThrough)
+{
+  SceneBuilder scene;
+  scene.AddBox({ -3.0, -3.0, 0.0 }, { 3.0, 3.0, 2.5 });
+  const auto addWall = [&](double left, double right, double bottom, double top, double y) {
+    scene.AddQuad({ left, y, bottom }, { right, y, bottom }, { right, y, top }, { left, y, top });
+  };
+  addWall(-3.0, -0.03, 0.0, 2.5, 1.0);
+  addWall(0.03, 3.0, 0.0, 2.5, 1.0);
+  addWall(-0.03, 0.03, 0.0, 1.17, 1.0);
+  addWall(-0.03, 0.03, 1.23, 2.5, 1.0);
+  addWall(-0.04, 0.04, 1.16, 1.24, 0.95);
+  const MappedScan first = MakeMappedScan(scene.GetSurface(), { 0.0, -0.5, 1.2 }, false);
+  const MappedScan second = MakeMappedScan(scene.GetSurface(), { 0.9, 0.5, 1.2 }, false);
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  AddAll({ first }, fusion);
+  fusion->Update();
+  EXPECT_GT(JudgeFusion(fusion->GetOutput(), second, Bound).Blocked, 0);
+  AddAll({ second }, fusion);
+  fusion->Update();
+  EXPECT_EQ(JudgeFusion(fusion->GetOutput(), { first, second }, Bound).Blocked, 0);
 }
