@@ -91,7 +91,7 @@ class ClientTest(unittest.TestCase):
         scan, surface = self.folder / "scan.vtp", self.folder / "map.vtp"
         self.run_client("save", scan, surface)
         self.assertIn(b'NumberOfPoints="%d"' % BEAMS, scan.read_bytes())
-        self.assertIn(b'NumberOfPolys="1170"', surface.read_bytes())
+        self.assertIn(b'NumberOfPolys="1184"', surface.read_bytes())
         self.assertEqual(sorted(self.folder.iterdir()), [surface, scan])
 
     def test_fused_map(self):

@@ -43,7 +43,7 @@ TRIANGLES = {"RoomMap": (ROOM, None, 1.0), "RoomGrid": (ROOM, 0.0, 4.0),
              "TeapotMap": (TEAPOT, None, 1.0), "TeapotGrid": (TEAPOT, 0.0, 10.0)}
 
 # Triangles of the plain grids, and of a plain grid without depth steps.
-ROOM_GRID, TEAPOT_GRID, CLOSED_GRID = 254865, 119160, 258480
+ROOM_GRID, TEAPOT_GRID, CLOSED_GRID = 254833, 119147, 258480
 
 
 def draw(simulation):
