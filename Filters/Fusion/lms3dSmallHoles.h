@@ -15,8 +15,8 @@
 /// A thing that stands on a plane, such as the leg of a table, hides a part of the plane, so that
 /// the region has a hole. The corners of each hole need triangles. Therefore holes of at most 32
 /// cells along both axes get May, unless an island lies in the hole, a beam passed through a cell
-/// of it, or a cell has Open in the raster. `outlines` are what lms3dTraceOutlines() returns. They
-/// lose the holes that are closed.
+/// of it, or a cell has Open in the raster. `outlines` come from lms3dTraceOutlines(), and lose the
+/// holes that are closed.
 ///
 /// A beam without a return does not count as passed: either nothing lies behind the hole, or the
 /// return was too weak. So an opening through which all beams leave is closed, too. A hole is

@@ -106,6 +106,33 @@ struct FloorAndWall
   const int Floor;
   const int Wall;
 };
+
+/// A facet whose return a loose region covers, and a wall that covers the region's own return.
+struct LooseChain
+{
+  explicit LooseChain(bool isRegionFirst)
+  {
+    if (isRegionFirst)
+    {
+      this->Region = AddLooseRegion(this->OfRegion, this->Planes);
+    }
+    this->Facet = AddLooseRegion(this->OfFacet, this->Planes);
+    if (!isRegionFirst)
+    {
+      this->Region = AddLooseRegion(this->OfRegion, this->Planes);
+    }
+    this->Wall = AddWall(this->Planes);
+    Cover(this->Region, this->OfFacet, this->Planes);
+    Cover(this->Wall, this->OfRegion, this->Planes);
+  }
+
+  const lms3dMappedReturn OfFacet = MakeReturn({ 0.001, 0.001, 0.004 });
+  const lms3dMappedReturn OfRegion = MakeReturn({ 0.001, 0.021, 0.004 });
+  lms3dFusedPlanes Planes{ Bound };
+  int Facet = -1;
+  int Region = -1;
+  int Wall = -1;
+};
 } // namespace
 
 TEST(LMS3DLooseRegions, GoIfOtherTrianglesCoverTheirReturns)
@@ -133,67 +160,48 @@ TEST(LMS3DLooseRegions, GoIfOtherTrianglesCoverTheirReturns)
 /// The region that covered the facet's return goes first.
 TEST(LMS3DLooseRegions, GiveReturnsToPlanesThatStay)
 {
-  const lms3dMappedReturn ofFacet = MakeReturn({ 0.001, 0.001, 0.004 });
-  const lms3dMappedReturn ofRegion = MakeReturn({ 0.001, 0.021, 0.004 });
-  lms3dFusedPlanes planes(Bound);
-  const int region = AddLooseRegion(ofRegion, planes);
-  const int facet = AddLooseRegion(ofFacet, planes);
-  const int wall = AddWall(planes);
-  Cover(region, ofFacet, planes);
-  Cover(wall, ofFacet, planes);
-  Cover(wall, ofRegion, planes);
-  lms3dDropLooseRegions(planes, Revision);
-  EXPECT_TRUE(planes[region].HasGone);
-  EXPECT_TRUE(planes[facet].HasGone);
-  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, ofRegion, planes[wall]));
-  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, ofFacet, planes[wall]));
+  LooseChain scene(true);
+  Cover(scene.Wall, scene.OfFacet, scene.Planes);
+  lms3dDropLooseRegions(scene.Planes, Revision);
+  EXPECT_TRUE(scene.Planes[scene.Region].HasGone);
+  EXPECT_TRUE(scene.Planes[scene.Facet].HasGone);
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, scene.OfRegion, scene.Planes[scene.Wall]));
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, scene.OfFacet, scene.Planes[scene.Wall]));
 }
 
 /// The facet goes first.
 TEST(LMS3DLooseRegions, AreJudgedWithReturnsThatTheyGot)
 {
-  const lms3dMappedReturn ofFacet = MakeReturn({ 0.001, 0.001, 0.004 });
-  const lms3dMappedReturn ofRegion = MakeReturn({ 0.001, 0.021, 0.004 });
-  lms3dFusedPlanes planes(Bound);
-  const int facet = AddLooseRegion(ofFacet, planes);
-  const int region = AddLooseRegion(ofRegion, planes);
-  const int wall = AddWall(planes);
-  Cover(region, ofFacet, planes);
-  Cover(wall, ofRegion, planes);
-  lms3dDropLooseRegions(planes, Revision);
-  EXPECT_TRUE(planes[facet].HasGone);
-  EXPECT_FALSE(planes[region].HasGone) << "the wall does not cover the return of the facet";
-  EXPECT_EQ(planes[region].Returns.size(), 2U);
-  Cover(wall, ofFacet, planes);
-  lms3dDropLooseRegions(planes, Revision);
-  EXPECT_TRUE(planes[region].HasGone);
-  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, ofRegion, planes[wall]));
-  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, ofFacet, planes[wall]));
+  LooseChain scene(false);
+  lms3dDropLooseRegions(scene.Planes, Revision);
+  EXPECT_TRUE(scene.Planes[scene.Facet].HasGone);
+  EXPECT_FALSE(scene.Planes[scene.Region].HasGone)
+    << "the wall does not cover the return of the facet";
+  EXPECT_EQ(scene.Planes[scene.Region].Returns.size(), 2U);
+  Cover(scene.Wall, scene.OfFacet, scene.Planes);
+  lms3dDropLooseRegions(scene.Planes, Revision);
+  EXPECT_TRUE(scene.Planes[scene.Region].HasGone);
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, scene.OfRegion, scene.Planes[scene.Wall]));
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, scene.OfFacet, scene.Planes[scene.Wall]));
 }
 
 /// A region that has got too many returns is weak no more, and has no list of them. So it could not
 /// give them to the wall that covers them.
 TEST(LMS3DLooseRegions, StayIfTheyDoNotKeepTheirReturns)
 {
-  const lms3dMappedReturn ofFacet = MakeReturn({ 0.001, 0.001, 0.004 });
-  const lms3dMappedReturn ofRegion = MakeReturn({ 0.001, 0.021, 0.004 });
-  lms3dFusedPlanes planes(Bound);
-  const int facet = AddLooseRegion(ofFacet, planes);
-  const int region = AddLooseRegion(ofRegion, planes);
-  Cover(region, ofFacet, planes);
-  Cover(AddWall(planes), ofRegion, planes);
+  LooseChain scene(false);
   const int count = FindLargestWeakCount();
   for (int i = 1; i < count; ++i)
   {
-    planes.AddReturn(region, ofRegion);
+    scene.Planes.AddReturn(scene.Region, scene.OfRegion);
   }
-  ASSERT_TRUE(planes[region].IsWeak);
-  lms3dDropLooseRegions(planes, Revision);
-  EXPECT_TRUE(planes[facet].HasGone);
-  EXPECT_FALSE(planes[region].IsWeak);
-  EXPECT_FALSE(planes[region].HasGone);
-  EXPECT_TRUE(Has(&lms3dRasterBlock::Must, ofRegion, planes[region]));
-  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, ofFacet, planes[region]));
+  ASSERT_TRUE(scene.Planes[scene.Region].IsWeak);
+  lms3dDropLooseRegions(scene.Planes, Revision);
+  EXPECT_TRUE(scene.Planes[scene.Facet].HasGone);
+  EXPECT_FALSE(scene.Planes[scene.Region].IsWeak);
+  EXPECT_FALSE(scene.Planes[scene.Region].HasGone);
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Must, scene.OfRegion, scene.Planes[scene.Region]));
+  EXPECT_TRUE(Has(&lms3dRasterBlock::Beside, scene.OfFacet, scene.Planes[scene.Region]));
 }
 
 /// A later scan saw through the return of a region. The return of a facet comes to the same cell.
