@@ -3,6 +3,7 @@
 #include "Comparison/lms3dSurfaceQuery.h"
 
 #include "Casting/lms3dEmbreePointQuery.h"
+#include "Casting/lms3dFreeRangeRefinement.h"
 #include "Casting/lms3dTriangle.h"
 #include "Geometry/lms3dTriangleDistance.h"
 #include "Kernels/lms3dPacketKernels.h"
@@ -20,6 +21,8 @@ namespace
 {
 // The points of a task: many enough to hide its cost, few enough for a quick abort.
 constexpr std::size_t BlockSize = 1024;
+
+constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
 // Runs `work` in parallel for each block of `count` points, given as its first and its end.
 template <typename Work>
@@ -74,30 +77,59 @@ private:
   lms3dNearest Nearest;
 };
 
-// Fills a packet with beams from `origin` towards the points. Returns the mask of the active beams:
-// a beam is inactive if its point is at the origin or not finite.
-std::uint32_t AimAtPoints(
-  const lms3dVector& origin, const lms3dVector* points, int count, lms3dBeamPacket& packet)
+// Fills a packet with beams towards the points. `getOrigin` gives where a beam starts. A beam is
+// inactive if its point is at its origin or not finite.
+template <typename GetOrigin>
+void AimAtPoints(
+  const lms3dVector* points, int count, const GetOrigin& getOrigin, lms3dBeamPacket& packet)
 {
   lms3dElevations elevations;
   lms3dFanAxes axes;
-  std::uint32_t active = 0;
   std::fill_n(elevations.Cosine, lms3dBeamPacket::Size, 1.0);
   std::fill_n(elevations.Sine, lms3dBeamPacket::Size, 0.0);
   std::fill_n(axes.Up, 3, 0.0);
+  packet.Active = 0;
   for (int i = 0; i < lms3dBeamPacket::Size; ++i)
   {
-    const lms3dVector beam = lms3dSubtract(points[std::min(i, count - 1)], origin);
+    const int point = std::min(i, count - 1);
+    const lms3dVector beam = lms3dSubtract(points[point], getOrigin(point));
     const double length = std::hypot(beam[0], beam[1], beam[2]);
     const bool isBeam = length > 0.0 && std::isfinite(length);
     for (int axis = 0; axis < 3; ++axis)
     {
       axes.Horizontal[axis][i] = isBeam ? beam[axis] / length : axis == 0;
     }
-    active |= isBeam && i < count ? 1u << i : 0u;
+    packet.Active |= isBeam && i < count ? 1u << i : 0u;
   }
   lms3dGetPacketKernels().GenerateDirections(elevations, axes, packet);
-  return active;
+}
+
+void SetOrigins(const lms3dVector* origins, int count, lms3dFreePacket& packet)
+{
+  for (int i = 0; i < lms3dBeamPacket::Size; ++i)
+  {
+    const lms3dVector& origin = origins[std::min(i, count - 1)];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      packet.Origin[axis][i] = origin[axis];
+    }
+  }
+}
+
+// Visits the packets of `count` points in parallel, each given as its first point and their number.
+template <typename Visitor>
+void ForEachPacket(std::size_t count, const lms3dProgress& progress, const Visitor& visit)
+{
+  constexpr std::size_t Size = lms3dBeamPacket::Size;
+  static_assert(BlockSize % Size == 0, "A packet lies in one block.");
+  RunInBlocks(count, progress,
+    [&](std::size_t first, std::size_t last)
+    {
+      for (; first < last; first += Size)
+      {
+        visit(first, static_cast<int>(std::min(Size, last - first)));
+      }
+    });
 }
 } // namespace
 
@@ -140,19 +172,17 @@ lms3dNearest lms3dSurfaceQuery::FindNearest(const lms3dVector& point, std::uint3
 std::vector<double> lms3dSurfaceQuery::GetRangesTowards(
   const lms3dVector& origin, const Points& points, const lms3dProgress& progress) const
 {
-  constexpr std::size_t Size = lms3dBeamPacket::Size;
-  static_assert(BlockSize % Size == 0, "A packet lies in one block.");
-  const lms3dRayOrigin rayOrigin = { { origin[0], origin[1], origin[2] },
-    std::numeric_limits<double>::infinity() };
+  const lms3dRayOrigin rayOrigin = { { origin[0], origin[1], origin[2] }, Unlimited };
   std::vector<double> ranges(points.size());
-  RunInBlocks(points.size(), progress,
-    [&](std::size_t first, std::size_t last)
+  ForEachPacket(points.size(), progress,
+    [&](std::size_t first, int count)
     {
-      for (; first < last; first += Size)
-      {
-        this->CastTowards(rayOrigin, points.data() + first,
-          static_cast<int>(std::min(Size, last - first)), ranges.data() + first);
-      }
+      lms3dBeamPacket packet;
+      AimAtPoints(
+        &points[first], count, [&origin](int) { return origin; }, packet);
+      this->Triangles.Cast(rayOrigin, &packet, 1);
+      this->Refinement.Refine(rayOrigin, &packet, 1);
+      std::copy_n(packet.Range, count, &ranges[first]);
     });
   return ranges;
 }
@@ -161,26 +191,16 @@ std::vector<double> lms3dSurfaceQuery::GetRangesTowards(
   const Points& origins, const Points& points, const lms3dProgress& progress) const
 {
   std::vector<double> ranges(points.size());
-  RunInBlocks(points.size(), progress,
-    [&](std::size_t first, std::size_t last)
+  ForEachPacket(points.size(), progress,
+    [&](std::size_t first, int count)
     {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        const lms3dRayOrigin origin = { { origins[i][0], origins[i][1], origins[i][2] },
-          std::numeric_limits<double>::infinity() };
-        this->CastTowards(origin, &points[i], 1, &ranges[i]);
-      }
+      lms3dFreePacket packet;
+      SetOrigins(&origins[first], count, packet);
+      AimAtPoints(
+        &points[first], count, [&](int i) { return origins[first + i]; }, packet);
+      this->Triangles.CastFree(Unlimited, &packet, 1);
+      lms3dRefineFreeRanges(this->Mesh, &packet, 1);
+      std::copy_n(packet.Range, count, &ranges[first]);
     });
   return ranges;
-}
-
-void lms3dSurfaceQuery::CastTowards(
-  const lms3dRayOrigin& origin, const lms3dVector* points, int count, double* ranges) const
-{
-  lms3dBeamPacket packet;
-  const lms3dVector position = { origin.Position[0], origin.Position[1], origin.Position[2] };
-  packet.Active = AimAtPoints(position, points, count, packet);
-  this->Triangles.Cast(origin, &packet, 1);
-  this->Refinement.Refine(origin, &packet, 1);
-  std::copy_n(packet.Range, count, ranges);
 }

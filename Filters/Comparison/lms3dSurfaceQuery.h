@@ -56,8 +56,6 @@ public:
 
 private:
   lms3dNearest FindNearest(const lms3dVector& point, std::uint32_t guess) const;
-  void CastTowards(
-    const lms3dRayOrigin& origin, const lms3dVector* points, int count, double* ranges) const;
 
   const lms3dTriangleMesh Mesh;
   const lms3dEmbreeTriangles Triangles;
