@@ -69,6 +69,14 @@ class TestFused(TrajectoryTest):
         fine, _ = self.fused("--range-noise", NOISE, name="fine.vtp")
         self.assertGreater(fine.GetNumberOfCells(), surface.GetNumberOfCells())
 
+    def test_a_device_that_loses_beams_says_which(self):
+        """Otherwise the map would open where a beam was lost."""
+        for reach, has_status in ((0, False), (10, True)):
+            with self.subTest(reach):
+                self.fused("-o", self.folder / "scans.pvd", "--range-at-ten-percent", reach)
+                for scan in self.steps("scans.pvd")[1]:
+                    self.assertEqual(scan.GetFieldData().HasArray("Status"), has_status)
+
     def test_options_of_the_fusion(self):
         surface, _ = self.fused()
         for options in (("--drop-returns",), ("--forget-seen-through",), ("--threads", 1)):

@@ -10,6 +10,7 @@ class KeptMap:
     """Joins the local maps of a simulation. `port` is the output port of the map."""
 
     def __init__(self, simulation):
+        simulation.find_lost_beams()
         self._simulation = simulation
         self._fusion = vtkLMS3DMapFusion()
         self._fusion.SetMaximumError(simulation.reconstruction.GetMaximumError())

@@ -49,9 +49,15 @@ class Simulation:
 
     def add_fusion(self, fusion):
         """Let a filter join the maps of all poses that it is updated for; call add_errors before."""
+        self.find_lost_beams()
         self.fusion = fusion
         fusion.SetInputConnection(self.reconstruction.GetOutputPort())
         fusion.SetScanConnection(self._last.GetOutputPort())
+
+    def find_lost_beams(self):
+        """Let scans have Status if the device may lose beams: fused maps need to know which."""
+        if self.sensor.GetRangeAtTenPercent() > 0:
+            self.sensor.SetComputeStatus(True)
 
     @property
     def steps(self):
