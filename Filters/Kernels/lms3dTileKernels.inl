@@ -199,10 +199,13 @@ lms3dTileMasks CompareWithCover(const lms3dTiles& tiles, const lms3dNarrowTriang
   return masks;
 }
 
-lms3dTileMasks ClassifyTiles(const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle,
-  const lms3dCornerDirections& corners, lms3dTileMasks masks, float minimumInverse,
+// GCC would return masks by writing them to memory one by one and loading two at once, for which
+// the processor has to wait.
+void ClassifyTiles(const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle,
+  const lms3dCornerDirections& corners, float minimumInverse, lms3dTileMasks& result,
   lms3dTileCover& cover)
 {
+  lms3dTileMasks masks = result;
   const bool isNarrow = triangle.PlaneError >= 0.0f;
   if (isNarrow && masks.Covered != masks.Met)
   {
@@ -220,7 +223,7 @@ lms3dTileMasks ClassifyTiles(const lms3dTiles& tiles, const lms3dNarrowTriangle&
   {
     masks = CompareWithCover(tiles, triangle, minimumInverse, masks, cover);
   }
-  return masks;
+  result = masks;
 }
 } // namespace
 
