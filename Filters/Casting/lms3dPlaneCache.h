@@ -11,10 +11,14 @@
 
 #include <array>
 #include <cstdint>
+#include <new>
+#include <type_traits>
 
 template <typename Plane, int NumberOfEntries>
 class lms3dPlaneCache
 {
+  static_assert(std::is_trivially_destructible_v<Plane>, "planes are overwritten");
+
 public:
   lms3dPlaneCache() { this->Clear(); }
 
@@ -28,7 +32,9 @@ public:
     if (this->Triangles[entry] != triangle)
     {
       this->Triangles[entry] = triangle;
-      this->Planes[entry] = make(triangle);
+      // Made in place. A copy would load at once what `make` has just stored in small pieces, for
+      // which processors wait.
+      ::new (static_cast<void*>(&this->Planes[entry])) Plane(make(triangle));
     }
     return this->Planes[entry];
   }

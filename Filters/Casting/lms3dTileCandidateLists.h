@@ -85,6 +85,31 @@ public:
       });
   }
 
+  /// Returns the nearest triangle that covers a tile, or lms3dBeamPacket::NoTriangle.
+  std::int32_t GetCover(int tile) const
+  {
+    const int cover = this->Covers[tile];
+    return cover == NoCover ? lms3dBeamPacket::NoTriangle : this->Triangles[cover].Number;
+  }
+
+  /// Calls `function` with the number of each candidate of a tile, in the order of GetCandidates.
+  template <typename Function>
+  void ForEachCandidate(int tile, const Function& function) const
+  {
+    const int cover = this->Covers[tile];
+    if (cover != NoCover)
+    {
+      function(this->Triangles[cover].Number);
+    }
+    for (int i = 0; i < static_cast<int>(this->Triangles.size()); ++i)
+    {
+      if (lms3dHasBit(this->Triangles[i].Met, tile) && i != cover)
+      {
+        function(this->Triangles[i].Number);
+      }
+    }
+  }
+
 private:
   static constexpr int NoCover = -1;
 

@@ -26,10 +26,10 @@ lms3dTileCandidateLists lms3dTileClassifier::Classify(const lms3dTileCandidate* 
   {
     const lms3dTileCandidate& candidate = candidates[i];
     const std::int32_t triangle = candidate.Triangle;
-    const lms3dTileMasks masks =
-      this->Kernels.ClassifyTiles(tiles, this->View.GetNarrowTriangle(triangle, kept),
-        this->Corners.empty() ? this->GetCorners(triangle) : this->Corners[triangle],
-        { present, candidate.Covers ? present : 0u, 0u }, this->View.GetMinimumInverse(), cover);
+    lms3dTileMasks masks = { present, candidate.Covers ? present : 0u, 0u };
+    this->Kernels.ClassifyTiles(tiles, this->View.GetNarrowTriangle(triangle, kept),
+      this->Corners.empty() ? this->GetCorners(triangle) : this->Corners[triangle],
+      this->View.GetMinimumInverse(), masks, cover);
     parts.Add(triangle, masks);
   }
   return parts;
@@ -38,11 +38,11 @@ lms3dTileCandidateLists lms3dTileClassifier::Classify(const lms3dTileCandidate* 
 std::uint32_t lms3dTileClassifier::FindMet(std::int32_t triangle, std::uint32_t present,
   const lms3dTiles& tiles, lms3dNarrowCache* kept) const
 {
+  lms3dTileMasks masks = { present, 0u, 0u };
   lms3dTileCover cover = {};
-  return this->Kernels
-    .ClassifyTiles(tiles, this->View.GetNarrowTriangle(triangle, kept), this->GetCorners(triangle),
-      { present, 0u, 0u }, this->View.GetMinimumInverse(), cover)
-    .Met;
+  this->Kernels.ClassifyTiles(tiles, this->View.GetNarrowTriangle(triangle, kept),
+    this->GetCorners(triangle), this->View.GetMinimumInverse(), masks, cover);
+  return masks.Met;
 }
 
 lms3dCornerDirections lms3dTileClassifier::GetCorners(std::size_t triangle) const

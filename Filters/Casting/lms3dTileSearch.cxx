@@ -159,14 +159,15 @@ void lms3dTileSearch::FindInParts(
   lms3dTiles tiles;
   const std::uint32_t present =
     this->Grid.FillParts({ 1, packets.Tile.FirstTurn, packets.Tile.FirstBeam }, tiles);
-  const lms3dTileBlock parts(
-    this->Classifier.Classify(candidates, count, present, tiles, packets.Kept));
+  const lms3dTileCandidateLists parts =
+    this->Classifier.Classify(candidates, count, present, tiles, packets.Kept);
+  const std::uint32_t decided = parts.GetDecided();
   packets.ForEach(
     [&](int i, lms3dBeamPacket& packet)
     {
-      if (lms3dHasBit(parts.Decided, i))
+      if (lms3dHasBit(decided, i))
       {
-        lms3dSetTriangle(parts.GetTriangle(i), packet);
+        lms3dSetTriangle(parts.GetCover(i), packet);
       }
       else
       {
@@ -176,15 +177,14 @@ void lms3dTileSearch::FindInParts(
     });
 }
 
-void lms3dTileSearch::TestCandidates(
-  const lms3dTileBlock& parts, int part, lms3dNarrowCache* kept, lms3dBeamPacket& packet) const
+void lms3dTileSearch::TestCandidates(const lms3dTileCandidateLists& parts, int part,
+  lms3dNarrowCache* kept, lms3dBeamPacket& packet) const
 {
   lms3dPacketSearch search;
   search.Kept = kept;
   this->Classifier.GetView().Begin(packet, search);
-  for (std::uint32_t i = parts.First[part]; i < parts.First[part + 1]; ++i)
-  {
-    this->Classifier.GetView().Test(
-      static_cast<std::uint32_t>(parts.Candidates[i].Triangle), packet.Active, search);
-  }
+  parts.ForEachCandidate(part,
+    [&](std::int32_t triangle) {
+      this->Classifier.GetView().Test(static_cast<std::uint32_t>(triangle), packet.Active, search);
+    });
 }

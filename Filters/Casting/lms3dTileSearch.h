@@ -22,6 +22,7 @@
 #include "Casting/lms3dGridCaster.h"
 #include "Casting/lms3dNormalization.h"
 #include "Casting/lms3dTileBlock.h"
+#include "Casting/lms3dTileCandidateLists.h"
 #include "Casting/lms3dTileClassifier.h"
 #include "Casting/lms3dTileGrid.h"
 #include "Casting/lms3dTriangleClusters.h"
@@ -75,8 +76,8 @@ private:
   void FindInTile(const PacketsOfTile& packets) const;
   void FindInParts(
     const lms3dTileCandidate* candidates, std::size_t count, const PacketsOfTile& packets) const;
-  void TestCandidates(
-    const lms3dTileBlock& parts, int part, lms3dNarrowCache* kept, lms3dBeamPacket& packet) const;
+  void TestCandidates(const lms3dTileCandidateLists& parts, int part, lms3dNarrowCache* kept,
+    lms3dBeamPacket& packet) const;
 
   lms3dTileClassifier Classifier;
   const lms3dTileGrid Grid;

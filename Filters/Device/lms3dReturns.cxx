@@ -12,6 +12,12 @@
 
 #include <numeric>
 
+namespace
+{
+// Point data grows to this number of arrays at once. VTK would enlarge it for each array.
+constexpr int UsualArrays = 8;
+} // namespace
+
 void lms3dReturns::FillVertices(vtkIdType first, vtkIdType last) const
 {
   const vtkTypeInt32 start = static_cast<vtkTypeInt32>(first);
@@ -32,6 +38,7 @@ void lms3dReturns::MoveTo(
   vertices->SetData(this->VertexOffsets, this->VertexPoints);
   scan->SetVerts(vertices);
   vtkPointData* pointData = scan->GetPointData();
+  pointData->AllocateArrays(UsualArrays);
   pointData->SetScalars(this->Ranges);
   pointData->AddArray(this->Alphas);
   pointData->AddArray(this->Betas);

@@ -154,11 +154,11 @@ struct lms3dPacketKernels
 
   /**
    * Decides what a triangle does to tiles, and updates their cover. On input, Met has the tiles to
-   * test; Covered equals Met if the triangle is known to cover them, otherwise 0. `minimumInverse`
-   * is the inverse of the maximum range, rounded up.
+   * test; Covered equals Met if the triangle is known to cover them, otherwise 0; Nearest is 0.
+   * `minimumInverse` is the inverse of the maximum range, rounded up.
    */
-  lms3dTileMasks (*ClassifyTiles)(const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle,
-    const lms3dCornerDirections& corners, lms3dTileMasks masks, float minimumInverse,
+  void (*ClassifyTiles)(const lms3dTiles& tiles, const lms3dNarrowTriangle& triangle,
+    const lms3dCornerDirections& corners, float minimumInverse, lms3dTileMasks& masks,
     lms3dTileCover& cover);
 
   /// Returns the tiles that may meet a box.

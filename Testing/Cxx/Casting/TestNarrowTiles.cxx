@@ -65,8 +65,9 @@ void JudgeTile(const Tile& tile, Random& random, TileTally& tally)
   for (int number = 0; number < 2; ++number)
   {
     const lms3dSensorFrameTriangle corners = triangles[number].GetInSensorFrame();
-    masks[number] = kernels.ClassifyTiles(tiles, kernels.MakeNarrowTriangle(corners, 1.0),
-      lms3dGetCornerDirections(corners), { 1u, 0u, 0u }, 0.0f, cover);
+    masks[number] = { 1u, 0u, 0u };
+    kernels.ClassifyTiles(tiles, kernels.MakeNarrowTriangle(corners, 1.0),
+      lms3dGetCornerDirections(corners), 0.0f, masks[number], cover);
     tally.Unmet += masks[number].Met ? 0 : 1;
     tally.Covered += masks[number].Covered ? 1 : 0;
   }

@@ -196,8 +196,8 @@ std::string ComputeNarrow(const lms3dPacketKernels& kernels, const KernelInput& 
   kernels.FillTileCorners(results.Tiles);
   lms3dTileMasks& masks = results.TileMasks;
   masks = { 0xfffb, 0, 0 };
-  masks = kernels.ClassifyTiles(
-    results.Tiles, triangle, lms3dGetCornerDirections(inSensorFrame), masks, 0.1f, results.Cover);
+  kernels.ClassifyTiles(
+    results.Tiles, triangle, lms3dGetCornerDirections(inSensorFrame), 0.1f, masks, results.Cover);
   if (triangle.PlaneError >= 0.0f)
   {
     results.Triangle = triangle;

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -50,6 +51,34 @@ struct Arrays
   std::vector<std::int32_t> BeamId;
   std::vector<std::int32_t> Offset;
   std::vector<std::int32_t> Point;
+};
+
+/// Returns of one turn.
+struct TurnInput
+{
+  TurnInput()
+  {
+    for (int i = 0; i < MaximumLength; ++i)
+    {
+      this->Cosines[i] = std::cos(0.01 * i);
+      this->Sines[i] = std::sin(0.01 * i);
+      this->Ranges[i] = 1.0 + 0.3 * i;
+    }
+  }
+
+  void Locate(const lms3dPacketKernels& kernels, int first, int count, double* points) const
+  {
+    kernels.Locate({ this->Cosines + first, this->Sines + first, this->Ranges + first, count,
+                     this->FanAxis, this->Up, this->Position },
+      points);
+  }
+
+  double Cosines[MaximumLength];
+  double Sines[MaximumLength];
+  double Ranges[MaximumLength];
+  const double FanAxis[3] = { 0.6, 0.7, 0.1 };
+  const double Up[3] = { 0.1, -0.2, 0.9 };
+  const double Position[3] = { 3.1, -7.7, 0.3 };
 };
 
 void ExpectRun(
@@ -111,6 +140,34 @@ TEST(ReturnKernels, FillRunsInTheArrayOfTheirRanges)
       std::copy_n(ranges.begin(), count, run.Range.begin());
       run.Fill(lms3dGetPacketKernels(k), run.Range, elevations);
       ExpectRun(run, ranges, elevations);
+    }
+  }
+}
+
+// Each point has the bits that the return has alone, wherever the points begin in a cache line.
+TEST(ReturnKernels, LocateReturnsOfAllLengthsAnywhereInMemory)
+{
+  const TurnInput turn;
+  for (int k = 0; k < lms3dGetNumberOfPacketKernels(); ++k)
+  {
+    const lms3dPacketKernels& kernels = lms3dGetPacketKernels(k);
+    std::vector<double> alone(3 * MaximumLength);
+    for (int i = 0; i < MaximumLength; ++i)
+    {
+      turn.Locate(kernels, i, 1, alone.data() + 3 * i);
+    }
+    for (int start = 1; start <= 8; ++start)
+    {
+      for (int count = 0; count <= MaximumLength; ++count)
+      {
+        SCOPED_TRACE(testing::Message() << kernels.Name << ", " << count << " from " << start);
+        std::vector<double> points(3 * MaximumLength + 9, Guard);
+        turn.Locate(kernels, 0, count, points.data() + start);
+        const auto end = points.begin() + start + 3 * count;
+        EXPECT_TRUE(std::equal(points.begin() + start, end, alone.begin()));
+        EXPECT_EQ(points[start - 1], Guard);
+        EXPECT_EQ(*end, Guard);
+      }
     }
   }
 }
