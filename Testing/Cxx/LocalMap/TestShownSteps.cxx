@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #ifndef LMS3D_FEWER_BEAMS
@@ -83,6 +84,14 @@ std::vector<TrueSteps::Step> SelectSlopes(const TrueSteps& truth)
     slopes.push_back(truth.GetSlopes()[i]);
   }
   return slopes;
+}
+
+// More than by default if the environment variable LMS3D_RANDOM_ROOMS says so.
+int GetNumberOfRandomRooms()
+{
+  constexpr int NumberOfRooms = 300;
+  const char* const number = std::getenv("LMS3D_RANDOM_ROOMS");
+  return number ? std::atoi(number) : NumberOfRooms;
 }
 
 /// Counts over many scans.
@@ -189,7 +198,7 @@ TEST_F(ShownSteps, OfACastleAreNotBridged)
 // nearer to a surface than three standard deviations of the large noise.
 TEST_F(ShownSteps, OfRandomRoomsAreNotBridged)
 {
-  for (int seed = 0; seed < 300; ++seed)
+  for (int seed = 0; seed < GetNumberOfRandomRooms(); ++seed)
   {
     Random random(static_cast<std::uint64_t>(seed));
     this->AddMaps(MakeRandomMapScene(random), seed);
