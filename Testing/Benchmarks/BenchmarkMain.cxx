@@ -35,10 +35,10 @@ struct Benchmark
 
 const std::vector<std::string> CastingScenes = { "room", "teapot", "terrain1e5" };
 
-const std::array<Benchmark, 8>& GetBenchmarks()
+const std::array<Benchmark, 9>& GetBenchmarks()
 {
   // The first three start processes, which must not inherit the threads of the others.
-  static const std::array<Benchmark, 8> benchmarks = {
+  static const std::array<Benchmark, 9> benchmarks = {
     { { "stability",
         "beams that methods miss, invent or measure wrongly where casting is difficult",
         &RunStabilityBenchmark, {}, {} },
@@ -53,6 +53,10 @@ const std::array<Benchmark, 8>& GetBenchmarks()
       { "map", "local maps within error bounds, and what else makes maps: time, triangles, errors",
         &RunMapBenchmark, { "room", "teapot" },
         { "room", "castle", "teapot", "ball", "terrain1e5" } },
+      { "decimation",
+        "local maps beside decimation: triangles for an equal largest error, mean error",
+        &RunDecimationBenchmark, { "teapot" },
+        { "ball", "teapot", "castle", "terrain1e3", "terrain1e5", "room" } },
       { "fusion", "one map of the 200 poses of a journey: time, triangles, completeness, changes",
         &RunFusionBenchmark, {}, {} },
       { "read", "a VRML97 file, beside the bare cost of its numbers", &RunReadBenchmark,
@@ -78,9 +82,9 @@ void PrintHelp()
               "Benchmarks; without one, all of them run with --quick:\n");
   for (const Benchmark& benchmark : GetBenchmarks())
   {
-    std::printf("  %-9s  %s\n", benchmark.Name, benchmark.Summary);
+    std::printf("  %-10s  %s\n", benchmark.Name, benchmark.Summary);
   }
-  std::printf("  %-9s  %s\n", "corba",
+  std::printf("  %-10s  %s\n", "corba",
     "what fetch() costs beside a bare socket, and the scanner; by ./run bench corba alone");
   std::printf("\nScenes: %s", Join(GetSceneNames()).c_str());
   std::printf("\n\nMethods, of the benchmark scan: %s\n", Join(ScanSubject::GetNames()).c_str());

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
 
-#include "EqualDecimation.h"
 #include "MapCauses.h"
 #include "MapContender.h"
 #include "MapErrors.h"
@@ -21,7 +20,6 @@
 #include <filesystem>
 #include <limits>
 #include <map>
-#include <optional>
 #include <set>
 #include <vector>
 
@@ -32,18 +30,11 @@ constexpr std::array<double, 6> Bounds = { 0.0, 0.001, 0.005, 0.01, 0.02, 0.05 }
 constexpr double Noise = 0.005;
 constexpr double NoBound = std::numeric_limits<double>::quiet_NaN();
 
-// The bound whose number of triangles the rivals get. With noise it is four standard deviations:
-// below, a surface that meets every bound has to follow the noise.
-double GetBoundOfRivals(double noise)
-{
-  return noise > 0.0 ? 0.02 : 0.01;
-}
-
 // The bounds of the maps to which the best rival is compared. With noise of 5 mm the map within 5
 // mm is the grid.
 std::array<double, 3> GetBoundsOfQuadrics(double noise)
 {
-  return { noise > 0.0 ? 0.01 : 0.001, GetBoundOfRivals(noise), 0.05 };
+  return { noise > 0.0 ? 0.01 : 0.001, GetFairBound(noise), 0.05 };
 }
 
 /// Milliseconds that each work is repeated for.
@@ -117,48 +108,17 @@ void AddRowOfCauses(const Subject& subject, const MapContender& map, double boun
     std::to_string(count.SmallPatches), std::to_string(count.OnSmallPatches) });
 }
 
-const Table::Row ColumnsOfDecimation = { "scene", "noise mm", "bound mm", "triangles",
-  "decimated within the bound", "both mean mm", "decimated to as many triangles" };
-
-// What decimation needs for the same errors takes many decimations.
-void AddRowOfDecimation(const Subject& subject, const Maps& maps, const MapContender& decimated,
-  const BenchmarkOptions& options, Table& decimations)
-{
-  const double bound = GetBoundOfRivals(subject.Noise);
-  const MapContender& map = maps.at(bound);
-  std::string triangles = "-";
-  if (!options.IsQuick)
-  {
-    const std::optional<vtkIdType> equal =
-      EqualDecimation(subject.Scene, subject.Scan, maps.at(0.0)).FindTriangles(bound);
-    triangles = equal ? std::to_string(*equal) : "all";
-  }
-  const auto getMean = [&](const MapContender& contender)
-  {
-    return Table::Format(
-      Millimetres * MapErrors(subject.Scene, subject.Scan, contender.Map).GetMeanOfBoth(), 2);
-  };
-  decimations.AddRow({ subject.Scene.Name, Table::Format(Millimetres * subject.Noise, 0),
-    Table::Format(Millimetres * bound, 0), std::to_string(map.Map->GetNumberOfCells()), triangles,
-    getMean(map), getMean(decimated) });
-}
-
-void CompareDecimations(const Subject& subject, const Maps& maps, const BenchmarkOptions& options,
-  Table& table, Table& decimations)
+void CompareDecimations(
+  const Subject& subject, const Maps& maps, const BenchmarkOptions& options, Table& table)
 {
   const MapContender& grid = maps.at(0.0);
-  const double fairBound = GetBoundOfRivals(subject.Noise);
+  const double fairBound = GetFairBound(subject.Noise);
   for (double bound : GetBoundsOfQuadrics(subject.Noise))
   {
     if (bound == fairBound || !options.IsQuick)
     {
       const vtkIdType triangles = maps.at(bound).Map->GetNumberOfCells();
-      const MapContender decimated = DecimateByQuadrics(grid, triangles, GetBudget(options));
-      AddRow(subject, decimated, bound, table);
-      if (bound == fairBound)
-      {
-        AddRowOfDecimation(subject, maps, decimated, options, decimations);
-      }
+      AddRow(subject, DecimateByQuadrics(grid, triangles, GetBudget(options)), bound, table);
     }
   }
   const vtkIdType triangles = maps.at(fairBound).Map->GetNumberOfCells();
@@ -170,7 +130,6 @@ struct Tables
 {
   Table Maps{ Columns };
   Table Causes{ ColumnsOfCauses };
-  Table Decimations{ ColumnsOfDecimation };
 };
 
 void CompareMaps(const Subject& subject, const BenchmarkOptions& options, Tables& tables)
@@ -186,7 +145,7 @@ void CompareMaps(const Subject& subject, const BenchmarkOptions& options, Tables
       AddRowOfCauses(subject, maps[bound], bound, tables.Causes);
     }
   }
-  CompareDecimations(subject, maps, options, table, tables.Decimations);
+  CompareDecimations(subject, maps, options, table);
   if (!options.IsQuick)
   {
     AddRow(subject, ReconstructFromPoints(subject.Scan, GetBudget(options)), NoBound, table);
@@ -222,7 +181,6 @@ void RunMapBenchmark(const BenchmarkOptions& options)
     CompareOnScene(name, options, tables);
   }
   tables.Causes.Print();
-  tables.Decimations.Print();
   if (!options.CSVFile.empty())
   {
     tables.Maps.Save(options.CSVFile);

@@ -50,6 +50,10 @@ void RunReadBenchmark(const BenchmarkOptions& options);
 /// CompareDamagedScans makes; its file has "-damage" in its name.
 void RunMapBenchmark(const BenchmarkOptions& options);
 
+/// Local maps beside vtkQuadricDecimation, without and with noise: its triangles for the same
+/// largest distance of a return, and its mean error with as many triangles.
+void RunDecimationBenchmark(const BenchmarkOptions& options);
+
 /// Local maps of scans of the room with beams lost, stray returns, noise and steps, with gaps left
 /// open and closed. Each time is the best of the runs within a budget (ms). Without a file name,
 /// the table is only printed.

@@ -92,6 +92,11 @@ vtkSmartPointer<vtkPolyData> AddRangeNoise(vtkPolyData* scan, double sigma)
   return noisy;
 }
 
+double GetFairBound(double noise)
+{
+  return noise > 0.0 ? 4.0 * noise : 0.01;
+}
+
 MapContender MakeLocalMap(
   vtkPolyData* scan, double maximumError, double depthStep, double budget, const MapGaps& gaps)
 {

@@ -23,6 +23,10 @@ struct MapContender
 /// The scan as a sensor with Gaussian noise along its beams would have it, the same each time.
 vtkSmartPointer<vtkPolyData> AddRangeNoise(vtkPolyData* scan, double sigma);
 
+/// The bound, metres, of the map whose number of triangles its rivals get. With noise it is four
+/// standard deviations: below, a surface that meets every bound has to follow the noise.
+double GetFairBound(double noise);
+
 /// The time of each is the best of the runs within a budget (ms), or that of the first and only
 /// one.
 

@@ -4,6 +4,7 @@
 
 #include "LocalMap/Bounded/lms3dDeviationMeter.h"
 #include "LocalMap/Bounded/lms3dEdgeCollapser.h"
+#include "LocalMap/Bounded/lms3dEdgeFlipper.h"
 #include "LocalMap/Bounded/lms3dRayMoves.h"
 #include "LocalMap/Bounded/lms3dRegularMoves.h"
 #include "LocalMap/Bounded/lms3dSmoothVertices.h"
@@ -55,12 +56,23 @@ bool lms3dMapSimplifier::Simplify(const std::vector<int>& members, lms3dBoundedM
     this->Sphere, this->Patches, lms3dPatches::CreaseShare * this->MaximumError);
   this->SimplifySmoothSurface(members, map, demands, shortcuts, stars);
   lms3dVertexRemover(lms3dRegularMoves(demands, shortcuts), stars).Run();
-  lms3dSurfaceFit(demands, shortcuts, this->MaximumError,
-    std::vector<std::uint8_t>(stars.GetNumberOfVertices(), 1), stars)
-    .Run();
+  this->FitSurface(demands, shortcuts, stars);
   Replace(stars, map);
   map.LargestDeviation = this->GetLargestDeviation(map);
   return true;
+}
+
+// The fit shows which diagonals of quadrilaterals are right.
+void lms3dMapSimplifier::FitSurface(const lms3dBeamDemands& demands,
+  const lms3dBorderShortcuts& borders, lms3dVertexStars& stars) const
+{
+  std::vector<std::uint8_t> isChosen(stars.GetNumberOfVertices(), 1);
+  lms3dSurfaceFit(demands, borders, this->MaximumError, isChosen, stars).Run();
+  isChosen = lms3dEdgeFlipper(demands, this->MaximumError, stars).Run();
+  if (!isChosen.empty())
+  {
+    lms3dSurfaceFit(demands, borders, this->MaximumError, isChosen, stars).Run();
+  }
 }
 
 bool lms3dMapSimplifier::SimplifyOnRays(lms3dBoundedMap& map) const

@@ -25,7 +25,8 @@ class lms3dSmoothVertices;
  * edges, all vertices are then fitted to the returns (lms3dSurfaceFit).
  *
  * Then vertices of all kinds are removed (lms3dVertexRemover) without moving those that remain. At
- * last, all vertices are fitted to the returns. If beams are not regular, vertices are only
+ * last, all vertices are fitted to the returns, edges are flipped so that the map fits better
+ * (lms3dEdgeFlipper), and the vertices there are fitted again. If beams are not regular, vertices are only
  * removed, and borders stay (lms3dRayMoves).
  */
 class lms3dMapSimplifier
@@ -46,6 +47,8 @@ private:
   bool SimplifyOnRays(lms3dBoundedMap& map) const;
   void SimplifySmoothSurface(const std::vector<int>& members, const lms3dBoundedMap& map,
     const lms3dBeamDemands& demands, const lms3dBorderShortcuts& borders,
+    lms3dVertexStars& stars) const;
+  void FitSurface(const lms3dBeamDemands& demands, const lms3dBorderShortcuts& borders,
     lms3dVertexStars& stars) const;
   static bool FreeSmoothVertices(const lms3dSmoothVertices& smooth, lms3dVertexStars& stars);
   static void Replace(const lms3dVertexStars& stars, lms3dBoundedMap& map);

@@ -19,7 +19,8 @@
 
 /**
  * Vertices move along their directions, so that the sum of the squared distances of the returns
- * from the map, along their beams, becomes smaller. If it does not, all vertices stay.
+ * from the map, with the areas of their beams as weights, becomes smaller. If it does not, all
+ * vertices stay.
  *
  * On a triangle, the inverse range is linear in the inverse ranges of its corners. So the sum is
  * quadratic in the inverse ranges of all vertices, and each triangle adds to it what

@@ -65,3 +65,27 @@ bool lms3dTriangleBeams::AreWithin(
   }
   return outside == 0;
 }
+
+double lms3dTriangleBeams::GetSum(
+  const lms3dBeamDemands& demands, const std::array<double, 3>& inverses) const
+{
+  const lms3dBeamSphere& sphere = demands.GetSphere();
+  const lms3dVector plane = this->GetPlane(inverses);
+  double sum = 0.0;
+  for (const Span& span : this->Spans)
+  {
+    const std::array<double, 2>& horizontal = sphere.GetHorizontal(span.Column);
+    const double level = plane[0] * horizontal[0] + plane[1] * horizontal[1];
+    const lms3dBeamSphere::GridIndex start = sphere.GetIndex(span.Column, 0);
+    for (int row = span.First; row <= span.Last; ++row)
+    {
+      const double range = sphere.GetRanges()[start + row];
+      const double cosine = sphere.GetCosines()[row];
+      const double inverse = level * cosine + plane[2] * sphere.GetSines()[row];
+      const double distance = range * (range * inverse - 1.0);
+      const bool counts = !(demands[start].Minimum[row] < 0.0);
+      sum += counts ? GetWeight(range, cosine) * distance * distance : 0.0;
+    }
+  }
+  return GetScale(plane) * sum;
+}

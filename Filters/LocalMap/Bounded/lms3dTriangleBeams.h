@@ -60,6 +60,21 @@ public:
   /// Whether all beams meet the triangle where their returns demand.
   bool AreWithinBound(const lms3dBeamDemands& demands, const std::array<double, 3>& inverses) const;
 
+  /**
+   * The sum of the squared distances of the returns from the plane of the triangle, each times the
+   * area that its beam stands for, apart from a constant. For a plane q with 1 / range = q.d, the
+   * cosine of incidence is 1 / (range |q|). At the elevation e, the beam stands for an area of
+   * range^2 cos(e) over this cosine, and a distance along the beam is this cosine times as far from
+   * the plane. So the square of a distance along the beam has the weight range cos(e) / |q|.
+   */
+  double GetSum(const lms3dBeamDemands& demands, const std::array<double, 3>& inverses) const;
+
+  ///@{
+  /// The factors of that weight: 1 / |q|, which all beams share, and range cos(e).
+  static double GetScale(const lms3dVector& plane) { return 1.0 / lms3dGetLength(plane); }
+  static double GetWeight(double range, double cosine) { return range * cosine; }
+  ///@}
+
 private:
   static bool AreWithin(
     const lms3dBeamDemands& demands, const lms3dVector& plane, const Span* first, const Span* last);

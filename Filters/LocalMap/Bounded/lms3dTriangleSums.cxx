@@ -34,6 +34,7 @@ lms3dTriangleSums::lms3dTriangleSums(const lms3dBeamDemands& demands,
   }
   const lms3dVector plane = beams.GetPlane(inverses);
   const int columnStep = 1 + beams.GetNumberOfColumns() / MaximumSamples;
+  const double scale = lms3dTriangleBeams::GetScale(plane);
   BeamSums sums;
   for (const lms3dTriangleBeams::Span& span : beams.GetSpans())
   {
@@ -41,7 +42,7 @@ lms3dTriangleSums::lms3dTriangleSums(const lms3dBeamDemands& demands,
     {
       const int rowStep = 1 + (span.Last - span.First + 1) / MaximumSamples;
       sums.Add(this->AddUp(demands, span, rowStep, beams.GetShares(), plane),
-        static_cast<double>(columnStep) * rowStep, demands.GetSphere().GetHorizontal(span.Column));
+        scale * columnStep * rowStep, demands.GetSphere().GetHorizontal(span.Column));
     }
   }
   this->SetSums(sums, beams.GetShares());
@@ -67,13 +68,15 @@ lms3dTriangleSums::ColumnSums lms3dTriangleSums::AddUp(const lms3dBeamDemands& d
     {
       continue;
     }
-    const double square = ranges[row] * ranges[row];
-    const double weight = square * square;
-    sums.CosineCosine += weight * cosine * cosine;
-    sums.CosineSine += weight * cosine * sine;
-    sums.SineSine += weight * sine * sine;
-    sums.Cosine += square * ranges[row] * cosine;
-    sums.Sine += square * ranges[row] * sine;
+    const double range = ranges[row];
+    const double square = range * range;
+    const double ofProducts = lms3dTriangleBeams::GetWeight(range, cosine) * square * range;
+    const double ofSquares = ofProducts * range;
+    sums.CosineCosine += ofSquares * cosine * cosine;
+    sums.CosineSine += ofSquares * cosine * sine;
+    sums.SineSine += ofSquares * sine * sine;
+    sums.Cosine += ofProducts * cosine;
+    sums.Sine += ofProducts * sine;
     for (int i = 0; i < 3; ++i)
     {
       this->LargestShares[i] = std::max(this->LargestShares[i], ofShares[i].Get(cosine, sine));

@@ -15,9 +15,13 @@
 /**
  * A beam meets the triangle at the inverse range sum(s_i x_i), where x_i are the inverse ranges of
  * the corners and s_i their shares (lms3dTriangleBeams). A return at the range r is then about
- * r^2 |sum(s_i x_i) - 1 / r| away, along its beam. So the sum of the squared distances is
+ * r^2 |sum(s_i x_i) - 1 / r| away, along its beam. So the sum of the squared distances, each with
+ * the weight w of lms3dTriangleBeams::GetSum(), is
  *
- *     sum(A_ij x_i x_j) - 2 sum(b_i x_i) + constant,   A_ij = sum(r^4 s_i s_j),  b_i = sum(r^3 s_i)
+ *     sum(A_ij x_i x_j) - 2 sum(b_i x_i) + constant
+ *     A_ij = sum(w r^4 s_i s_j),  b_i = sum(w r^3 s_i)
+ *
+ * The weight is that of the plane before the corners move.
  *
  * Only returns within the bound count. (Beams beside a depth step can hit a triangle of the other
  * side.) Of a large triangle, every second or third beam, and so on, stands for all.
@@ -49,16 +53,16 @@ private:
   /// direction of the column, plus the sine of its row times the z axis.
   struct ColumnSums
   {
-    /// The sums of r^4 times cosine or sine times cosine or sine.
+    /// The sums of w r^4 times cosine or sine times cosine or sine.
     double CosineCosine = 0.0;
     double CosineSine = 0.0;
     double SineSine = 0.0;
-    /// The sums of r^3 times cosine or sine.
+    /// The sums of w r^3 times cosine or sine.
     double Cosine = 0.0;
     double Sine = 0.0;
   };
 
-  /// Sums over all beams, of r^4 times d d^T and of r^3 times d.
+  /// Sums over all beams, of w r^4 times d d^T and of w r^3 times d.
   struct BeamSums
   {
     void Add(const ColumnSums& column, double weight, const std::array<double, 2>& horizontal);

@@ -207,6 +207,20 @@ void lms3dVertexStars::Merge(std::int32_t from, std::int32_t to)
   this->Vertices[from].Triangles.clear();
 }
 
+void lms3dVertexStars::Flip(const Quad& quad)
+{
+  const auto take = [this](std::int32_t triangle, std::int32_t from, std::int32_t to)
+  {
+    std::vector<std::int32_t>& around = this->Vertices[from].Triangles;
+    around.erase(std::find(around.begin(), around.end(), triangle));
+    this->Vertices[to].Triangles.push_back(triangle);
+  };
+  this->Triangles[quad.LeftTriangle].Corners = { quad.Left, quad.From, quad.Right };
+  this->Triangles[quad.RightTriangle].Corners = { quad.Right, quad.To, quad.Left };
+  take(quad.LeftTriangle, quad.To, quad.Right);
+  take(quad.RightTriangle, quad.From, quad.Left);
+}
+
 void lms3dVertexStars::Collapse(
   std::int32_t from, std::int32_t to, const lms3dVector& direction, double inverse)
 {

@@ -47,6 +47,18 @@ public:
     bool IsStrip = false;
   };
 
+  /// An edge between two triangles that are not removed. The triangle on its left side and `Left`,
+  /// the corner opposite to the edge, then the same on the right side.
+  struct Quad
+  {
+    std::int32_t LeftTriangle;
+    std::int32_t RightTriangle;
+    std::int32_t From;
+    std::int32_t To;
+    std::int32_t Left;
+    std::int32_t Right;
+  };
+
   /// No vertex is free at first.
   explicit lms3dVertexStars(const lms3dBoundedMap& map);
 
@@ -135,6 +147,10 @@ public:
   /// The same. If `to` is free, it gets a direction and an inverse range. The edges around it may
   /// collapse again.
   void Collapse(std::int32_t from, std::int32_t to, const lms3dVector& direction, double inverse);
+
+  /// Replaces the edge between two triangles by an edge from `Left` to `Right`. Changes nothing
+  /// else. The left triangle gets the corner `From`, the right one `To`.
+  void Flip(const Quad& quad);
 
   /// Marks an edge as rigid until the star of one of its ends changes.
   void SetRigid(std::int32_t a, std::int32_t b);

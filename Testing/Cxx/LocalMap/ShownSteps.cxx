@@ -68,7 +68,23 @@ double TrueSteps::GetGap(const Beam& from, const Beam& to) const
   return met > 0.0 ? met - range : std::numeric_limits<double>::infinity();
 }
 
-std::vector<TrueSteps::Step> TrueSteps::FindShown(double margin) const
+// Whether the plane at `from` misses the return of `to`, although the last two returns of the plane
+// and that of `to` have errors. The plane of two inverse ranges w0 and w1 goes on at 2 w0 - w1.
+bool TrueSteps::IsCertain(const Beam& from, const Beam& to, double error) const
+{
+  const auto getInverse = [this](const Beam& beam)
+  { return 1.0 / this->Grid.GetRange(this->Grid.GetReturn(beam)); };
+  const double last = getInverse(from);
+  const double before = getInverse({ 2 * from.Turn - to.Turn, 2 * from.Number - to.Number });
+  const double other = getInverse(to);
+  const Plane plane = this->GetPlane(from);
+  const Vector& point = this->Grid.GetPoints()[this->Grid.GetReturn(to)];
+  const double met = Dot(plane.Normal, point) * other / plane.Offset;
+  return std::abs(met - other) >
+    error * std::hypot(2.0 * last * last, before * before, other * other);
+}
+
+std::vector<TrueSteps::Step> TrueSteps::FindShown(double margin, double error) const
 {
   std::vector<Step> shown;
   std::copy_if(this->Steps.begin(), this->Steps.end(), std::back_inserter(shown),
@@ -77,6 +93,8 @@ std::vector<TrueSteps::Step> TrueSteps::FindShown(double margin) const
       const double atNext = this->GetGap(step.From, step.Next);
       const double atFrom = this->GetGap(step.Next, step.From);
       return this->IsPlane(step.From, step.Next) && this->IsPlane(step.Next, step.From) &&
+        this->IsCertain(step.From, step.Next, error) &&
+        this->IsCertain(step.Next, step.From, error) &&
         ((atNext > margin && atFrom < -margin) || (atNext < -margin && atFrom > margin));
     });
   return shown;

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <vector>
 
 #ifndef LMS3D_FEWER_BEAMS
 namespace
@@ -27,6 +29,9 @@ constexpr double BoundOfNoise = 4.0;
 // the distance of a return from the plane through two others has a standard deviation of 2.4 times
 // that of the noise. This is lms3dDepthStep::Deviations times as much.
 constexpr double MarginOfNoise = 11.0;
+// The error of a return near the sensor is large in inverse range. The number of standard deviations
+// of the noise by which each plane must miss the return there (lms3dDepthStep::Deviations).
+constexpr double Deviations = 4.5;
 // Metres.
 constexpr double Noise = 0.005;
 constexpr double LargeNoise = 0.02;
@@ -70,6 +75,25 @@ MapScene MakeCastleFrom(int place, int beams)
   return scene;
 }
 
+// Every other slope. They are many, and only the share that is open counts.
+std::vector<TrueSteps::Step> SelectSlopes(const TrueSteps& truth)
+{
+  std::vector<TrueSteps::Step> slopes;
+  for (std::size_t i = 0; i < truth.GetSlopes().size(); i += 2)
+  {
+    slopes.push_back(truth.GetSlopes()[i]);
+  }
+  return slopes;
+}
+
+// More than by default if the environment variable LMS3D_RANDOM_ROOMS says so.
+int GetNumberOfRandomRooms()
+{
+  constexpr int NumberOfRooms = 300;
+  const char* const number = std::getenv("LMS3D_RANDOM_ROOMS");
+  return number ? std::atoi(number) : NumberOfRooms;
+}
+
 /// Counts over many scans.
 struct Count
 {
@@ -78,13 +102,15 @@ struct Count
   std::size_t Slopes = 0;
   int Open = 0;
 
-  void Add(const TrueSteps& truth, vtkPolyData* map, double margin)
+  void Add(const TrueSteps& truth, vtkPolyData* map, double noise)
   {
-    const std::vector<TrueSteps::Step> shown = truth.FindShown(margin);
+    const std::vector<TrueSteps::Step> shown =
+      truth.FindShown(DepthStep + MarginOfNoise * noise, Deviations * noise);
     this->Steps += shown.size();
     this->Bridged += truth.CountBridged(map, shown);
-    this->Slopes += truth.GetSlopes().size();
-    this->Open += truth.CountOpen(map);
+    const std::vector<TrueSteps::Step> slopes = SelectSlopes(truth);
+    this->Slopes += slopes.size();
+    this->Open += truth.CountOpen(map, slopes);
   }
 
   /// A map of holes bridges no step either.
@@ -103,13 +129,12 @@ protected:
   {
     const vtkSmartPointer<vtkPolyData> scan = MakeScan(scene);
     const TrueSteps truth(scan, scene.Surface, DepthStep, 0.0);
-    this->Ideal.Add(truth, MakeMap(scan, Bound), DepthStep);
+    this->Ideal.Add(truth, MakeMap(scan, Bound), 0.0);
     for (double sigma : { Noise, LargeNoise })
     {
       Random random(seed);
       (sigma == Noise ? this->Noisy : this->VeryNoisy)
-        .Add(truth, MakeMap(AddNoise(scan, sigma, random), BoundOfNoise * sigma),
-          DepthStep + MarginOfNoise * sigma);
+        .Add(truth, MakeMap(AddNoise(scan, sigma, random), BoundOfNoise * sigma), sigma);
     }
   }
 
@@ -170,21 +195,14 @@ TEST_F(ShownSteps, OfACastleAreNotBridged)
 }
 
 // Rooms with balls, boxes and plates in any pose, at 2 to 60 turns of 2 to 61 beams. One sensor is
-// nearer to a surface than three standard deviations of the large noise. Its map bridges the steps
-// there.
+// nearer to a surface than three standard deviations of the large noise.
 TEST_F(ShownSteps, OfRandomRoomsAreNotBridged)
 {
-  for (int seed = 0; seed < 300; ++seed)
+  for (int seed = 0; seed < GetNumberOfRandomRooms(); ++seed)
   {
     Random random(static_cast<std::uint64_t>(seed));
     this->AddMaps(MakeRandomMapScene(random), seed);
   }
-  EXPECT_GT(this->Ideal.Steps, 600U);
-  EXPECT_EQ(this->Ideal.Bridged, 0) << "of " << this->Ideal.Steps;
-  EXPECT_GT(this->Noisy.Steps, 600U);
-  EXPECT_EQ(this->Noisy.Bridged, 0) << "of " << this->Noisy.Steps;
-  EXPECT_GT(this->VeryNoisy.Steps, 500U);
-  EXPECT_LT(this->VeryNoisy.Bridged, 0.02 * static_cast<double>(this->VeryNoisy.Steps));
-  this->ExpectFewOpen();
+  this->ExpectNoneOf(600, 1100);
 }
 #endif

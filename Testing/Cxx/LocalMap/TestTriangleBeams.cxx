@@ -7,6 +7,8 @@
 #include "LocalMap/Bounded/lms3dTriangleBeams.h"
 #include "LocalMap/SurfaceFitFixture.h"
 
+#include "Geometry/lms3dAngle.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +17,8 @@
 #include <cstdint>
 #include <random>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -161,4 +165,57 @@ TEST_F(TriangleBeams, AreWithinTheBoundIfEachBeamIs)
   }
   EXPECT_GT(within, 100);
   EXPECT_GT(beyond, 100);
+}
+
+// The returns lie on a plane a distance behind the plane of the triangle. The sum is the area
+// between the beams, in radians squared, times the square of the distance, however beams meet it.
+TEST_F(TriangleBeams, GiveTheAreaTimesTheSquareOfADistance)
+{
+  constexpr double Distance = 0.002;
+  constexpr int FineBeams = 721;
+  const lms3dVector center = { 1.0, 0.0, 0.0 };
+  for (const lms3dVector& towards :
+    { lms3dVector{ 1.0, 0.0, 0.0 }, lms3dVector{ 1.0, 0.7, 0.0 }, lms3dVector{ 1.0, 0.6, -1.1 } })
+  {
+    const lms3dVector normal = lms3dNormalize(towards);
+    const double offset = 2.0 * lms3dDot(normal, center);
+    const BallScan directions([](int, int) { return Radius; }, FineBeams);
+    const lms3dBeamSphere empty(directions.Grid, directions.Joins);
+    const BallScan scan(
+      [&](int beam, int turn)
+      {
+        const double cosine = lms3dDot(normal, empty.GetDirection(empty.GetIndex(turn, beam)));
+        return cosine > 0.1 ? (offset + Distance) / cosine : 0.0;
+      },
+      FineBeams);
+    const lms3dBeamSphere sphere(scan.Grid, scan.Joins);
+    lms3dPatches patches;
+    patches.Patches.resize(1);
+    patches.Labels.assign(sphere.GetSize(), 0);
+    const lms3dBeamDemands demands(sphere, patches, 0.2);
+    const std::array<lms3dVector, 3> directionsOfCorners = { lms3dNormalize({ 1.0, 0.4, 0.4 }),
+      lms3dNormalize({ 1.0, -0.5, 0.3 }), lms3dNormalize({ 1.0, 0.1, -0.4 }) };
+    std::array<lms3dVector, 3> points;
+    std::array<double, 3> inverses;
+    for (int i = 0; i < 3; ++i)
+    {
+      inverses[i] = lms3dDot(normal, directionsOfCorners[i]) / offset;
+      points[i] = lms3dScale(directionsOfCorners[i], 1.0 / inverses[i]);
+    }
+    const lms3dTriangleCorner a(directionsOfCorners[0]);
+    const lms3dTriangleCorner b(directionsOfCorners[1]);
+    const lms3dTriangleCorner c(directionsOfCorners[2]);
+    const bool isTurned = lms3dDot(lms3dCross(c.Position, b.Position), a.Position) < 0.0;
+    const lms3dTriangleBeams beams(sphere, { &a, isTurned ? &c : &b, isTurned ? &b : &c });
+    if (isTurned)
+    {
+      std::swap(inverses[1], inverses[2]);
+    }
+    const double area = 0.5 *
+      lms3dGetLength(
+        lms3dCross(lms3dSubtract(points[1], points[0]), lms3dSubtract(points[2], points[0])));
+    const double step = (180.0 / (FineBeams - 1)) * (360.0 / Turns) * std::pow(lms3dPi / 180.0, 2);
+    EXPECT_NEAR(beams.GetSum(demands, inverses) * step, area * Distance * Distance,
+      0.03 * area * Distance * Distance);
+  }
 }

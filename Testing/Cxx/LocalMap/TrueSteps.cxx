@@ -19,8 +19,6 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 // The parts of the way between two beams, and how often each is halved at most.
 constexpr int NumberOfParts = 12;
 constexpr int MaximumHalvings = 20;
-// A change of range that is no jump, metres.
-constexpr double SmallChange = 0.01;
 // The largest jump of a map's surface that bridges a step, or closes a slope, as a share of it.
 constexpr double LargestShare = 0.25;
 // Radians by which a ray may pass outside of a triangle.
@@ -67,11 +65,11 @@ struct Way
       {
         sum = Infinity;
       }
-      else if (part.Halvings == 0 && std::abs(change) >= SmallChange)
+      else if (part.Halvings == 0 && std::abs(change) >= this->SmallChange)
       {
         sum += change;
       }
-      else if (std::abs(change) >= SmallChange)
+      else if (std::abs(change) >= this->SmallChange)
       {
         this->Halve(part, parts);
       }
@@ -92,6 +90,8 @@ struct Way
   const TriangleTree& Surface;
   Beam From;
   Beam To;
+  // A change of range that is no jump, metres.
+  double SmallChange;
 };
 } // namespace
 
@@ -132,16 +132,22 @@ void TrueSteps::AddIfStep(const TriangleTree& scene, const Beam& beam, const Bea
     {
       this->Steps.push_back({ beam, next, jump });
     }
-    else if (jump < SmallChange)
+    else if (jump < this->GetSmallChange())
     {
       this->Slopes.push_back({ beam, next, std::abs(range - rangeOfNext) });
     }
   }
 }
 
+// The smallest jump that a map may have at a step. Smaller changes need not be divided.
+double TrueSteps::GetSmallChange() const
+{
+  return 2.0 * LargestShare * this->DepthStep;
+}
+
 double TrueSteps::GetJump(const TriangleTree& surface, const Beam& a, const Beam& b) const
 {
-  const Way way = { this->Grid, surface, a, b };
+  const Way way = { this->Grid, surface, a, b, this->GetSmallChange() };
   double sum = 0.0;
   double last = way.GetRange(0.0);
   for (int i = 1; i <= NumberOfParts; ++i)
@@ -162,10 +168,10 @@ int TrueSteps::CountBridged(vtkPolyData* map, const std::vector<Step>& steps) co
     { return !(this->GetJump(*surface, step.From, step.Next) > LargestShare * step.Jump); }));
 }
 
-int TrueSteps::CountOpen(vtkPolyData* map) const
+int TrueSteps::CountOpen(vtkPolyData* map, const std::vector<Step>& slopes) const
 {
   const std::unique_ptr<TriangleTree> surface = this->MakeTree(map);
-  return static_cast<int>(std::count_if(this->Slopes.begin(), this->Slopes.end(),
+  return static_cast<int>(std::count_if(slopes.begin(), slopes.end(),
     [&](const Step& slope)
     { return this->GetJump(*surface, slope.From, slope.Next) > LargestShare * slope.Jump; }));
 }

@@ -46,10 +46,12 @@ public:
    * The steps that the returns show: on both sides, the last three returns before the step lie on
    * the plane of the triangle that the last one hits. The planes of both sides do not meet between
    * the beams: one is before the other return and the other plane behind, each by more than
-   * `margin`, metres. Along a turn, the returns beside the last two, towards the horizon, must lie
+   * `margin`, metres. With an `error` of the ranges, metres, each plane must also miss the other
+   * return in inverse range by more than the error that the plane's last two returns and the other
+   * return cause. Along a turn, the returns beside the last two, towards the horizon, must lie
    * on the plane as well: the tilt of the plane follows from them.
    */
-  std::vector<Step> FindShown(double margin) const;
+  std::vector<Step> FindShown(double margin, double error) const;
 
   /// The number of steps at which the map has a surface from one beam to the other without a
   /// quarter of the jump.
@@ -57,7 +59,8 @@ public:
   int CountBridged(vtkPolyData* map, const std::vector<Step>& steps) const;
   /// The number of slopes at which the map has no such surface, or one that jumps by a quarter of
   /// the difference.
-  int CountOpen(vtkPolyData* map) const;
+  int CountOpen(vtkPolyData* map) const { return this->CountOpen(map, this->Slopes); }
+  int CountOpen(vtkPolyData* map, const std::vector<Step>& slopes) const;
 
 private:
   /// The points p with Normal . p = Offset.
@@ -71,7 +74,9 @@ private:
   bool IsOn(const Plane& plane, const Beam& beam) const;
   bool IsPlane(const Beam& last, const Beam& other) const;
   double GetGap(const Beam& from, const Beam& to) const;
+  bool IsCertain(const Beam& from, const Beam& to, double error) const;
   void AddIfStep(const TriangleTree& scene, const Beam& beam, const Beam& next);
+  double GetSmallChange() const;
   double GetJump(const TriangleTree& surface, const Beam& a, const Beam& b) const;
   std::unique_ptr<TriangleTree> MakeTree(vtkPolyData* triangles) const;
 
