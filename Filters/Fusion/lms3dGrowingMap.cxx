@@ -130,13 +130,22 @@ bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
       changed.push_back(static_cast<int>(i));
     }
   }
+  // The longest work comes first, so that the threads end at the same time.
+  std::stable_sort(changed.begin(), changed.end(),
+    [this](int a, int b) {
+      return this->Planes[a].Raster.GetMarked().size() > this->Planes[b].Raster.GetMarked().size();
+    });
   tbb::parallel_for(
-    std::size_t{ 0 }, changed.size(), [&](std::size_t i) { this->RenewShape(changed[i]); });
+    std::size_t{ 0 }, changed.size(), [&](std::size_t i) { this->RenewShape(changed[i]); },
+    tbb::simple_partitioner());
   if (!progress(TimeOfShapes))
   {
     return false;
   }
-  const std::vector<TileToRenew> tiles = this->FindTiles(changed);
+  std::vector<TileToRenew> tiles = this->FindTiles(changed);
+  std::stable_sort(tiles.begin(), tiles.end(),
+    [](const TileToRenew& a, const TileToRenew& b)
+    { return a.Tile->Blocks.size() > b.Tile->Blocks.size(); });
   const lms3dProgress rest = lms3dGetStepProgress(progress, TimeOfShapes, 1.0);
   for (std::size_t first = 0; first < tiles.size(); first += TilesOfStep)
   {

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dSeenRanges.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -12,13 +16,7 @@ lms3dSeenRanges::lms3dSeenRanges(
   , Ranges(static_cast<std::size_t>(this->Table->GetGeometry().CountBeamsOfAllTurns()), 0.0F)
   , LargestInBin(static_cast<std::size_t>(this->Table->GetNumberOfBins()), 0.0F)
 {
-  const vtkIdType count = scan.GetNumberOfReturns();
-  const auto* const ids = scan.GetBeamIds();
-  const double* const ranges = scan.GetRanges();
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    this->Ranges[this->Table->GetPlace(ids[i])] = static_cast<float>(ranges[i]);
-  }
+  this->AddReturns(scan);
   for (int bin = 0; bin < this->Table->GetNumberOfBins(); ++bin)
   {
     float& largest = this->LargestInBin[bin];
@@ -28,17 +26,29 @@ lms3dSeenRanges::lms3dSeenRanges(
     }
     this->Largest = std::max<double>(this->Largest, largest);
   }
-  this->Box.Add(this->Pose.Position);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const int id = ids[i];
-    const lms3dVector start = this->GetStart(id);
-    if (this->Table->HasStarts())
+}
+
+// The threads divide returns. The beam of a return is that of no other.
+void lms3dSeenRanges::AddReturns(const lms3dScanInput& scan)
+{
+  const auto* const ids = scan.GetBeamIds();
+  const double* const ranges = scan.GetRanges();
+  tbb::combinable<lms3dWorldBox> boxes;
+  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, scan.GetNumberOfReturns()),
+    [&](const tbb::blocked_range<vtkIdType>& part)
     {
-      this->Box.Add(start);
-    }
-    this->Box.Add(lms3dAdd(start, lms3dScale(this->GetDirection(id), ranges[i])));
-  }
+      lms3dWorldBox& box = boxes.local();
+      for (vtkIdType i = part.begin(); i < part.end(); ++i)
+      {
+        const int id = ids[i];
+        this->Ranges[this->Table->GetPlace(id)] = static_cast<float>(ranges[i]);
+        const lms3dVector start = this->GetStart(id);
+        box.Add(start);
+        box.Add(lms3dAdd(start, lms3dScale(this->GetDirection(id), ranges[i])));
+      }
+    });
+  this->Box.Add(this->Pose.Position);
+  boxes.combine_each([this](const lms3dWorldBox& box) { this->Box.Add(box); });
 }
 
 void lms3dSeenRanges::FindBins(

@@ -55,6 +55,7 @@ public:
   void FindBins(const lms3dVector& centre, double radius, std::vector<int>& bins) const;
 
 private:
+  void AddReturns(const lms3dScanInput& scan);
   lms3dVector Rotate(const lms3dVector& v) const
   {
     return lms3dAdd(lms3dScale(this->Pose.Axes[0], v[0]),
