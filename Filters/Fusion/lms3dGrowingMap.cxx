@@ -7,6 +7,7 @@
 #include "Fusion/lms3dLocalMap.h"
 #include "Fusion/lms3dLooseRegions.h"
 #include "Fusion/lms3dPassedPlanes.h"
+#include "Fusion/lms3dPassingBeams.h"
 #include "Fusion/lms3dPlaneTiles.h"
 #include "Fusion/lms3dRegionMesher.h"
 #include "Fusion/lms3dRegionSightings.h"
@@ -49,9 +50,9 @@ void lms3dGrowingMap::AddTable(const lms3dScanInput& scan)
   }
 }
 
-bool lms3dGrowingMap::Add(
-  vtkPolyData* map, const lms3dScanInput& scan, const lms3dProgress& progress)
+bool lms3dGrowingMap::Add(vtkPolyData* map, vtkPolyData* scanData, const lms3dProgress& progress)
 {
+  const lms3dScanInput scan(scanData);
   if (map->GetNumberOfPolys() == 0)
   {
     this->Positions.push_back(
@@ -62,7 +63,8 @@ bool lms3dGrowingMap::Add(
   this->AddTable(scan);
   this->Positions.push_back(scan.GetSensorPosition());
   this->Tables.push_back(this->Settings.KeepReturns ? this->Table : nullptr);
-  auto ranges = std::make_unique<lms3dSeenRanges>(scan, this->Table);
+  auto ranges = std::make_unique<lms3dSeenRanges>(
+    scan, this->Table, lms3dFindPassingBeams(map, scanData, this->Table->GetSize()));
   lms3dLocalMap local(map, scan, *ranges, this->Settings.MaximumError, std::move(this->Returns));
   if (!progress(TimeOfCasting))
   {

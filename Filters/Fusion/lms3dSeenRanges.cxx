@@ -7,16 +7,57 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
-lms3dSeenRanges::lms3dSeenRanges(
-  const lms3dScanInput& scan, std::shared_ptr<const lms3dBeamTable> table)
+namespace
+{
+// A positive, finite number.
+float ToFloat(double range)
+{
+  using Limits = std::numeric_limits<float>;
+  return static_cast<float>(std::clamp<double>(range, Limits::min(), Limits::max()));
+}
+} // namespace
+
+lms3dSeenRanges::lms3dSeenRanges(const lms3dScanInput& scan,
+  std::shared_ptr<const lms3dBeamTable> table, const std::vector<bool>& isFree)
   : Table(std::move(table))
   , Pose(scan.GetPose())
-  , Ranges(static_cast<std::size_t>(this->Table->GetGeometry().CountBeamsOfAllTurns()), 0.0F)
+  , Ranges(static_cast<std::size_t>(this->Table->GetSize()), 0.0F)
   , LargestInBin(static_cast<std::size_t>(this->Table->GetNumberOfBins()), 0.0F)
 {
-  this->AddReturns(scan);
+  const vtkIdType count = scan.GetNumberOfReturns();
+  const auto* const ids = scan.GetBeamIds();
+  const double* const ranges = scan.GetRanges();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const float range = ToFloat(ranges[i]);
+    this->Ranges[this->Table->GetPlace(ids[i])] = range;
+    this->Largest = std::max<double>(this->Largest, range);
+  }
+  if (count < this->Table->GetSize())
+  {
+    this->FillFree(isFree);
+  }
+  this->FillLargest();
+  this->FillBox();
+}
+
+void lms3dSeenRanges::FillFree(const std::vector<bool>& isFree)
+{
+  for (int id = 0; id < this->Table->GetSize(); ++id)
+  {
+    float& range = this->Ranges[this->Table->GetPlace(id)];
+    if (range == 0.0F && isFree[id])
+    {
+      range = static_cast<float>(this->Largest);
+    }
+  }
+}
+
+void lms3dSeenRanges::FillLargest()
+{
   for (int bin = 0; bin < this->Table->GetNumberOfBins(); ++bin)
   {
     float& largest = this->LargestInBin[bin];
@@ -24,27 +65,26 @@ lms3dSeenRanges::lms3dSeenRanges(
     {
       largest = std::max(largest, this->Ranges[i]);
     }
-    this->Largest = std::max<double>(this->Largest, largest);
   }
 }
 
-// The threads divide returns. The beam of a return is that of no other.
-void lms3dSeenRanges::AddReturns(const lms3dScanInput& scan)
+// The threads divide beams.
+void lms3dSeenRanges::FillBox()
 {
-  const auto* const ids = scan.GetBeamIds();
-  const double* const ranges = scan.GetRanges();
   tbb::combinable<lms3dWorldBox> boxes;
-  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, scan.GetNumberOfReturns()),
-    [&](const tbb::blocked_range<vtkIdType>& part)
+  tbb::parallel_for(tbb::blocked_range<int>(0, this->Table->GetSize()),
+    [&](const tbb::blocked_range<int>& part)
     {
       lms3dWorldBox& box = boxes.local();
-      for (vtkIdType i = part.begin(); i < part.end(); ++i)
+      for (int id = part.begin(); id < part.end(); ++id)
       {
-        const int id = ids[i];
-        this->Ranges[this->Table->GetPlace(id)] = static_cast<float>(ranges[i]);
-        const lms3dVector start = this->GetStart(id);
-        box.Add(start);
-        box.Add(lms3dAdd(start, lms3dScale(this->GetDirection(id), ranges[i])));
+        const double range = this->GetRange(id);
+        if (range > 0.0)
+        {
+          const lms3dVector start = this->GetStart(id);
+          box.Add(start);
+          box.Add(lms3dAdd(start, lms3dScale(this->GetDirection(id), range)));
+        }
       }
     });
   this->Box.Add(this->Pose.Position);

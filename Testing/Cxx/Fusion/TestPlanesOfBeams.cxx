@@ -40,7 +40,7 @@ struct Room
   explicit Room(const MappedScan& mapped)
     : Scan(mapped.Scan)
     , Table(std::make_shared<lms3dBeamTable>(Scan.GetGeometry()))
-    , Ranges(Scan, Table)
+    , Ranges(Scan, Table, std::vector<bool>(static_cast<std::size_t>(Table->GetSize())))
     , Local(mapped.Map, Scan, Ranges, MaximumError)
     , Planes(MaximumError)
     , PlaneOfPatch(MakePlanes(Local, Planes))
