@@ -15,18 +15,14 @@
 #include "Pipeline/lms3dFailure.h"
 #include "Pipeline/lms3dPipelineRequests.h"
 #include "Pipeline/lms3dThreads.h"
-#include "vtkLMS3DScanFilter.h"
+#include "Scan/lms3dFreeBeams.h"
 
-#include <vtkDataArray.h>
 #include <vtkErrorCode.h>
-#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -51,31 +47,6 @@ void CheckLength(const char* name, double value)
     throw std::runtime_error(
       std::string(name) + " is not a number; 0 or more metres are expected.");
   }
-}
-
-// For each BeamId of the scan: whether there is nothing along the beam. Empty if the scan does not
-// say it.
-std::vector<bool> FindFreeBeams(vtkPolyData* scan, const lms3dScanGeometry& geometry)
-{
-  vtkDataArray* status = scan->GetFieldData()->GetArray("Status");
-  if (!status || status->GetNumberOfValues() != geometry.CountBeamsOfAllTurns())
-  {
-    return {};
-  }
-  const auto isFree = [](auto value)
-  { return value == vtkLMS3DScanFilter::NOTHING_MET || value == vtkLMS3DScanFilter::BEYOND_RANGE; };
-  std::vector<bool> areFree(status->GetNumberOfValues());
-  // The array of vtkLMS3DScanFilter, which is read faster than others.
-  if (auto* values = vtkUnsignedCharArray::SafeDownCast(status))
-  {
-    std::transform(values->Begin(), values->End(), areFree.begin(), isFree);
-    return areFree;
-  }
-  for (vtkIdType i = 0; i < status->GetNumberOfValues(); ++i)
-  {
-    areFree[i] = isFree(status->GetTuple1(i));
-  }
-  return areFree;
 }
 } // namespace
 
@@ -174,8 +145,9 @@ int vtkLMS3DSurfaceReconstructionFilter::RequestData(
       if (scan.GetNumberOfReturns() > 0)
       {
         const bool usesStatus = this->MaximumGapSize != 0 || this->MaximumSpeckleSize > 0;
-        const std::vector<bool> isFree =
-          usesStatus ? FindFreeBeams(input, scan.GetGeometry()) : std::vector<bool>();
+        const std::vector<bool> isFree = usesStatus
+          ? lms3dFindFreeBeams(input, scan.GetGeometry().CountBeamsOfAllTurns())
+          : std::vector<bool>();
         const int automatic = isFree.empty() ? 0 : GapSizeWithStatus;
         const lms3dGapSettings settings = { this->MaximumGapSize < 0 ? automatic
                                                                      : this->MaximumGapSize,

@@ -190,7 +190,7 @@ bool lms3dCornerMerger::MayMerge(const lms3dCornerMerge& merge, const std::vecto
   return this->Tile.Has(merge.Corner) && merge.GetSquaredDistanceOfCorner() <= this->Tolerance &&
     lms3dGetOrientation(merge.Before.front(), merge.Corner, merge.Before.back()) != 0 &&
     !this->IsFar(merge) && this->IsNearOutline(merge, chain) &&
-    this->Limits.MayMerge(merge, this->Edges) &&
+    this->Limits.MayMerge(merge, this->Edges) && this->AreNeighboursNear(merge, chain) &&
     lms3dIsMergeApart(merge, chain, this->Left, this->Corners);
 }
 
@@ -214,7 +214,7 @@ bool lms3dCornerMerger::IsNearOutline(
         second.GetSquaredDistance(point) <= this->Tolerance;
     });
   this->Far = far == chain.back() ? std::nullopt : std::optional<Corner>(far);
-  return far == chain.back() && this->AreNeighboursNear(merge, chain);
+  return far == chain.back();
 }
 
 // The same for the first corners before and behind a chain, and at its ends: the edges of the chain

@@ -7,6 +7,7 @@
 #include "Fusion/lms3dLocalMap.h"
 #include "Fusion/lms3dLooseRegions.h"
 #include "Fusion/lms3dPassedPlanes.h"
+#include "Fusion/lms3dPassingBeams.h"
 #include "Fusion/lms3dPlaneTiles.h"
 #include "Fusion/lms3dRegionMesher.h"
 #include "Fusion/lms3dRegionSightings.h"
@@ -49,9 +50,9 @@ void lms3dGrowingMap::AddTable(const lms3dScanInput& scan)
   }
 }
 
-bool lms3dGrowingMap::Add(
-  vtkPolyData* map, const lms3dScanInput& scan, const lms3dProgress& progress)
+bool lms3dGrowingMap::Add(vtkPolyData* map, vtkPolyData* scanData, const lms3dProgress& progress)
 {
+  const lms3dScanInput scan(scanData);
   if (map->GetNumberOfPolys() == 0)
   {
     this->Positions.push_back(
@@ -62,7 +63,8 @@ bool lms3dGrowingMap::Add(
   this->AddTable(scan);
   this->Positions.push_back(scan.GetSensorPosition());
   this->Tables.push_back(this->Settings.KeepReturns ? this->Table : nullptr);
-  auto ranges = std::make_unique<lms3dSeenRanges>(scan, this->Table);
+  auto ranges = std::make_unique<lms3dSeenRanges>(
+    scan, this->Table, lms3dFindPassingBeams(map, scanData, this->Table->GetSize()));
   lms3dLocalMap local(map, scan, *ranges, this->Settings.MaximumError, std::move(this->Returns));
   if (!progress(TimeOfCasting))
   {
@@ -130,13 +132,22 @@ bool lms3dGrowingMap::Renew(const lms3dProgress& progress)
       changed.push_back(static_cast<int>(i));
     }
   }
+  // The longest work comes first, so that the threads end at the same time.
+  std::stable_sort(changed.begin(), changed.end(),
+    [this](int a, int b) {
+      return this->Planes[a].Raster.GetMarked().size() > this->Planes[b].Raster.GetMarked().size();
+    });
   tbb::parallel_for(
-    std::size_t{ 0 }, changed.size(), [&](std::size_t i) { this->RenewShape(changed[i]); });
+    std::size_t{ 0 }, changed.size(), [&](std::size_t i) { this->RenewShape(changed[i]); },
+    tbb::simple_partitioner());
   if (!progress(TimeOfShapes))
   {
     return false;
   }
-  const std::vector<TileToRenew> tiles = this->FindTiles(changed);
+  std::vector<TileToRenew> tiles = this->FindTiles(changed);
+  std::stable_sort(tiles.begin(), tiles.end(),
+    [](const TileToRenew& a, const TileToRenew& b)
+    { return a.Tile->Blocks.size() > b.Tile->Blocks.size(); });
   const lms3dProgress rest = lms3dGetStepProgress(progress, TimeOfShapes, 1.0);
   for (std::size_t first = 0; first < tiles.size(); first += TilesOfStep)
   {

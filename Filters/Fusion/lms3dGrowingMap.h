@@ -24,7 +24,7 @@ public:
   explicit lms3dGrowingMap(const lms3dFusionSettings& settings);
 
   /// As lms3dMapFusion::Add().
-  bool Add(vtkPolyData* map, const lms3dScanInput& scan, const lms3dProgress& progress);
+  bool Add(vtkPolyData* map, vtkPolyData* scan, const lms3dProgress& progress);
 
   int GetNumberOfScans() const { return static_cast<int>(this->Positions.size()); }
   const std::vector<lms3dVector>& GetPositions() const { return this->Positions; }

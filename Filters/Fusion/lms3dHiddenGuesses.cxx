@@ -3,11 +3,16 @@
 #include "Fusion/lms3dHiddenGuesses.h"
 
 #include "Fusion/lms3dCutPolygon.h"
+#include "Fusion/lms3dPlanesOfBeams.h"
 #include "Fusion/lms3dRasterRows.h"
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace
 {
@@ -23,11 +28,9 @@ constexpr double SmallestCosine = 1e-6;
 /// Four beams in each of four turns. The guesses lie between the four in the middle.
 using Around = std::array<int, 16>;
 constexpr std::array<int, 4> Middle = { 5, 6, 10, 9 };
-// How many beams of a turn are looked at together.
-constexpr int BeamsAtOnce = 16;
 
 /// The planes of a few beams, each once.
-class PlanesOfBeams
+class DifferentPlanes
 {
 public:
   void Add(int plane)
@@ -46,6 +49,15 @@ private:
   std::size_t Count = 0;
 };
 
+/// Cells of a plane in which guesses are hidden.
+struct HiddenCells
+{
+  int Plane;
+  lms3dCutPolygon Polygon;
+};
+
+/// Takes out what is hidden between successive turns. The threads divide turns. They change nothing
+/// before all of them have looked at the guesses.
 class HiddenGuesses
 {
 public:
@@ -54,58 +66,49 @@ public:
     : Local(local)
     , Ranges(ranges)
     , Planes(planes)
-    , PlaneOfBeam(static_cast<std::size_t>(ranges.GetTable().GetSize()), -1)
-    , ReturnOfBeam(PlaneOfBeam)
+    , Beams(local, ranges.GetTable().GetSize(), planeOfPatch, planes)
   {
-    for (std::size_t i = 0; i < local.Returns.size(); ++i)
-    {
-      const lms3dMappedReturn& mapped = local.Returns[i];
-      const int patch = local.PatchIds[mapped.Triangle];
-      const int plane = patch < 0 ? -1 : planeOfPatch[patch];
-      const bool isOnPlane = plane >= 0 &&
-        std::abs(planes[plane].Frame.GetHeight(mapped.Point)) <= planes.GetMaximumError();
-      this->PlaneOfBeam[mapped.BeamId] = isOnPlane ? plane : -1;
-      this->ReturnOfBeam[mapped.BeamId] = static_cast<int>(i);
-    }
   }
 
   void TakeOut()
   {
     const lms3dBeamTable& table = this->Ranges.GetTable();
     const int beams = table.GetBeamsOfFan();
-    for (int first = 0; first < table.GetSize(); first += beams)
+    std::vector<Hidden> hidden(static_cast<std::size_t>(table.GetSize() / beams));
+    tbb::parallel_for(std::size_t{ 0 }, hidden.size(),
+      [&](std::size_t turn) { this->FindInTurn(static_cast<int>(turn) * beams, hidden[turn]); });
+    for (const Hidden& cellsOfTurn : hidden)
     {
-      std::array<int, 4> turns = { first, table.GetNextTurn(first), -1, -1 };
-      for (std::size_t i = 2; i < turns.size(); ++i)
+      for (const HiddenCells& cells : cellsOfTurn)
       {
-        turns[i] = turns[i - 1] < 0 ? -1 : table.GetNextTurn(turns[i - 1]);
-      }
-      // The first of the beams that have the plane of the last one in all turns.
-      int same = 0;
-      for (int last = 0; turns[3] >= 0 && last < beams; ++last)
-      {
-        if (!this->HasOnePlane(turns, last))
-        {
-          same = last + 1;
-        }
-        else if (this->PlaneOfBeam[first + last] != this->PlaneOfBeam[first + same])
-        {
-          same = last;
-        }
-        if (last >= 3 && same > last - 3)
-        {
-          this->TakeOutBetween(GetAround(turns, last - 3));
-        }
-        else if (same <= last - 3 && this->HaveOnePlane(turns, last, beams))
-        {
-          last += BeamsAtOnce;
-        }
+        this->Clear(cells);
       }
     }
   }
 
 private:
-  static Around GetAround(const std::array<int, 4>& turns, int beam)
+  using Hidden = std::vector<HiddenCells>;
+
+  /// Finds what is hidden between the turn of a first beam and the next three.
+  void FindInTurn(int first, Hidden& hidden) const
+  {
+    const lms3dBeamTable& table = this->Ranges.GetTable();
+    lms3dPlanesOfBeams::Turns turns = { first, table.GetNextTurn(first), -1, -1 };
+    for (std::size_t i = 2; i < turns.size(); ++i)
+    {
+      turns[i] = turns[i - 1] < 0 ? -1 : table.GetNextTurn(turns[i - 1]);
+    }
+    if (turns.back() < 0)
+    {
+      return;
+    }
+    for (const int beam : this->Beams.FindMixed(turns, table.GetBeamsOfFan()))
+    {
+      this->FindBetween(GetAround(turns, beam), hidden);
+    }
+  }
+
+  static Around GetAround(const lms3dPlanesOfBeams::Turns& turns, int beam)
   {
     Around around = {};
     for (int i = 0; i < static_cast<int>(around.size()); ++i)
@@ -115,46 +118,17 @@ private:
     return around;
   }
 
-  /// Whether the beams of the turns have one plane.
-  bool HasOnePlane(const std::array<int, 4>& turns, int beam) const
+  void FindBetween(const Around& around, Hidden& hidden) const
   {
-    const int* const planes = this->PlaneOfBeam.data() + beam;
-    const int first = planes[turns[0]];
-    return ((planes[turns[1]] ^ first) | (planes[turns[2]] ^ first) | (planes[turns[3]] ^ first)) ==
-      0;
-  }
-
-  /// Whether the beams of the turns behind one beam, and this beam, have one plane.
-  bool HaveOnePlane(const std::array<int, 4>& turns, int beam, int beams) const
-  {
-    if (beam + BeamsAtOnce >= beams)
-    {
-      return false;
-    }
-    const int plane = this->PlaneOfBeam[turns[0] + beam];
-    int different = 0;
-    for (const int turn : turns)
-    {
-      const int* const planes = this->PlaneOfBeam.data() + turn + beam;
-      for (int i = 1; i <= BeamsAtOnce; ++i)
-      {
-        different |= planes[i] ^ plane;
-      }
-    }
-    return different == 0;
-  }
-
-  void TakeOutBetween(const Around& around)
-  {
-    PlanesOfBeams guessed;
+    DifferentPlanes guessed;
     for (const int id : around)
     {
-      guessed.Add(this->PlaneOfBeam[id]);
+      guessed.Add(this->Beams.GetPlane(id));
     }
-    PlanesOfBeams hiding;
+    DifferentPlanes hiding;
     for (const int i : Middle)
     {
-      hiding.Add(this->PlaneOfBeam[around[i]]);
+      hiding.Add(this->Beams.GetPlane(around[i]));
     }
     for (const int guess : guessed)
     {
@@ -163,7 +137,7 @@ private:
         if (guess != other && this->Planes[guess].Raster.MayHaveGuess() &&
           this->MayHide(around, guess, other))
         {
-          this->TakeOutBehind(around, guess, other);
+          this->FindBehind(around, guess, other, hidden);
         }
       }
     }
@@ -178,15 +152,15 @@ private:
       std::none_of(around.begin(), around.end(),
         [&](int id)
         {
-          return this->PlaneOfBeam[id] == guess &&
-            frame.GetHeight(this->Local.Returns[this->ReturnOfBeam[id]].Point) <
+          return this->Beams.GetPlane(id) == guess &&
+            frame.GetHeight(this->Local.Returns[this->Beams.GetReturn(id)].Point) <
             -this->Planes.GetMaximumError();
         });
   }
 
-  void TakeOutBehind(const Around& around, int guess, int other)
+  void FindBehind(const Around& around, int guess, int other, Hidden& hidden) const
   {
-    lms3dFusedPlane& plane = this->Planes[guess];
+    const lms3dFusedPlane& plane = this->Planes[guess];
     double largest = 0.0;
     for (const int i : Middle)
     {
@@ -209,16 +183,21 @@ private:
       corners[i].Height =
         this->Planes[other].Frame.GetHeight(plane.Frame.ToWorld(corners[i].Place));
     }
-    const lms3dCutPolygon hidden =
+    const lms3dCutPolygon polygon =
       lms3dClip(corners, -BehindShare * this->Planes.GetMaximumError());
-    if (hidden.size() < 3 || !plane.Raster.MayHaveGuess(lms3dGetTouchedBox(hidden)))
+    if (polygon.size() >= 3 && plane.Raster.MayHaveGuess(lms3dGetTouchedBox(polygon)))
     {
-      return;
+      hidden.push_back({ guess, polygon });
     }
-    lms3dForCentreRows(hidden,
+  }
+
+  void Clear(const HiddenCells& hidden)
+  {
+    lms3dRaster& raster = this->Planes[hidden.Plane].Raster;
+    lms3dForCentreRows(hidden.Polygon,
       [&](std::int32_t row, std::int32_t first, std::int32_t last)
       {
-        plane.Raster.SetRow(&lms3dRasterBlock::Guess, row, first, last, false, false, [](int) {});
+        raster.SetRow(&lms3dRasterBlock::Guess, row, first, last, false, false, [](int) {});
         return true;
       });
   }
@@ -226,8 +205,7 @@ private:
   const lms3dLocalMap& Local;
   const lms3dSeenRanges& Ranges;
   lms3dFusedPlanes& Planes;
-  std::vector<int> PlaneOfBeam;
-  std::vector<int> ReturnOfBeam;
+  const lms3dPlanesOfBeams Beams;
 };
 } // namespace
 

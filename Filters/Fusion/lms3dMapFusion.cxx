@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dMapFusion.h"
 
-#include "Device/lms3dScanInput.h"
 #include "Fusion/lms3dFusionChecks.h"
 #include "Fusion/lms3dFusionOutput.h"
 #include "Fusion/lms3dGrowingMap.h"
@@ -31,7 +30,7 @@ void lms3dMapFusion::Check(vtkPolyData* map, vtkPolyData* scan) const
 
 bool lms3dMapFusion::Add(vtkPolyData* map, vtkPolyData* scan, const lms3dProgress& progress)
 {
-  return this->Internal->Map.Add(map, lms3dScanInput(scan), progress);
+  return this->Internal->Map.Add(map, scan, progress);
 }
 
 int lms3dMapFusion::GetNumberOfScans() const

@@ -121,10 +121,6 @@ private:
 lms3dPassage lms3dPassages::Look(int beamId) const
 {
   const double range = this->Ranges->GetRange(beamId);
-  if (range == 0.0)
-  {
-    return {};
-  }
   const lms3dVector direction = this->Ranges->GetDirection(beamId);
   const lms3dVector start = this->Ranges->GetStart(beamId);
   const double cosine = lms3dDot(this->Plane->Frame.GetNormal(), direction);

@@ -25,7 +25,7 @@ struct lms3dPassage
 class lms3dPassages
 {
 public:
-  /// A beam passed if its return is farther than the plane by more than `maximumError`, metres.
+  /// A beam passed if it is free beyond the plane by more than `maximumError`, metres.
   explicit lms3dPassages(double maximumError)
     : MaximumError(maximumError)
   {

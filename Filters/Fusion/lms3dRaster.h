@@ -44,6 +44,8 @@ struct lms3dRasterBlock : lms3dRegionBlock
   /// Whether a bit of Passed, or of Open, is set.
   bool HasPassed = false;
   bool HasOpen = false;
+  /// Whether the mesh has surface in cells without Shape: small holes that it closes, and bridges.
+  bool HasFilled = false;
   /// Whether more returns in cells of the shape make no shape anew.
   bool IsCalm = false;
   /// How well BestScan saw the block: larger is better.
@@ -115,7 +117,8 @@ public:
   /// Sets Passed of a cell of a block.
   void Pass(int number, int u, int v);
 
-  /// Sets Open of the cells of a strip that lie in blocks.
+  /// Sets Open of the cells of a strip that lie in blocks. Marks blocks as stale in which this opens
+  /// a hole that the mesh closes.
   void Open(const lms3dCellStrip& strip);
 
   /// Clears Must and Beside of the cells of a strip that lie in blocks. Marks blocks as stale in

@@ -5,6 +5,7 @@
 #include "Fusion/lms3dCoveredCells.h"
 #include "Fusion/lms3dFacet.h"
 #include "Fusion/lms3dIslands.h"
+#include "Fusion/lms3dMeshedBlock.h"
 #include "Fusion/lms3dPinholes.h"
 #include "Fusion/lms3dRasterRows.h"
 #include "Fusion/lms3dRegionCover.h"
@@ -68,17 +69,8 @@ public:
     }
     for (std::size_t i = 0; i < this->Tile.Blocks.size(); ++i)
     {
-      const lms3dRegionBlock& cells = this->Region.GetBlock(static_cast<int>(i));
-      lms3dRasterBlock& block = this->Plane.Raster.GetBlock(this->Tile.Blocks[i]);
-      this->SetCovered(cells, block);
-      if (!block.IsMeshedFull || !block.IsShapeFull)
-      {
-        block.Meshed = block.Shape;
-        block.IsMeshedFull = block.IsShapeFull;
-      }
-      block.Difference = 0;
-      block.DifferenceAtCreases = 0;
-      block.NewCreaseCells = 0;
+      lms3dNoteMesh(this->Region.GetBlock(static_cast<int>(i)),
+        this->Plane.Raster.GetBlock(this->Tile.Blocks[i]));
     }
   }
 
@@ -123,17 +115,6 @@ private:
     for (const lms3dTriangle2& triangle : triangles)
     {
       this->Add(triangle);
-    }
-  }
-
-  static void SetCovered(const lms3dRegionBlock& cells, lms3dRasterBlock& block)
-  {
-    const bool isAllCovered = lms3dAreAllSet(cells.Covered) && lms3dAreAllSet(cells.Touched);
-    if (!block.IsAllCovered || !isAllCovered)
-    {
-      block.Covered = cells.Covered;
-      block.Touched = cells.Touched;
-      block.IsAllCovered = isAllCovered;
     }
   }
 

@@ -69,16 +69,9 @@ void GuessBetween(int number, const std::vector<lms3dMappedReturn>& returns,
   }
 }
 
-void GrowBox(int number, const std::array<lms3dVector, 3>& corners, lms3dFusedPlanes& planes)
-{
-  for (const lms3dVector& corner : corners)
-  {
-    planes.GrowBox(number, corner);
-  }
-}
-
-// Lets a plane have surface where the triangles of another plane are near it.
-void GuessTriangles(int number, int old, lms3dFusedPlanes& planes)
+// Lets a plane have surface where the triangles of another plane are near it, and adds their
+// corners to a box.
+void GuessTriangles(int number, int old, lms3dFusedPlanes& planes, lms3dWorldBox& box)
 {
   const lms3dPlaneFrame& frame = planes[number].Frame;
   for (const lms3dFusedTile& tile : planes[old].Tiles)
@@ -92,7 +85,8 @@ void GuessTriangles(int number, int old, lms3dFusedPlanes& planes)
             { return std::abs(frame.GetHeight(corner)) <= planes.GetMaximumError(); }))
       {
         planes.GuessTriangle(number, corners);
-        GrowBox(number, corners, planes);
+        std::for_each(
+          corners.begin(), corners.end(), [&](const lms3dVector& corner) { box.Add(corner); });
       }
     }
   }
@@ -107,25 +101,31 @@ std::vector<int> SortByScan(std::vector<int> numbers, const std::vector<lms3dMap
 }
 } // namespace
 
-int lms3dMakeRegroupedPlane(const std::vector<lms3dMappedReturn>& returns,
-  const lms3dReturnGroup& group, const std::vector<int>& oldPlanes,
-  const lms3dTablesOfScans& tables, lms3dFusedPlanes& planes)
+int lms3dMakeRegroupedPlane(const lms3dReturnGroup& group, lms3dFusedPlanes& planes)
 {
   const int number = planes.MakePlane(group.Centre, group.Normal);
   planes[number].IsWeak = true;
   planes[number].IsCurved = group.Deviation > CurvedShare * planes.GetMaximumError();
+  return number;
+}
+
+lms3dWorldBox lms3dFillRegroupedPlane(int number, const std::vector<lms3dMappedReturn>& returns,
+  const lms3dReturnGroup& group, const std::vector<int>& oldPlanes,
+  const lms3dTablesOfScans& tables, lms3dFusedPlanes& planes)
+{
+  lms3dWorldBox box;
   GuessBetween(number, returns, group.Returns, tables, planes);
   for (const int old : oldPlanes)
   {
-    GuessTriangles(number, old, planes);
+    GuessTriangles(number, old, planes, box);
   }
   planes.AcceptGuesses(number);
   // AddReturn() counts a scan if it is later than those before. It takes each return, since the
   // bound of groups is below GetLargestDistance().
   for (const int i : SortByScan(group.Returns, returns))
   {
-    planes.GrowBox(number, returns[i].Point);
+    box.Add(returns[i].Point);
     planes.AddReturn(number, returns[i]);
   }
-  return number;
+  return box;
 }

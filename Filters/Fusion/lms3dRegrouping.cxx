@@ -62,7 +62,7 @@ std::vector<int> lms3dRegrouping::FindSeeds() const
   return numbers;
 }
 
-// The threads divide places.
+// The threads divide places, then the new planes of each place.
 bool lms3dRegrouping::MakePlanes()
 {
   std::vector<Place> places = this->FindPlaces();
@@ -73,6 +73,7 @@ bool lms3dRegrouping::MakePlanes()
   {
     this->AddPlace(std::move(place));
   }
+  this->FillPlanes();
   return std::any_of(this->Places.begin(), this->Places.end(),
     [](const Place& place) { return !place.NewPlanes.empty(); });
 }
@@ -150,10 +151,29 @@ void lms3dRegrouping::AddPlace(Place&& place)
     place.NewPlanes.reserve(place.Groups.size());
     for (const lms3dReturnGroup& group : place.Groups)
     {
-      place.NewPlanes.push_back(
-        lms3dMakeRegroupedPlane(place.Returns, group, place.OldPlanes, this->Tables, this->Planes));
+      place.NewPlanes.push_back(lms3dMakeRegroupedPlane(group, this->Planes));
     }
     this->Places.push_back(std::move(place));
+  }
+}
+
+// Gives the new planes their surface and their returns.
+void lms3dRegrouping::FillPlanes()
+{
+  for (const Place& place : this->Places)
+  {
+    std::vector<lms3dWorldBox> boxes(place.NewPlanes.size());
+    tbb::parallel_for(std::size_t{ 0 }, boxes.size(),
+      [&](std::size_t i)
+      {
+        boxes[i] = lms3dFillRegroupedPlane(place.NewPlanes[i], place.Returns, place.Groups[i],
+          place.OldPlanes, this->Tables, this->Planes);
+      });
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+      this->Planes.GrowBox(place.NewPlanes[i], boxes[i].Low);
+      this->Planes.GrowBox(place.NewPlanes[i], boxes[i].High);
+    }
   }
 }
 

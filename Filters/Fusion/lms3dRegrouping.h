@@ -55,6 +55,7 @@ private:
   Place FindPlace(int seed);
   static void FindLeft(Place& place);
   void AddPlace(Place&& place);
+  void FillPlanes();
   std::size_t CountFacets(const Place& place) const;
   bool IsBetter(const Place& place) const;
   void Clear(const std::vector<int>& numbers);

@@ -2,14 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dSeenRanges.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <limits>
 #include <utility>
 
-lms3dSeenRanges::lms3dSeenRanges(
-  const lms3dScanInput& scan, std::shared_ptr<const lms3dBeamTable> table)
+namespace
+{
+// A positive, finite number.
+float ToFloat(double range)
+{
+  using Limits = std::numeric_limits<float>;
+  return static_cast<float>(std::clamp<double>(range, Limits::min(), Limits::max()));
+}
+} // namespace
+
+lms3dSeenRanges::lms3dSeenRanges(const lms3dScanInput& scan,
+  std::shared_ptr<const lms3dBeamTable> table, const std::vector<bool>& isFree)
   : Table(std::move(table))
   , Pose(scan.GetPose())
-  , Ranges(static_cast<std::size_t>(this->Table->GetGeometry().CountBeamsOfAllTurns()), 0.0F)
+  , Ranges(static_cast<std::size_t>(this->Table->GetSize()), 0.0F)
   , LargestInBin(static_cast<std::size_t>(this->Table->GetNumberOfBins()), 0.0F)
 {
   const vtkIdType count = scan.GetNumberOfReturns();
@@ -17,8 +32,32 @@ lms3dSeenRanges::lms3dSeenRanges(
   const double* const ranges = scan.GetRanges();
   for (vtkIdType i = 0; i < count; ++i)
   {
-    this->Ranges[this->Table->GetPlace(ids[i])] = static_cast<float>(ranges[i]);
+    const float range = ToFloat(ranges[i]);
+    this->Ranges[this->Table->GetPlace(ids[i])] = range;
+    this->Largest = std::max<double>(this->Largest, range);
   }
+  if (count < this->Table->GetSize())
+  {
+    this->FillFree(isFree);
+  }
+  this->FillLargest();
+  this->FillBox();
+}
+
+void lms3dSeenRanges::FillFree(const std::vector<bool>& isFree)
+{
+  for (int id = 0; id < this->Table->GetSize(); ++id)
+  {
+    float& range = this->Ranges[this->Table->GetPlace(id)];
+    if (range == 0.0F && isFree[id])
+    {
+      range = static_cast<float>(this->Largest);
+    }
+  }
+}
+
+void lms3dSeenRanges::FillLargest()
+{
   for (int bin = 0; bin < this->Table->GetNumberOfBins(); ++bin)
   {
     float& largest = this->LargestInBin[bin];
@@ -26,19 +65,30 @@ lms3dSeenRanges::lms3dSeenRanges(
     {
       largest = std::max(largest, this->Ranges[i]);
     }
-    this->Largest = std::max<double>(this->Largest, largest);
   }
-  this->Box.Add(this->Pose.Position);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const int id = ids[i];
-    const lms3dVector start = this->GetStart(id);
-    if (this->Table->HasStarts())
+}
+
+// The threads divide beams.
+void lms3dSeenRanges::FillBox()
+{
+  tbb::combinable<lms3dWorldBox> boxes;
+  tbb::parallel_for(tbb::blocked_range<int>(0, this->Table->GetSize()),
+    [&](const tbb::blocked_range<int>& part)
     {
-      this->Box.Add(start);
-    }
-    this->Box.Add(lms3dAdd(start, lms3dScale(this->GetDirection(id), ranges[i])));
-  }
+      lms3dWorldBox& box = boxes.local();
+      for (int id = part.begin(); id < part.end(); ++id)
+      {
+        const double range = this->GetRange(id);
+        if (range > 0.0)
+        {
+          const lms3dVector start = this->GetStart(id);
+          box.Add(start);
+          box.Add(lms3dAdd(start, lms3dScale(this->GetDirection(id), range)));
+        }
+      }
+    });
+  this->Box.Add(this->Pose.Position);
+  boxes.combine_each([this](const lms3dWorldBox& box) { this->Box.Add(box); });
 }
 
 void lms3dSeenRanges::FindBins(

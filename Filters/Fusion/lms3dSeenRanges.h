@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief How far each beam of a scan saw: what a fusion keeps of a scan.
+ * @brief How far the space along each beam of a scan is free: what a fusion keeps of a scan.
  */
 #ifndef lms3dSeenRanges_h
 #define lms3dSeenRanges_h
@@ -18,16 +18,20 @@
 class lms3dSeenRanges
 {
 public:
-  /// The table must have the angles of the scan, which must have returns.
-  lms3dSeenRanges(const lms3dScanInput& scan, std::shared_ptr<const lms3dBeamTable> table);
+  /// The table must have the angles of the scan, which must have returns. `isFree` says for each
+  /// BeamId whether there is nothing along the beam if it has no return. Such a beam counts as free
+  /// up to the farthest return of the scan, since the device measures at least that far.
+  lms3dSeenRanges(const lms3dScanInput& scan, std::shared_ptr<const lms3dBeamTable> table,
+    const std::vector<bool>& isFree);
 
   const lms3dBeamTable& GetTable() const { return *this->Table; }
   const lms3dPose& GetPose() const { return this->Pose; }
   const lms3dVector& GetPosition() const { return this->Pose.Position; }
-  /// The box of all beams with returns, from their starts to their returns.
+  /// The box of all beams, from their starts to their ranges.
   const lms3dWorldBox& GetBox() const { return this->Box; }
 
-  /// Metres, 0 for a beam without a return, within the rounding of single precision.
+  /// How far a beam is free: up to its return, or as the constructor says; 0 if that is not known.
+  /// Metres, within the rounding of single precision.
   double GetRange(int beamId) const { return this->Ranges[this->Table->GetPlace(beamId)]; }
   /// The ranges in the order of the places of lms3dBeamTable.
   const float* GetRangesOfPlaces() const { return this->Ranges.data(); }
@@ -55,6 +59,10 @@ public:
   void FindBins(const lms3dVector& centre, double radius, std::vector<int>& bins) const;
 
 private:
+  /// Sets the ranges of the free beams without a return.
+  void FillFree(const std::vector<bool>& isFree);
+  void FillLargest();
+  void FillBox();
   lms3dVector Rotate(const lms3dVector& v) const
   {
     return lms3dAdd(lms3dScale(this->Pose.Axes[0], v[0]),

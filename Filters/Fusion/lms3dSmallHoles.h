@@ -18,10 +18,7 @@
 /// of it, or a cell has Open in the raster. `outlines` come from lms3dTraceOutlines(), and lose the
 /// holes that are closed.
 ///
-/// A beam without a return does not count as passed: either nothing lies behind the hole, or the
-/// return was too weak. So an opening through which all beams leave is closed, too. A hole is
-/// closed even if a crease crosses it. If a cell gets Open later, the hole stays closed until the
-/// triangles of its tile are made anew.
+/// A hole is closed even if a crease crosses it.
 void lms3dCloseSmallHoles(
   const lms3dRaster& raster, std::vector<lms3dLoop>& outlines, lms3dRegion& region);
 

@@ -112,7 +112,7 @@ void ExpectMapsMadeAtOnce(const std::vector<MappedScan>& scans, bool forgets)
   lms3dGrowingMap map({ MaximumError, true, forgets });
   for (std::size_t i = 0; i < scans.size(); ++i)
   {
-    ASSERT_TRUE(map.Add(scans[i].Map, lms3dScanInput(scans[i].Scan), [](double) { return true; }));
+    ASSERT_TRUE(map.Add(scans[i].Map, scans[i].Scan, [](double) { return true; }));
     const Differences differences = Compare(map);
     EXPECT_GT(differences.Blocks, 0);
     EXPECT_GT(differences.Tiles, 0);

@@ -149,7 +149,7 @@ TEST(LMS3DPlaneNumbers, AreNotMoreThanAMapNeeds)
     const std::set<std::size_t> before = FindGone(map.GetPlanes());
     const std::size_t size = map.GetPlanes().GetSize();
     const std::size_t regions = map.GetRegions().size();
-    ASSERT_TRUE(map.Add(scan.Map, lms3dScanInput(scan.Scan), [](double) { return true; }));
+    ASSERT_TRUE(map.Add(scan.Map, scan.Scan, [](double) { return true; }));
     for (const std::size_t number : before)
     {
       reused += map.GetPlanes()[number].HasGone ? 0 : 1;

@@ -46,7 +46,12 @@ int MakePlane(const std::vector<lms3dMappedReturn>& returns, const std::vector<i
   lms3dReturnGroup group = { { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 }, 0.0, {} };
   group.Returns.resize(returns.size());
   std::iota(group.Returns.begin(), group.Returns.end(), 0);
-  return lms3dMakeRegroupedPlane(returns, group, oldPlanes, tables, planes);
+  const int number = lms3dMakeRegroupedPlane(group, planes);
+  const lms3dWorldBox box =
+    lms3dFillRegroupedPlane(number, returns, group, oldPlanes, tables, planes);
+  planes.GrowBox(number, box.Low);
+  planes.GrowBox(number, box.High);
+  return number;
 }
 
 /// Whether a plane has surface half way between two returns.

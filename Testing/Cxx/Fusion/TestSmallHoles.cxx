@@ -263,11 +263,15 @@ TEST(LMS3DSmallHoles, OpenBetweenBeamsThatPass)
   PlaneWithHole scene;
   scene.MakeMesh();
   scene.GetRaster().Open(lms3dMakeCellStrip(50, 50));
+  EXPECT_FALSE(scene.GetRaster().HasMark(0, lms3dRaster::STALE));
   scene.MakeMesh();
   EXPECT_TRUE(scene.IsClosed());
   scene.GetRaster().Open(lms3dMakeCellStrip(25, 25));
+  EXPECT_TRUE(scene.GetRaster().HasMark(0, lms3dRaster::STALE));
   scene.MakeMesh();
   EXPECT_FALSE(scene.IsClosed());
+  scene.GetRaster().Open(lms3dMakeCellStrip(30, 30));
+  EXPECT_FALSE(scene.GetRaster().HasMark(0, lms3dRaster::STALE));
 }
 
 /// A plate before a hole in a wall hides it from the first pose, but not from the second one.
