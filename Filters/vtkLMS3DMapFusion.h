@@ -32,13 +32,13 @@
  * along the beam. There the surface of other scans ends, so that beams without noise meet no
  * triangle nearer than their return by more. A beam without a return that met nothing, or a surface
  * beyond the range, passes as if its return were as far as the farthest return of its scan. The
- * scan's field data `Status` say which beams these are. Without `Status`, all beams without a return
- * pass, unless the local map was made with a MaximumGapSize above 0. So the scans of a device that
- * loses beams need `Status`: otherwise each lost beam opens the surface of other scans. What lies
- * between beams is a guess. A scan's guess far
- * behind the planes of the returns around it is left out. Beyond a crease, surface needs a return
- * that it is joined to without a way across a crease. Holes of up to 11 times MaximumError through
- * which no beam passed are closed.
+ * scan's field data `Status` say which beams these are. Without `Status`, all beams without a
+ * return pass, unless the local map was made with a MaximumGapSize above 0. So the scans of a
+ * device that loses beams need `Status`: otherwise each lost beam opens the surface of other scans.
+ *
+ * What lies between beams is a guess. A scan's guess far behind the planes of the returns around it
+ * is left out. Beyond a crease, surface needs a return that it is joined to without a way across a
+ * crease. Holes of up to 11 times MaximumError through which no beam passed are closed.
  *
  * @par Noise and errors of poses
  * With noise, the bound counts from the noisy returns. Poses are taken as they are. With errors

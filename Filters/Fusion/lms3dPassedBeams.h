@@ -19,8 +19,8 @@
 class lms3dPassedBeams
 {
 public:
-  /// A beam passed if it is free beyond the plane by more than `maximumError`, metres. If `forgets`,
-  /// the returns of other scans between beams that all passed are taken out.
+  /// A beam passed if it is free beyond the plane by more than `maximumError`, metres. If
+  /// `forgets`, the returns of other scans between beams that all passed are taken out.
   lms3dPassedBeams(double maximumError, bool forgets)
     : Forgets(forgets)
     , Passages(maximumError)

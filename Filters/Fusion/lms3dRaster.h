@@ -117,8 +117,8 @@ public:
   /// Sets Passed of a cell of a block.
   void Pass(int number, int u, int v);
 
-  /// Sets Open of the cells of a strip that lie in blocks. Marks blocks as stale in which this opens
-  /// a hole that the mesh closes.
+  /// Sets Open of the cells of a strip that lie in blocks. Marks blocks as stale in which this
+  /// opens a hole that the mesh closes.
   void Open(const lms3dCellStrip& strip);
 
   /// Clears Must and Beside of the cells of a strip that lie in blocks. Marks blocks as stale in
