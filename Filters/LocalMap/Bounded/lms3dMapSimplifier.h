@@ -26,8 +26,8 @@ class lms3dSmoothVertices;
  *
  * Then vertices of all kinds are removed (lms3dVertexRemover) without moving those that remain. At
  * last, all vertices are fitted to the returns, edges are flipped so that the map fits better
- * (lms3dEdgeFlipper), and the vertices there are fitted again. If beams are not regular, vertices are only
- * removed, and borders stay (lms3dRayMoves).
+ * (lms3dEdgeFlipper), and the vertices there are fitted again. If beams are not regular, vertices
+ * are only removed, and borders stay (lms3dRayMoves).
  */
 class lms3dMapSimplifier
 {
