@@ -20,6 +20,9 @@ constexpr double LargestShare = 0.95;
 // The smallest height of a new triangle as the sensor sees it, as a share of its longest edge.
 // Triangles may be as flat as those that they replace.
 constexpr double MinimumHeight = 0.02;
+// If edges have collapsed at a smaller share of the triangles, most of the surface is flat, and
+// flips hardly pay.
+constexpr double SmallestCurvedShare = 0.25;
 // The number of triangles that a thread looks at at least.
 constexpr std::size_t TrianglesOfTask = 16;
 
@@ -57,22 +60,22 @@ lms3dEdgeFlipper::lms3dEdgeFlipper(
   , Stars(stars)
   , IsChanged(stars.GetTriangles().size())
 {
+  std::size_t count = 0;
   const auto hasChanged = [&](std::int32_t corner) { return stars.GetVertex(corner).IsChanged; };
   for (std::size_t i = 0; i < stars.GetTriangles().size(); ++i)
   {
     const lms3dVertexStars::Triangle& triangle = stars.GetTriangles()[i];
+    count += triangle.IsRemoved ? 0U : 1U;
     if (!triangle.IsRemoved && !triangle.IsStrip &&
       std::any_of(triangle.Corners.begin(), triangle.Corners.end(), hasChanged))
     {
       this->MarkChanged(static_cast<std::int32_t>(i));
     }
   }
-}
-
-void lms3dEdgeFlipper::MarkChanged(std::int32_t triangle)
-{
-  this->IsChanged[triangle] = 1;
-  this->Changed.push_back(triangle);
+  if (static_cast<double>(this->Changed.size()) < SmallestCurvedShare * static_cast<double>(count))
+  {
+    this->Changed.clear();
+  }
 }
 
 std::vector<std::uint8_t> lms3dEdgeFlipper::Run()
@@ -92,13 +95,10 @@ void lms3dEdgeFlipper::AddNeighbors(std::vector<std::uint8_t>& isChosen) const
   {
     if (before[vertex])
     {
-      this->Stars.ForEachTriangle(static_cast<std::int32_t>(vertex),
-        [&](std::int32_t, std::int32_t next, std::int32_t last)
-        {
-          isChosen[next] = 1;
-          isChosen[last] = 1;
-          return true;
-        });
+      for (std::int32_t neighbor : this->Stars.GetNeighbors(static_cast<std::int32_t>(vertex)))
+      {
+        isChosen[neighbor] = 1;
+      }
     }
   }
 }
@@ -181,25 +181,23 @@ bool lms3dEdgeFlipper::AreNeighbors(std::int32_t a, std::int32_t b) const
 // times the lengths of directions are linear on each of the diagonals.
 double lms3dEdgeFlipper::GetChange(const Quad& quad) const
 {
-  const lms3dVertexStars::Vertex& from = this->Stars.GetVertex(quad.From);
-  const lms3dVertexStars::Vertex& to = this->Stars.GetVertex(quad.To);
-  const lms3dVertexStars::Vertex& left = this->Stars.GetVertex(quad.Left);
-  const lms3dVertexStars::Vertex& right = this->Stars.GetVertex(quad.Right);
-  const double turn = lms3dGetTurn(from.Corner.Position, to.Corner.Position, left.Corner.Position);
-  const double a =
-    lms3dGetTurn(right.Corner.Position, to.Corner.Position, left.Corner.Position) / turn;
-  const double b =
-    lms3dGetTurn(from.Corner.Position, right.Corner.Position, left.Corner.Position) / turn;
-  const double c =
-    lms3dGetTurn(from.Corner.Position, to.Corner.Position, right.Corner.Position) / turn;
+  const lms3dVector& from = this->GetDirection(quad.From);
+  const lms3dVector& to = this->GetDirection(quad.To);
+  const lms3dVector& left = this->GetDirection(quad.Left);
+  const lms3dVector& right = this->GetDirection(quad.Right);
+  const auto getInverse = [this](std::int32_t vertex)
+  { return this->Stars.GetVertex(vertex).Inverse; };
+  const double turn = lms3dGetTurn(from, to, left);
+  const double a = lms3dGetTurn(right, to, left) / turn;
+  const double b = lms3dGetTurn(from, right, left) / turn;
+  const double c = lms3dGetTurn(from, to, right) / turn;
   if (!(a > 0.0 && b > 0.0 && c < 0.0))
   {
     return 0.0;
   }
-  const double length = lms3dGetLength(
-    lms3dAdd(lms3dScale(from.Corner.Position, a), lms3dScale(to.Corner.Position, b)));
-  const double before = a * from.Inverse + b * to.Inverse;
-  const double after = right.Inverse - c * left.Inverse;
+  const double length = lms3dGetLength(lms3dAdd(lms3dScale(from, a), lms3dScale(to, b)));
+  const double before = a * getInverse(quad.From) + b * getInverse(quad.To);
+  const double after = getInverse(quad.Right) - c * getInverse(quad.Left);
   return length * std::abs(1.0 / after - 1.0 / before);
 }
 

@@ -22,9 +22,10 @@
  * the returns.
  *
  * Only edges where edges have collapsed (lms3dEdgeCollapser), so on curved or noisy surfaces, are
- * looked at. An edge is flipped if the sensor sees a convex quadrilateral, if all returns on it
- * stay within the bound, and if the sum of their squared distances (lms3dTriangleBeams::GetSum)
- * becomes smaller by a twentieth. Borders and triangles that join patches along an offset stay.
+ * looked at, and none if that is less than a quarter of the triangles. An edge is flipped if the
+ * sensor sees a convex quadrilateral, if all returns on it stay within the bound, and if the sum of
+ * their squared distances (lms3dTriangleBeams::GetSum) becomes smaller by a twentieth. Borders and
+ * triangles that join patches along an offset stay.
  *
  * Edges are flipped in rounds, those that gain most first. Flips of one round have no triangle in
  * common. The threads divide the triangles to find them, and the result does not depend on the
@@ -52,7 +53,11 @@ private:
   };
 
   void AddNeighbors(std::vector<std::uint8_t>& isChosen) const;
-  void MarkChanged(std::int32_t triangle);
+  void MarkChanged(std::int32_t triangle)
+  {
+    this->IsChanged[triangle] = 1;
+    this->Changed.push_back(triangle);
+  }
   std::vector<Flip> FindFlips() const;
   Flip FindBestFlip(std::int32_t triangle) const;
   bool FindQuad(std::int32_t triangle, int corner, Quad& quad) const;

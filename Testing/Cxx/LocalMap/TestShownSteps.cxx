@@ -29,9 +29,8 @@ constexpr double BoundOfNoise = 4.0;
 // the distance of a return from the plane through two others has a standard deviation of 2.4 times
 // that of the noise. This is lms3dDepthStep::Deviations times as much.
 constexpr double MarginOfNoise = 11.0;
-// The error of a return near the sensor is large in inverse range. The number of standard
-// deviations of the noise by which each plane must miss the return there
-// (lms3dDepthStep::Deviations).
+// The error of a return near the sensor is large in inverse range. By this number of standard
+// deviations of the noise, each plane must miss the return there (lms3dDepthStep::Deviations).
 constexpr double Deviations = 4.5;
 // Metres.
 constexpr double Noise = 0.005;
