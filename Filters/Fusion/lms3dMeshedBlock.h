@@ -10,7 +10,7 @@
 #include "Fusion/lms3dRaster.h"
 
 /// Notes that a mesh of the block's Shape has been made: what it covers and touches, and whether it
-/// has surface beyond the Shape. `cells` come from the region that has been triangulated.
+/// has surface beyond the Shape. `cells` is the block of the region that has been triangulated.
 void lms3dNoteMesh(const lms3dRegionBlock& cells, lms3dRasterBlock& block);
 
 #endif

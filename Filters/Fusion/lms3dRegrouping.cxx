@@ -21,8 +21,9 @@ constexpr std::size_t PlacesOfScan = 3;
 constexpr std::size_t LargestCount = 4000;
 // Planes with fewer triangles are not looked at for their own sake.
 constexpr std::size_t SmallestNumberOfTriangles = 4;
-// The triangles of most planes of few returns, if there is nothing beside them.
-constexpr std::size_t TrianglesOfPlane = 2;
+// How many triangles a new plane is expected to have. Most have more, so places that are not better
+// with this number are hardly ever better.
+constexpr std::size_t TrianglesOfPlane = 3;
 } // namespace
 
 bool lms3dRegrouping::IsCandidate(int number) const
