@@ -7,7 +7,7 @@
 #ifndef lms3dFusionOutput_h
 #define lms3dFusionOutput_h
 
-#include "Fusion/lms3dFusedMesh.h"
+#include "Fusion/Cells/lms3dFusedMesh.h"
 
 #include <vector>
 

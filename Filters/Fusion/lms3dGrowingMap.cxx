@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dGrowingMap.h"
 
-#include "Fusion/lms3dCreases.h"
-#include "Fusion/lms3dHandedReturns.h"
-#include "Fusion/lms3dLocalMap.h"
-#include "Fusion/lms3dLooseRegions.h"
-#include "Fusion/lms3dPassedPlanes.h"
-#include "Fusion/lms3dPassingBeams.h"
-#include "Fusion/lms3dPlaneTiles.h"
-#include "Fusion/lms3dRegionMesher.h"
-#include "Fusion/lms3dRegionSightings.h"
-#include "Fusion/lms3dRegrouping.h"
-#include "Fusion/lms3dScanJoin.h"
-#include "Fusion/lms3dWeakPlanes.h"
+#include "Fusion/Passages/lms3dPassedPlanes.h"
+#include "Fusion/Planes/lms3dCreases.h"
+#include "Fusion/Planes/lms3dPlaneTiles.h"
+#include "Fusion/Planes/lms3dRegionMesher.h"
+#include "Fusion/Planes/lms3dRegionSightings.h"
+#include "Fusion/Returns/lms3dHandedReturns.h"
+#include "Fusion/Returns/lms3dLooseRegions.h"
+#include "Fusion/Returns/lms3dRegrouping.h"
+#include "Fusion/Returns/lms3dScanJoin.h"
+#include "Fusion/Returns/lms3dWeakPlanes.h"
+#include "Fusion/Scans/lms3dLocalMap.h"
+#include "Fusion/Scans/lms3dPassingBeams.h"
 
 #include <vtkPolyData.h>
 

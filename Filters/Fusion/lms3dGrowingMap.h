@@ -8,9 +8,9 @@
 #define lms3dGrowingMap_h
 
 #include "Device/lms3dScanInput.h"
-#include "Fusion/lms3dFusedPlanes.h"
+#include "Fusion/Planes/lms3dFusedPlanes.h"
+#include "Fusion/Scans/lms3dSeenRanges.h"
 #include "Fusion/lms3dMapFusion.h"
-#include "Fusion/lms3dSeenRanges.h"
 #include "Pipeline/lms3dProgress.h"
 
 #include <memory>

@@ -7,7 +7,7 @@
 #ifndef lms3dMapFusion_h
 #define lms3dMapFusion_h
 
-#include "Fusion/lms3dFusedMesh.h"
+#include "Fusion/Cells/lms3dFusedMesh.h"
 #include "Pipeline/lms3dProgress.h"
 
 #include <memory>

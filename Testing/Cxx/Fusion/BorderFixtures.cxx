@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/BorderFixtures.h"
 
-#include "Fusion/lms3dSegment2.h"
+#include "Fusion/Outlines/lms3dSegment2.h"
 
 #include <gtest/gtest.h>
 

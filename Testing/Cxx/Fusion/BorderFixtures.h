@@ -7,7 +7,7 @@
 #ifndef BorderFixtures_h
 #define BorderFixtures_h
 
-#include "Fusion/lms3dRasterOutline.h"
+#include "Fusion/Outlines/lms3dRasterOutline.h"
 
 #include <cstdint>
 

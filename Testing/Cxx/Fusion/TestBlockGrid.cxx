@@ -4,8 +4,8 @@
  * @file
  * Checks that a grid visits the cells of strips that have a bit, in order.
  */
-#include "Fusion/lms3dBlockGrid.h"
-#include "Fusion/lms3dRasterRows.h"
+#include "Fusion/Cells/lms3dBlockGrid.h"
+#include "Fusion/Cells/lms3dRasterRows.h"
 
 #include <gtest/gtest.h>
 

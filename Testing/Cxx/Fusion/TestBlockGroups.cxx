@@ -4,7 +4,7 @@
  * @file
  * Checks which blocks of a plane lie beside one another, and in which groups they lie.
  */
-#include "Fusion/lms3dBlockGroups.h"
+#include "Fusion/Planes/lms3dBlockGroups.h"
 
 #include <gtest/gtest.h>
 

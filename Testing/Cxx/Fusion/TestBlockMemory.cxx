@@ -4,8 +4,8 @@
  * @file
  * Checks that blocks of planes have memory of their own, which others use after them.
  */
-#include "Fusion/lms3dBlockMemory.h"
-#include "Fusion/lms3dRaster.h"
+#include "Fusion/Cells/lms3dBlockMemory.h"
+#include "Fusion/Cells/lms3dRaster.h"
 
 #include <gtest/gtest.h>
 

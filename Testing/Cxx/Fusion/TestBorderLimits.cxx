@@ -4,7 +4,7 @@
  * @file
  * Checks which cells a border may gain, and which returns it may cut off.
  */
-#include "Fusion/lms3dBorderLimits.h"
+#include "Fusion/Outlines/lms3dBorderLimits.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
  * Checks when more than two corners of an outline become one.
  */
 #include "Fusion/BorderFixtures.h"
-#include "Fusion/lms3dCornerMerger.h"
-#include "Fusion/lms3dCornerPlaces.h"
-#include "Fusion/lms3dOutlineSimplifier.h"
+#include "Fusion/Outlines/lms3dCornerMerger.h"
+#include "Fusion/Outlines/lms3dCornerPlaces.h"
+#include "Fusion/Outlines/lms3dOutlineSimplifier.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
  * Checks which corners of outlines become one, and where the one lies.
  */
 #include "Fusion/BorderFixtures.h"
-#include "Fusion/lms3dCornerMerger.h"
-#include "Fusion/lms3dOutlineSimplifier.h"
-#include "Fusion/lms3dRasterOutline.h"
-#include "Fusion/lms3dRasterRows.h"
+#include "Fusion/Cells/lms3dRasterRows.h"
+#include "Fusion/Outlines/lms3dCornerMerger.h"
+#include "Fusion/Outlines/lms3dOutlineSimplifier.h"
+#include "Fusion/Outlines/lms3dRasterOutline.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  * @file
  * Compares the search for planes that cover returns with a look at all planes.
  */
-#include "Fusion/lms3dCoveringPlanes.h"
+#include "Fusion/Planes/lms3dCoveringPlanes.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  * @file
  * Checks that creases drawn little by little have the cells of creases drawn at once.
  */
-#include "Fusion/lms3dCreaseMask.h"
+#include "Fusion/Cells/lms3dCreaseMask.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
  * @file
  * Checks to which crease a corner moves, and which corners stay.
  */
-#include "Fusion/lms3dCreasePlaces.h"
-#include "Fusion/lms3dCreaseSnapping.h"
+#include "Fusion/Outlines/lms3dCreasePlaces.h"
+#include "Fusion/Outlines/lms3dCreaseSnapping.h"
 
 #include <gtest/gtest.h>
 

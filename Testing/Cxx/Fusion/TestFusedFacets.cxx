@@ -4,8 +4,8 @@
  * @file
  * Checks the facets of returns to which the region of a plane does not grow.
  */
-#include "Fusion/lms3dFusedPlanes.h"
-#include "Fusion/lms3dRegionMesher.h"
+#include "Fusion/Planes/lms3dFusedPlanes.h"
+#include "Fusion/Planes/lms3dRegionMesher.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
  * Checks what of a fused map is made anew, and the parts from which this is found out.
  */
 #include "Fixtures/SceneBuilder.h"
+#include "Fusion/Cells/lms3dBlockParts.h"
+#include "Fusion/Cells/lms3dRegionRaster.h"
 #include "Fusion/FusionFixtures.h"
-#include "Fusion/lms3dBlockParts.h"
-#include "Fusion/lms3dRegionRaster.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

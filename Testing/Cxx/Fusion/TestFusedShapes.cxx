@@ -7,10 +7,10 @@
  */
 #include "Fixtures/SceneBuilder.h"
 #include "Fusion/FusionFixtures.h"
-#include "Fusion/lms3dCreases.h"
+#include "Fusion/Planes/lms3dCreases.h"
+#include "Fusion/Planes/lms3dRegionMesher.h"
+#include "Fusion/Planes/lms3dRegionSightings.h"
 #include "Fusion/lms3dGrowingMap.h"
-#include "Fusion/lms3dRegionMesher.h"
-#include "Fusion/lms3dRegionSightings.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  * @file
  * Checks which islands of a region are joined.
  */
-#include "Fusion/lms3dIslands.h"
+#include "Fusion/Outlines/lms3dIslands.h"
 
 #include <gtest/gtest.h>
 

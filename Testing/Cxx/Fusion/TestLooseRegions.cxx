@@ -4,9 +4,9 @@
  * @file
  * Checks which returns go to the triangles of other planes, and which facets go with them.
  */
-#include "Fusion/lms3dFusedPlanes.h"
-#include "Fusion/lms3dHandedReturns.h"
-#include "Fusion/lms3dLooseRegions.h"
+#include "Fusion/Planes/lms3dFusedPlanes.h"
+#include "Fusion/Returns/lms3dHandedReturns.h"
+#include "Fusion/Returns/lms3dLooseRegions.h"
 
 #include <gtest/gtest.h>
 

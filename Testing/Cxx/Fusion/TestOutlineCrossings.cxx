@@ -4,8 +4,8 @@
  * @file
  * Checks where outlines cross, and that creases are left out there alone.
  */
-#include "Fusion/lms3dOutlineCrossings.h"
-#include "Fusion/lms3dRegionTriangles.h"
+#include "Fusion/Outlines/lms3dOutlineCrossings.h"
+#include "Fusion/Outlines/lms3dRegionTriangles.h"
 
 #include <gtest/gtest.h>
 

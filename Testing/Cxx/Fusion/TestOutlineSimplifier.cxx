@@ -4,7 +4,7 @@
  * @file
  * Checks that outlines become simpler again after corners went or moved.
  */
-#include "Fusion/lms3dOutlineSimplifier.h"
+#include "Fusion/Outlines/lms3dOutlineSimplifier.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
  * Compares the beams that pass through blocks of a plane with a look at all beams of a scan.
  */
 #include "Fusion/FusionFixtures.h"
-#include "Fusion/lms3dPassages.h"
+#include "Fusion/Passages/lms3dPassages.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
  * @file
  * Checks which cells of a region go at holes near its border, and that returns keep theirs.
  */
-#include "Fusion/lms3dPinholes.h"
-#include "Fusion/lms3dRasterOutline.h"
+#include "Fusion/Outlines/lms3dPinholes.h"
+#include "Fusion/Outlines/lms3dRasterOutline.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  * @file
  * Compares the search for planes nearby with a look at all of them.
  */
-#include "Fusion/lms3dPlaneBoxes.h"
+#include "Fusion/Planes/lms3dPlaneBoxes.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
  * stays.
  */
 #include "Fusion/FusionFixtures.h"
-#include "Fusion/lms3dFusedPlanes.h"
+#include "Fusion/Planes/lms3dFusedPlanes.h"
 #include "Fusion/lms3dGrowingMap.h"
 
 #include <gtest/gtest.h>

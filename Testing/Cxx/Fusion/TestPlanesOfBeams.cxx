@@ -5,9 +5,9 @@
  * Checks the planes of the beams of a scan against a search beam by beam.
  */
 #include "Fusion/FusionFixtures.h"
-#include "Fusion/lms3dPatchFit.h"
-#include "Fusion/lms3dPlanesOfBeams.h"
-#include "Fusion/lms3dSeenRanges.h"
+#include "Fusion/Passages/lms3dPlanesOfBeams.h"
+#include "Fusion/Scans/lms3dPatchFit.h"
+#include "Fusion/Scans/lms3dSeenRanges.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  * @file
  * Checks the planes that are made of returns of several scans.
  */
-#include "Fusion/lms3dRegroupedPlane.h"
+#include "Fusion/Returns/lms3dRegroupedPlane.h"
 
 #include <gtest/gtest.h>
 

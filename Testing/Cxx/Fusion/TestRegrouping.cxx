@@ -4,8 +4,8 @@
  * @file
  * Checks which weak planes of a fused map are replaced by planes of fewer triangles.
  */
-#include "Fusion/lms3dFusedPlanes.h"
-#include "Fusion/lms3dRegrouping.h"
+#include "Fusion/Planes/lms3dFusedPlanes.h"
+#include "Fusion/Returns/lms3dRegrouping.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  * @file
  * Checks the planes that are found in returns of several scans.
  */
-#include "Fusion/lms3dReturnGroups.h"
+#include "Fusion/Scans/lms3dReturnGroups.h"
 
 #include <gtest/gtest.h>
 

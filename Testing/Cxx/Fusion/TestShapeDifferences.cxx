@@ -4,9 +4,9 @@
  * @file
  * Checks how the cells are counted in which a mesh differs from the shape of its plane.
  */
-#include "Fusion/lms3dCreaseMask.h"
-#include "Fusion/lms3dFusedTile.h"
-#include "Fusion/lms3dRegionShape.h"
+#include "Fusion/Cells/lms3dCreaseMask.h"
+#include "Fusion/Cells/lms3dRegionShape.h"
+#include "Fusion/Outlines/lms3dFusedTile.h"
 
 #include <gtest/gtest.h>
 

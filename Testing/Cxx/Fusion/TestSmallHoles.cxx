@@ -6,9 +6,9 @@
  */
 #include "Fixtures/SceneBuilder.h"
 #include "Fusion/FusionFixtures.h"
-#include "Fusion/lms3dFusedPlanes.h"
-#include "Fusion/lms3dRegionMesher.h"
-#include "Fusion/lms3dSmallHoles.h"
+#include "Fusion/Outlines/lms3dSmallHoles.h"
+#include "Fusion/Planes/lms3dFusedPlanes.h"
+#include "Fusion/Planes/lms3dRegionMesher.h"
 
 #include <vtkNew.h>
 

@@ -4,7 +4,7 @@
  * @file
  * Checks the squares of cells that say which regions may change.
  */
-#include "Fusion/lms3dSquares.h"
+#include "Fusion/Cells/lms3dSquares.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
  * @file
  * Checks which planes of a fused map go when better ones take their place.
  */
-#include "Fusion/lms3dFusedPlanes.h"
-#include "Fusion/lms3dWeakPlanes.h"
+#include "Fusion/Planes/lms3dFusedPlanes.h"
+#include "Fusion/Returns/lms3dWeakPlanes.h"
 
 #include <gtest/gtest.h>
 
