@@ -34,7 +34,8 @@
  * beyond the range, passes as if its return were as far as the farthest return of its scan. The
  * scan's field data `Status` say which beams these are. Without `Status`, all beams without a
  * return pass, unless the local map was made with a MaximumGapSize above 0. So the scans of a
- * device that loses beams need `Status`: otherwise each lost beam opens the surface of other scans.
+ * device that loses beams, or has a minimum range, need `Status`: otherwise each lost beam opens
+ * the surface of other scans. A scan whose local map has no triangles shows no free space.
  *
  * What lies between beams is a guess. A scan's guess far behind the planes of the returns around it
  * is left out. Beyond a crease, surface needs a return that it is joined to without a way across a

@@ -5,6 +5,7 @@
 #include "Casting/lms3dBitMask.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace
 {
@@ -47,10 +48,15 @@ float lms3dEmbreeRayPacket::GetTFar(double range, double rayOffset) const
 
 void lms3dEmbreeRayPacket::Intersect(std::uint32_t beams, lms3dEmbreeContext& context)
 {
+  // With instructions for fewer than 16 rays, Embree 3 ignores `valid`. But it never casts a ray
+  // that ends before it starts.
   alignas(64) int valid[lms3dBeamPacket::Size];
   for (int beam = 0; beam < lms3dBeamPacket::Size; ++beam)
   {
-    valid[beam] = lms3dHasBit(beams, beam) ? -1 : 0;
+    const bool isCast = lms3dHasBit(beams, beam);
+    float& end = this->RayHit.ray.tfar[beam];
+    valid[beam] = isCast ? -1 : 0;
+    end = isCast ? end : -std::numeric_limits<float>::infinity();
   }
 #if LMS3D_EMBREE_MAJOR >= 4
   rtcInitRayQueryContext(&context);

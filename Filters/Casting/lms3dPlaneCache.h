@@ -32,8 +32,8 @@ public:
     if (this->Triangles[entry] != triangle)
     {
       this->Triangles[entry] = triangle;
-      // Made in place. A copy would load at once what `make` has just stored in small pieces, for
-      // which processors wait.
+      // Made in place: `make` stores a plane in small pieces, and processors wait before they load
+      // several of these at once to copy them.
       ::new (static_cast<void*>(&this->Planes[entry])) Plane(make(triangle));
     }
     return this->Planes[entry];

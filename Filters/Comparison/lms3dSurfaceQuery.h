@@ -43,9 +43,10 @@ public:
   std::vector<lms3dNearest> FindNearest(const Points& points, const lms3dProgress& progress) const;
 
   /**
-   * Casts a beam from `origin` towards each point. Returns the range of the first hit in metres, or
-   * infinity without a hit. Single precision decides which triangle is hit: a beam that passes an
-   * edge within 1e-6 of the surface's size may hit the triangle on the other side.
+   * Casts a beam from `origin` towards each point. Returns the range of the first hit in metres. It
+   * is infinite without a hit, if the point is at the origin, or if one of both is not finite.
+   * Single precision decides which triangle is hit: a beam that passes an edge within 1e-6 of the
+   * surface's size may hit the triangle on the other side, and one that passes a corner, none.
    */
   std::vector<double> GetRangesTowards(
     const lms3dVector& origin, const Points& points, const lms3dProgress& progress) const;

@@ -10,6 +10,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace
@@ -38,7 +39,7 @@ void lms3dReturns::MoveTo(
   vertices->SetData(this->VertexOffsets, this->VertexPoints);
   scan->SetVerts(vertices);
   vtkPointData* pointData = scan->GetPointData();
-  pointData->AllocateArrays(UsualArrays);
+  pointData->AllocateArrays(std::max(UsualArrays, pointData->GetNumberOfArrays()));
   pointData->SetScalars(this->Ranges);
   pointData->AddArray(this->Alphas);
   pointData->AddArray(this->Betas);

@@ -66,6 +66,18 @@ void CheckReturns(const lms3dScanInput& scan)
   }
 }
 
+// A Status of other beams would say nothing, and lost beams would count as free.
+void CheckStatus(vtkPolyData* scan, std::int64_t beams)
+{
+  vtkDataArray* const status = scan->GetFieldData()->GetArray("Status");
+  if (status && (status->GetNumberOfComponents() != 1 || status->GetNumberOfTuples() != beams))
+  {
+    Fail(lms3dJoinText("Status of the scan has ", status->GetNumberOfTuples(), " tuples of ",
+      status->GetNumberOfComponents(), " components. One number for each of the ", beams,
+      " beams is expected."));
+  }
+}
+
 void CheckMap(vtkPolyData* map, double maximumError)
 {
   const vtkIdType triangles = map->GetNumberOfPolys();
@@ -106,5 +118,6 @@ void lms3dCheckFusionInput(vtkPolyData* map, vtkPolyData* scan, double maximumEr
   input.CheckPoints();
   CheckPose(input.GetPose());
   CheckReturns(input);
+  CheckStatus(scan, input.GetGeometry().CountBeamsOfAllTurns());
   CheckMap(map, maximumError);
 }

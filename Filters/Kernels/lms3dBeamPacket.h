@@ -37,7 +37,7 @@ struct lms3dBeamPacket
 };
 
 /// Beams with a start of their own each. The caller sets Origin, Direction and Active; a cast
-/// overwrites the other arrays. Beams that are not active may be copies of others.
+/// overwrites the other arrays. Beams that are not active may start anywhere, also at no number.
 struct lms3dFreePacket : lms3dBeamPacket
 {
   /// x, y and z of each beam's start in world coordinates, metres.

@@ -14,7 +14,7 @@
 std::vector<bool> lms3dFindFreeBeams(vtkPolyData* scan, std::int64_t beams)
 {
   vtkDataArray* status = scan->GetFieldData()->GetArray("Status");
-  if (!status || status->GetNumberOfValues() != beams)
+  if (!status || status->GetNumberOfComponents() != 1 || status->GetNumberOfTuples() != beams)
   {
     return {};
   }

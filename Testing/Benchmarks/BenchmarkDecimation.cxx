@@ -12,7 +12,6 @@
 
 #include <vtkNew.h>
 
-#include <array>
 #include <optional>
 #include <string>
 

@@ -57,6 +57,24 @@ TEST(ServerFusedMap, ChangesAddUpToTheDirectPipelinesMap)
   EXPECT_EQ(GetTriangles(map), MakeFusedTriangles("room.wrl", scanner->getConfiguration(), poses));
 }
 
+// Without a status of each beam, lost beams would open the map.
+TEST(ServerFusedMap, LostBeamsAreKnownWhetherClientsSeeThemOrNot)
+{
+  const auto fuse = [](const std::vector<std::string>& more)
+  {
+    const FusedServer server(more);
+    const LMS3D::LaserScanner_var scanner = server.Connect();
+    for (const LMS3D::Pose& pose : GetFusedPoses())
+    {
+      MoveTo(scanner, pose);
+    }
+    return FetchWhole(scanner);
+  };
+  const std::vector<FusedTriangle> triangles = fuse({ "--range-at-ten-percent", "3" });
+  EXPECT_EQ(triangles, fuse({ "--range-at-ten-percent", "3", "--status" }));
+  EXPECT_NE(triangles, fuse({}));
+}
+
 TEST(ServerFusedMap, ASensorAtRestAddsNothing)
 {
   const FusedServer server;

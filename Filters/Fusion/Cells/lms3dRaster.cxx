@@ -93,8 +93,7 @@ void lms3dRaster::Open(const lms3dCellStrip& strip)
       block.Open[row] |= bits;
       block.HasOpen = block.HasOpen || bits != 0;
       this->AddChanges(number, &lms3dChangedSquares::Less, row, opened & inRegion);
-      if (block.HasFilled &&
-        (opened & block.Touched[row] & ~(block.May[row] | block.Shape[row])) != 0)
+      if (block.HasFilled && (opened & block.Touched[row] & ~block.Shape[row]) != 0)
       {
         this->SetMark(number, STALE);
       }

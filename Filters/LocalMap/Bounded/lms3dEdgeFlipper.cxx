@@ -53,9 +53,10 @@ private:
 };
 } // namespace
 
-lms3dEdgeFlipper::lms3dEdgeFlipper(
-  const lms3dBeamDemands& demands, double maximumError, lms3dVertexStars& stars)
+lms3dEdgeFlipper::lms3dEdgeFlipper(const lms3dBeamDemands& demands,
+  const std::vector<std::int32_t>& patchIds, double maximumError, lms3dVertexStars& stars)
   : Demands(demands)
+  , PatchIds(patchIds)
   , MaximumError(maximumError)
   , Stars(stars)
   , IsChanged(stars.GetTriangles().size())
@@ -152,6 +153,7 @@ bool lms3dEdgeFlipper::FindQuad(std::int32_t triangle, int corner, Quad& quad) c
       return true;
     });
   return others == 1 && !this->Stars.GetTriangles()[quad.RightTriangle].IsStrip &&
+    this->PatchIds[triangle] == this->PatchIds[quad.RightTriangle] &&
     (quad.From < quad.To || !this->IsChanged[quad.RightTriangle]);
 }
 

@@ -22,10 +22,11 @@
  * the returns.
  *
  * Only edges where edges have collapsed (lms3dEdgeCollapser), so on curved or noisy surfaces, are
- * looked at, and none if that is less than a quarter of the triangles. An edge is flipped if the
- * sensor sees a convex quadrilateral, if all returns on it stay within the bound, and if the sum of
- * their squared distances (lms3dTriangleBeams::GetSum) becomes smaller by a twentieth. Borders and
- * triangles that join patches along an offset stay.
+ * looked at, and none if that is less than a quarter of the triangles. An edge between two
+ * triangles of one patch is flipped if the sensor sees a convex quadrilateral, if all returns on
+ * it stay within the bound, and if the sum of their squared distances
+ * (lms3dTriangleBeams::GetSum) becomes smaller by a twentieth. Borders and triangles that join
+ * patches along an offset stay.
  *
  * Edges are flipped in rounds, those that gain most first. Flips of one round have no triangle in
  * common. The threads divide the triangles to find them, and the result does not depend on the
@@ -34,12 +35,14 @@
 class lms3dEdgeFlipper
 {
 public:
-  /// Keeps references. `maximumError` is the bound, metres.
-  lms3dEdgeFlipper(const lms3dBeamDemands& demands, double maximumError, lms3dVertexStars& stars);
+  /// Keeps references. `patchIds` are the patches of the triangles, `maximumError` is the bound,
+  /// metres.
+  lms3dEdgeFlipper(const lms3dBeamDemands& demands, const std::vector<std::int32_t>& patchIds,
+    double maximumError, lms3dVertexStars& stars);
 
-  /// Flips edges until none gains. Returns 1 for the corners of each quadrilateral that has changed
-  /// and for their neighbours, and 0 for other vertices, by vertex; empty if no edge was flipped.
-  /// Uses the threads of the calling TBB arena.
+  /// Flips edges until a round finds none. Returns 1 for the corners of each quadrilateral that has
+  /// changed and for their neighbours, and 0 for other vertices, by vertex; empty if no edge was
+  /// flipped. Uses the threads of the calling TBB arena.
   std::vector<std::uint8_t> Run();
 
 private:
@@ -73,6 +76,7 @@ private:
   }
 
   const lms3dBeamDemands& Demands;
+  const std::vector<std::int32_t>& PatchIds;
   const double MaximumError;
   lms3dVertexStars& Stars;
   ///@{

@@ -56,7 +56,7 @@ bool lms3dMapSimplifier::Simplify(const std::vector<int>& members, lms3dBoundedM
     this->Sphere, this->Patches, lms3dPatches::CreaseShare * this->MaximumError);
   this->SimplifySmoothSurface(members, map, demands, shortcuts, stars);
   lms3dVertexRemover(lms3dRegularMoves(demands, shortcuts), stars).Run();
-  this->FitSurface(demands, shortcuts, stars);
+  this->FitSurface(demands, shortcuts, map.PatchIds, stars);
   Replace(stars, map);
   map.LargestDeviation = this->GetLargestDeviation(map);
   return true;
@@ -64,11 +64,12 @@ bool lms3dMapSimplifier::Simplify(const std::vector<int>& members, lms3dBoundedM
 
 // The fit shows which diagonals of quadrilaterals are right.
 void lms3dMapSimplifier::FitSurface(const lms3dBeamDemands& demands,
-  const lms3dBorderShortcuts& borders, lms3dVertexStars& stars) const
+  const lms3dBorderShortcuts& borders, const std::vector<std::int32_t>& patchIds,
+  lms3dVertexStars& stars) const
 {
   std::vector<std::uint8_t> isChosen(stars.GetNumberOfVertices(), 1);
   lms3dSurfaceFit(demands, borders, this->MaximumError, isChosen, stars).Run();
-  isChosen = lms3dEdgeFlipper(demands, this->MaximumError, stars).Run();
+  isChosen = lms3dEdgeFlipper(demands, patchIds, this->MaximumError, stars).Run();
   if (!isChosen.empty())
   {
     lms3dSurfaceFit(demands, borders, this->MaximumError, isChosen, stars).Run();

@@ -49,7 +49,7 @@ private:
     const lms3dBeamDemands& demands, const lms3dBorderShortcuts& borders,
     lms3dVertexStars& stars) const;
   void FitSurface(const lms3dBeamDemands& demands, const lms3dBorderShortcuts& borders,
-    lms3dVertexStars& stars) const;
+    const std::vector<std::int32_t>& patchIds, lms3dVertexStars& stars) const;
   static bool FreeSmoothVertices(const lms3dSmoothVertices& smooth, lms3dVertexStars& stars);
   static void Replace(const lms3dVertexStars& stars, lms3dBoundedMap& map);
   double GetLargestDeviation(const lms3dBoundedMap& map) const;

@@ -112,10 +112,8 @@ class Bag:
         A surface that is too dark or nearer than the minimum range, or a range that the device's
         errors brought to 0 or less, gives no return either. If there may be such beams, all have NaN.
         """
-        sensor = self._simulation.sensor
-        seen = sensor.GetOutput().GetNumberOfPoints()
-        is_certain = (sensor.GetMinimumRange() == 0 and sensor.GetRangeAtTenPercent() == 0
-                      and seen == self._simulation.returns)
+        seen = self._simulation.sensor.GetOutput().GetNumberOfPoints()
+        is_certain = not self._simulation.may_lose_beams and seen == self._simulation.returns
         return np.inf if is_certain else np.nan
 
     def finish(self, files):

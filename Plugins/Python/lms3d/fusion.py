@@ -32,7 +32,8 @@ class FusedMap:
     threads: 1 to 1024; 0 stands for all cores. The result does not depend on it.
 
     If scans have no status, beams without a return count as beams that met nothing, and the map opens
-    there. So the scans of a device that loses beams need it: `lms3d.scan(..., status=True)`.
+    there. So the scans of a device that loses beams, or has a minimum range, need it:
+    `lms3d.scan(..., status=True)`.
 
     Raises ValueError if an argument is invalid. `filter` is the vtkLMS3DMapFusion, with all arrays.
     """

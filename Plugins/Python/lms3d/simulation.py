@@ -55,9 +55,17 @@ class Simulation:
         fusion.SetScanConnection(self._last.GetOutputPort())
 
     def find_lost_beams(self):
-        """Let scans have Status if the device may lose beams: fused maps need to know which."""
-        if self.sensor.GetRangeAtTenPercent() > 0:
+        """Let scans have Status if beams that meet a surface may give no return.
+
+        Fused maps open where beams met nothing.
+        """
+        if self.may_lose_beams or self.errors:
             self.sensor.SetComputeStatus(True)
+
+    @property
+    def may_lose_beams(self):
+        """Whether the sensor may give no return of a surface, which is too dark or too near."""
+        return self.sensor.GetRangeAtTenPercent() > 0 or self.sensor.GetMinimumRange() > 0
 
     @property
     def steps(self):

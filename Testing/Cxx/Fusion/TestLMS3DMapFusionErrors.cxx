@@ -15,6 +15,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTestErrorObserver.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,13 @@ TEST(LMS3DMapFusionErrors, RefusesBadScans)
   scan = MakeInput();
   scan.Scan->GetPointData()->GetArray("BeamId")->SetTuple1(7, 1e9);
   ExpectRefused(scan, "Return 7 of the scan has the BeamId");
+  scan = MakeInput();
+  vtkNew<vtkUnsignedCharArray> status;
+  status->SetName("Status");
+  status->SetNumberOfValues(7);
+  status->FillValue(0);
+  scan.Scan->GetFieldData()->AddArray(status);
+  ExpectRefused(scan, "Status of the scan has 7 tuples of 1 components");
 }
 
 TEST(LMS3DMapFusionErrors, AddScanNeedsAFilterWithoutConnections)

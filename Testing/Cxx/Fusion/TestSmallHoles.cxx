@@ -258,6 +258,17 @@ TEST(LMS3DSmallHoles, OpenWhereABeamPasses)
   EXPECT_FALSE(scene.GetRaster().Has(&lms3dRasterBlock::Touched, 25, 25));
 }
 
+// A local map has surface there, but no return reaches it.
+TEST(LMS3DSmallHoles, OpenOnGuessesBetweenBeamsThatPass)
+{
+  PlaneWithHole scene;
+  scene.GetRaster().Set(&lms3dRasterBlock::May, lms3dMakeCellStrip(25, 25), true);
+  scene.MakeMesh();
+  EXPECT_TRUE(scene.IsClosed());
+  scene.GetRaster().Open(lms3dMakeCellStrip(25, 25));
+  EXPECT_TRUE(scene.GetRaster().HasMark(0, lms3dRaster::STALE));
+}
+
 TEST(LMS3DSmallHoles, OpenBetweenBeamsThatPass)
 {
   PlaneWithHole scene;

@@ -69,7 +69,8 @@ double TrueSteps::GetGap(const Beam& from, const Beam& to) const
 }
 
 // Whether the plane at `from` misses the return of `to`, although the last two returns of the plane
-// and that of `to` have errors. The plane of two inverse ranges w0 and w1 goes on at 2 w0 - w1.
+// and that of `to` have errors. The plane of two inverse ranges w0 and w1 goes on at 2 w0 - w1 if
+// the beams are close together.
 bool TrueSteps::IsCertain(const Beam& from, const Beam& to, double error) const
 {
   const auto getInverse = [this](const Beam& beam)

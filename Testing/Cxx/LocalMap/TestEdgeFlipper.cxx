@@ -88,8 +88,9 @@ class EdgeFlipper : public testing::Test
 {
 protected:
   // Returns what lms3dEdgeFlipper::Run() returns.
-  static std::vector<std::uint8_t> Run(
-    lms3dVertexStars& stars, const std::function<double(int, int)>& getRange = GetRange)
+  static std::vector<std::uint8_t> Run(lms3dVertexStars& stars,
+    const std::function<double(int, int)>& getRange = GetRange,
+    const std::vector<std::int32_t>& patchIds = { 0, 0, 0 })
   {
     const BallScan scan(getRange);
     const lms3dBeamSphere sphere(scan.Grid, scan.Joins);
@@ -97,7 +98,7 @@ protected:
     patches.Patches.resize(1);
     patches.Labels.assign(sphere.GetSize(), 0);
     const lms3dBeamDemands demands(sphere, patches, Bound);
-    return lms3dEdgeFlipper(demands, Bound, stars).Run();
+    return lms3dEdgeFlipper(demands, patchIds, Bound, stars).Run();
   }
 
   // An edge is looked at only beside a collapse.
@@ -151,6 +152,15 @@ TEST_F(EdgeFlipper, LeavesEdgesFarFromCollapses)
   EXPECT_TRUE(HasEdge(stars, Left, Right));
 }
 
+// Each triangle keeps its patch, so it has to keep the returns of this patch.
+TEST_F(EdgeFlipper, LeavesEdgesBetweenPatches)
+{
+  lms3dVertexStars stars(Quadrilateral(false).Get());
+  CollapseExtra(stars);
+  EXPECT_TRUE(Run(stars, GetRange, { 0, 1, 0 }).empty());
+  EXPECT_TRUE(HasEdge(stars, Left, Right));
+}
+
 // The sensor sees the left corner to the right of the crease.
 TEST_F(EdgeFlipper, LeavesQuadrilateralsThatAreNotConvex)
 {
@@ -160,7 +170,8 @@ TEST_F(EdgeFlipper, LeavesQuadrilateralsThatAreNotConvex)
   EXPECT_TRUE(Run(stars).empty());
 }
 
-// A return lies in front of the crease: within the bound before the flip, and not behind it.
+// A return lies in front of the crease, so within the bound of the map before the flip. Afterwards
+// the map is farther behind it.
 TEST_F(EdgeFlipper, KeepsTheBound)
 {
   constexpr int Middle = 45;

@@ -33,7 +33,8 @@ public:
   };
 
   /// Finds jumps of more than twice the tolerance between returns whose ranges differ by as much.
-  /// The tolerance is `depthStep`, metres, plus `share` of the nearer range. `scan` has no errors.
+  /// The tolerance is `depthStep`, metres, above 0, plus `share` of the nearer range. Changes by
+  /// less than half of `depthStep` from ray to ray are no jumps. `scan` has no errors.
   TrueSteps(vtkPolyData* scan, vtkPolyData* scene, double depthStep, double share);
 
   const std::vector<Step>& GetSteps() const { return this->Steps; }

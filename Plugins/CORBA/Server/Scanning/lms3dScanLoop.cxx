@@ -54,6 +54,7 @@ lms3dScanLoop::~lms3dScanLoop()
 void lms3dScanLoop::MakeFusedMap(const lms3dFusedMapOptions& options, lms3dFusedMapStore& store)
 {
   this->FusedMap = std::make_unique<lms3dFusedMapMaker>(options, this->Incarnation, store);
+  this->Pipeline.FindLostBeams();
 }
 
 void lms3dScanLoop::Start()

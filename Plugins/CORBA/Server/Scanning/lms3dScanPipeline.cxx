@@ -160,7 +160,14 @@ void lms3dScanPipeline::ConfigureDevice(const LMS3D::Device& device)
   const LMS3D::Vector3& offset = device.axisOffset;
   this->Scanner->SetAxisOffset(offset.x, offset.y, offset.z);
   this->Scanner->SetTurnRate(device.turnRate);
-  this->Scanner->SetComputeStatus(device.computeStatus);
+  this->Scanner->SetComputeStatus(
+    device.computeStatus || (this->FindsLostBeams && this->MayLoseBeams(device)));
+}
+
+bool lms3dScanPipeline::MayLoseBeams(const LMS3D::Device& device) const
+{
+  return device.rangeAtTenPercent > 0.0 || this->Scanner->GetMinimumRange() > 0.0 ||
+    device.rangeBias != 0.0 || device.rangeNoise != 0.0 || device.rangeResolution != 0.0;
 }
 
 bool lms3dScanPipeline::Update(vtkAlgorithm* algorithm, double& seconds) const

@@ -44,6 +44,10 @@ public:
   std::shared_ptr<lms3dSnapshot> Run(
     const lms3dScanSettings& settings, std::uint64_t number, const lms3dStopTest& isOutdated);
 
+  /// Gives the scans of sensors that may lose beams a Status, for maps of many scans. Snapshots
+  /// have it only if the device asks for it. Call this before Run().
+  void FindLostBeams() { this->FindsLostBeams = true; }
+
   /// Adds the last scan of Run() to a map of many scans.
   void AddTo(lms3dFusedMapMaker& fusedMap, const lms3dScanSettings& settings, std::uint64_t number);
 
@@ -53,6 +57,8 @@ public:
 private:
   void Configure(const lms3dScanSettings& settings);
   void ConfigureDevice(const LMS3D::Device& device);
+  /// Whether beams that meet a surface may give no return.
+  bool MayLoseBeams(const LMS3D::Device& device) const;
   /// Creates or destroys the filter of range errors.
   void PrepareErrors(const LMS3D::Device& device);
   /// Creates or destroys the filter of maps.
@@ -72,6 +78,7 @@ private:
   vtkSmartPointer<vtkLMS3DRangeErrorFilter> Errors;
   /// Null as long as no maps are made.
   vtkSmartPointer<vtkLMS3DSurfaceReconstructionFilter> Mapper;
+  bool FindsLostBeams = false;
   /// The number of beams for which the mapper has memory.
   CORBA::ULongLong MapperBeams = 0;
   const int Threads;

@@ -95,8 +95,9 @@ def add_arrays(group):
             ("poses", "add SensorPosition (metres) and SensorOrientation (w x y z), the pose when "
              "the beam left (.vtp, .pvd)"),
             ("status", "add Status of all beams to the field data (.vtp, .pvd) and to the range "
-             "image: 0 return, 1 nothing met, 2 beyond the range, 3 too weak, 4 too near; always on "
-             "with --fused if --range-at-ten-percent is above 0")):
+             "image: 0 return, 1 nothing met, 2 beyond the range, 3 too weak, 4 too near; with "
+             "--fused always on if beams may be lost: with --minimum-range, --range-at-ten-percent or "
+             "errors of ranges")):
         group.add_argument(f"--{name}", action="store_true", help=text)
 
 
