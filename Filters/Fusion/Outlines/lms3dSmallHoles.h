@@ -15,8 +15,8 @@
 /// A thing that stands on a plane, such as the leg of a table, hides a part of the plane, so that
 /// the region has a hole. The corners of each hole need triangles. Therefore holes of at most 32
 /// cells along both axes get May, unless an island lies in the hole, a beam passed through a cell
-/// of it, or a cell has Open in the raster. `outlines` come from lms3dTraceOutlines(), and lose the
-/// holes that are closed.
+/// of it, or a cell has Open in the raster. `outlines` come from lms3dTraceOutlines(). The outline
+/// of each hole that is closed is removed.
 ///
 /// A hole is closed even if a crease crosses it.
 void lms3dCloseSmallHoles(

@@ -19,7 +19,7 @@ int lms3dMakeRegroupedPlane(const lms3dReturnGroup& group, lms3dFusedPlanes& pla
 
 /// Gives a plane its surface and the returns of its group. It has surface between neighbouring
 /// beams that meet it, and where triangles of the old planes are within the bound of it. Each scan
-/// of a return must have a table, which says which of its beams are neighbours. Returns the box by
+/// of a return must have a table, from which its neighbouring beams follow. Returns the box by
 /// which the box of the plane must grow. Threads may call this for different planes at the same
 /// time.
 lms3dWorldBox lms3dFillRegroupedPlane(int number, const std::vector<lms3dMappedReturn>& returns,

@@ -22,6 +22,14 @@ static_assert(static_cast<int>(LMS3D::MOUNTING_YAWING) == vtkLMS3DScanFilter::YA
     static_cast<int>(LMS3D::MOUNTING_ROLLING) == vtkLMS3DScanFilter::ROLLING,
   "the interface and the filter number the mountings alike");
 
+namespace
+{
+bool HasErrors(const LMS3D::Device& device)
+{
+  return device.rangeBias != 0.0 || device.rangeNoise != 0.0 || device.rangeResolution != 0.0;
+}
+} // namespace
+
 lms3dScanPipeline::lms3dScanPipeline(int threads)
   : Threads(threads)
 {
@@ -77,7 +85,7 @@ bool lms3dScanPipeline::ShouldAbort()
 
 void lms3dScanPipeline::PrepareErrors(const LMS3D::Device& device)
 {
-  if (device.rangeBias == 0.0 && device.rangeNoise == 0.0 && device.rangeResolution == 0.0)
+  if (!HasErrors(device))
   {
     this->Errors = nullptr;
     return;
@@ -167,7 +175,7 @@ void lms3dScanPipeline::ConfigureDevice(const LMS3D::Device& device)
 bool lms3dScanPipeline::MayLoseBeams(const LMS3D::Device& device) const
 {
   return device.rangeAtTenPercent > 0.0 || this->Scanner->GetMinimumRange() > 0.0 ||
-    device.rangeBias != 0.0 || device.rangeNoise != 0.0 || device.rangeResolution != 0.0;
+    HasErrors(device);
 }
 
 bool lms3dScanPipeline::Update(vtkAlgorithm* algorithm, double& seconds) const
