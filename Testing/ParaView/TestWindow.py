@@ -12,6 +12,7 @@ import os
 import shutil
 import subprocess
 import unittest
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import window
@@ -148,7 +149,7 @@ class TestTrajectory(WindowTest):
 
 
 class TestFusion(WindowTest):
-    """Filters > LMS3D > LMS3D Map Fusion of a map, and the scan, chosen in its panel."""
+    """Filters > LMS3D > LMS3D Map Fusion of maps: the scans of the maps are chosen already."""
 
     def test_play_reaches_the_end(self):
         messages = self.play(
@@ -157,11 +158,27 @@ class TestFusion(WindowTest):
             [(f"{window.PROPERTIES}/Trajectory/1QComboBox0", "set_string", "journey.vtp")],
             window.APPLY, window.add_filter("LMS3DSurfaceReconstruction"), window.APPLY,
             window.add_filter("LMS3DMapFusion"),
-            [(f"{window.PROPERTIES}/Scan/1QComboBox0", "set_string", "LMS3DScan1:Scan")], window.APPLY,
-            [("VCRToolbar/actionVCRPlay", "activate", "")],
+            window.expect(f"{window.PROPERTIES}/Scan/1QComboBox0", "currentText", "LMS3DScan1:Scan"),
+            window.APPLY, [("VCRToolbar/actionVCRPlay", "activate", "")],
             window.expect("currentTimeToolbar/AnimationTimeWidget/timeValueComboBox",
                           "currentText", "16"))
         self.assertNotIn("ERR|", messages)
+
+    def test_two_sensors(self):
+        state = self.home / "state.pvsm"
+        add_map = [*window.add_filter("LMS3DScan"), *window.APPLY,
+                   *window.add_filter("LMS3DSurfaceReconstruction"), *window.APPLY]
+        first, second = (f"/0:0/0:0/{scan}:0/0:0/0:0" for scan in (0, 1))
+        messages = self.play(
+            window.open_file(ROOM), add_map, window.select(PIPELINE, "/0:0/0:0"), add_map,
+            window.select(PIPELINE, first), window.select(PIPELINE, second, held=window.CONTROL),
+            window.add_filter("LMS3DMapFusion"), window.APPLY, window.save_state(state))
+        self.assertNotIn("ERR|", messages)
+        proxies = list(ET.parse(state).getroot().iter("Proxy"))
+        scans = {proxy.get("id") for proxy in proxies if proxy.get("type") == "LMS3DScan"}
+        (fusion,) = (proxy for proxy in proxies if proxy.get("type") == "LMS3DMapFusion")
+        inputs = [scan.get("value") for scan in fusion.findall("Property[@name='Scan']/Proxy")]
+        self.assertEqual((len(inputs), set(inputs)), (2, scans))
 
 
 @unittest.skipIf(window.VERSION >= (5, 13), "another dialog, which searches the filters' short help")

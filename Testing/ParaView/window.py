@@ -29,6 +29,7 @@ DELETE = [(f"{_PANEL}/Delete", "activate", "")]
 OK_BUTTON = "buttonBox/1QPushButton0"
 SEARCH = "QuickLaunchDialog"
 ESCAPE = 0x01000000
+CONTROL = 0x04000000  # a key that is held
 
 
 def choose(menu, *entries):
@@ -43,9 +44,9 @@ def open_file(path):
             ("FileOpenDialog", "filesSelected", str(path)), *APPLY]
 
 
-def select(tree, place, x=40):
-    """A click on an entry of the pipeline."""
-    return [(tree, f"mouse{action}", f"1,{down},0,{x},8,{place}")
+def select(tree, place, x=40, held=0):
+    """A click on an entry of the pipeline, while keys are held."""
+    return [(tree, f"mouse{action}", f"1,{down},{held},{x},8,{place}")
             for action, down in (("Press", 1), ("Release", 0))]
 
 
