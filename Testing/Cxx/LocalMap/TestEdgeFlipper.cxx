@@ -48,7 +48,8 @@ enum Vertex
   Right,
   Upper,
   Lower,
-  Extra
+  Extra,
+  Aside
 };
 
 /// A quadrilateral with its corners on the planes.
@@ -58,7 +59,7 @@ public:
   explicit Quadrilateral(bool isEdgeOnCrease, double left = 0.3)
   {
     for (const lms3dVector& point : { lms3dVector{ 1.0, left, 0.0 }, { 1.0, -0.3, 0.0 },
-           { 1.0, 0.0, 0.3 }, { 1.0, 0.0, -0.3 }, { 1.0, 0.5, 0.5 } })
+           { 1.0, 0.0, 0.3 }, { 1.0, 0.0, -0.3 }, { 1.0, 0.5, 0.5 }, { 1.0, 0.5, 0.0 } })
     {
       const lms3dVector direction = lms3dNormalize(point);
       this->Map.Points.push_back(lms3dScale(direction, 1.0 / GetInverse(direction)));
@@ -69,18 +70,34 @@ public:
     this->Map.Triangles.push_back({ Left, Upper, Extra });
     for (std::array<std::int32_t, 3>& corners : this->Map.Triangles)
     {
-      if (!this->Map.IsFacing(corners))
-      {
-        std::swap(corners[1], corners[2]);
-      }
+      this->TurnToSensor(corners);
     }
     this->Map.PatchIds.assign(this->Map.Triangles.size(), 0);
     this->Map.NumberOfPatches = 1;
   }
 
+  // Joins the two corners that a flip would join.
+  void JoinUpperAndLower()
+  {
+    this->Map.Triangles.push_back({ Upper, Lower, Aside });
+    this->TurnToSensor(this->Map.Triangles.back());
+    this->Map.PatchIds.push_back(0);
+  }
+
+  // Makes the second triangle a part of a strip between patches.
+  void MakeStrip() { this->Map.PatchIds[1] = -1; }
+
   const lms3dBoundedMap& Get() const { return this->Map; }
 
 private:
+  void TurnToSensor(std::array<std::int32_t, 3>& corners) const
+  {
+    if (!this->Map.IsFacing(corners))
+    {
+      std::swap(corners[1], corners[2]);
+    }
+  }
+
   lms3dBoundedMap Map;
 };
 
@@ -90,7 +107,7 @@ protected:
   // Returns what lms3dEdgeFlipper::Run() returns.
   static std::vector<std::uint8_t> Run(lms3dVertexStars& stars,
     const std::function<double(int, int)>& getRange = GetRange,
-    const std::vector<std::int32_t>& patchIds = { 0, 0, 0 })
+    const std::vector<std::int32_t>& patchIds = { 0, 0, 0, 0 })
   {
     const BallScan scan(getRange);
     const lms3dBeamSphere sphere(scan.Grid, scan.Joins);
@@ -104,7 +121,7 @@ protected:
   // An edge is looked at only beside a collapse.
   static void CollapseExtra(lms3dVertexStars& stars)
   {
-    stars.SetFree({ 0, 0, 0, 0, 1 });
+    stars.SetFree({ 0, 0, 0, 0, 1, 0 });
     stars.Collapse(Extra, Left, stars.GetVertex(Left).Corner.Position, 1.0);
   }
 
@@ -121,7 +138,7 @@ TEST_F(EdgeFlipper, PutsTheEdgeWhereThePlanesMeet)
   lms3dVertexStars stars(Quadrilateral(false).Get());
   CollapseExtra(stars);
   const std::vector<std::uint8_t> isAtFlip = Run(stars);
-  EXPECT_EQ(isAtFlip, (std::vector<std::uint8_t>{ 1, 1, 1, 1, 0 }));
+  EXPECT_EQ(isAtFlip, (std::vector<std::uint8_t>{ 1, 1, 1, 1, 0, 0 }));
   EXPECT_TRUE(HasEdge(stars, Upper, Lower));
   EXPECT_FALSE(HasEdge(stars, Left, Right));
   for (std::int32_t vertex : { Left, Right, Upper, Lower })
@@ -158,6 +175,27 @@ TEST_F(EdgeFlipper, LeavesEdgesBetweenPatches)
   lms3dVertexStars stars(Quadrilateral(false).Get());
   CollapseExtra(stars);
   EXPECT_TRUE(Run(stars, GetRange, { 0, 1, 0 }).empty());
+  EXPECT_TRUE(HasEdge(stars, Left, Right));
+}
+
+TEST_F(EdgeFlipper, LeavesTrianglesThatJoinPatches)
+{
+  Quadrilateral quadrilateral(false);
+  quadrilateral.MakeStrip();
+  lms3dVertexStars stars(quadrilateral.Get());
+  CollapseExtra(stars);
+  EXPECT_TRUE(Run(stars).empty());
+  EXPECT_TRUE(HasEdge(stars, Left, Right));
+}
+
+// Two edges between the same vertices would make a surface that cannot be traversed.
+TEST_F(EdgeFlipper, JoinsNoVerticesTwice)
+{
+  Quadrilateral quadrilateral(false);
+  quadrilateral.JoinUpperAndLower();
+  lms3dVertexStars stars(quadrilateral.Get());
+  CollapseExtra(stars);
+  EXPECT_TRUE(Run(stars).empty());
   EXPECT_TRUE(HasEdge(stars, Left, Right));
 }
 
