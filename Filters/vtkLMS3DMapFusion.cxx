@@ -99,6 +99,7 @@ bool vtkLMS3DMapFusion::Internals::AddInputs(
   const std::vector<lms3dFusionInput> inputs = lms3dGetFusionInputs(inputVector);
   if (inputs.empty())
   {
+    this->GetMap(filter);
     return true;
   }
   if (this->Inputs.BeginNewMap(filter, inputs))
@@ -200,6 +201,7 @@ bool vtkLMS3DMapFusion::AddScan(vtkPolyData* map, vtkPolyData* scan)
       this->Internal->Add(this, { map, scan }, isStopped);
     },
     WithoutMemory);
+  this->ErrorCode = failure.empty() ? vtkErrorCode::NoError : vtkErrorCode::UserError;
   if (!failure.empty())
   {
     vtkErrorMacro(<< failure);
@@ -231,6 +233,11 @@ int vtkLMS3DMapFusion::GetRevision() const
 
 void vtkLMS3DMapFusion::GetChanges(int sinceRevision, vtkPolyData* delta)
 {
+  if (!delta)
+  {
+    vtkErrorMacro("GetChanges needs a vtkPolyData for the changes.");
+    return;
+  }
   delta->Initialize();
   const lms3dMapFusion* map = this->Internal->Map.get();
   std::vector<int> changed;

@@ -24,8 +24,9 @@
  *
  * @par The bound
  * Each return that its local map explains lies within MaximumError of the map, also after more
- * scans. (A local map explains a return if the return's beam hits it within MaximumError.) For
- * things that were moved, this holds with ForgetSeenThrough for the returns since then.
+ * scans. (A local map explains a return if the return's beam hits it within MaximumError, or if one
+ * of its corners is as near.) For things that were moved, this holds with ForgetSeenThrough for the
+ * returns since then.
  *
  * @par Free space
  * A beam passes through a plane if its return is farther than the plane by more than MaximumError,
@@ -51,8 +52,8 @@
  * If the inputs have time steps, each update at a new time adds the poses of this time, so playing
  * a trajectory makes the map grow. A scan that the map has already is not added twice. A change
  * upstream begins a new map. Without time steps the map is that of all connections. Programs that
- * have data instead of a pipeline call AddScan for each pose; the filter must then have no
- * connections. Regions that explain a new scan keep their triangles. The result depends on the
+ * have data instead of a pipeline call AddScan for each pose, which adds the scan each time; the
+ * filter must then have no connections. Regions that explain a new scan keep their triangles. The result depends on the
  * order of the scans.
  *
  * The output is a vtkPolyData of triangles that face the sensors that saw them, metres, with the
@@ -69,15 +70,16 @@
  *   BestScan, ScanCount and LastScan can change without it.
  *
  * Its field data are `NumberOfScans` and `Revision` (int32), and `SensorPositions` (float64, three
- * components, metres), one for each scan.
+ * components, metres), one for each scan; 0 0 0 for a scan without returns and `SensorToWorld`.
  *
  * Invalid input gives an error message that says what is expected, the error code
  * vtkErrorCode::UserError, and an empty output. Invalid are: maps without scans or scans without
- * maps; a map without `PatchId`, or with a `LargestDeviation` above MaximumError; a scan that
- * vtkLMS3DSurfaceReconstructionFilter refuses; a pose that is not a rotation and a translation. The
- * filter reports an error once, until a property or an input changes. An abort leaves the output
- * empty, and the next update begins a new map. The output is the same to the bit for any
- * NumberOfThreads.
+ * maps; a map without `PatchId`, with cells that are no triangles, or with a `LargestDeviation`
+ * above MaximumError; a scan that vtkLMS3DSurfaceReconstructionFilter refuses; a pose that is not a
+ * rotation and a translation. The filter reports an error once, until a property or an input
+ * changes. An abort (SetAbortExecute) leaves the output empty and discards all scans: as soon as
+ * AbortExecute is off again, the next update begins a new map. The output is the same to the bit
+ * for any NumberOfThreads.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkLMS3DScanFilter

@@ -7,11 +7,14 @@
 #include "Pipeline/lms3dText.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -78,11 +81,48 @@ void CheckStatus(vtkPolyData* scan, std::int64_t beams)
   }
 }
 
-void CheckMap(vtkPolyData* map, double maximumError)
+// A patch has a return, so there are no more patches than beams.
+void CheckPatches(vtkDataArray* patches, std::int64_t beams)
+{
+  for (vtkIdType i = 0; i < patches->GetNumberOfTuples(); ++i)
+  {
+    const double patch = patches->GetTuple1(i);
+    if (!(patch >= -1.0 && patch < static_cast<double>(beams)))
+    {
+      Fail(lms3dJoinText("Triangle ", i, " of the local map has the PatchId ", patch, "; -1 to ",
+        beams - 1, " are expected. Connect the output of vtkLMS3DSurfaceReconstructionFilter."));
+    }
+  }
+}
+
+void CheckTriangles(vtkPolyData* map)
+{
+  const vtkIdType points = map->GetNumberOfPoints();
+  const auto cells = vtk::TakeSmartPointer(map->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cells->GetCurrentCell(size, ids);
+    const auto isPoint = [points](vtkIdType id) { return id >= 0 && id < points; };
+    if (size != 3 || !std::all_of(ids, ids + size, isPoint))
+    {
+      Fail(lms3dJoinText("Cell ", cells->GetCurrentCellId(), " of the local map is no triangle of ",
+        "its ", points, " points. Connect the output of vtkLMS3DSurfaceReconstructionFilter."));
+    }
+  }
+}
+
+void CheckMap(vtkPolyData* map, std::int64_t beams, double maximumError)
 {
   const vtkIdType triangles = map->GetNumberOfPolys();
   vtkDataArray* const patches = map->GetCellData()->GetArray("PatchId");
   vtkDataArray* const deviation = map->GetFieldData()->GetArray("LargestDeviation");
+  if (map->GetNumberOfPoints() == 0 && !patches)
+  {
+    Fail("The local map is empty, but its scan has returns. The filter that makes the map has "
+         "failed, or was aborted. Update it again.");
+  }
   if (!patches || patches->GetNumberOfTuples() != triangles || !deviation ||
     deviation->GetNumberOfTuples() != 1)
   {
@@ -95,11 +135,8 @@ void CheckMap(vtkPolyData* map, double maximumError)
       " m away from its returns, more than the MaximumError of ", maximumError,
       " m. Give both filters the same MaximumError."));
   }
-  if (triangles > 0 && map->GetPolys()->GetNumberOfConnectivityIds() != 3 * triangles)
-  {
-    Fail("The local map has cells that are no triangles. Connect the output of "
-         "vtkLMS3DSurfaceReconstructionFilter.");
-  }
+  CheckTriangles(map);
+  CheckPatches(patches, beams);
 }
 } // namespace
 
@@ -118,6 +155,7 @@ void lms3dCheckFusionInput(vtkPolyData* map, vtkPolyData* scan, double maximumEr
   input.CheckPoints();
   CheckPose(input.GetPose());
   CheckReturns(input);
-  CheckStatus(scan, input.GetGeometry().CountBeamsOfAllTurns());
-  CheckMap(map, maximumError);
+  const std::int64_t beams = input.GetGeometry().CountBeamsOfAllTurns();
+  CheckStatus(scan, beams);
+  CheckMap(map, beams, maximumError);
 }

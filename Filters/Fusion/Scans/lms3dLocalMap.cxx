@@ -3,6 +3,7 @@
 #include "Fusion/Scans/lms3dLocalMap.h"
 
 #include "Casting/lms3dRayCaster.h"
+#include "Fusion/Scans/lms3dNearestCorner.h"
 #include "Scan/lms3dScanner.h"
 
 #include <vtkCellArray.h>
@@ -130,6 +131,50 @@ private:
   std::vector<double> Ranges;
   std::vector<std::int32_t> Triangles;
 };
+
+/// Casts a beam again from shortly before its return, since others can be nearer to the sensor in
+/// the same direction: all turns have a beam along the platform's axis.
+void CastAtReturn(const lms3dRayCaster& caster, double maximumError, lms3dMappedReturn& mapped)
+{
+  lms3dFreePacket packet;
+  Fill(&mapped, 1, packet);
+  const lms3dVector start = lms3dSubtract(mapped.Point, lms3dScale(mapped.Direction, maximumError));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::fill_n(packet.Origin[axis], lms3dBeamPacket::Size, start[axis]);
+  }
+  caster.CastFree(2.0 * maximumError, &packet, 1);
+  mapped.Triangle = packet.Triangle[0];
+}
+
+/// Finds triangles for returns whose beam has hit none within the bound.
+void FindTrianglesOfMissed(const lms3dRayCaster& caster, const lms3dTriangleMesh& mesh,
+  double maximumError, std::vector<lms3dMappedReturn>& returns)
+{
+  std::vector<std::size_t> missed;
+  for (std::size_t i = 0; i < returns.size(); ++i)
+  {
+    if (returns[i].Triangle < 0)
+    {
+      missed.push_back(i);
+    }
+  }
+  if (missed.empty())
+  {
+    return;
+  }
+  const lms3dNearestCorner corners(mesh);
+  tbb::parallel_for(std::size_t{ 0 }, missed.size(),
+    [&](std::size_t i)
+    {
+      lms3dMappedReturn& mapped = returns[missed[i]];
+      CastAtReturn(caster, maximumError, mapped);
+      if (mapped.Triangle < 0)
+      {
+        mapped.Triangle = corners.FindTriangle(mapped.Point, maximumError);
+      }
+    });
+}
 } // namespace
 
 lms3dLocalMap::lms3dLocalMap(vtkPolyData* map, const lms3dScanInput& scan,
@@ -176,6 +221,7 @@ lms3dLocalMap::lms3dLocalMap(vtkPolyData* map, const lms3dScanInput& scan,
         CastFree(*caster, ranges, maximumError, &this->Returns[first], end - first);
       }
     });
+  FindTrianglesOfMissed(*caster, this->Mesh, maximumError, this->Returns);
   this->Returns.erase(std::remove_if(this->Returns.begin(), this->Returns.end(),
                         [](const lms3dMappedReturn& mapped) { return mapped.Triangle < 0; }),
     this->Returns.end());

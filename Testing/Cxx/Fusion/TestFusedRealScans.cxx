@@ -11,6 +11,8 @@
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 
 #include <gtest/gtest.h>
@@ -89,4 +91,19 @@ TEST(LMS3DFusedRealScans, ShowASurfaceOnce)
   // The room has 48 square metres.
   EXPECT_GT(area, 44.0);
   EXPECT_LT(area, 52.0);
+}
+
+// The noise exceeds 0.75 of the bound, so each return is a corner of the local map. Its beam hits or
+// misses the map by rounding at depth steps, and 90 beams along the axis have returns of their own.
+TEST(LMS3DFusedRealScans, KeepTheBoundOfPlainGrids)
+{
+  constexpr double Bound = 0.01;
+  const MappedScan scan = MakeMappedScan(ReadRoom(), { 0.3, -0.2, 1.0 }, true, Bound);
+  ASSERT_GT(scan.Map->GetFieldData()->GetArray("NumberOfReturnsOnGrid")->GetTuple1(0), 8000);
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  AddAll({ scan }, fusion);
+  fusion->Update();
+  const FusionVerdict verdict = JudgeFusion(fusion->GetOutput(), scan, Bound);
+  EXPECT_EQ(verdict.Returns, scan.Scan->GetNumberOfPoints());
+  EXPECT_EQ(verdict.Beyond, 0) << verdict.LargestDistance;
 }

@@ -9,6 +9,7 @@
 #include "vtkLMS3DScanFilter.h"
 #include "vtkLMS3DSurfaceReconstructionFilter.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -86,6 +87,48 @@ TEST(LMS3DMapFusionErrors, RefusesMapsThatAreNoLocalMaps)
   ExpectRefused(scan, "its scan has no returns");
 }
 
+TEST(LMS3DMapFusionErrors, RefusesMapsThatAreDamaged)
+{
+  for (vtkIdType bad : { -3, 1000000 })
+  {
+    const MappedScan scan = MakeInput();
+    const vtkIdType corners[] = { 0, 1, bad };
+    scan.Map->GetPolys()->ReplaceCellAtId(5, 3, corners);
+    ExpectRefused(scan, "Cell 5 of the local map is no triangle");
+  }
+  for (double bad : { -2.0, 1e9 })
+  {
+    const MappedScan scan = MakeInput();
+    scan.Map->GetCellData()->GetArray("PatchId")->SetTuple1(5, bad);
+    ExpectRefused(scan, "Triangle 5 of the local map has the PatchId");
+  }
+  const MappedScan scan = MakeInput();
+  scan.Map->Initialize();
+  ExpectRefused(scan, "The filter that makes the map has failed, or was aborted");
+}
+
+TEST(LMS3DMapFusionErrors, ChecksTheBoundIfItChangesAfterAScan)
+{
+  const MappedScan scan = MakeInput();
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  EXPECT_TRUE(fusion->AddScan(scan.Map, scan.Scan));
+  fusion->SetMaximumError(0.02);
+  fusion->Update();
+  EXPECT_EQ(fusion->GetNumberOfScans(), 0);
+  EXPECT_EQ(fusion->GetOutput()->GetNumberOfCells(), 0);
+  fusion->SetMaximumError(-1.0);
+  EXPECT_NE(UpdateAndGetError(fusion).find("MaximumError is"), std::string::npos);
+}
+
+TEST(LMS3DMapFusionErrors, ChangesNeedAPlace)
+{
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  fusion->AddObserver(vtkCommand::ErrorEvent, observer);
+  fusion->GetChanges(0, nullptr);
+  EXPECT_NE(observer->GetErrorMessage().find("needs a vtkPolyData"), std::string::npos);
+}
+
 TEST(LMS3DMapFusionErrors, RefusesBadScans)
 {
   MappedScan scan = MakeInput();
@@ -115,6 +158,7 @@ TEST(LMS3DMapFusionErrors, AddScanNeedsAFilterWithoutConnections)
   fusion->SetInputData(scan.Map);
   EXPECT_FALSE(fusion->AddScan(scan.Map, scan.Scan));
   EXPECT_NE(observer->GetErrorMessage().find("without connections"), std::string::npos);
+  EXPECT_EQ(fusion->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
 }
 
 TEST(LMS3DMapFusionErrors, KeepsTheMapIfAScanIsRefused)
@@ -136,4 +180,16 @@ TEST(LMS3DMapFusionErrors, AnEmptyFilterGivesAnEmptyMap)
   vtkNew<vtkLMS3DMapFusion> fusion;
   EXPECT_EQ(UpdateAndGetError(fusion), "");
   EXPECT_EQ(fusion->GetOutput()->GetNumberOfPolys(), 0);
+}
+
+TEST(LMS3DMapFusionErrors, APoseWithoutReturnsHasAPlace)
+{
+  const MappedScan scan = MakeMappedScan(MakeBall(2.0), { 50.0, 60.0, 70.0 });
+  ASSERT_EQ(scan.Scan->GetNumberOfPoints(), 0);
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  EXPECT_TRUE(fusion->AddScan(scan.Map, scan.Scan));
+  fusion->Update();
+  const double* const place =
+    fusion->GetOutput()->GetFieldData()->GetArray("SensorPositions")->GetTuple3(0);
+  EXPECT_EQ((Point{ place[0], place[1], place[2] }), (Point{ 50.0, 60.0, 70.0 }));
 }
