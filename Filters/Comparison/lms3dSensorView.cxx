@@ -3,6 +3,7 @@
 #include "Comparison/lms3dSensorView.h"
 
 #include "Device/lms3dFan.h"
+#include "Device/lms3dScanChecks.h"
 #include "Device/lms3dScanFieldData.h"
 #include "Geometry/lms3dAngle.h"
 
@@ -66,6 +67,11 @@ lms3dSensorView::lms3dSensorView(vtkFieldData* data, const lms3dRangeLimits& lim
       this->Axes[column][row] = matrix[4 * row + column];
     }
     this->Position[row] = matrix[4 * row + 3];
+  }
+  const std::string error = lms3dFindAxesError({ this->Position, this->Axes });
+  if (!error.empty())
+  {
+    throw std::runtime_error(error);
   }
   this->Axes = lms3dGetPlatformAxes(this->Platform.Mounting, this->Axes);
   const lms3dScanGeometry geometry(

@@ -14,6 +14,8 @@ namespace
 {
 // Squares of larger coordinates exceed the range of single precision.
 constexpr double MaximumCoordinate = 1e18;
+// How far the axes of a pose may be from orthonormal ones.
+constexpr double AxisTolerance = 1e-6;
 
 // Returns whether the ends increase. A single beam or turn uses only the first.
 bool IsProperRange(const double range[2], int resolution)
@@ -46,6 +48,28 @@ std::string lms3dFindPoseError(const lms3dVector& position, const lms3dVector& o
     return lms3dJoinText("The pose is Position ", position[0], ' ', position[1], ' ', position[2],
       ", Orientation ", orientation[0], ' ', orientation[1], ' ', orientation[2],
       "; finite numbers are expected, positions up to 1e18 m.");
+  }
+  return std::string();
+}
+
+std::string lms3dFindAxesError(const lms3dPose& pose)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const double length = lms3dGetLength(pose.Axes[i]);
+    if (!(std::abs(length - 1.0) <= AxisTolerance))
+    {
+      return lms3dJoinText("SensorToWorld of the scan scales an axis by ", length,
+        ". A pose is a rotation and a translation, without a scale.");
+    }
+    if (!(std::abs(lms3dDot(pose.Axes[i], pose.Axes[(i + 1) % 3])) <= AxisTolerance))
+    {
+      return "SensorToWorld of the scan shears its axes. A pose is a rotation and a translation.";
+    }
+  }
+  if (lms3dDot(lms3dCross(pose.Axes[0], pose.Axes[1]), pose.Axes[2]) < 0.0)
+  {
+    return "SensorToWorld of the scan is a mirror image. A pose is a rotation and a translation.";
   }
   return std::string();
 }

@@ -20,6 +20,10 @@ bool lms3dIsPosition(const lms3dVector& position);
 /// Checks a position (metres) and an orientation (degrees about x, y and z).
 std::string lms3dFindPoseError(const lms3dVector& position, const lms3dVector& orientation);
 
+/// Checks that the axes of the SensorToWorld of a scan are orthonormal within 1e-6, and no mirror
+/// image.
+std::string lms3dFindAxesError(const lms3dPose& pose);
+
 /// Checks both ranges (degrees) and resolutions, and the number of beams.
 std::string lms3dFindAngleError(
   const double alphaRange[2], int alphaResolution, const double betaRange[2], int betaResolution);

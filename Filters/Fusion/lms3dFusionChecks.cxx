@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/lms3dFusionChecks.h"
 
+#include "Device/lms3dScanChecks.h"
 #include "Device/lms3dScanInput.h"
-#include "Geometry/lms3dVector.h"
 #include "Pipeline/lms3dText.h"
 
 #include <vtkCellArray.h>
@@ -23,9 +23,6 @@
 
 namespace
 {
-// How far the axes of a pose may be from orthonormal ones.
-constexpr double AxisTolerance = 1e-6;
-
 [[noreturn]] void Fail(const std::string& text)
 {
   throw std::runtime_error(text);
@@ -33,22 +30,10 @@ constexpr double AxisTolerance = 1e-6;
 
 void CheckPose(const lms3dPose& pose)
 {
-  for (int i = 0; i < 3; ++i)
+  const std::string error = lms3dFindAxesError(pose);
+  if (!error.empty())
   {
-    const double length = lms3dGetLength(pose.Axes[i]);
-    if (!(std::abs(length - 1.0) <= AxisTolerance))
-    {
-      Fail(lms3dJoinText("SensorToWorld of the scan scales an axis by ", length,
-        ". A pose is a rotation and a translation, without a scale."));
-    }
-    if (!(std::abs(lms3dDot(pose.Axes[i], pose.Axes[(i + 1) % 3])) <= AxisTolerance))
-    {
-      Fail("SensorToWorld of the scan shears its axes. A pose is a rotation and a translation.");
-    }
-  }
-  if (lms3dDot(lms3dCross(pose.Axes[0], pose.Axes[1]), pose.Axes[2]) < 0.0)
-  {
-    Fail("SensorToWorld of the scan is a mirror image. A pose is a rotation and a translation.");
+    Fail(error);
   }
 }
 

@@ -55,7 +55,11 @@ class FusedMap:
         self.filter.SetNumberOfThreads(to_count("threads", threads, 0, MAXIMUM_THREADS))
 
     def add(self, scan):
-        """Join the local map of a Scan to the map. Raises ValueError if the scan is invalid."""
+        """Join the local map of a Scan to the map.
+
+        Raises ValueError if the scan is invalid; the map is then as before. If Ctrl-C ends this, the map
+        loses all scans.
+        """
         local_map = make_map(scan, self._of_each_map)
         with VTKMessages() as messages, abortable(self.filter):
             self.filter.AddScan(local_map, scan.poly)

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 TEST(LMS3DMapComparisonPipeline, RefusesWhatCannotBeCompared)
 {
@@ -42,6 +43,10 @@ TEST(LMS3DMapComparisonPipeline, RefusesWhatCannotBeCompared)
   AddDoubles(pose, "SensorToWorld", { 1.0, 2.0 });
   Comparison badMatrix(surface, surface, pose);
   badMatrix.ExpectError("matrix of 16");
+  pose = MakePose(sensor);
+  AddDoubles(pose, "SensorToWorld", std::vector<double>(16, 0.0));
+  Comparison noAxes(surface, surface, pose);
+  noAxes.ExpectError("scales an axis by 0");
 }
 
 TEST(LMS3DMapComparisonPipeline, RefusesBadProperties)
