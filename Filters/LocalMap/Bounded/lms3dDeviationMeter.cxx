@@ -37,7 +37,7 @@ double lms3dDeviationMeter::GetLargestAbove(double threshold)
   // A beam that passes an edge at a depth step can hit a triangle of the other side, too.
   this->MarkNear(threshold, distances);
   distances.erase(std::remove_if(distances.begin(), distances.end(),
-                    [this](const auto& entry) { return this->Near[entry.first] == this->Pass; }),
+                    [this](const auto& entry) { return this->Marks[entry.first] == IsNear; }),
     distances.end());
   // For each return, the smallest distance comes first.
   std::sort(distances.begin(), distances.end());
@@ -73,15 +73,15 @@ lms3dDeviationMeter::Distances lms3dDeviationMeter::FindDistances(double thresho
   return distances;
 }
 
-// Marks the beams that hit a triangle within the threshold, at least in the columns of some
-// returns.
+// Marks the returns that are far from a triangle, and those whose beams hit another triangle within
+// the threshold.
 void lms3dDeviationMeter::MarkNear(double threshold, const Distances& distances)
 {
-  ++this->Pass;
   std::vector<std::uint8_t> isIncluded(this->Sphere.GetNumberOfColumns(), 0);
   for (const auto& entry : distances)
   {
     isIncluded[this->Sphere.GetColumn(entry.first)] = 1;
+    this->Marks[entry.first].store(IsFar, std::memory_order_relaxed);
   }
   tbb::parallel_for(std::size_t(0), this->Map.Triangles.size(),
     [&](std::size_t triangle)
@@ -94,9 +94,10 @@ void lms3dDeviationMeter::MarkNear(double threshold, const Distances& distances)
           for (int row = first; row <= last; ++row)
           {
             const GridIndex index = this->Sphere.GetIndex(column, row);
-            if (std::abs(this->Sphere.GetRange(index) - hits.GetRange(row)) <= threshold)
+            if (this->Marks[index].load(std::memory_order_relaxed) == IsFar &&
+              std::abs(this->Sphere.GetRange(index) - hits.GetRange(row)) <= threshold)
             {
-              this->Near[index].store(this->Pass, std::memory_order_relaxed);
+              this->Marks[index].store(IsNear, std::memory_order_relaxed);
             }
           }
           return true;

@@ -15,6 +15,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,7 @@ public:
     : Sphere(sphere)
     , Patches(patches)
     , Map(map)
-    , Near(sphere.GetSize())
+    , Marks(sphere.GetSize())
   {
     this->Corners.reserve(map.Points.size());
     for (const lms3dVector& point : map.Points)
@@ -52,6 +53,15 @@ private:
   using GridIndex = lms3dBeamSphere::GridIndex;
   using Distances = std::vector<std::pair<GridIndex, double>>;
 
+  /// What is known of the beam of a return: it hits a triangle farther than the threshold, or
+  /// another one within the threshold, too.
+  enum Mark : std::uint8_t
+  {
+    NoMark,
+    IsFar,
+    IsNear
+  };
+
   double GetLargestAbove(double threshold);
   Distances FindDistances(double threshold) const;
   void MarkNear(double threshold, const Distances& distances);
@@ -61,10 +71,8 @@ private:
   const lms3dBeamSphere& Sphere;
   const lms3dPatches& Patches;
   const lms3dBoundedMap& Map;
-  /// The number of the pass over triangles in which a beam last hit one within the threshold, by
-  /// grid index.
-  std::vector<std::atomic<std::int32_t>, tbb::tbb_allocator<std::atomic<std::int32_t>>> Near;
-  std::int32_t Pass = 0;
+  /// By grid index.
+  std::vector<std::atomic<Mark>, tbb::tbb_allocator<std::atomic<Mark>>> Marks;
   /// The points of the map.
   std::vector<lms3dTriangleCorner> Corners;
 };

@@ -20,9 +20,6 @@
 
 namespace
 {
-// How often vertices are fitted to the returns, after which more edges can collapse.
-constexpr int Fits = 2;
-
 template <typename ConditionT>
 std::vector<std::uint8_t> Choose(const lms3dVertexStars& stars, const ConditionT& isChosen)
 {
@@ -98,14 +95,12 @@ void lms3dMapSimplifier::SimplifySmoothSurface(const std::vector<int>& members,
   {
     return;
   }
-  for (int fit = 0; fit < Fits; ++fit)
-  {
-    const auto isFreeAndChanged = [](const auto& vertex)
-    { return vertex.IsFree && vertex.IsChanged; };
-    lms3dVertexFits::Run(demands, Choose(stars, isFreeAndChanged), stars);
-    stars.ReleaseChanged();
-    lms3dEdgeCollapser::Run(demands, stars);
-  }
+  // Afterwards more edges can collapse.
+  const auto isFreeAndChanged = [](const auto& vertex)
+  { return vertex.IsFree && vertex.IsChanged; };
+  lms3dVertexFits::Run(demands, Choose(stars, isFreeAndChanged), stars);
+  stars.ReleaseChanged();
+  lms3dEdgeCollapser::Run(demands, stars);
   const auto isChanged = [](const auto& vertex) { return vertex.IsChanged; };
   lms3dSurfaceFit(demands, borders, this->MaximumError, Choose(stars, isChanged), stars).Run();
 }

@@ -12,6 +12,8 @@
 #include "LocalMap/Bounded/lms3dTriangleSums.h"
 #include "LocalMap/Bounded/lms3dVertexStars.h"
 
+#include <tbb/tbb_allocator.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -82,9 +84,10 @@ private:
   lms3dVertexStars& Stars;
   ///@{
   /// By triangle, for those with a chosen corner. The beams take about 100 bytes for each triangle
-  /// and 12 for each of its columns, until the fit ends.
-  std::vector<lms3dTriangleBeams> Beams;
-  std::vector<lms3dTriangleSums> Sums;
+  /// and 12 for each of its columns, until the fit ends. TBB keeps this memory for the next fit
+  /// (lms3dBeamVector.h).
+  std::vector<lms3dTriangleBeams, tbb::tbb_allocator<lms3dTriangleBeams>> Beams;
+  std::vector<lms3dTriangleSums, tbb::tbb_allocator<lms3dTriangleSums>> Sums;
   ///@}
   /// By triangle, a bit for each corner: whether the edge to the next corner can be a border at a
   /// depth step. The first check of an edge decides it.

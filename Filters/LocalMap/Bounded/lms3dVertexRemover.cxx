@@ -43,7 +43,8 @@ bool lms3dVertexRemover::Run()
     }
     lms3dForEachInTasks(
       selected.size(), MovesOfTask, [&](std::size_t i) { this->TryToMove(selected[i]); });
-    isChanged |= this->Move(selected);
+    this->CollectChanged(selected);
+    isChanged |= !this->Changed.empty();
   }
 }
 
@@ -63,13 +64,18 @@ void lms3dVertexRemover::LookAtStar(std::int32_t vertex)
   const lms3dVertexStars::Border line = candidate.Line;
   candidate.IsStarChanged = false;
   candidate.HasFailed = false;
-  if (!this->FindLine(vertex, candidate))
+  if (candidate.IsInside)
+  {
+    candidate.Cost = this->GetCostInside(vertex);
+  }
+  else if (!this->FindLine(vertex, candidate))
   {
     candidate.IsFixed = true;
     candidate.Line = {};
   }
   else if (!candidate.Line.IsOpen())
   {
+    candidate.IsInside = true;
     candidate.IsFixed = false;
     candidate.Cost = this->GetCostInside(vertex);
   }
@@ -137,26 +143,10 @@ void lms3dVertexRemover::UpdateQueue()
   this->Queue.Update(this->Changed, std::move(added));
 }
 
-// Moves the vertices that can. The others are not tried again until their stars change. Returns
-// false if none moves.
-bool lms3dVertexRemover::Move(const std::vector<std::int32_t>& vertices)
+// Reads and changes only the star of the vertex, and what its neighbours have of it.
+void lms3dVertexRemover::Move(std::int32_t vertex, std::int32_t to)
 {
-  this->Changed.clear();
-  for (std::int32_t vertex : vertices)
-  {
-    if (this->Candidates[vertex].To != None)
-    {
-      this->MoveOne(vertex);
-    }
-  }
-  std::sort(this->Changed.begin(), this->Changed.end());
-  this->Changed.erase(std::unique(this->Changed.begin(), this->Changed.end()), this->Changed.end());
-  return !this->Changed.empty();
-}
-
-void lms3dVertexRemover::MoveOne(std::int32_t vertex)
-{
-  const std::int32_t to = this->Candidates[vertex].To;
+  this->Candidates[vertex].To = to;
   this->Stars.ForEachTriangle(vertex,
     [this](std::int32_t, std::int32_t next, std::int32_t last)
     {
@@ -165,12 +155,28 @@ void lms3dVertexRemover::MoveOne(std::int32_t vertex)
       return true;
     });
   this->Stars.Merge(vertex, to);
-  this->Changed.push_back(to);
-  this->Stars.ForEachTriangle(to,
-    [this](std::int32_t, std::int32_t next, std::int32_t last)
+}
+
+// Those around the vertices that have moved. The others are not tried again until their stars
+// change.
+void lms3dVertexRemover::CollectChanged(const std::vector<std::int32_t>& vertices)
+{
+  this->Changed.clear();
+  for (std::int32_t vertex : vertices)
+  {
+    const std::int32_t to = this->Candidates[vertex].To;
+    if (to != None)
     {
-      this->Changed.push_back(next);
-      this->Changed.push_back(last);
-      return true;
-    });
+      this->Changed.push_back(to);
+      this->Stars.ForEachTriangle(to,
+        [this](std::int32_t, std::int32_t next, std::int32_t last)
+        {
+          this->Changed.push_back(next);
+          this->Changed.push_back(last);
+          return true;
+        });
+    }
+  }
+  std::sort(this->Changed.begin(), this->Changed.end());
+  this->Changed.erase(std::unique(this->Changed.begin(), this->Changed.end()), this->Changed.end());
 }

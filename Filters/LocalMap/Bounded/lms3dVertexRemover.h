@@ -60,6 +60,8 @@ private:
     std::int32_t To = None;
     /// Whether the star has changed since Prepare() looked at it.
     bool IsStarChanged = true;
+    /// Whether the vertex lies inside of a patch. Moves of others do not change that.
+    bool IsInside = false;
     /// Whether the vertex cannot leave its line.
     bool IsFixed = false;
     /// Whether it could move to no neighbour. This holds until its star changes: its neighbours get
@@ -80,8 +82,8 @@ private:
   bool CanMove(std::int32_t from, std::int32_t to, double minimumHeight) const;
   bool HasSoundShape(std::int32_t from, std::int32_t to, double minimumHeight) const;
   bool AreLinked(std::int32_t from, std::int32_t to) const;
-  bool Move(const std::vector<std::int32_t>& vertices);
-  void MoveOne(std::int32_t vertex);
+  void Move(std::int32_t vertex, std::int32_t to);
+  void CollectChanged(const std::vector<std::int32_t>& vertices);
 
   const lms3dVector& GetDirection(std::int32_t vertex) const
   {

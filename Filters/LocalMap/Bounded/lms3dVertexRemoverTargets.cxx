@@ -28,7 +28,7 @@ void lms3dVertexRemover::TryToMove(std::int32_t vertex)
   {
     if (this->CanMove(vertex, target.Vertex, height))
     {
-      candidate.To = target.Vertex;
+      this->Move(vertex, target.Vertex);
       return;
     }
   }
