@@ -12,6 +12,8 @@ namespace
 {
 // Cells: a border need not cut off a return that is farther from all beams that passed.
 constexpr int NearBeams = 3;
+// Cells: how far a border moves outwards along each axis.
+constexpr double FarthestBorder = 2.0;
 
 int GetOrientation(const lms3dCornerMerge::Triangle& triangle)
 {
@@ -24,6 +26,14 @@ lms3dBorderLimits::lms3dBorderLimits(const lms3dRegion& region, std::size_t edge
   , Reach(reach * reach)
   , CutOff(edges)
 {
+}
+
+bool lms3dBorderLimits::IsNearRegion(const lms3dPoint2& point) const
+{
+  return this->Region.HasAny(&lms3dRegionBlock::May,
+    lms3dCellBox{ lms3dGetCellFrom(point[0] - FarthestBorder) - 1,
+      lms3dGetCellOf(point[0] + FarthestBorder), lms3dGetCellFrom(point[1] - FarthestBorder) - 1,
+      lms3dGetCellOf(point[1] + FarthestBorder) });
 }
 
 bool lms3dBorderLimits::MayGain(const Triangle& triangle) const

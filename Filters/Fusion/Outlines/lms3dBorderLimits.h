@@ -30,6 +30,10 @@ public:
   /// far a border may be away from a return that it cuts off.
   lms3dBorderLimits(const lms3dRegion& region, std::size_t edges, double reach);
 
+  /// Whether a corner may move outwards to a point: a cell of the region, one with May, is at most
+  /// two cells away along both axes.
+  bool IsNearRegion(const lms3dPoint2& point) const;
+
   /// Whether the third side of a triangle may take the place of two edges. The first edge goes from
   /// the triangle's first corner to its second one.
   bool MayJoin(const Triangle& triangle, Edge first, Edge second) const;

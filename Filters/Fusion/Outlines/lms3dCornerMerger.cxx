@@ -38,28 +38,26 @@ lms3dCornerMerger::lms3dCornerMerger(double tolerance, const lms3dFusedTile& til
 
 void lms3dCornerMerger::Merge()
 {
-  // Left loses the corners that go meanwhile.
-  const std::vector<Corner> corners = this->Left;
-  this->MergeNear(corners);
+  for (const std::size_t longest : { std::size_t{ 2 }, ChainLimit })
+  {
+    for (const Corner corner : this->Left)
+    {
+      this->Queue(corner);
+    }
+    this->MergeQueued(longest);
+    this->DropGone();
+  }
+  this->MoveOutwards();
+}
+
+void lms3dCornerMerger::MoveOutwards()
+{
   for (const Corner corner : this->Left)
   {
     if (!this->Corners.IsFixed(corner))
     {
       this->MoveOutwards(corner);
     }
-  }
-}
-
-void lms3dCornerMerger::MergeNear(const std::vector<Corner>& corners)
-{
-  for (const std::size_t longest : { std::size_t{ 2 }, ChainLimit })
-  {
-    for (const Corner corner : corners)
-    {
-      this->Queue(corner);
-    }
-    this->MergeQueued(longest);
-    this->DropGone();
   }
 }
 
@@ -133,7 +131,8 @@ bool lms3dCornerMerger::MergeChain(Corner behind)
     isFixed ? std::vector<lms3dPoint2>{ this->Points.back() } : lms3dFindMergedPlaces(merge.Before))
   {
     merge.Corner = place;
-    if (this->MayMerge(merge, chain))
+    if (!lms3dIsSharpCorner({ merge.Before.front(), place, merge.Before.back() }) &&
+      this->MayMerge(merge, chain))
     {
       this->Apply(merge, chain);
       return true;
@@ -163,20 +162,26 @@ void lms3dCornerMerger::Apply(const lms3dCornerMerge& merge, const std::vector<C
   this->Corners.Move(kept, merge.Corner);
 }
 
-// A corner that moves is merged with itself.
 void lms3dCornerMerger::MoveOutwards(Corner corner)
 {
-  const Triangle triangle = this->Corners.GetTriangle(corner);
-  const auto& [before, point, behind] = triangle;
-  const std::optional<lms3dPoint2> way = lms3dFindWayOutwards(triangle);
+  for (const lms3dPoint2& way : lms3dFindWaysOutwards(this->Corners.GetTriangle(corner)))
+  {
+    this->MoveAlong(corner, way);
+  }
+}
+
+// A corner that moves is merged with itself.
+void lms3dCornerMerger::MoveAlong(Corner corner, const lms3dPoint2& way)
+{
+  const auto [before, point, behind] = this->Corners.GetTriangle(corner);
   const std::vector<Corner> chain = { this->Corners.GetPrevious(corner), corner,
     this->Corners.GetNext(corner) };
   this->Prepare(chain);
-  for (std::size_t i = 0; way && i < Steps.size(); ++i)
+  for (const double step : Steps)
   {
-    const lms3dPoint2 place = { point[0] + Steps[i] * (*way)[0], point[1] + Steps[i] * (*way)[1] };
+    const lms3dPoint2 place = { point[0] + step * way[0], point[1] + step * way[1] };
     const lms3dCornerMerge merge = { { before, point, behind }, place };
-    if (this->MayMerge(merge, chain))
+    if (this->Limits.IsNearRegion(place) && this->MayMerge(merge, chain))
     {
       this->Apply(merge, chain);
       return;

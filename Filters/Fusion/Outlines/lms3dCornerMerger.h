@@ -20,9 +20,10 @@
  * Two successive corners that are not fixed become one, which may lie anywhere: where the edges
  * beside the two meet, or between the two. Then up to five corners become one. So a border that
  * goes to and fro between returns and beams that passed becomes straight, although none of its
- * corners can go. If the last of the corners is fixed, it alone can stay. At last corners move
- * outwards a little, so that the region has returns beside its border. The outline stays within a
- * tolerance of what it was, keeps the limits of borders, and crosses no other edge.
+ * corners can go. If the last of the corners is fixed, it alone can stay. No corner becomes sharp
+ * (lms3dIsSharpCorner). At last corners move outwards a little, with both edges or with one, so
+ * that the region has returns beside its border. The outline stays within a tolerance of what it
+ * was, keeps the limits of borders, and crosses no other edge.
  */
 class lms3dCornerMerger
 {
@@ -37,22 +38,20 @@ public:
   /// Merges corners, and moves edges outwards.
   void Merge();
 
-  /// Merges some corners with the ones behind them, and corners near merged ones. Corners that have
-  /// gone are left out.
-  void MergeNear(const std::vector<Corner>& corners);
-
 private:
   using Triangle = lms3dOutlineCorners::Triangle;
   /// The ends of three successive edges.
   using ThreeEdges = std::array<lms3dPoint2, 4>;
 
   void DropGone();
+  void MoveOutwards();
   void MergeQueued(std::size_t longest);
   void QueueBefore(Corner corner, std::size_t count);
   bool MergeAt(Corner corner, std::size_t longest);
   bool MergeChain(Corner behind);
   void Prepare(const std::vector<Corner>& chain);
   void MoveOutwards(Corner corner);
+  void MoveAlong(Corner corner, const lms3dPoint2& way);
   bool MayMerge(const lms3dCornerMerge& merge, const std::vector<Corner>& chain);
   void Apply(const lms3dCornerMerge& merge, const std::vector<Corner>& chain);
   bool IsFar(const lms3dCornerMerge& merge) const;

@@ -11,10 +11,13 @@ namespace
 // Where a new corner may lie between two, as a share of their distance, in the order in which the
 // places are tried.
 constexpr std::array<double, 5> Shares = { 0.5, 0.25, 0.75, 0.0, 1.0 };
-// Steps: how far a corner moves at most if the outline turns sharply, and the cosine of half the
-// angle of the sharpest turn at which it moves.
+// Steps: how far a corner moves at most, and the cosine of half the angle of the sharpest turn at
+// which both of its edges move, and the sine of the smallest turn at which one of them does.
 constexpr double LargestWay = 2.0;
 constexpr double SmallestCosine = 0.1;
+constexpr double SmallestSineOfTurn = 0.1;
+// The sine of half the angle of the sharpest corner that is made.
+constexpr double SmallestSineOfCorner = 0.06;
 // If more than two corners become one, lines go through each end and this number of the corners
 // next to it.
 constexpr std::size_t LinesOfEnd = 2;
@@ -78,17 +81,33 @@ std::vector<lms3dPoint2> lms3dFindMergedPlaces(const std::vector<lms3dPoint2>& p
   return places;
 }
 
-std::optional<lms3dPoint2> lms3dFindWayOutwards(const std::array<lms3dPoint2, 3>& corners)
+std::vector<lms3dPoint2> lms3dFindWaysOutwards(const std::array<lms3dPoint2, 3>& corners)
 {
   const lms3dPoint2 first = GetRight(corners[0], corners[1]);
   const lms3dPoint2 second = GetRight(corners[1], corners[2]);
+  std::vector<lms3dPoint2> ways;
   const lms3dPoint2 sum = { first[0] + second[0], first[1] + second[1] };
   const double cosine = std::hypot(sum[0], sum[1]) / 2.0;
   // Two corners at one place have no cosine.
-  if (!(cosine >= SmallestCosine))
+  if (cosine >= SmallestCosine)
   {
-    return {};
+    const double scale = std::min(LargestWay, 1.0 / cosine) / (2.0 * cosine);
+    ways.push_back({ scale * sum[0], scale * sum[1] });
   }
-  const double scale = std::min(LargestWay, 1.0 / cosine) / (2.0 * cosine);
-  return lms3dPoint2{ scale * sum[0], scale * sum[1] };
+  const double sine = first[0] * second[1] - first[1] * second[0];
+  if (std::abs(sine) >= SmallestSineOfTurn)
+  {
+    const double length = std::copysign(std::min(LargestWay, 1.0 / std::abs(sine)), sine);
+    ways.push_back({ -length * first[1], length * first[0] });
+    ways.push_back({ length * second[1], -length * second[0] });
+  }
+  return ways;
+}
+
+bool lms3dIsSharpCorner(const std::array<lms3dPoint2, 3>& corners)
+{
+  const lms3dPoint2 first = GetRight(corners[0], corners[1]);
+  const lms3dPoint2 second = GetRight(corners[1], corners[2]);
+  return lms3dGetOrientation(corners[0], corners[1], corners[2]) > 0 &&
+    std::hypot(first[0] + second[0], first[1] + second[1]) < 2.0 * SmallestSineOfCorner;
 }

@@ -10,7 +10,6 @@
 #include "Triangulation/lms3dOrientation.h"
 
 #include <array>
-#include <optional>
 #include <vector>
 
 /// Returns the places of one corner instead of two or more between a first and a last point, the
@@ -18,8 +17,13 @@
 /// themselves. Two corners have places between them, too.
 std::vector<lms3dPoint2> lms3dFindMergedPlaces(const std::vector<lms3dPoint2>& points);
 
-/// Returns how the second of three corners moves if both edges beside it move outwards by one. The
-/// region is on the left of the edges. Returns none if the outline turns back.
-std::optional<lms3dPoint2> lms3dFindWayOutwards(const std::array<lms3dPoint2, 3>& corners);
+/// Returns how the second of three corners moves if edges beside it move outwards by one: both of
+/// them, the second one alone, the first one alone. The region is on the left of the edges. Ways
+/// are at most two cells long. Leaves ways out where the outline turns back, or hardly turns.
+std::vector<lms3dPoint2> lms3dFindWaysOutwards(const std::array<lms3dPoint2, 3>& corners);
+
+/// Whether the second of three corners is so sharp that the region is narrower than a cell far from
+/// it: returns there would lie beside the region. The region is on the left of the edges.
+bool lms3dIsSharpCorner(const std::array<lms3dPoint2, 3>& corners);
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/Outlines/lms3dOutlineSimplifier.h"
 
+#include "Fusion/Outlines/lms3dCornerPlaces.h"
 #include "Fusion/Outlines/lms3dSegment2.h"
 
 #include <algorithm>
@@ -68,6 +69,17 @@ bool lms3dOutlineSimplifier::IsEmpty(const Triangle& triangle, Corner corner) co
   return this->Buckets.AllOf(triangle, isFree);
 }
 
+// Whether a neighbour of a corner would become sharp without the corner.
+bool lms3dOutlineSimplifier::MakesSharpCorner(Corner corner) const
+{
+  const Corner before = this->Corners.GetPrevious(corner);
+  const Corner behind = this->Corners.GetNext(corner);
+  return lms3dIsSharpCorner({ this->Corners[this->Corners.GetPrevious(before)],
+           this->Corners[before], this->Corners[behind] }) ||
+    lms3dIsSharpCorner({ this->Corners[before], this->Corners[behind],
+      this->Corners[this->Corners.GetNext(behind)] });
+}
+
 bool lms3dOutlineSimplifier::MayGo(Corner corner) const
 {
   const Triangle triangle = this->Corners.GetTriangle(corner);
@@ -79,15 +91,14 @@ bool lms3dOutlineSimplifier::MayGo(Corner corner) const
   {
     return this->IsEmpty(triangle, corner);
   }
-  return this->Limits.MayJoin(triangle, this->Corners.GetPrevious(corner), corner) &&
+  return !this->MakesSharpCorner(corner) &&
+    this->Limits.MayJoin(triangle, this->Corners.GetPrevious(corner), corner) &&
     this->IsEmpty(triangle, corner);
 }
 
 void lms3dOutlineSimplifier::Remove(Corner corner)
 {
   this->Limits.Join(this->Corners.GetTriangle(corner), this->Corners.GetPrevious(corner), corner);
-  this->Neighbours.push_back(this->Corners.GetPrevious(corner));
-  this->Neighbours.push_back(this->Corners.GetNext(corner));
   this->Corners.Remove(corner);
   this->Buckets.Remove(corner);
 }

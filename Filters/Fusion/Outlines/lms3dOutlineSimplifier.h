@@ -16,11 +16,12 @@
 
 /**
  * A corner goes if the straight line between its neighbours passes all corners that went before
- * within a tolerance, if the limits of borders allow it, and if the triangle between corner and
- * line holds no other corner, so outlines never cross. Fixed corners go only if they lie on a
- * straight line. Corners of steps go first, then those that cost least (M. Visvalingam and
- * J. Whyatt 1993, "Line generalisation by repeated elimination of points"). If a neighbour of the
- * corner has moved, its first place does not count.
+ * within a tolerance, if the limits of borders allow it, if neither neighbour becomes sharp
+ * (lms3dIsSharpCorner), and if the triangle between corner and line holds no other corner, so
+ * outlines never cross. Fixed corners go only if they lie on a straight line. Corners of steps go
+ * first, then those that cost least (M. Visvalingam and J. Whyatt 1993, "Line generalisation by
+ * repeated elimination of points"). If a neighbour of the corner has moved, its first place does
+ * not count.
  */
 class lms3dOutlineSimplifier
 {
@@ -31,9 +32,6 @@ public:
 
   void Simplify();
 
-  /// The corners that were beside a corner when it went. They may have gone since.
-  const std::vector<lms3dOutlineCorners::Corner>& GetNeighbours() const { return this->Neighbours; }
-
 private:
   using Corner = lms3dOutlineCorners::Corner;
   using Triangle = lms3dOutlineCorners::Triangle;
@@ -42,6 +40,7 @@ private:
   void FindCandidates();
   void Queue(Corner corner);
   double GetCost(Corner corner) const;
+  bool MakesSharpCorner(Corner corner) const;
   bool MayGo(Corner corner) const;
   bool IsEmpty(const Triangle& triangle, Corner corner) const;
   void Remove(Corner corner);
@@ -51,7 +50,6 @@ private:
   lms3dOutlineCorners& Corners;
   lms3dBorderLimits& Limits;
   std::vector<int> Versions;
-  std::vector<Corner> Neighbours;
   /// The corners that did not go.
   lms3dCornerBuckets Buckets;
   lms3dCornerCandidates Candidates;

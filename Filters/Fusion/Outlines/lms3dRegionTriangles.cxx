@@ -64,18 +64,12 @@ public:
   }
 
 private:
+  // Borders that moved outwards let more corners go and become one.
   void MergeCorners(lms3dOutlineCorners& corners, lms3dBorderLimits& limits) const
   {
     lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits).Merge();
-    // Corners that moved let others go, and the reverse.
-    lms3dOutlineSimplifier again(this->Tolerance, corners, limits);
-    again.Simplify();
-    if (!again.GetNeighbours().empty())
-    {
-      lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits)
-        .MergeNear(again.GetNeighbours());
-      lms3dOutlineSimplifier(this->Tolerance, corners, limits).Simplify();
-    }
+    lms3dOutlineSimplifier(this->Tolerance, corners, limits).Simplify();
+    lms3dCornerMerger(this->Tolerance, this->Tile, corners, limits).Merge();
   }
 
   const std::vector<lms3dLoop>& Outlines;

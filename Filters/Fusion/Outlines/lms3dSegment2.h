@@ -19,7 +19,7 @@ public:
     : Start(a)
     , Du(b[0] - a[0])
     , Dv(b[1] - a[1])
-    , Square(this->Du * this->Du + this->Dv * this->Dv)
+    , Inverse(GetInverse(this->Du * this->Du + this->Dv * this->Dv))
   {
   }
 
@@ -27,19 +27,20 @@ public:
   {
     const double pu = p[0] - this->Start[0];
     const double pv = p[1] - this->Start[1];
-    const double share = this->Square > 0.0
-      ? std::clamp((pu * this->Du + pv * this->Dv) / this->Square, 0.0, 1.0)
-      : 0.0;
+    const double share = std::clamp((pu * this->Du + pv * this->Dv) * this->Inverse, 0.0, 1.0);
     const double u = pu - share * this->Du;
     const double v = pv - share * this->Dv;
     return u * u + v * v;
   }
 
 private:
+  static double GetInverse(double square) { return square > 0.0 ? 1.0 / square : 0.0; }
+
   const lms3dPoint2& Start;
   const double Du;
   const double Dv;
-  const double Square;
+  /// 1 by the squared length; 0 if the length is 0.
+  const double Inverse;
 };
 
 #endif

@@ -24,18 +24,33 @@ void lms3dCoveringPlanes::FindNear(const lms3dVector& point)
   this->Near = this->Planes.FindPlanesNear(this->Box, this->Planes.GetMaximumError());
 }
 
+bool lms3dCoveringPlanes::Covers(int number, const lms3dMappedReturn& mapped, double distance) const
+{
+  const lms3dFusedPlane& plane = this->Planes[number];
+  return std::abs(plane.Frame.GetHeight(mapped.Point)) <= distance &&
+    this->Planes.GetBox(number).IsNear(mapped.Point, this->Planes.GetMaximumError()) &&
+    this->Planes.Covers(plane, mapped);
+}
+
 int lms3dCoveringPlanes::Find(
   const lms3dMappedReturn& mapped, const std::vector<int>& exceptions, double distance)
 {
   this->FindNear(mapped.Point);
-  const auto found = std::find_if(this->Near.begin(), this->Near.end(),
-    [&](int number)
+  int beside = -1;
+  for (const int number : this->Near)
+  {
+    if (std::find(exceptions.begin(), exceptions.end(), number) != exceptions.end() ||
+      !this->Covers(number, mapped, distance))
     {
-      const lms3dFusedPlane& plane = this->Planes[number];
-      return std::abs(plane.Frame.GetHeight(mapped.Point)) <= distance &&
-        this->Planes.GetBox(number).IsNear(mapped.Point, this->Planes.GetMaximumError()) &&
-        std::find(exceptions.begin(), exceptions.end(), number) == exceptions.end() &&
-        this->Planes.Covers(plane, mapped);
-    });
-  return found == this->Near.end() ? -1 : *found;
+      continue;
+    }
+    const lms3dFusedPlane& plane = this->Planes[number];
+    if (this->Planes.IsMetBy(plane, mapped))
+    {
+      return number;
+    }
+    // Single triangles and facets never grow to the beam.
+    beside = beside < 0 && plane.Verbatim.empty() ? number : beside;
+  }
+  return beside;
 }

@@ -23,11 +23,13 @@ public:
   {
   }
 
-  /// The first plane within a distance, metres, that covers a return, and is not an exception; -1
-  /// if there is none.
+  /// The first plane within a distance, metres, that covers a return, is met by its beam, and is
+  /// not an exception. If there is none, the first one that covers the return with a region, not
+  /// with a triangle of a local map or a facet. Otherwise -1.
   int Find(const lms3dMappedReturn& mapped, const std::vector<int>& exceptions, double distance);
 
 private:
+  bool Covers(int number, const lms3dMappedReturn& mapped, double distance) const;
   void FindNear(const lms3dVector& point);
 
   const lms3dFusedPlanes& Planes;

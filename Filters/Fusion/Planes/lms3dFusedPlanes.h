@@ -73,6 +73,10 @@ public:
   /// Whether the triangles of a plane explain a return: they are within the bound of it.
   bool Covers(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const;
 
+  /// Whether the beam of a return meets a plane in a cell that is covered, within the bound of the
+  /// return.
+  bool IsMetBy(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const;
+
   /// Adds a return to a plane that covers it. The region does not grow to it.
   void AddBeside(int number, const lms3dMappedReturn& mapped);
 

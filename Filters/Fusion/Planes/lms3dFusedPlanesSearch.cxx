@@ -102,6 +102,21 @@ bool lms3dFusedPlanes::Covers(const lms3dFusedPlane& plane, const lms3dMappedRet
   return this->IsCovered(plane, u, v, std::abs(plane.Frame.GetHeight(mapped.Point)));
 }
 
+bool lms3dFusedPlanes::IsMetBy(const lms3dFusedPlane& plane, const lms3dMappedReturn& mapped) const
+{
+  const double cosine = -lms3dDot(plane.Frame.GetNormal(), mapped.Direction);
+  const double way = plane.Frame.GetHeight(mapped.Point) / cosine;
+  // The way is infinite, or no number, if the beam is parallel to the plane.
+  if (!(std::abs(way) <= this->MaximumError))
+  {
+    return false;
+  }
+  const lms3dPoint2 place =
+    plane.Frame.ToCells(lms3dAdd(mapped.Point, lms3dScale(mapped.Direction, way)));
+  return plane.Raster.Has(
+    &lms3dRasterBlock::Covered, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1]));
+}
+
 bool lms3dFusedPlanes::IsCovered(
   const lms3dFusedPlane& plane, std::int32_t u, std::int32_t v, double distance) const
 {

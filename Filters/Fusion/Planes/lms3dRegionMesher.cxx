@@ -23,7 +23,7 @@ namespace
 constexpr double BorderShare = 6.0;
 // Cells: how far a border may stay away from the centre of a cell with a return, which may lie
 // anywhere in the cell. The farther, the more beams of returns that are cut off miss the map.
-constexpr double ReachOfBorder = 0.4;
+constexpr double ReachOfBorder = 1.2;
 constexpr double HalfDiagonal = 0.70710678118654752;
 static_assert(ReachOfBorder + HalfDiagonal < lms3dFarCoveredDistance,
   "A return that is cut off must be within the bound of the border");

@@ -12,7 +12,7 @@ namespace
 // As a share of the bound: planes from which the returns deviate by more are curved.
 constexpr double CurvedShare = 0.05;
 // Bounds: beams that meet a plane farther apart may have a gap between them.
-constexpr double LargestStep = 12.0;
+constexpr double LargestStep = 24.0;
 
 /// Where the beams of scans end: the numbers of a scan and of a beam, and a point.
 using Beam = std::pair<int, int>;

@@ -17,7 +17,7 @@ namespace
 constexpr double LargestShare = 0.9;
 // Bounds: how far old planes may be from the box of the first one.
 constexpr double LargestGap = 3.0;
-constexpr std::size_t PlacesOfScan = 3;
+constexpr std::size_t PlacesOfScan = 4;
 constexpr std::size_t LargestCount = 4000;
 // Planes with fewer triangles are not looked at for their own sake.
 constexpr std::size_t SmallestNumberOfTriangles = 4;

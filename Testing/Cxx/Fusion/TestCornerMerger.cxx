@@ -7,13 +7,16 @@
 #include "Fusion/BorderFixtures.h"
 #include "Fusion/Cells/lms3dRasterRows.h"
 #include "Fusion/Outlines/lms3dCornerMerger.h"
+#include "Fusion/Outlines/lms3dCornerPlaces.h"
 #include "Fusion/Outlines/lms3dOutlineSimplifier.h"
 #include "Fusion/Outlines/lms3dRasterOutline.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -164,6 +167,10 @@ TEST(LMS3DCornerMerger, MovesBordersOutwards)
     region.Make(lms3dRaster::GetBlockOf(u), 0);
     Set(&lms3dRegionBlock::Passed, u, 41, region);
   }
+  for (std::int32_t v = 10; v < 40; ++v)
+  {
+    region.SetRow(&lms3dRegionBlock::May, v, 10, 99, true, true, [](int) {});
+  }
   const lms3dLoop square = { { 10.0, 10.0 }, { 100.0, 10.0 }, { 100.0, 40.0 }, { 10.0, 40.0 } };
   lms3dOutlineCorners corners({ square }, { true, true, false, false });
   lms3dBorderLimits limits(region, 4, Reach);
@@ -176,6 +183,64 @@ TEST(LMS3DCornerMerger, MovesBordersOutwards)
     EXPECT_GT(loop[i + 2][1], 40.4);
     EXPECT_LT(loop[i + 2][1], 41.0);
   }
+}
+
+/// Beams passed right above the square. The corner at the upper right moves to the right alone.
+TEST(LMS3DCornerMerger, MovesOneEdgeOutwardsIfTheOtherMustStay)
+{
+  lms3dRegion region;
+  for (std::int32_t u = 0; u < 128; ++u)
+  {
+    region.Make(lms3dRaster::GetBlockOf(u), 0);
+    Set(&lms3dRegionBlock::Passed, u, 40, region);
+  }
+  for (std::int32_t v = 10; v < 40; ++v)
+  {
+    region.SetRow(&lms3dRegionBlock::May, v, 10, 99, true, true, [](int) {});
+  }
+  const lms3dLoop square = { { 10.0, 10.0 }, { 100.0, 10.0 }, { 100.0, 39.75 }, { 10.0, 39.75 } };
+  lms3dOutlineCorners corners({ square }, { true, true, false, true });
+  lms3dBorderLimits limits(region, 4, Reach);
+  lms3dCornerMerger(Tolerance, Tile, corners, limits).Merge();
+  const lms3dLoop loop = corners.GetLoops().front();
+  ASSERT_EQ(loop.size(), square.size());
+  EXPECT_DOUBLE_EQ(loop[2][0], 102.0);
+  EXPECT_DOUBLE_EQ(loop[2][1], 39.75);
+}
+
+TEST(LMS3DCornerPlaces, AreSharpIfTheRegionIsNarrow)
+{
+  const auto isSharp = [](double height, bool isReversed)
+  {
+    const lms3dPoint2 a = { 0.0, 0.0 };
+    const lms3dPoint2 c = { 0.0, height };
+    return lms3dIsSharpCorner({ isReversed ? c : a, { 100.0, height / 2.0 }, isReversed ? a : c });
+  };
+  EXPECT_TRUE(isSharp(10.0, false));
+  EXPECT_FALSE(isSharp(14.0, false));
+  EXPECT_FALSE(isSharp(10.0, true)) << "the region is around the corner";
+}
+
+TEST(LMS3DCornerPlaces, MoveBothEdgesOrOneOutwards)
+{
+  using Ways = std::vector<lms3dPoint2>;
+  const auto expectWays = [](const std::array<lms3dPoint2, 3>& corners, const Ways& expected)
+  {
+    const Ways ways = lms3dFindWaysOutwards(corners);
+    ASSERT_EQ(ways.size(), expected.size());
+    for (std::size_t i = 0; i < ways.size(); ++i)
+    {
+      EXPECT_NEAR(ways[i][0], expected[i][0], 1e-12) << i;
+      EXPECT_NEAR(ways[i][1], expected[i][1], 1e-12) << i;
+    }
+  };
+  expectWays({ { { 0.0, 0.0 }, { 9.0, 0.0 }, { 9.0, 5.0 } } },
+    { { 1.0, -1.0 }, { 1.0, 0.0 }, { 0.0, -1.0 } });
+  expectWays({ { { 0.0, 0.0 }, { 9.0, 0.0 }, { 9.0, -5.0 } } },
+    { { -1.0, -1.0 }, { -1.0, 0.0 }, { 0.0, -1.0 } });
+  expectWays({ { { 0.0, 0.0 }, { 9.0, 0.0 }, { 12.0, 0.0 } } }, { { 0.0, -1.0 } });
+  expectWays({ { { 0.0, 0.0 }, { 9.0, 0.0 }, { 4.0, 0.0 } } }, {});
+  expectWays({ { { 0.0, 0.0 }, { 0.0, 0.0 }, { 4.0, 0.0 } } }, {});
 }
 
 /// The edges beside the upper corners meet 200 cells above them.

@@ -54,19 +54,28 @@ public:
     return std::uniform_real_distribution<double>(low, high)(this->Random);
   }
 
-  /// The first plane that covers a return.
+  /// The first plane that covers a return and that its vertical beam meets. If there is none, the
+  /// first one that covers it.
   int FindAmongAll(const lms3dMappedReturn& mapped, int exception, double distance) const
   {
+    int beside = -1;
     for (int number = 0; number < Count; ++number)
     {
       const lms3dFusedPlane& plane = this->All[number];
-      if (number != exception && std::abs(plane.Frame.GetHeight(mapped.Point)) <= distance &&
-        this->All.Covers(plane, mapped))
+      if (number == exception || std::abs(plane.Frame.GetHeight(mapped.Point)) > distance ||
+        !this->All.Covers(plane, mapped))
+      {
+        continue;
+      }
+      const lms3dPoint2 place = plane.Frame.ToCells(mapped.Point);
+      if (plane.Raster.Has(
+            &lms3dRasterBlock::Covered, lms3dGetCellOf(place[0]), lms3dGetCellOf(place[1])))
       {
         return number;
       }
+      beside = beside < 0 ? number : beside;
     }
-    return -1;
+    return beside;
   }
 
   lms3dFusedPlanes All{ Bound };
@@ -137,6 +146,60 @@ TEST(LMS3DCoveringPlanes, AreNotThoseThatWent)
   EXPECT_LT(std::count_if(planes.All.GetAll().begin(), planes.All.GetAll().end(),
               [](const lms3dFusedPlane& plane) { return !plane.HasGone; }),
     Count);
+}
+
+namespace
+{
+/// Covers one cell of a plane, with the cells beside it in its box.
+void CoverCell(int number, std::int32_t u, std::int32_t v, lms3dFusedPlanes& planes)
+{
+  lms3dFusedPlane& plane = planes[number];
+  plane.Raster.Make(0, 0);
+  plane.Raster.Set(&lms3dRasterBlock::Covered, lms3dMakeCellStrip(u, v), true);
+  planes.GrowBox(number, plane.Frame.ToWorld({ u - 2.0, v - 2.0 }));
+  planes.GrowBox(number, plane.Frame.ToWorld({ u + 3.0, v + 3.0 }));
+}
+} // namespace
+
+/// The second plane is met, the first and the third one only cover the return beside it.
+TEST(LMS3DCoveringPlanes, AreMetByTheBeamIfPossible)
+{
+  lms3dFusedPlanes planes(Bound);
+  for (int number = 0; number < 3; ++number)
+  {
+    planes.MakePlane({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+    CoverCell(number, number == 1 ? 20 : 21, 20, planes);
+  }
+  const lms3dMappedReturn mapped = MakeReturn(planes[0].Frame.ToWorld({ 20.5, 20.5 }));
+  EXPECT_EQ(lms3dCoveringPlanes(planes).Find(mapped, {}, Bound), 1);
+  EXPECT_EQ(lms3dCoveringPlanes(planes).Find(mapped, { 1 }, Bound), 0);
+  planes[0].Verbatim.resize(1);
+  EXPECT_EQ(lms3dCoveringPlanes(planes).Find(mapped, { 1 }, Bound), 2);
+  planes[2].Verbatim.resize(1);
+  EXPECT_EQ(lms3dCoveringPlanes(planes).Find(mapped, { 1 }, Bound), -1);
+  planes[1].Verbatim.resize(1);
+  EXPECT_EQ(lms3dCoveringPlanes(planes).Find(mapped, {}, Bound), 1);
+}
+
+/// The return lies half a bound above the plane, and its beam goes on by one and a half cells.
+TEST(LMS3DFusedPlanes, AreMetWhereTheBeamEndsInThePlane)
+{
+  lms3dFusedPlanes planes(Bound);
+  planes.MakePlane({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  const lms3dPlaneFrame& frame = planes[0].Frame;
+  const lms3dVector foot = frame.ToWorld({ 20.5, 20.5 });
+  const lms3dVector ahead = lms3dSubtract(frame.ToWorld({ 22.0, 20.5 }), foot);
+  const lms3dVector height = { 0.0, 0.0, 0.5 * Bound };
+  lms3dMappedReturn mapped = MakeReturn(lms3dAdd(foot, height));
+  mapped.Direction = lms3dNormalize(lms3dSubtract(ahead, height));
+  CoverCell(0, 20, 20, planes);
+  EXPECT_FALSE(planes.IsMetBy(planes[0], mapped));
+  CoverCell(0, 22, 20, planes);
+  EXPECT_TRUE(planes.IsMetBy(planes[0], mapped));
+  mapped.Point = lms3dAdd(foot, lms3dScale(height, 3.0));
+  EXPECT_FALSE(planes.IsMetBy(planes[0], mapped)) << "the plane is too far behind";
+  mapped.Direction = { 1.0, 0.0, 0.0 };
+  EXPECT_FALSE(planes.IsMetBy(planes[0], mapped)) << "the beam is parallel";
 }
 
 /// The first cell of the next tile is 1024. Its mesh is not made anew when the triangles before go.

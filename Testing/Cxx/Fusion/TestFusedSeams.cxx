@@ -43,16 +43,17 @@ void Record(const std::string& name, const Seams& seams, double sheets)
   testing::Test::RecordProperty(name + "Sheets", std::to_string(sheets));
 }
 
-/// Seams must be closed, and the hall must be around `Inside` once, within the tolerance. After the
-/// first pose, the map still has open seams.
-void ExpectClosed(std::size_t pose, double bound, double tolerance, vtkLMS3DMapFusion* fusion)
+/// Seams must be closed, unless some are expected to be open, and the hall must be around `Inside`
+/// once, within the tolerance.
+void ExpectClosed(
+  std::size_t pose, double bound, double tolerance, bool isOpen, vtkLMS3DMapFusion* fusion)
 {
   fusion->Update();
   const Seams seams = FindSeams(fusion->GetOutput(), MakeHall(), bound);
   const double sheets = CountSheetsAround(fusion->GetOutput(), Inside);
   Record("Poses" + std::to_string(pose + 1), seams, sheets);
   EXPECT_GT(seams.Samples, 0);
-  EXPECT_EQ(seams.Open > 0, pose == 0) << seams.Open;
+  EXPECT_EQ(seams.Open > 0, isOpen) << seams.Open;
   EXPECT_NEAR(sheets, 1.0, tolerance);
 }
 } // namespace
@@ -65,7 +66,7 @@ TEST(LMS3DFusedSeams, CloseAHall)
   for (std::size_t i = 0; i < Poses.size(); ++i)
   {
     AddAll({ MakeMappedScan(MakeHall(), Poses[i], false) }, fusion);
-    ExpectClosed(i, Bound, i == 0 ? 1e-3 : 1e-4, fusion);
+    ExpectClosed(i, Bound, i == 0 ? 1e-3 : 1e-4, i == 0, fusion);
   }
 }
 
@@ -88,7 +89,7 @@ TEST(LMS3DFusedSeams, HaveTheEulerNumberOfASphere)
 }
 
 // Strays get facets in free space. They pass no wall, and lost beams, which Status calls too weak,
-// are no gaps as soon as two poses see a wall. The local maps have these gaps.
+// are no gaps: borders of the larger bound reach the next wall. The local maps have these gaps.
 TEST(LMS3DFusedSeams, HoldWithDropoutsAndStrays)
 {
   constexpr double Bound = 0.03;
@@ -111,6 +112,6 @@ TEST(LMS3DFusedSeams, HoldWithDropoutsAndStrays)
     mapper->SetMaximumGapSize(0);
     mapper->Update();
     AddAll({ { mapper->GetPolyDataInput(0), mapper->GetOutput() } }, fusion);
-    ExpectClosed(i, Bound, i == 0 ? 1e-2 : 1e-3, fusion);
+    ExpectClosed(i, Bound, i == 0 ? 1e-2 : 1e-3, false, fusion);
   }
 }

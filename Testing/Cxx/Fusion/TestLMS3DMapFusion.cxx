@@ -73,6 +73,15 @@ TEST(LMS3DMapFusion, JoinsFivePosesInTheRoom)
   }
 }
 
+/// Few beams meet each surface, so most of the returns lie at borders.
+TEST(LMS3DMapFusion, MissesFewReturnsOfCoarseScans)
+{
+  const std::vector<MappedScan> scans = ScanRoom(true);
+  const FusionVerdict verdict = JudgeFusion(Fuse(scans), scans, MaximumError);
+  EXPECT_EQ(verdict.Beyond, 0) << verdict.LargestDistance;
+  EXPECT_LE(static_cast<double>(verdict.Missed), 1e-3 * static_cast<double>(verdict.Returns));
+}
+
 TEST(LMS3DMapFusion, KeepsTheBoundOfNoisyScans)
 {
   const std::vector<MappedScan> scans = ScanRoom(true, 0.002);
