@@ -133,7 +133,7 @@ lms3dTileBlock lms3dClusterDivision::DivideBlock(int number, std::size_t maximum
   lms3dTiles tiles;
   const std::uint32_t present = this->Grid.FillParts(this->Grid.GetBlock(number), tiles);
   const std::size_t stride = static_cast<std::size_t>(this->Grid.CountGroups()) * lms3dTiles::Size;
-  std::array<Contents, lms3dTiles::Size> ofTiles;
+  ContentsOfBlock contents{ {}, 0, maximum };
   for (const Part& part : this->Parts)
   {
     for (std::size_t first = 0; first < part.Chosen.size(); first += GroupsOfWord)
@@ -141,25 +141,21 @@ lms3dTileBlock lms3dClusterDivision::DivideBlock(int number, std::size_t maximum
       std::uint32_t met = part.Met[first / GroupsOfWord * stride + number];
       for (; met != 0; met &= met - 1)
       {
-        this->AddGroup(part.Chosen[first + lms3dGetFirstBit(met)], present, tiles, ofTiles);
+        this->AddGroup(part.Chosen[first + lms3dGetFirstBit(met)], present, tiles, contents);
       }
     }
   }
   lms3dTileBlock block;
+  block.Crowded = contents.Crowded;
   for (int tile = 0; tile < lms3dTiles::Size; ++tile)
   {
-    const std::size_t count = this->CountTriangles(ofTiles[tile]);
-    if (count == 0)
+    if (contents.OfTiles[tile].Count == 0)
     {
       block.Decided |= 1u << tile;
     }
-    else if (count > maximum)
+    else if (!lms3dHasBit(contents.Crowded, tile))
     {
-      block.Crowded |= 1u << tile;
-    }
-    else
-    {
-      this->AppendTriangles(ofTiles[tile], block);
+      this->AppendTriangles(contents.OfTiles[tile], block);
     }
     block.EndTile(tile);
   }
@@ -167,24 +163,38 @@ lms3dTileBlock lms3dClusterDivision::DivideBlock(int number, std::size_t maximum
 }
 
 void lms3dClusterDivision::AddGroup(const Group& group, std::uint32_t present,
-  const lms3dTiles& tiles, std::array<Contents, lms3dTiles::Size>& ofTiles) const
+  const lms3dTiles& tiles, ContentsOfBlock& contents) const
 {
-  std::uint32_t met = present & this->Kernels.FindTilesOfBox(tiles, group.Box);
+  const std::uint32_t met = present & this->Kernels.FindTilesOfBox(tiles, group.Box);
+  const std::uint32_t open = met & ~contents.Crowded;
   if (group.Count <= MaximumOfDivided && lms3dCountBits(met) >= MinimumTilesOfDivided)
   {
-    this->AddTriangles(group, met, tiles, ofTiles);
-    return;
+    this->AddTriangles(group, open, tiles, contents);
   }
-  for (; met != 0; met &= met - 1)
+  else
   {
-    ofTiles[lms3dGetFirstBit(met)].Whole.push_back(&group);
+    for (std::uint32_t rest = open; rest != 0; rest &= rest - 1)
+    {
+      Contents& ofTile = contents.OfTiles[lms3dGetFirstBit(rest)];
+      ofTile.Whole.push_back(&group);
+      ofTile.Count += group.Count;
+    }
+  }
+  for (std::uint32_t rest = open; rest != 0; rest &= rest - 1)
+  {
+    const int tile = lms3dGetFirstBit(rest);
+    contents.Crowded |= contents.OfTiles[tile].Count > contents.Maximum ? 1u << tile : 0u;
   }
 }
 
 // Adds the triangles of a group whose box says little.
-void lms3dClusterDivision::AddTriangles(const Group& group, std::uint32_t met,
-  const lms3dTiles& tiles, std::array<Contents, lms3dTiles::Size>& ofTiles) const
+void lms3dClusterDivision::AddTriangles(
+  const Group& group, std::uint32_t met, const lms3dTiles& tiles, ContentsOfBlock& contents) const
 {
+  if (met == 0)
+  {
+    return;
+  }
   lms3dNarrowCache* const kept = this->Classifier.GetView().GetKept();
   for (std::uint32_t i = group.First; i < group.First + group.Count; ++i)
   {
@@ -193,19 +203,11 @@ void lms3dClusterDivision::AddTriangles(const Group& group, std::uint32_t met,
       this->Classifier.FindMet(static_cast<std::int32_t>(triangle), met, tiles, kept);
     for (; rest != 0; rest &= rest - 1)
     {
-      ofTiles[lms3dGetFirstBit(rest)].Triangles.push_back(triangle);
+      Contents& ofTile = contents.OfTiles[lms3dGetFirstBit(rest)];
+      ofTile.Triangles.push_back(triangle);
+      ++ofTile.Count;
     }
   }
-}
-
-std::size_t lms3dClusterDivision::CountTriangles(const Contents& contents)
-{
-  std::size_t count = contents.Triangles.size();
-  for (const Group* group : contents.Whole)
-  {
-    count += group->Count;
-  }
-  return count;
 }
 
 void lms3dClusterDivision::AppendTriangles(const Contents& contents, lms3dTileBlock& block) const

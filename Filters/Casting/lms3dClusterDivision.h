@@ -64,17 +64,29 @@ private:
 
     /// Triangles of other groups.
     std::vector<std::uint32_t> Triangles;
+
+    /// How many triangles these are together.
+    std::size_t Count = 0;
+  };
+
+  /// What the tiles of a block can meet.
+  struct ContentsOfBlock
+  {
+    std::array<Contents, lms3dTiles::Size> OfTiles;
+
+    /// The tiles with more triangles than the maximum. No more are added to them.
+    std::uint32_t Crowded = 0;
+    const std::size_t Maximum;
   };
 
   std::vector<Group> Choose(std::size_t begin, std::size_t end) const;
   Part DividePart(std::size_t begin, std::size_t end, const std::vector<lms3dTiles>& blocks) const;
   lms3dTileBlock DivideBlock(int number, std::size_t maximum) const;
   void AddGroup(const Group& group, std::uint32_t present, const lms3dTiles& tiles,
-    std::array<Contents, lms3dTiles::Size>& ofTiles) const;
+    ContentsOfBlock& contents) const;
   void AddTriangles(const Group& group, std::uint32_t met, const lms3dTiles& tiles,
-    std::array<Contents, lms3dTiles::Size>& ofTiles) const;
+    ContentsOfBlock& contents) const;
   void AppendTriangles(const Contents& contents, lms3dTileBlock& block) const;
-  static std::size_t CountTriangles(const Contents& contents);
 
   const lms3dPacketKernels& Kernels = lms3dGetPacketKernels();
   const lms3dTriangleClusters& All;

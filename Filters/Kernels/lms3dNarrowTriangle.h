@@ -9,7 +9,8 @@
  * the sign of a.(b x c). It then meets the plane with the normal n = (b - a) x (c - a) at the range
  * n.a / n.d. So the products of d with four vectors decide: three edges (b x c) / |b x c| and so
  * on, turned so that directions inside have positive products, and the plane (n / n.a) times a unit
- * of length, whose product is the inverse range.
+ * of length, whose product is the inverse range. Edges of a triangle that is used once are not
+ * divided by |b x c|. The bounds of their products are then multiplied by it.
  *
  * The 1-norm of an edge is 1, and no component of d exceeds 1. So the products of a dot product,
  * and its sums, are at most 1 together. Rounding the edge to single precision, rounding d, and
@@ -44,11 +45,12 @@ constexpr float lms3dNarrowError = 2e-6f;
 /// One cache line. All values are without unit.
 struct alignas(64) lms3dNarrowTriangle
 {
-  /// Opposite to corner 0, 1 and 2.
-  float Edge[3][3];
+  /// The x, y and z of four vectors: the edges opposite to corner 0, 1 and 2, and the plane, whose
+  /// product with a direction is unit / range.
+  float Vectors[3][4];
 
-  /// Its product with a direction is unit / range.
-  float Plane[3];
+  /// Which of the vectors is the plane.
+  static constexpr int Plane = 3;
 
   /// The bound of the plane's product; negative if single precision cannot represent the triangle:
   /// it is very narrow, its plane passes very near to the sensor, or its size overflows.

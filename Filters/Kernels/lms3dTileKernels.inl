@@ -119,12 +119,12 @@ void CompareWithEdges(
   {
     float minimum = 1.0f;
     float minimumOfMaxima = 1.0f;
-    for (const float(&edge)[3] : triangle.Edge)
+    for (int edge = 0; edge < lms3dNarrowTriangle::Plane; ++edge)
     {
-      const float a = Dot(tiles.Corner[0], i, edge);
-      const float b = Dot(tiles.Corner[1], i, edge);
-      const float c = Dot(tiles.Corner[2], i, edge);
-      const float d = Dot(tiles.Corner[3], i, edge);
+      const float a = Dot(tiles.Corner[0], i, triangle, edge);
+      const float b = Dot(tiles.Corner[1], i, triangle, edge);
+      const float c = Dot(tiles.Corner[2], i, triangle, edge);
+      const float d = Dot(tiles.Corner[3], i, triangle, edge);
       minimum = Minimum(minimum, Minimum(Minimum(a, b), Minimum(c, d)));
       minimumOfMaxima = Minimum(minimumOfMaxima, Maximum(Maximum(a, b), Maximum(c, d)));
     }
@@ -170,7 +170,7 @@ lms3dTileMasks CompareWithCover(const lms3dTiles& tiles, const lms3dNarrowTriang
     float maximumGain = -MaximumPlane;
     for (int c = 0; c < 4; ++c)
     {
-      inverse[c][i] = Dot(tiles.Corner[c], i, triangle.Plane);
+      inverse[c][i] = Dot(tiles.Corner[c], i, triangle, lms3dNarrowTriangle::Plane);
       const float gain = inverse[c][i] - cover.InverseRange[c][i];
       minimum = Minimum(minimum, inverse[c][i]);
       minimumGain = Minimum(minimumGain, gain);

@@ -32,34 +32,51 @@ struct lms3dReturnRun
   int FirstBeam;
 };
 
-inline int lms3dCountRuns(const std::int32_t* triangles, int beams)
+/// Returns the first beam that gave a return, or, if `isReturn` is false, the first that did not.
+inline const std::int32_t* lms3dFindBeam(
+  const std::int32_t* first, const std::int32_t* end, bool isReturn)
 {
-  // Compilers vectorize a count that is as wide as the elements.
-  std::int32_t runs = triangles[0] != lms3dBeamPacket::NoTriangle ? 1 : 0;
-  for (int beam = 1; beam < beams; ++beam)
+  // Compilers vectorize a count of fixed length, but no search.
+  constexpr int Step = 16;
+  for (; end - first >= Step; first += Step)
   {
-    const bool isFirst = (triangles[beam] != lms3dBeamPacket::NoTriangle) &
-      (triangles[beam - 1] == lms3dBeamPacket::NoTriangle);
-    runs += isFirst ? 1 : 0;
+    std::int32_t returns = 0;
+    for (int i = 0; i < Step; ++i)
+    {
+      returns += first[i] != lms3dBeamPacket::NoTriangle ? 1 : 0;
+    }
+    if (returns != (isReturn ? 0 : Step))
+    {
+      break;
+    }
   }
-  return runs;
+  return std::find_if(first, end,
+    [isReturn](std::int32_t triangle)
+    { return (triangle != lms3dBeamPacket::NoTriangle) == isReturn; });
 }
 
-/// Appends the runs of a turn, whose returns begin at `returns.Slot`.
-inline void lms3dFindRuns(const std::int32_t* triangles, int beams, lms3dReturnPiece returns,
-  std::vector<lms3dReturnRun>& runs)
+/// Appends the runs of a turn, whose returns begin at `returns.Slot`. Returns false, and appends
+/// none, if they are shorter than `minimumLength` on average.
+inline bool lms3dFindRuns(const std::int32_t* triangles, int beams, lms3dReturnPiece returns,
+  std::size_t minimumLength, std::vector<lms3dReturnRun>& runs)
 {
+  const std::size_t before = runs.size();
+  const std::size_t maximumRuns = static_cast<std::size_t>(returns.Count) / minimumLength;
   const std::int32_t* end = triangles + beams;
-  const auto isReturn = [](std::int32_t triangle)
-  { return triangle != lms3dBeamPacket::NoTriangle; };
-  for (const std::int32_t* first = std::find_if(triangles, end, isReturn); first != end;)
+  for (const std::int32_t* first = lms3dFindBeam(triangles, end, true); first != end;)
   {
-    const std::int32_t* last = std::find_if_not(first, end, isReturn);
+    if (runs.size() - before == maximumRuns)
+    {
+      runs.resize(before);
+      return false;
+    }
+    const std::int32_t* last = lms3dFindBeam(first, end, false);
     returns.Count = static_cast<int>(last - first);
     runs.push_back({ returns, static_cast<int>(first - triangles) });
     returns.Slot += returns.Count;
-    first = std::find_if(last, end, isReturn);
+    first = lms3dFindBeam(last, end, true);
   }
+  return true;
 }
 
 /// Returns the beams of a turn that gave a return.

@@ -6,12 +6,13 @@
 #include "Scan/lms3dReturnRuns.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace
 {
 // From this mean length on, it pays to fill the arrays run by run.
-constexpr int MinimumRunLength = 8;
+constexpr std::size_t MinimumRunLength = 8;
 
 using Piece = lms3dReturnPiece;
 using Run = lms3dReturnRun;
@@ -240,11 +241,7 @@ void lms3dTurnReturns::Fill(int begin, int end, const std::vector<std::size_t>& 
     {
       runs.push_back({ piece, 0 });
     }
-    else if (MinimumRunLength * lms3dCountRuns(triangles, beams) <= piece.Count)
-    {
-      lms3dFindRuns(triangles, beams, piece, runs);
-    }
-    else
+    else if (!lms3dFindRuns(triangles, beams, piece, MinimumRunLength, runs))
     {
       filler.FillHits(piece, lms3dFindHits(triangles, beams));
     }

@@ -162,3 +162,23 @@ TEST(NarrowBeams, AreDecidedRightlyFromCornersOfSmallTriangles)
   EXPECT_EQ(tally.Wrong, 0);
   EXPECT_GT(tally.Decided, static_cast<std::int64_t>(300000 / Fewer));
 }
+
+// Edges that single precision cannot hold are left to double precision.
+TEST(NarrowBeams, FromCornersOfExtremeSizesAreUncertain)
+{
+  Beams beams;
+  beams.fill({ 1.0, 0.0, 0.0 });
+  for (double size : { 1e-11, 1e-9, 1.0, 1e9, 1e11 })
+  {
+    SCOPED_TRACE(size);
+    const Corners corners = { size * Vector{ 1.0, -1.0, -1.0 }, size * Vector{ 1.0, 1.0, -1.0 },
+      size * Vector{ 1.0, 0.0, 1.0 } };
+    lms3dBeamPacket packet = MakePacket(beams);
+    lms3dNarrowHits hits = {};
+    const lms3dNarrowMasks masks =
+      UpdateFromCorners(SeenTriangle(corners, Vector{ 0.0, 0.0, 0.0 }), 0, packet, hits);
+    const bool isExtreme = size < 1e-10 || size > 1e10;
+    EXPECT_EQ(masks.Changed, isExtreme ? 0u : 0xffffu);
+    EXPECT_EQ(masks.Uncertain, isExtreme ? 0xffffu : 0u);
+  }
+}
