@@ -12,6 +12,7 @@
 #include <vtkFieldData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -22,6 +23,8 @@ namespace
 {
 // How far the axes of a pose may be from orthonormal ones.
 constexpr double AxisTolerance = 1e-6;
+// Bounds: how far the map reaches from the origin. The cells of its planes have 32-bit numbers.
+constexpr double LargestDistance = 6e8;
 
 [[noreturn]] void Fail(const std::string& text)
 {
@@ -78,6 +81,31 @@ void CheckStatus(vtkPolyData* scan, std::int64_t beams)
   }
 }
 
+void CheckDistance(const char* what, double distance, double maximumError)
+{
+  const double largest = LargestDistance * maximumError;
+  if (!(distance <= largest))
+  {
+    Fail(lms3dJoinText(what, " up to ", distance, " m from the origin. With a MaximumError of ",
+      maximumError, " m, the map reaches ", largest,
+      " m. Move the origin nearer to the poses, or use a larger MaximumError."));
+  }
+}
+
+void CheckDistances(const lms3dScanInput& scan, vtkPolyData* map, double maximumError)
+{
+  const double* const ranges = scan.GetRanges();
+  const double range = *std::max_element(ranges, ranges + scan.GetNumberOfReturns());
+  CheckDistance(
+    "The beams of the scan reach", lms3dGetLength(scan.GetSensorPosition()) + range, maximumError);
+  for (vtkIdType i = 0; i < map->GetNumberOfPoints(); ++i)
+  {
+    lms3dVector point;
+    map->GetPoint(i, point.data());
+    CheckDistance("The local map lies", lms3dGetLength(point), maximumError);
+  }
+}
+
 void CheckMap(vtkPolyData* map, double maximumError)
 {
   const vtkIdType triangles = map->GetNumberOfPolys();
@@ -120,4 +148,5 @@ void lms3dCheckFusionInput(vtkPolyData* map, vtkPolyData* scan, double maximumEr
   CheckReturns(input);
   CheckStatus(scan, input.GetGeometry().CountBeamsOfAllTurns());
   CheckMap(map, maximumError);
+  CheckDistances(input, map, maximumError);
 }
