@@ -41,12 +41,13 @@
  * A beam passes through a plane if its return is farther than the plane by more than MaximumError,
  * along the beam. There the surface of other scans ends, so that beams without noise meet no
  * triangle nearer than their return by more. (Ranges are kept in single precision: beyond 80 m,
- * this holds within a millionth of the range for a MaximumError of 1 cm.) A beam without a return that met nothing, or a surface
- * beyond the range, passes as if its return were as far as the farthest return of its scan. The
- * scan's field data `Status` say which beams these are. Without `Status`, all beams without a
- * return pass, unless the local map was made with a MaximumGapSize above 0. So the scans of a
- * device that loses beams, or has a minimum range, need `Status`: otherwise each lost beam opens
- * the surface of other scans. A scan whose local map has no triangles shows no free space.
+ * this holds within a millionth of the range for a MaximumError of 1 cm.) A beam without a return
+ * that met nothing, or a surface beyond the range, passes as if its return were as far as the
+ * farthest return of its scan. The scan's field data `Status` say which beams these are. Without
+ * `Status`, all beams without a return pass, unless the local map was made with a MaximumGapSize
+ * above 0. So the scans of a device that loses beams, or has a minimum range, need `Status`:
+ * otherwise each lost beam opens the surface of other scans. A scan whose local map has no
+ * triangles shows no free space.
  *
  * What lies between beams is a guess. A scan's guess far behind the planes of the returns around it
  * is left out. Beyond a crease, surface needs a return that it is joined to without a way across a
@@ -86,10 +87,9 @@
  * vtkErrorCode::UserError, and an empty output. Invalid are: maps without scans or scans without
  * maps; a map without `PatchId`, or with a `LargestDeviation` above MaximumError; a scan that
  * vtkLMS3DSurfaceReconstructionFilter refuses; a pose that is not a rotation and a translation;
- * beams or triangles farther than 6e8 times MaximumError from the origin. The
- * filter reports an error once, until a property or an input changes. An abort leaves the output
- * empty, and the next update begins a new map. The output is the same to the bit for any
- * NumberOfThreads.
+ * beams or triangles farther than 6e8 times MaximumError from the origin. The filter reports an
+ * error once, until a property or an input changes. An abort leaves the output empty, and the next
+ * update begins a new map. The output is the same to the bit for any NumberOfThreads.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkLMS3DScanFilter

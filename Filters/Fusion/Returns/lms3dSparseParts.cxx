@@ -9,7 +9,7 @@
 
 namespace
 {
-// For each return: more blocks are sparse, and fewer are if the scan has too many blocks.
+// Blocks for each return. The limit falls if the scan has too many blocks.
 constexpr double LargestLimit = 64.0;
 constexpr double SmallestLimit = 16.0;
 constexpr double BlocksOfPart = 64.0;
