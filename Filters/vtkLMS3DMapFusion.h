@@ -28,15 +28,27 @@
  * of its corners is as near.) For things that were moved, this holds with ForgetSeenThrough for the
  * returns since then.
  *
+ * @par Far returns and small bounds
+ * The time and the memory of a scan are bounded by the number of its returns. If a patch of its
+ * local map has more than 64 blocks of 64 x 64 cells for each return (neighbouring returns are then
+ * about 170 times MaximumError apart), the map has surface between those neighbouring returns alone
+ * that are nearer to one another, and small triangles around the others. The limit falls to 16
+ * blocks if a scan would have more than 500,000 blocks and more than 16 for each of its returns. So
+ * a wall 5 km away, or a room at a MaximumError of 0.1 mm, becomes a set of small triangles. All
+ * poses, returns and points of local maps must lie within 6e8 times MaximumError of the origin
+ * (6,000 km by default); a scan that reaches farther is refused.
+ *
  * @par Free space
  * A beam passes through a plane if its return is farther than the plane by more than MaximumError,
  * along the beam. There the surface of other scans ends, so that beams without noise meet no
- * triangle nearer than their return by more. A beam without a return that met nothing, or a surface
- * beyond the range, passes as if its return were as far as the farthest return of its scan. The
- * scan's field data `Status` say which beams these are. Without `Status`, all beams without a
- * return pass, unless the local map was made with a MaximumGapSize above 0. So the scans of a
- * device that loses beams, or has a minimum range, need `Status`: otherwise each lost beam opens
- * the surface of other scans. A scan whose local map has no triangles shows no free space.
+ * triangle nearer than their return by more. (Ranges are kept in single precision: beyond 80 m,
+ * this holds within a millionth of the range for a MaximumError of 1 cm.) A beam without a return
+ * that met nothing, or a surface beyond the range, passes as if its return were as far as the
+ * farthest return of its scan. The scan's field data `Status` say which beams these are. Without
+ * `Status`, all beams without a return pass, unless the local map was made with a MaximumGapSize
+ * above 0. So the scans of a device that loses beams, or has a minimum range, need `Status`:
+ * otherwise each lost beam opens the surface of other scans. A scan whose local map has no
+ * triangles shows no free space.
  *
  * What lies between beams is a guess. A scan's guess far behind the planes of the returns around it
  * is left out. Beyond a crease, surface needs a return that it is joined to without a way across a
@@ -76,10 +88,11 @@
  * vtkErrorCode::UserError, and an empty output. Invalid are: maps without scans or scans without
  * maps; a map without `PatchId`, with cells that are no triangles, or with a `LargestDeviation`
  * above MaximumError; a scan that vtkLMS3DSurfaceReconstructionFilter refuses; a pose that is not a
- * rotation and a translation. The filter reports an error once, until a property or an input
- * changes. An abort (SetAbortExecute) leaves the output empty and discards all scans: as soon as
- * AbortExecute is off again, the next update begins a new map. The output is the same to the bit
- * for any NumberOfThreads.
+ * rotation and a translation; beams or triangles farther than 6e8 times MaximumError from the
+ * origin. The filter reports an error once, until a property or an input changes. An abort
+ * (SetAbortExecute) leaves the output empty and discards all scans: as soon as AbortExecute is off
+ * again, the next update begins a new map. The output is the same to the bit for any
+ * NumberOfThreads.
  *
  * @sa
  * vtkLMS3DSurfaceReconstructionFilter vtkLMS3DScanFilter

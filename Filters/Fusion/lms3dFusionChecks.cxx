@@ -4,6 +4,7 @@
 
 #include "Device/lms3dScanChecks.h"
 #include "Device/lms3dScanInput.h"
+#include "Geometry/lms3dVector.h"
 #include "Pipeline/lms3dText.h"
 
 #include <vtkCellArray.h>
@@ -23,6 +24,9 @@
 
 namespace
 {
+// Bounds: how far the map reaches from the origin. The cells of its planes have 32-bit numbers.
+constexpr double LargestDistance = 6e8;
+
 [[noreturn]] void Fail(const std::string& text)
 {
   throw std::runtime_error(text);
@@ -63,6 +67,31 @@ void CheckStatus(vtkPolyData* scan, std::int64_t beams)
     Fail(lms3dJoinText("Status of the scan has ", status->GetNumberOfTuples(), " tuples of ",
       status->GetNumberOfComponents(), " components. One number for each of the ", beams,
       " beams is expected."));
+  }
+}
+
+void CheckDistance(const char* what, double distance, double maximumError)
+{
+  const double largest = LargestDistance * maximumError;
+  if (!(distance <= largest))
+  {
+    Fail(lms3dJoinText(what, " up to ", distance, " m from the origin. With a MaximumError of ",
+      maximumError, " m, the map reaches ", largest,
+      " m. Move the origin nearer to the poses, or use a larger MaximumError."));
+  }
+}
+
+void CheckDistances(const lms3dScanInput& scan, vtkPolyData* map, double maximumError)
+{
+  const double* const ranges = scan.GetRanges();
+  const double range = *std::max_element(ranges, ranges + scan.GetNumberOfReturns());
+  CheckDistance(
+    "The beams of the scan reach", lms3dGetLength(scan.GetSensorPosition()) + range, maximumError);
+  for (vtkIdType i = 0; i < map->GetNumberOfPoints(); ++i)
+  {
+    lms3dVector point;
+    map->GetPoint(i, point.data());
+    CheckDistance("The local map lies", lms3dGetLength(point), maximumError);
   }
 }
 
@@ -143,4 +172,5 @@ void lms3dCheckFusionInput(vtkPolyData* map, vtkPolyData* scan, double maximumEr
   const std::int64_t beams = input.GetGeometry().CountBeamsOfAllTurns();
   CheckStatus(scan, beams);
   CheckMap(map, beams, maximumError);
+  CheckDistances(input, map, maximumError);
 }

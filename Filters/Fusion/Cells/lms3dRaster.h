@@ -128,11 +128,7 @@ public:
   /// Whether Forget() has ever cleared a bit.
   bool HasForgotten() const { return this->Forgot; }
 
-  /// Whether a cell of a box may have Guess.
-  bool MayHaveGuess(const lms3dCellBox& box) const
-  {
-    return this->HasGuess && this->HasAny(&lms3dRasterBlock::Guess, box);
-  }
+  /// Whether a cell may have Guess.
   bool MayHaveGuess() const { return this->HasGuess; }
   void ForgetGuesses() { this->HasGuess = false; }
 

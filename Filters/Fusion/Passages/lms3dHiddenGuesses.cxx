@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fusion/Passages/lms3dHiddenGuesses.h"
 
-#include "Fusion/Cells/lms3dRasterRows.h"
 #include "Fusion/Passages/lms3dCutPolygon.h"
+#include "Fusion/Passages/lms3dGuessedBlocks.h"
 #include "Fusion/Passages/lms3dPlanesOfBeams.h"
 
 #include <tbb/parallel_for.h>
@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace
@@ -68,6 +69,13 @@ public:
     , Planes(planes)
     , Beams(local, ranges.GetTable().GetSize(), planeOfPatch, planes)
   {
+    for (const int plane : planeOfPatch)
+    {
+      if (plane >= 0)
+      {
+        this->Guessed.try_emplace(plane, planes[plane].Raster);
+      }
+    }
   }
 
   void TakeOut()
@@ -81,7 +89,7 @@ public:
     {
       for (const HiddenCells& cells : cellsOfTurn)
       {
-        this->Clear(cells);
+        this->Guessed.at(cells.Plane).Clear(cells.Polygon, this->Planes[cells.Plane].Raster);
       }
     }
   }
@@ -185,27 +193,18 @@ private:
     }
     const lms3dCutPolygon polygon =
       lms3dClip(corners, -BehindShare * this->Planes.GetMaximumError());
-    if (polygon.size() >= 3 && plane.Raster.MayHaveGuess(lms3dGetTouchedBox(polygon)))
+    if (polygon.size() >= 3 && this->Guessed.at(guess).HasAny(polygon, plane.Raster))
     {
       hidden.push_back({ guess, polygon });
     }
-  }
-
-  void Clear(const HiddenCells& hidden)
-  {
-    lms3dRaster& raster = this->Planes[hidden.Plane].Raster;
-    lms3dForCentreRows(hidden.Polygon,
-      [&](std::int32_t row, std::int32_t first, std::int32_t last)
-      {
-        raster.SetRow(&lms3dRasterBlock::Guess, row, first, last, false, false, [](int) {});
-        return true;
-      });
   }
 
   const lms3dLocalMap& Local;
   const lms3dSeenRanges& Ranges;
   lms3dFusedPlanes& Planes;
   const lms3dPlanesOfBeams Beams;
+  /// The blocks with guesses of each plane of a patch.
+  std::map<int, lms3dGuessedBlocks> Guessed;
 };
 } // namespace
 

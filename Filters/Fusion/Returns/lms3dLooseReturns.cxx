@@ -69,8 +69,8 @@ int lms3dLooseReturns::FindPlaneBeside(const std::vector<int>& returns,
   return -1;
 }
 
-void lms3dLooseReturns::AddRest(
-  const std::vector<char>& isExplained, const std::vector<int>& planeOfPatch)
+void lms3dLooseReturns::AddRest(const std::vector<char>& isExplained,
+  const std::vector<int>& planeOfPatch, const lms3dSparseParts& sparse)
 {
   std::map<int, std::vector<int>> restOf;
   for (std::size_t i = 0; i < this->Local.Returns.size(); ++i)
@@ -92,7 +92,7 @@ void lms3dLooseReturns::AddRest(
       {
         continue;
       }
-      if (patch >= 0 && planeOfPatch[patch] >= 0)
+      if ((patch >= 0 && planeOfPatch[patch] >= 0) || sparse.IsSparseTriangle(triangle))
       {
         this->Planes.AddFacet(this->Local.Returns[i]);
         continue;

@@ -8,6 +8,7 @@
 #define lms3dLooseReturns_h
 
 #include "Fusion/Planes/lms3dFusedPlanes.h"
+#include "Fusion/Returns/lms3dSparseParts.h"
 #include "Fusion/Scans/lms3dLocalMap.h"
 
 #include <array>
@@ -28,8 +29,9 @@ public:
   void AddToNearest(const std::vector<int>& returns, int ownPlane, std::vector<char>& isExplained);
 
   /// Adds all returns that are not explained. `planeOfPatch` has the plane of each patch, -1 for
-  /// none.
-  void AddRest(const std::vector<char>& isExplained, const std::vector<int>& planeOfPatch);
+  /// none. Returns on sparse triangles get facets.
+  void AddRest(const std::vector<char>& isExplained, const std::vector<int>& planeOfPatch,
+    const lms3dSparseParts& sparse);
 
 private:
   int FindPlaneBeside(const std::vector<int>& returns, const std::array<lms3dVector, 3>& corners,

@@ -5,6 +5,7 @@
 #include "Fusion/Passages/lms3dHiddenGuesses.h"
 #include "Fusion/Planes/lms3dCreases.h"
 #include "Fusion/Returns/lms3dLooseReturns.h"
+#include "Fusion/Returns/lms3dSparseParts.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>
@@ -73,10 +74,15 @@ void lms3dScanJoin::Join()
   }
   std::vector<char> isExplained(this->Local.Returns.size());
   this->AddReturns(patches, isExplained);
-  this->AddTriangles(planeOfPatch);
+  const lms3dSparseParts sparse(this->Local, this->Planes.GetCell());
+  const std::vector<int> dense = sparse.SelectDense(planeOfPatch);
+  this->GuessTriangles(dense);
+  sparse.Guess(returns, planeOfPatch, this->Ranges.GetTable(), this->Planes);
+  lms3dTakeOutHiddenGuesses(this->Local, this->Ranges, dense, this->Planes);
+  this->AcceptGuesses(planeOfPatch);
   this->AddLoose(patches, isExplained);
-  lms3dAddCreases(this->Local, planeOfPatch, this->Planes);
-  lms3dLooseReturns(this->Local, this->Planes).AddRest(isExplained, planeOfPatch);
+  lms3dAddCreases(this->Local, dense, this->Planes);
+  lms3dLooseReturns(this->Local, this->Planes).AddRest(isExplained, planeOfPatch, sparse);
 }
 
 // Most planes of a large map are none that a patch may join.
@@ -136,7 +142,7 @@ void lms3dScanJoin::AddLoose(const PatchesOfPlanes& patches, std::vector<char>& 
 }
 
 // Lets the planes have surface where their patches are. The threads divide planes.
-void lms3dScanJoin::AddTriangles(const std::vector<int>& planeOfPatch)
+void lms3dScanJoin::GuessTriangles(const std::vector<int>& planeOfPatch)
 {
   std::map<int, std::vector<int>> triangles;
   for (std::size_t triangle = 0; triangle < this->Local.PatchIds.size(); ++triangle)
@@ -157,7 +163,10 @@ void lms3dScanJoin::AddTriangles(const std::vector<int>& planeOfPatch)
         this->Planes.GuessTriangle(place.first, this->Local, triangle);
       }
     });
-  lms3dTakeOutHiddenGuesses(this->Local, this->Ranges, planeOfPatch, this->Planes);
+}
+
+void lms3dScanJoin::AcceptGuesses(const std::vector<int>& planeOfPatch)
+{
   const std::set<int> planes(planeOfPatch.begin(), planeOfPatch.end());
   tbb::parallel_for_each(planes,
     [this](int plane)

@@ -50,7 +50,8 @@ private:
     const std::vector<int>& returns, const lms3dFittedPlane& fit, std::size_t planesBefore);
   void AddReturns(PatchesOfPlanes& patches, std::vector<char>& isExplained);
   void AddLoose(const PatchesOfPlanes& patches, std::vector<char>& isExplained);
-  void AddTriangles(const std::vector<int>& planeOfPatch);
+  void GuessTriangles(const std::vector<int>& planeOfPatch);
+  void AcceptGuesses(const std::vector<int>& planeOfPatch);
   int FindPlane(const std::vector<int>& returns, const lms3dFittedPlane& fit) const;
   /// Curved planes do not explain a flat patch.
   bool IsMostlyExplained(

@@ -7,16 +7,20 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 namespace
 {
-// A positive, finite number.
+// A positive, finite number that is not above the range: a longer beam would pass through its own
+// return.
 float ToFloat(double range)
 {
   using Limits = std::numeric_limits<float>;
-  return static_cast<float>(std::clamp<double>(range, Limits::min(), Limits::max()));
+  const double clamped = std::clamp<double>(range, Limits::min(), Limits::max());
+  const auto narrow = static_cast<float>(clamped);
+  return narrow > clamped ? std::nextafter(narrow, 0.0F) : narrow;
 }
 } // namespace
 

@@ -31,7 +31,7 @@ public:
   const lms3dWorldBox& GetBox() const { return this->Box; }
 
   /// How far a beam is free: up to its return, or as the constructor says; 0 if that is not known.
-  /// Metres, within the rounding of single precision.
+  /// Metres, rounded down to single precision.
   double GetRange(int beamId) const { return this->Ranges[this->Table->GetPlace(beamId)]; }
   /// The ranges in the order of the places of lms3dBeamTable.
   const float* GetRangesOfPlaces() const { return this->Ranges.data(); }

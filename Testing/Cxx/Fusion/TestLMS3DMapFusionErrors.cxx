@@ -60,6 +60,19 @@ TEST(LMS3DMapFusionErrors, RefusesOtherBounds)
   }
 }
 
+TEST(LMS3DMapFusionErrors, RefusesWhatLiesTooFarAway)
+{
+  MappedScan scan = MakeInput();
+  Move({ 5e6, -3e6, 0.0 }, scan);
+  vtkNew<vtkLMS3DMapFusion> fusion;
+  EXPECT_TRUE(fusion->AddScan(scan.Map, scan.Scan));
+  Move({ 0.0, -1e6, 0.0 }, scan);
+  ExpectRefused(scan, "the map reaches 6e+06 m");
+  scan = MakeInput();
+  scan.Map->GetPoints()->SetPoint(3, 0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
+  ExpectRefused(scan, "The local map lies up to nan m");
+}
+
 TEST(LMS3DMapFusionErrors, RefusesPosesThatScale)
 {
   for (double factor : { 2.0, -1.0, 0.0 })
