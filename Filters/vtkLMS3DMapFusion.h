@@ -65,8 +65,8 @@
  * a trajectory makes the map grow. A scan that the map has already is not added twice. A change
  * upstream begins a new map. Without time steps the map is that of all connections. Programs that
  * have data instead of a pipeline call AddScan for each pose, which adds the scan each time; the
- * filter must then have no connections. Regions that explain a new scan keep their triangles. The result depends on the
- * order of the scans.
+ * filter must then have no connections. Regions that explain a new scan keep their triangles. The
+ * result depends on the order of the scans.
  *
  * The output is a vtkPolyData of triangles that face the sensors that saw them, metres, with the
  * cell data

@@ -32,9 +32,10 @@ struct lms3dMappedReturn
 
 struct lms3dLocalMap
 {
-  /// Casts the beams of the scan at its map, with the threads of the calling TBB arena, and looks
-  /// for the nearest corner if a beam misses. Both must be valid, and the map must have triangles. The returns take the place of others, since new
-  /// memory for them would cost as much time as the returns themselves.
+  /// Casts the beams of the scan at its map, with the threads of the calling TBB arena. If a beam
+  /// misses, a triangle behind another one, or the nearest corner, can explain its return. Scan and
+  /// map must be valid, and the map must have triangles. The returns take the place of others,
+  /// since new memory for them would cost as much time as the returns themselves.
   lms3dLocalMap(vtkPolyData* map, const lms3dScanInput& scan, const lms3dSeenRanges& ranges,
     double maximumError, std::vector<lms3dMappedReturn> others = {});
 

@@ -93,8 +93,9 @@ TEST(LMS3DFusedRealScans, ShowASurfaceOnce)
   EXPECT_LT(area, 52.0);
 }
 
-// The noise exceeds 0.75 of the bound, so each return is a corner of the local map. Its beam hits or
-// misses the map by rounding at depth steps, and 90 beams along the axis have returns of their own.
+// The noise exceeds 0.75 of the bound, so each return is a corner of the local map. At depth steps
+// its beam hits or misses the map by rounding, and 90 beams along the axis have returns of their
+// own.
 TEST(LMS3DFusedRealScans, KeepTheBoundOfPlainGrids)
 {
   constexpr double Bound = 0.01;

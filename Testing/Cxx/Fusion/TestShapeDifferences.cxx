@@ -77,9 +77,10 @@ TEST(LMS3DShapeDifferences, LeaveATileUpToTheirLimits)
 {
   lms3dFusedTile tile(0, 0);
   tile.Blocks.resize(20);
-  tile.DifferenceAtCreases = 64;
+  // 4 cells near creases for each block.
+  tile.DifferenceAtCreases = 83;
   EXPECT_FALSE(tile.HasOtherShape());
-  tile.DifferenceAtCreases = 65;
+  tile.DifferenceAtCreases = 84;
   EXPECT_TRUE(tile.HasOtherShape());
   // 16 cells for each block.
   tile.DifferenceAtCreases = 0;
@@ -89,5 +90,6 @@ TEST(LMS3DShapeDifferences, LeaveATileUpToTheirLimits)
   EXPECT_TRUE(tile.HasOtherShape());
   tile.Blocks.resize(1);
   tile.Difference = 256;
+  tile.DifferenceAtCreases = 64;
   EXPECT_FALSE(tile.HasOtherShape());
 }
