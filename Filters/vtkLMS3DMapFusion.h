@@ -33,10 +33,10 @@
  * local map has more than 64 blocks of 64 x 64 cells for each return (neighbouring returns are then
  * about 170 times MaximumError apart), the map has surface between those neighbouring returns alone
  * that are nearer to one another, and small triangles around the others. The limit falls to 16
- * blocks if a scan would have more than 500,000 blocks and more than 16 for each of its returns. So
- * a wall 5 km away, or a room at a MaximumError of 0.1 mm, becomes a set of small triangles. All
- * poses, returns and points of local maps must lie within 6e8 times MaximumError of the origin
- * (6,000 km by default); a scan that reaches farther is refused.
+ * blocks if a scan would have more than 500,000 blocks and more than 16 for each of its returns.
+ * With beams 1 degree apart, a wall 5 km away, or a room at a MaximumError of 0.1 mm, becomes a set
+ * of small triangles. All poses, returns and points of local maps must lie within 6e8 times
+ * MaximumError of the origin (6,000 km by default); a scan that reaches farther is refused.
  *
  * @par Free space
  * A beam passes through a plane if its return is farther than the plane by more than MaximumError,
@@ -82,7 +82,8 @@
  *   BestScan, ScanCount and LastScan can change without it.
  *
  * Its field data are `NumberOfScans` and `Revision` (int32), and `SensorPositions` (float64, three
- * components, metres), one for each scan; 0 0 0 for a scan without returns and `SensorToWorld`.
+ * components, metres), one for each scan; 0 0 0 for a scan that has neither returns nor
+ * `SensorToWorld`.
  *
  * Invalid input gives an error message that says what is expected, the error code
  * vtkErrorCode::UserError, and an empty output. Invalid are: maps without scans or scans without

@@ -121,6 +121,20 @@ void lms3dThrowBadReturn(std::int64_t index, double range, int beamId, std::int6
     " of an earlier return; at most one return for each beam is expected.");
 }
 
+std::array<double, 3> lms3dFindSensorPosition(vtkPolyData* scan)
+{
+  vtkDataArray* matrix = scan->GetFieldData()->GetArray("SensorToWorld");
+  if (!matrix || matrix->GetNumberOfComponents() != 1 || matrix->GetNumberOfTuples() != 16)
+  {
+    return { 0.0, 0.0, 0.0 };
+  }
+  const std::array<double, 3> position = { matrix->GetTuple1(3), matrix->GetTuple1(7),
+    matrix->GetTuple1(11) };
+  const bool isFinite =
+    std::all_of(position.begin(), position.end(), [](double x) { return std::isfinite(x); });
+  return isFinite ? position : std::array<double, 3>{ 0.0, 0.0, 0.0 };
+}
+
 lms3dScanInput::lms3dScanInput(vtkPolyData* scan)
 {
   const vtkIdType count = scan->GetNumberOfPoints();

@@ -24,6 +24,10 @@ class vtkPolyData;
 [[noreturn]] void lms3dThrowBadReturn(
   std::int64_t index, double range, int beamId, std::int64_t beams);
 
+/// Returns the sensor's position, world coordinates, metres, also if the scan has no returns. 0 0 0
+/// if the scan has no SensorToWorld, or one that is not finite.
+std::array<double, 3> lms3dFindSensorPosition(vtkPolyData* scan);
+
 /// Keeps the arrays of a scan alive, and shares them unless another filter changed their types.
 class lms3dScanInput
 {

@@ -85,8 +85,9 @@ void CheckDistances(const lms3dScanInput& scan, vtkPolyData* map, double maximum
 {
   const double* const ranges = scan.GetRanges();
   const double range = *std::max_element(ranges, ranges + scan.GetNumberOfReturns());
-  CheckDistance(
-    "The beams of the scan reach", lms3dGetLength(scan.GetSensorPosition()) + range, maximumError);
+  const lms3dVector offset = scan.GetGeometry().GetPlatform().AxisOffset;
+  CheckDistance("The beams of the scan reach",
+    lms3dGetLength(scan.GetSensorPosition()) + lms3dGetLength(offset) + range, maximumError);
   for (vtkIdType i = 0; i < map->GetNumberOfPoints(); ++i)
   {
     lms3dVector point;

@@ -15,8 +15,6 @@
 #include "Fusion/Scans/lms3dLocalMap.h"
 #include "Fusion/Scans/lms3dPassingBeams.h"
 
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkPolyData.h>
 
 #include <tbb/parallel_for.h>
@@ -36,17 +34,6 @@ constexpr double TimeOfNewPlanes = 0.9;
 constexpr double TimeOfShapes = 0.3;
 // How many tiles get new triangles between two looks at the progress.
 constexpr std::size_t TilesOfStep = 64;
-
-// The sensor's position, also if the scan has no returns. 0 0 0 if the scan does not tell it.
-lms3dVector FindPosition(vtkPolyData* scan)
-{
-  vtkDataArray* const matrix = scan->GetFieldData()->GetArray("SensorToWorld");
-  if (!matrix || matrix->GetNumberOfComponents() != 1 || matrix->GetNumberOfTuples() != 16)
-  {
-    return { 0.0, 0.0, 0.0 };
-  }
-  return { matrix->GetTuple1(3), matrix->GetTuple1(7), matrix->GetTuple1(11) };
-}
 } // namespace
 
 lms3dGrowingMap::lms3dGrowingMap(const lms3dFusionSettings& settings)
@@ -73,7 +60,7 @@ bool lms3dGrowingMap::Add(vtkPolyData* map, vtkPolyData* scanData, const lms3dPr
   const lms3dScanInput scan(scanData);
   if (map->GetNumberOfPolys() == 0)
   {
-    this->Positions.push_back(FindPosition(scanData));
+    this->Positions.push_back(lms3dFindSensorPosition(scanData));
     this->Tables.emplace_back();
     return progress(1.0);
   }

@@ -13,7 +13,8 @@
 
 #include <cstdint>
 
-// How vectors are returned depends on the instruction set, but all functions here are inlined.
+// How vectors are returned depends on the instruction set, but all functions here are inlined into
+// those that call them, to the end of each kernel source.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace

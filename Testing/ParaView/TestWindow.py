@@ -148,6 +148,19 @@ class TestTrajectory(WindowTest):
             window.expect_cells(0), window.expect(box, "enabled", "true"))
 
 
+def list_inputs(proxy, name):
+    """The numbers of the proxies that are an input of a proxy of a state."""
+    return [found.get("value") for found in proxy.findall(f"Property[@name='{name}']/Proxy")]
+
+
+def read_fusion(state):
+    """The one fusion of a state, and all proxies by number."""
+    proxies = {proxy.get("id"): proxy for proxy in ET.parse(state).getroot().iter("Proxy")
+               if proxy.get("type")}
+    (fusion,) = (proxy for proxy in proxies.values() if proxy.get("type") == "LMS3DMapFusion")
+    return fusion, proxies
+
+
 class TestFusion(WindowTest):
     """Filters > LMS3D > LMS3D Map Fusion of maps: the scans of the maps are chosen already."""
 
@@ -174,11 +187,19 @@ class TestFusion(WindowTest):
             window.select(PIPELINE, first), window.select(PIPELINE, second, held=window.CONTROL),
             window.add_filter("LMS3DMapFusion"), window.APPLY, window.save_state(state))
         self.assertNotIn("ERR|", messages)
-        proxies = list(ET.parse(state).getroot().iter("Proxy"))
-        scans = {proxy.get("id") for proxy in proxies if proxy.get("type") == "LMS3DScan"}
-        (fusion,) = (proxy for proxy in proxies if proxy.get("type") == "LMS3DMapFusion")
-        inputs = [scan.get("value") for scan in fusion.findall("Property[@name='Scan']/Proxy")]
-        self.assertEqual((len(inputs), set(inputs)), (2, scans))
+        fusion, proxies = read_fusion(state)
+        scans = list_inputs(fusion, "Scan")
+        self.assertEqual(len(set(scans)), 2)
+        self.assertEqual(scans, [list_inputs(proxies[number], "Input")[0]
+                                 for number in list_inputs(fusion, "Map")])
+
+    def test_a_map_of_another_source(self):
+        state = self.home / "state.pvsm"
+        self.play(
+            window.open_file(ROOM), window.add_filter("LMS3DMapFusion"), window.save_state(state))
+        fusion, _ = read_fusion(state)
+        self.assertEqual(len(list_inputs(fusion, "Map")), 1)
+        self.assertEqual(list_inputs(fusion, "Scan"), [])
 
 
 @unittest.skipIf(window.VERSION >= (5, 13), "another dialog, which searches the filters' short help")

@@ -69,8 +69,10 @@ struct lms3dCellStrip
   /// The cells of a row in a block that begins with the cell `start`, as bits.
   std::uint64_t GetBits(int row, std::int32_t start) const
   {
-    const std::int32_t from = std::max(this->First[row] - start, 0);
-    const std::int32_t to = std::min(this->Last[row] - start, Size - 1);
+    // A long strip can begin or end 2^31 cells and more before or behind the block.
+    const std::int64_t from = std::max<std::int64_t>(std::int64_t{ this->First[row] } - start, 0);
+    const std::int64_t to =
+      std::min<std::int64_t>(std::int64_t{ this->Last[row] } - start, Size - 1);
     return from > to ? 0 : (~std::uint64_t{ 0 } << from) & (~std::uint64_t{ 0 } >> (Size - 1 - to));
   }
 };

@@ -12,7 +12,7 @@ namespace
 {
 // Cells: a border need not cut off a return that is farther from all beams that passed.
 constexpr int NearBeams = 3;
-// Cells: how far a border moves outwards along each axis.
+// Cells: how far from the region a corner moves outwards, along each axis.
 constexpr double FarthestBorder = 2.0;
 
 int GetOrientation(const lms3dCornerMerge::Triangle& triangle)

@@ -12,7 +12,8 @@
 
 namespace
 {
-// Cells: how far edges move outwards, in the order in which the steps are tried.
+// How far corners move along a way outwards, in the order in which the steps are tried. A way moves
+// edges by one cell.
 constexpr std::array<double, 6> Steps = { 2.0, 1.5, 1.0, 0.75, 0.5, 0.25 };
 
 // How many corners become one at most. Two are tried everywhere before more are.
@@ -162,6 +163,7 @@ void lms3dCornerMerger::Apply(const lms3dCornerMerge& merge, const std::vector<C
   this->Corners.Move(kept, merge.Corner);
 }
 
+// The three ways are those of the corner before it moves.
 void lms3dCornerMerger::MoveOutwards(Corner corner)
 {
   for (const lms3dPoint2& way : lms3dFindWaysOutwards(this->Corners.GetTriangle(corner)))

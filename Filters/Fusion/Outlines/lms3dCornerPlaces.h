@@ -22,8 +22,9 @@ std::vector<lms3dPoint2> lms3dFindMergedPlaces(const std::vector<lms3dPoint2>& p
 /// are at most two cells long. Leaves ways out where the outline turns back, or hardly turns.
 std::vector<lms3dPoint2> lms3dFindWaysOutwards(const std::array<lms3dPoint2, 3>& corners);
 
-/// Whether the second of three corners is so sharp that the region is narrower than a cell far from
-/// it: returns there would lie beside the region. The region is on the left of the edges.
+/// Whether the region has an angle below 6.9 degrees at the second of three corners. It is then
+/// narrower than a cell up to 8 cells from the corner and farther, so returns there would lie beside
+/// it. The region is on the left of the edges.
 bool lms3dIsSharpCorner(const std::array<lms3dPoint2, 3>& corners);
 
 #endif

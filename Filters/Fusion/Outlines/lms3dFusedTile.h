@@ -63,17 +63,15 @@ struct lms3dFusedTile
 
   /// Whether the mesh differs so much from the shape that it is made anew. A large tile may differ
   /// by a share of its cells, so that a surface which grows little by little is not made anew with
-  /// each scan; by fewer near creases, where it leaves gaps to other planes.
+  /// each scan; but not near creases, where it would leave gaps to other planes.
   bool HasOtherShape() const
   {
     constexpr int Largest = 256;
     constexpr int LargestOfBlock = 16;
     constexpr int LargestAtCreases = 64;
-    constexpr int LargestOfBlockAtCreases = 4;
-    const auto blocks = static_cast<int>(this->Blocks.size());
-    return (this->DifferenceAtCreases > LargestAtCreases &&
-             this->DifferenceAtCreases / LargestOfBlockAtCreases > blocks) ||
-      (this->Difference > Largest && this->Difference / LargestOfBlock > blocks);
+    return this->DifferenceAtCreases > LargestAtCreases ||
+      (this->Difference > Largest &&
+        this->Difference / LargestOfBlock > static_cast<int>(this->Blocks.size()));
   }
 
   /// Cells: the sides.

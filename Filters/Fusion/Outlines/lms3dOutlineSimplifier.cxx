@@ -69,7 +69,7 @@ bool lms3dOutlineSimplifier::IsEmpty(const Triangle& triangle, Corner corner) co
   return this->Buckets.AllOf(triangle, isFree);
 }
 
-// Whether a neighbour of a corner would become sharp without the corner.
+// Whether a neighbour of a corner would be sharp without the corner.
 bool lms3dOutlineSimplifier::MakesSharpCorner(Corner corner) const
 {
   const Corner before = this->Corners.GetPrevious(corner);

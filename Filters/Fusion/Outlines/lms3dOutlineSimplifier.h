@@ -16,7 +16,7 @@
 
 /**
  * A corner goes if the straight line between its neighbours passes all corners that went before
- * within a tolerance, if the limits of borders allow it, if neither neighbour becomes sharp
+ * within a tolerance, if the limits of borders allow it, if neither neighbour is sharp then
  * (lms3dIsSharpCorner), and if the triangle between corner and line holds no other corner, so
  * outlines never cross. Fixed corners go only if they lie on a straight line. Corners of steps go
  * first, then those that cost least (M. Visvalingam and J. Whyatt 1993, "Line generalisation by

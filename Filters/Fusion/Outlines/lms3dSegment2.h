@@ -10,6 +10,7 @@
 #include "Triangulation/lms3dOrientation.h"
 
 #include <algorithm>
+#include <limits>
 
 /// Keeps a reference to its first end.
 class lms3dSegment2
@@ -34,12 +35,15 @@ public:
   }
 
 private:
-  static double GetInverse(double square) { return square > 0.0 ? 1.0 / square : 0.0; }
+  static double GetInverse(double square)
+  {
+    return square > std::numeric_limits<double>::min() ? 1.0 / square : 0.0;
+  }
 
   const lms3dPoint2& Start;
   const double Du;
   const double Dv;
-  /// 1 by the squared length; 0 if the length is 0.
+  /// 1 by the squared length; 0 if this is 0 or underflows.
   const double Inverse;
 };
 

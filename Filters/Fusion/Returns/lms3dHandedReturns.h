@@ -10,7 +10,7 @@
 #include "Fusion/Planes/lms3dFusedPlanes.h"
 
 /// Looks at all returns of the weak planes that have a tile of a revision, or no mesh yet. If
-/// triangles of another plane explain such a return, the return may go to this plane in two cases:
+/// another plane takes such a return (lms3dCoveringPlanes), it may go to this plane in two cases:
 /// at most a facet explains it on its own plane, as beside a crease, or the other plane is at most
 /// half as far. The returns of a cell go if all of them may; then the facet of the cell goes, too.
 /// A return that the next mesh of the other plane does not cover gets a facet there. A plane that

@@ -10,8 +10,8 @@
 #include "Fusion/Planes/lms3dFusedPlanes.h"
 
 /// Loose regions are facets and triangles of local maps that are regions of their own. One goes if
-/// triangles of other regions are within the bound of all of its returns, or if facets for the
-/// other returns are fewer than its triangles. The meshes of all planes must be up to date.
+/// other planes take all of its returns (lms3dCoveringPlanes), or if facets for the other returns
+/// are fewer than its triangles. The meshes of all planes must be up to date.
 ///
 /// Only changed meshes can make a region needless, so a region is looked at if a tile near it has
 /// `revision` or a later one. `revision` is the number of scans at the last call, 0 at first. A

@@ -12,7 +12,8 @@ namespace
 // Blocks for each return. The limit falls if the scan has too many blocks.
 constexpr double LargestLimit = 64.0;
 constexpr double SmallestLimit = 16.0;
-constexpr double BlocksOfPart = 64.0;
+// Blocks that a patch may have on top.
+constexpr double BlocksOfPatch = 64.0;
 // A scan with fewer blocks has none too many.
 constexpr double SmallestCount = 500000.0;
 
@@ -32,8 +33,16 @@ double CountBlocks(const Corners& corners, double cell)
 
 struct Part
 {
-  bool IsSparse(double limit) const { return this->Blocks > limit * this->Returns + BlocksOfPart; }
+  bool IsSparse(double limit) const { return this->Blocks > limit * this->Returns + this->Free; }
 
+  /// The largest number of blocks that the scan can have because of the part.
+  double GetLargestCount(double limit) const
+  {
+    return this->IsSparse(limit) ? std::min(this->Blocks, limit * this->Returns) : this->Blocks;
+  }
+
+  /// Blocks that are no part of the limit.
+  double Free = 0.0;
   double Blocks = 0.0;
   double Returns = 0.0;
 };
@@ -46,19 +55,18 @@ std::vector<bool> FindSparse(const std::vector<Part>& parts, double limit)
   return sparse;
 }
 
-// The blocks of the parts that are not sparse.
 double CountBlocks(const std::vector<Part>& parts, double limit)
 {
   return std::accumulate(parts.begin(), parts.end(), 0.0,
-    [&](double sum, const Part& part) { return sum + (part.IsSparse(limit) ? 0.0 : part.Blocks); });
+    [&](double sum, const Part& part) { return sum + part.GetLargestCount(limit); });
 }
 
 // The blocks that a part may have for each of its returns.
-double FindLimit(const std::vector<Part>& patches, std::size_t returns)
+double FindLimit(const std::vector<Part>& parts, std::size_t returns)
 {
   const double largest = std::max(SmallestCount, SmallestLimit * static_cast<double>(returns));
   double limit = LargestLimit;
-  while (limit > SmallestLimit && CountBlocks(patches, limit) > largest)
+  while (limit > SmallestLimit && CountBlocks(parts, limit) > largest)
   {
     limit /= 2.0;
   }
@@ -144,7 +152,8 @@ lms3dSparseParts::lms3dSparseParts(const lms3dLocalMap& local, double cell)
   {
     triangles[mapped.Triangle].Returns += 1.0;
   }
-  std::vector<Part> patches(static_cast<std::size_t>(local.NumberOfPatches));
+  std::vector<Part> patches(static_cast<std::size_t>(local.NumberOfPatches), { BlocksOfPatch });
+  std::vector<Part> loose;
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const auto number = static_cast<int>(i);
@@ -155,8 +164,14 @@ lms3dSparseParts::lms3dSparseParts(const lms3dLocalMap& local, double cell)
       patches[local.PatchIds[i]].Blocks += triangles[i].Blocks;
       patches[local.PatchIds[i]].Returns += triangles[i].Returns;
     }
+    else if (triangles[i].Returns > 0.0)
+    {
+      loose.push_back(triangles[i]);
+    }
   }
-  this->Limit = FindLimit(patches, local.Returns.size());
+  std::vector<Part> all = patches;
+  all.insert(all.end(), loose.begin(), loose.end());
+  this->Limit = FindLimit(all, local.Returns.size());
   this->SparseTriangles = FindSparse(triangles, this->Limit);
   this->SparsePatches = FindSparse(patches, this->Limit);
 }

@@ -16,9 +16,10 @@
 /**
  * The raster of a surface takes time and memory by its area, and the beams of a scan that meets
  * something far away are far apart there. Therefore a part with too many blocks of the raster is
- * sparse: it has surface near its returns alone. A part may have 64 blocks, and a limit for each of
- * its returns: 64; 32 or 16 if the patches had more than 500,000 blocks otherwise, and more than 16
- * for each return of the scan. So the time and the memory of a scan are bounded by the number of
+ * sparse: it has surface near its returns alone. Parts are the patches, and the triangles that
+ * belong to none. A part may have a number of blocks for each of its returns, a patch 64 more. This
+ * limit is 64; it is 32 or 16 if the scan could have more than 500,000 blocks otherwise, and more
+ * than 16 for each of its returns. So the time and the memory of a scan are bounded by the number of
  * its returns.
  */
 class lms3dSparseParts
@@ -27,8 +28,7 @@ public:
   /// Keeps a reference. `cell` is the size of a cell, metres.
   lms3dSparseParts(const lms3dLocalMap& local, double cell);
 
-  bool IsSparsePatch(int patch) const { return this->SparsePatches[patch]; }
-  /// The same for a triangle with its own returns alone.
+  /// Whether a triangle has too many blocks for its own returns.
   bool IsSparseTriangle(int triangle) const { return this->SparseTriangles[triangle]; }
 
   /// Replaces the plane of each sparse patch by -1.

@@ -147,9 +147,7 @@ void CastAtReturn(const lms3dRayCaster& caster, double maximumError, lms3dMapped
   mapped.Triangle = packet.Triangle[0];
 }
 
-/// Finds triangles for returns whose beam has hit none within the bound.
-void FindTrianglesOfMissed(const lms3dRayCaster& caster, const lms3dTriangleMesh& mesh,
-  double maximumError, std::vector<lms3dMappedReturn>& returns)
+std::vector<std::size_t> FindMissed(const std::vector<lms3dMappedReturn>& returns)
 {
   std::vector<std::size_t> missed;
   for (std::size_t i = 0; i < returns.size(); ++i)
@@ -159,6 +157,17 @@ void FindTrianglesOfMissed(const lms3dRayCaster& caster, const lms3dTriangleMesh
       missed.push_back(i);
     }
   }
+  return missed;
+}
+
+/// Finds triangles for returns whose beam has hit none within the bound.
+void FindTrianglesOfMissed(const lms3dRayCaster& caster, const lms3dTriangleMesh& mesh,
+  double maximumError, std::vector<lms3dMappedReturn>& returns)
+{
+  std::vector<std::size_t> missed = FindMissed(returns);
+  tbb::parallel_for(std::size_t{ 0 }, missed.size(),
+    [&](std::size_t i) { CastAtReturn(caster, maximumError, returns[missed[i]]); });
+  missed = FindMissed(returns);
   if (missed.empty())
   {
     return;
@@ -168,11 +177,7 @@ void FindTrianglesOfMissed(const lms3dRayCaster& caster, const lms3dTriangleMesh
     [&](std::size_t i)
     {
       lms3dMappedReturn& mapped = returns[missed[i]];
-      CastAtReturn(caster, maximumError, mapped);
-      if (mapped.Triangle < 0)
-      {
-        mapped.Triangle = corners.FindTriangle(mapped.Point, maximumError);
-      }
+      mapped.Triangle = corners.FindTriangle(mapped.Point, maximumError);
     });
 }
 } // namespace

@@ -112,14 +112,21 @@ void JudgePair(
   }
 }
 
-NarrowTally JudgePairs(const Exponents& sizes, double maximumWeight, Update update)
+Corners Scale(const Corners& corners, double scale)
+{
+  return { scale * corners[0], scale * corners[1], scale * corners[2] };
+}
+
+// `scale` multiplies all coordinates.
+NarrowTally JudgePairs(
+  const Exponents& sizes, double maximumWeight, Update update, double scale = 1.0)
 {
   Random random(17);
   NarrowTally tally;
   for (int i = 0; i < Pairs; ++i)
   {
-    const Corners second = MakeTriangle(random, sizes);
-    Corners first = MakeTriangle(random, sizes);
+    const Corners second = Scale(MakeTriangle(random, sizes), scale);
+    Corners first = Scale(MakeTriangle(random, sizes), scale);
     if (random.GetBits() % 2)
     {
       // Almost the same plane, nearer or farther by less than single precision resolves, or by
@@ -127,7 +134,7 @@ NarrowTally JudgePairs(const Exponents& sizes, double maximumWeight, Update upda
       const double factor = 1.0 + std::pow(10.0, random.Get(-9.0, -3.0)) * random.Get(-1.0, 1.0);
       first = { factor * second[0], factor * second[1], factor * second[2] };
     }
-    const Vector sensor = MakeSensor(random);
+    const Vector sensor = scale * MakeSensor(random);
     const SeenTriangle triangles[] = { { first, sensor }, { second, sensor } };
     JudgePair(triangles, MakeBeams(second, maximumWeight, random), update, tally);
   }
@@ -161,6 +168,18 @@ TEST(NarrowBeams, AreDecidedRightlyFromCornersOfSmallTriangles)
   const NarrowTally tally = JudgePairs(SmallSizes, MaximumWeightOfSmall, UpdateFromCorners);
   EXPECT_EQ(tally.Wrong, 0);
   EXPECT_GT(tally.Decided, static_cast<std::int64_t>(300000 / Fewer));
+}
+
+// Without scaling, the edges of these triangles reach the limits of single precision.
+TEST(NarrowBeams, AreDecidedRightlyFromCornersNearTheLimits)
+{
+  for (double scale : { 1e-9, 1e-7, 1e7, 1e9 })
+  {
+    SCOPED_TRACE(scale);
+    const NarrowTally tally = JudgePairs(AllSizes, MaximumWeight, UpdateFromCorners, scale);
+    EXPECT_EQ(tally.Wrong, 0);
+    EXPECT_GT(tally.Decided, static_cast<std::int64_t>(100000 / Fewer));
+  }
 }
 
 // Edges that single precision cannot hold are left to double precision.

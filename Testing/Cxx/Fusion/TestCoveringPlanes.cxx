@@ -181,14 +181,14 @@ TEST(LMS3DCoveringPlanes, AreMetByTheBeamIfPossible)
   EXPECT_EQ(lms3dCoveringPlanes(planes).Find(mapped, {}, Bound), 1);
 }
 
-/// The return lies half a bound above the plane, and its beam goes on by one and a half cells.
+/// The return lies half a bound above the plane, and its beam goes on by two cells.
 TEST(LMS3DFusedPlanes, AreMetWhereTheBeamEndsInThePlane)
 {
   lms3dFusedPlanes planes(Bound);
   planes.MakePlane({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
   const lms3dPlaneFrame& frame = planes[0].Frame;
   const lms3dVector foot = frame.ToWorld({ 20.5, 20.5 });
-  const lms3dVector ahead = lms3dSubtract(frame.ToWorld({ 22.0, 20.5 }), foot);
+  const lms3dVector ahead = lms3dSubtract(frame.ToWorld({ 22.5, 20.5 }), foot);
   const lms3dVector height = { 0.0, 0.0, 0.5 * Bound };
   lms3dMappedReturn mapped = MakeReturn(lms3dAdd(foot, height));
   mapped.Direction = lms3dNormalize(lms3dSubtract(ahead, height));
@@ -196,6 +196,8 @@ TEST(LMS3DFusedPlanes, AreMetWhereTheBeamEndsInThePlane)
   EXPECT_FALSE(planes.IsMetBy(planes[0], mapped));
   CoverCell(0, 22, 20, planes);
   EXPECT_TRUE(planes.IsMetBy(planes[0], mapped));
+  mapped.Point = lms3dAdd(foot, lms3dSubtract(lms3dScale(ahead, 2.0), height));
+  EXPECT_TRUE(planes.IsMetBy(planes[0], mapped)) << "the return lies behind the plane";
   mapped.Point = lms3dAdd(foot, lms3dScale(height, 3.0));
   EXPECT_FALSE(planes.IsMetBy(planes[0], mapped)) << "the plane is too far behind";
   mapped.Direction = { 1.0, 0.0, 0.0 };

@@ -11,6 +11,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
@@ -71,6 +72,13 @@ TEST(LMS3DMapFusionErrors, RefusesWhatLiesTooFarAway)
   scan = MakeInput();
   scan.Map->GetPoints()->SetPoint(3, 0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
   ExpectRefused(scan, "The local map lies up to nan m");
+  scan = MakeInput();
+  vtkNew<vtkDoubleArray> offset;
+  offset->SetName("AxisOffset");
+  offset->SetNumberOfComponents(3);
+  offset->InsertNextTuple3(1e9, 0.0, 0.0);
+  scan.Scan->GetFieldData()->AddArray(offset);
+  ExpectRefused(scan, "The beams of the scan reach up to 1e+09 m");
 }
 
 TEST(LMS3DMapFusionErrors, RefusesPosesThatScale)

@@ -77,10 +77,9 @@ TEST(LMS3DShapeDifferences, LeaveATileUpToTheirLimits)
 {
   lms3dFusedTile tile(0, 0);
   tile.Blocks.resize(20);
-  // 4 cells near creases for each block.
-  tile.DifferenceAtCreases = 83;
+  tile.DifferenceAtCreases = 64;
   EXPECT_FALSE(tile.HasOtherShape());
-  tile.DifferenceAtCreases = 84;
+  tile.DifferenceAtCreases = 65;
   EXPECT_TRUE(tile.HasOtherShape());
   // 16 cells for each block.
   tile.DifferenceAtCreases = 0;
@@ -90,6 +89,5 @@ TEST(LMS3DShapeDifferences, LeaveATileUpToTheirLimits)
   EXPECT_TRUE(tile.HasOtherShape());
   tile.Blocks.resize(1);
   tile.Difference = 256;
-  tile.DifferenceAtCreases = 64;
   EXPECT_FALSE(tile.HasOtherShape());
 }

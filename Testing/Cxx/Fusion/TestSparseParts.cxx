@@ -95,8 +95,7 @@ struct TwoScans
 };
 } // namespace
 
-// With a raster of all triangles, the wall has more than a hundred million blocks at 5 km, and the
-// thing that one beam meets has ten thousand.
+// With a raster of all triangles, the map has more than a hundred million blocks at 5 km.
 TEST(LMS3DSparseParts, HaveFewBlocksFarAway)
 {
   for (const double distance : { 5e3, 2e4, 1e6 })
@@ -141,7 +140,7 @@ TEST(LMS3DSparseParts, KeepTheirSurfaceWhereReturnsAreNear)
   }
 }
 
-// The room needs hundreds of millions of blocks.
+// The room needs billions of blocks.
 TEST(LMS3DSparseParts, HaveFewBlocksWithSmallBounds)
 {
   const TwoScans scans(ReadRoom(), 1e-5);
