@@ -163,7 +163,7 @@ void lms3dCornerMerger::Apply(const lms3dCornerMerge& merge, const std::vector<C
   this->Corners.Move(kept, merge.Corner);
 }
 
-// The three ways are those of the corner before it moves.
+// The three ways are found before the corner moves.
 void lms3dCornerMerger::MoveOutwards(Corner corner)
 {
   for (const lms3dPoint2& way : lms3dFindWaysOutwards(this->Corners.GetTriangle(corner)))

@@ -20,11 +20,11 @@
  * Two successive corners that are not fixed become one, which may lie anywhere: where the edges
  * beside the two meet, or between the two. Then up to five corners become one. So a border that
  * goes to and fro between returns and beams that passed becomes straight, although none of its
- * corners can go. If the last of the corners is fixed, it alone can stay. The new corner is not sharp
- * (lms3dIsSharpCorner). At last corners move outwards by up to four cells along each of three ways
- * (lms3dFindWaysOutwards), to points at most two cells from the region, so that the region has
- * returns beside its border. The outline stays within a tolerance of what it
- * was, keeps the limits of borders, and crosses no other edge.
+ * corners can go. If the last of the corners is fixed, it alone can stay. The new corner is not
+ * sharp (lms3dIsSharpCorner). At last corners move outwards by up to four cells along each of three
+ * ways (lms3dFindWaysOutwards), to points at most two cells from the region, so that the region has
+ * returns beside its border. The outline stays within a tolerance of what it was, keeps the limits
+ * of borders, and crosses no other edge.
  */
 class lms3dCornerMerger
 {

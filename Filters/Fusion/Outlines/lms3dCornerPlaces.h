@@ -23,8 +23,8 @@ std::vector<lms3dPoint2> lms3dFindMergedPlaces(const std::vector<lms3dPoint2>& p
 std::vector<lms3dPoint2> lms3dFindWaysOutwards(const std::array<lms3dPoint2, 3>& corners);
 
 /// Whether the region has an angle below 6.9 degrees at the second of three corners. It is then
-/// narrower than a cell up to 8 cells from the corner and farther, so returns there would lie beside
-/// it. The region is on the left of the edges.
+/// narrower than a cell up to 8 cells from the corner and farther, so returns there would lie
+/// beside it. The region is on the left of the edges.
 bool lms3dIsSharpCorner(const std::array<lms3dPoint2, 3>& corners);
 
 #endif

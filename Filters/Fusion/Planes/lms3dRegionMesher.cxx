@@ -22,8 +22,8 @@ namespace
 // As a share of the bound: how far the border of a region may move when it is straightened.
 constexpr double BorderShare = 6.0;
 // Cells: how far a border may stay away from the centre of a cell with a return, which may lie
-// anywhere in the cell. The farther, the more beams of returns that are cut off miss the map. Borders
-// move outwards in the end, so few returns stay cut off.
+// anywhere in the cell. The farther, the more beams of returns that are cut off miss the map.
+// Borders move outwards in the end, so few returns stay cut off.
 constexpr double ReachOfBorder = 1.2;
 constexpr double HalfDiagonal = 0.70710678118654752;
 static_assert(ReachOfBorder + HalfDiagonal < lms3dFarCoveredDistance,

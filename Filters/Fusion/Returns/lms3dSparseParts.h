@@ -19,8 +19,8 @@
  * sparse: it has surface near its returns alone. Parts are the patches, and the triangles that
  * belong to none. A part may have a number of blocks for each of its returns, a patch 64 more. This
  * limit is 64; it is 32 or 16 if the scan could have more than 500,000 blocks otherwise, and more
- * than 16 for each of its returns. So the time and the memory of a scan are bounded by the number of
- * its returns.
+ * than 16 for each of its returns. So the time and the memory of a scan are bounded by the number
+ * of its returns.
  */
 class lms3dSparseParts
 {

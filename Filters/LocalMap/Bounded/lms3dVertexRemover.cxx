@@ -144,8 +144,8 @@ void lms3dVertexRemover::UpdateQueue()
 }
 
 // Reads and changes only the star of the vertex, and what its neighbours have of it. Other threads
-// test and move vertices meanwhile. A vertex looks at the triangles around its target, too, but none
-// of them has another vertex of the round: the target would lie in both stars.
+// test and move vertices meanwhile. A vertex looks at the triangles around its target, too, but
+// none of them has another vertex of the round: the target would lie in both stars.
 void lms3dVertexRemover::Move(std::int32_t vertex, std::int32_t to)
 {
   this->Candidates[vertex].To = to;

@@ -88,9 +88,9 @@ TEST(LMS3DFusedSeams, HaveTheEulerNumberOfASphere)
   }
 }
 
-// Strays get facets in free space. They pass no wall. With a bound of 30 mm, borders move outwards far
-// enough to close the gaps of lost beams, which Status calls too weak, from the first pose on. The
-// local maps have these gaps.
+// Strays get facets in free space. They pass no wall. With a bound of 30 mm, borders move outwards
+// far enough to close the gaps of lost beams, which Status calls too weak, from the first pose on.
+// The local maps have these gaps.
 TEST(LMS3DFusedSeams, HoldWithDropoutsAndStrays)
 {
   constexpr double Bound = 0.03;
