@@ -3,6 +3,7 @@
 #include "Device/lms3dScanInput.h"
 
 #include "Device/lms3dScanFieldData.h"
+#include "Geometry/lms3dVector.h"
 #include "Geometry/lms3dWideLoops.h"
 
 #include <vtkFieldData.h>
@@ -130,9 +131,7 @@ std::array<double, 3> lms3dFindSensorPosition(vtkPolyData* scan)
   }
   const std::array<double, 3> position = { matrix->GetTuple1(3), matrix->GetTuple1(7),
     matrix->GetTuple1(11) };
-  const bool isFinite =
-    std::all_of(position.begin(), position.end(), [](double x) { return std::isfinite(x); });
-  return isFinite ? position : std::array<double, 3>{ 0.0, 0.0, 0.0 };
+  return lms3dIsFinite(position) ? position : std::array<double, 3>{ 0.0, 0.0, 0.0 };
 }
 
 lms3dScanInput::lms3dScanInput(vtkPolyData* scan)

@@ -221,12 +221,4 @@ bool lms3dForTouchedRows(const Points& points, const Visitor& visit)
     points, [&](const lms3dCellStrip& strip) { return lms3dForRows(strip, visit); });
 }
 
-/// The same for the cells whose centre lies in the polygon.
-template <typename Points, typename Visitor>
-bool lms3dForCentreRows(const Points& points, const Visitor& visit)
-{
-  return lms3dForCentreStrips(
-    points, [&](const lms3dCellStrip& strip) { return lms3dForRows(strip, visit); });
-}
-
 #endif

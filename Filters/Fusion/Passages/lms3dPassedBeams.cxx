@@ -116,10 +116,10 @@ void lms3dPassedBeams::MarkAround(
       std::abs(passage.Place[1] - place[1]) <= LargestDistance;
     return passage;
   };
-  const int turnId = table.GetNextTurn(beamId);
-  const lms3dPassage inFan = find(table.GetNextInFan(beamId));
+  const auto [nextId, acrossId, turnId] = table.GetNeighbours(beamId);
+  const lms3dPassage inFan = find(nextId);
   const lms3dPassage inTurn = find(turnId);
-  const lms3dPassage across = find(turnId < 0 ? -1 : table.GetNextInFan(turnId));
+  const lms3dPassage across = find(acrossId);
   if (inFan.IsPassed && inTurn.IsPassed && across.IsPassed)
   {
     this->Open(plane, std::array<lms3dPoint2, 4>{ place, inFan.Place, across.Place, inTurn.Place });

@@ -31,13 +31,6 @@ const lms3dVector* Find(const Beam& beam, const PointsOfBeams& points)
   return found != points.end() && found->first == beam ? &found->second : nullptr;
 }
 
-// The next beam in the fan, that of the next turn, and the one between them; -1 beyond the end.
-std::array<int, 3> FindNeighbours(const lms3dBeamTable& table, int beamId)
-{
-  const int turnId = table.GetNextTurn(beamId);
-  return { table.GetNextInFan(beamId), turnId < 0 ? -1 : table.GetNextInFan(turnId), turnId };
-}
-
 // Lets a plane have surface between neighbouring beams.
 void GuessBetween(int number, const std::vector<lms3dMappedReturn>& returns,
   const std::vector<int>& onPlane, const lms3dTablesOfScans& tables, lms3dFusedPlanes& planes)
@@ -53,7 +46,7 @@ void GuessBetween(int number, const std::vector<lms3dMappedReturn>& returns,
   for (const auto& [beam, point] : points)
   {
     std::vector<lms3dVector> corners;
-    for (const int neighbour : FindNeighbours(*tables[beam.first], beam.second))
+    for (const int neighbour : tables[beam.first]->GetNeighbours(beam.second))
     {
       const lms3dVector* const found = Find({ beam.first, neighbour }, points);
       if (found && lms3dGetLength(lms3dSubtract(*found, point)) <= largest)

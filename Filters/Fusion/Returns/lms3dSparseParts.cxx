@@ -110,9 +110,8 @@ private:
   void GuessAt(int number, int plane)
   {
     const int beam = this->Local.Returns[number].BeamId;
-    const int turn = this->Table.GetNextTurn(beam);
-    const int across = turn < 0 ? -1 : this->Table.GetNextInFan(turn);
-    this->GuessBetween({ beam, this->Table.GetNextInFan(beam), across }, plane);
+    const auto [next, across, turn] = this->Table.GetNeighbours(beam);
+    this->GuessBetween({ beam, next, across }, plane);
     this->GuessBetween({ beam, across, turn }, plane);
   }
 

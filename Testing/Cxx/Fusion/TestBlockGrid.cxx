@@ -143,7 +143,9 @@ TEST(LMS3DBlockGrid, VisitsTheCellsOfStripsThatHaveABit)
     ExpectCells(region, touched.Found,
       [&](const auto& visit) { return lms3dForTouchedStrips(triangle, visit); });
     RowCells centres(region);
-    lms3dForCentreRows(triangle, [&](auto... row) { return centres(row...); });
+    lms3dForCentreStrips(triangle,
+      [&](const lms3dCellStrip& strip)
+      { return lms3dForRows(strip, [&](auto... row) { return centres(row...); }); });
     ExpectCells(region, centres.Found,
       [&](const auto& visit) { return lms3dForCentreStrips(triangle, visit); });
     found += centres.Found.size();

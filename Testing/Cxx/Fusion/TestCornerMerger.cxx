@@ -73,6 +73,22 @@ std::vector<lms3dLoop> Straighten(
   }
   return corners.GetLoops();
 }
+
+/// Cells of a square from 10 to 100 and 40, and beams that passed through a row above it.
+lms3dRegion MakeSquareBelow(std::int32_t row)
+{
+  lms3dRegion region;
+  for (std::int32_t u = 0; u < 128; ++u)
+  {
+    region.Make(lms3dRaster::GetBlockOf(u), 0);
+    Set(&lms3dRegionBlock::Passed, u, row, region);
+  }
+  for (std::int32_t v = 10; v < 40; ++v)
+  {
+    region.SetRow(&lms3dRegionBlock::May, v, 10, 99, true, true, [](int) {});
+  }
+  return region;
+}
 } // namespace
 
 TEST(LMS3DCornerMerger, MakesBordersBetweenReturnsAndBeamsStraight)
@@ -161,16 +177,7 @@ TEST(LMS3DCornerMerger, StaysApartFromOtherOutlinesAndInTheTile)
 /// A border between returns and beams moves towards the beams.
 TEST(LMS3DCornerMerger, MovesBordersOutwards)
 {
-  lms3dRegion region;
-  for (std::int32_t u = 0; u < 128; ++u)
-  {
-    region.Make(lms3dRaster::GetBlockOf(u), 0);
-    Set(&lms3dRegionBlock::Passed, u, 41, region);
-  }
-  for (std::int32_t v = 10; v < 40; ++v)
-  {
-    region.SetRow(&lms3dRegionBlock::May, v, 10, 99, true, true, [](int) {});
-  }
+  const lms3dRegion region = MakeSquareBelow(41);
   const lms3dLoop square = { { 10.0, 10.0 }, { 100.0, 10.0 }, { 100.0, 40.0 }, { 10.0, 40.0 } };
   lms3dOutlineCorners corners({ square }, { true, true, false, false });
   lms3dBorderLimits limits(region, 4, Reach);
@@ -188,16 +195,7 @@ TEST(LMS3DCornerMerger, MovesBordersOutwards)
 /// Beams passed right above the square. The corner at the upper right moves to the right alone.
 TEST(LMS3DCornerMerger, MovesOneEdgeOutwardsIfTheOtherMustStay)
 {
-  lms3dRegion region;
-  for (std::int32_t u = 0; u < 128; ++u)
-  {
-    region.Make(lms3dRaster::GetBlockOf(u), 0);
-    Set(&lms3dRegionBlock::Passed, u, 40, region);
-  }
-  for (std::int32_t v = 10; v < 40; ++v)
-  {
-    region.SetRow(&lms3dRegionBlock::May, v, 10, 99, true, true, [](int) {});
-  }
+  const lms3dRegion region = MakeSquareBelow(40);
   const lms3dLoop square = { { 10.0, 10.0 }, { 100.0, 10.0 }, { 100.0, 39.75 }, { 10.0, 39.75 } };
   lms3dOutlineCorners corners({ square }, { true, true, false, true });
   lms3dBorderLimits limits(region, 4, Reach);
