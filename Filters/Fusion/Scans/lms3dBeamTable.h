@@ -43,8 +43,8 @@ public:
     return next < this->Size ? next : (this->IsClosed ? next - this->Size : -1);
   }
 
-  /// The next beam in the fan, the beam that is next in both ways, and the beam of the next turn; -1 beyond the
-  /// end.
+  /// The next beam in the fan, the one that is next in both ways, and the beam of the next turn; -1
+  /// beyond the end.
   std::array<int, 3> GetNeighbours(int beamId) const
   {
     const int turnId = this->GetNextTurn(beamId);
