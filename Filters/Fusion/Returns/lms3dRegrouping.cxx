@@ -17,10 +17,14 @@ namespace
 constexpr double LargestShare = 0.9;
 // Bounds: how far old planes may be from the box of the first one.
 constexpr double LargestGap = 3.0;
-constexpr std::size_t PlacesOfScan = 4;
+constexpr std::size_t PlacesOfScan = 10;
+// The most returns of a plane that goes.
 constexpr std::size_t LargestCount = 4000;
+// The most returns of several planes in a place. Small places take less time, so more of them are
+// looked at, and one place that fails keeps fewer planes.
+constexpr std::size_t LargestCountOfPlace = 1000;
 // Planes with fewer triangles are not looked at for their own sake.
-constexpr std::size_t SmallestNumberOfTriangles = 4;
+constexpr std::size_t SmallestNumberOfTriangles = 2;
 // How many triangles a new plane is expected to have. Most have more, so places that are not better
 // with this number are hardly ever better.
 constexpr std::size_t TrianglesOfPlane = 3;
@@ -111,7 +115,7 @@ lms3dRegrouping::Place lms3dRegrouping::FindPlace(int seed)
     this->Planes.FindPlanesNear(this->Planes.GetBox(static_cast<std::size_t>(seed)), gap))
   {
     if (!this->IsTaken[number] && this->IsCandidate(number) &&
-      place.Returns.size() + this->Planes[number].Returns.size() <= LargestCount)
+      place.Returns.size() + this->Planes[number].Returns.size() <= LargestCountOfPlace)
     {
       add(number);
     }

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace
 {
@@ -120,6 +121,41 @@ TEST(LMS3DRegrouping, LosesNoReturnToAPlaneThatGoes)
   ASSERT_EQ(planes.GetSize(), 6U);
   EXPECT_EQ(planes[4].Verbatim.size(), 1U);
   EXPECT_EQ(planes[5].Verbatim.size(), 1U);
+}
+
+/// Two planes become one if they have at most 1,000 returns together. Otherwise each is looked at
+/// for its own sake.
+TEST(LMS3DRegrouping, JoinsPlanesOfFewReturns)
+{
+  for (const auto& [beams, made] : { std::pair<int, std::size_t>{ 25, 1 }, { 26, 2 } })
+  {
+    SCOPED_TRACE(beams);
+    lms3dFusedPlanes planes(Bound);
+    AddWeakPlane(1.0, 20, beams, 10, planes);
+    AddWeakPlane(1.0, 20, beams, 10, planes);
+    const lms3dTablesOfScans tables = MakeTables();
+    lms3dRegrouping regrouping(planes, tables);
+    EXPECT_TRUE(regrouping.MakePlanes());
+    EXPECT_EQ(planes.GetSize(), 2 + made);
+  }
+}
+
+/// Planes of two triangles are looked at, since several of them may become one. A single triangle
+/// is not worth it.
+TEST(LMS3DRegrouping, LooksAtPlanesOfTwoTriangles)
+{
+  for (const std::size_t triangles : { std::size_t{ 1 }, std::size_t{ 2 } })
+  {
+    SCOPED_TRACE(triangles);
+    lms3dFusedPlanes planes(Bound);
+    for (int i = 0; i < 4; ++i)
+    {
+      AddWeakPlane(1.0, 5, 5, triangles, planes);
+    }
+    const lms3dTablesOfScans tables = MakeTables();
+    lms3dRegrouping regrouping(planes, tables);
+    EXPECT_EQ(regrouping.MakePlanes(), triangles == 2);
+  }
 }
 
 /// A return that is on no plane counts as a triangle, since it gets a facet.
