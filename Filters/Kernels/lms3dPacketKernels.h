@@ -7,7 +7,9 @@
  * It is compiled for several instruction sets; the widest one of the processor is chosen at run
  * time. All give the same bits: they do the same operations in the same order, and the compiler may
  * not contract a product and a sum. (Exception: below 1e-290 m, thus in scenes smaller than 1e-90
- * m, the last bits of a range may differ, because products underflow.)
+ * m, the last bits of a range may differ, because products underflow.) The kernels that decide on
+ * narrow triangles and on tiles add products without rounding these where the instruction set can.
+ * Such sets may be sure of a beam where others are not, and then the exact arithmetic decides.
  *
  * Lengths are in metres. "Sensor frame" means coordinates relative to the sensor's position, with
  * the axes of the world. A set of beams is a mask: bit i stands for beam i of the packet.

@@ -27,9 +27,10 @@ std::uint32_t FindTilesOfBox(const lms3dTiles& tiles, const lms3dTileBox& box)
   for (int i = 0; i < Size; ++i)
   {
     float minimum = 1e30f;
+#pragma GCC unroll 4
     for (const TileVector& side : tiles.Side)
     {
-      const float center = Dot(side, i, box.Center);
+      const float center = NarrowDot(side, i, box.Center);
       const float reach = __builtin_fabsf(side[0][i]) * box.HalfSize[0] +
         __builtin_fabsf(side[1][i]) * box.HalfSize[1] +
         __builtin_fabsf(side[2][i]) * box.HalfSize[2];

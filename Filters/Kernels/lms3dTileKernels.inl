@@ -119,12 +119,13 @@ void CompareWithEdges(
   {
     float minimum = 1.0f;
     float minimumOfMaxima = 1.0f;
+#pragma GCC unroll 4
     for (int edge = 0; edge < lms3dNarrowTriangle::Plane; ++edge)
     {
-      const float a = Dot(tiles.Corner[0], i, triangle, edge);
-      const float b = Dot(tiles.Corner[1], i, triangle, edge);
-      const float c = Dot(tiles.Corner[2], i, triangle, edge);
-      const float d = Dot(tiles.Corner[3], i, triangle, edge);
+      const float a = NarrowDot(tiles.Corner[0], i, triangle, edge);
+      const float b = NarrowDot(tiles.Corner[1], i, triangle, edge);
+      const float c = NarrowDot(tiles.Corner[2], i, triangle, edge);
+      const float d = NarrowDot(tiles.Corner[3], i, triangle, edge);
       minimum = Minimum(minimum, Minimum(Minimum(a, b), Minimum(c, d)));
       minimumOfMaxima = Minimum(minimumOfMaxima, Maximum(Maximum(a, b), Maximum(c, d)));
     }
@@ -140,11 +141,12 @@ std::uint32_t FindSeparated(const lms3dTiles& tiles, const lms3dCornerDirections
   for (int i = 0; i < Size; ++i)
   {
     float minimumOfMaxima = 1.0f;
+#pragma GCC unroll 4
     for (const TileVector& side : tiles.Side)
     {
-      const float a = Dot(side, i, corners.Corner[0]);
-      const float b = Dot(side, i, corners.Corner[1]);
-      const float c = Dot(side, i, corners.Corner[2]);
+      const float a = NarrowDot(side, i, corners.Corner[0]);
+      const float b = NarrowDot(side, i, corners.Corner[1]);
+      const float c = NarrowDot(side, i, corners.Corner[2]);
       minimumOfMaxima = Minimum(minimumOfMaxima, Maximum(Maximum(a, b), c));
     }
     separated.Set(i, minimumOfMaxima < -SideError);
@@ -168,9 +170,10 @@ lms3dTileMasks CompareWithCover(const lms3dTiles& tiles, const lms3dNarrowTriang
     float minimum = MaximumPlane;
     float minimumGain = MaximumPlane;
     float maximumGain = -MaximumPlane;
+#pragma GCC unroll 4
     for (int c = 0; c < 4; ++c)
     {
-      inverse[c][i] = Dot(tiles.Corner[c], i, triangle, lms3dNarrowTriangle::Plane);
+      inverse[c][i] = NarrowDot(tiles.Corner[c], i, triangle, lms3dNarrowTriangle::Plane);
       const float gain = inverse[c][i] - cover.InverseRange[c][i];
       minimum = Minimum(minimum, inverse[c][i]);
       minimumGain = Minimum(minimumGain, gain);
