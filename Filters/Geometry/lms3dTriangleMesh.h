@@ -33,6 +33,16 @@ struct lms3dTriangleMesh
   /// part of cell i.
   std::vector<std::int64_t> Cells;
 
+  /// Lists the cells of all triangles also if triangle i is a part of cell i.
+  void ListCells()
+  {
+    this->Cells.reserve(this->Triangles.capacity());
+    for (std::size_t i = this->Cells.size(); i < this->Triangles.size(); ++i)
+    {
+      this->Cells.push_back(static_cast<std::int64_t>(i));
+    }
+  }
+
   std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
 
   std::int64_t GetCell(std::size_t triangle) const

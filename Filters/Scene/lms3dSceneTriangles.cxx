@@ -91,6 +91,7 @@ public:
       std::minmax_element(this->GlobalIds.begin(), this->GlobalIds.end());
     this->Scene.MinimumGlobalId = *minimum;
     this->Scene.MaximumGlobalId = *maximum;
+    this->Scene.Mesh.ListCells();
     for (std::int64_t& cell : cells)
     {
       cell = this->GlobalIds[cell];

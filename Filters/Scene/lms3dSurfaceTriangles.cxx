@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/lms3dSurfaceTriangles.h"
 
+#include "Scene/lms3dPlainTriangles.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkDataSetAttributes.h>
@@ -15,16 +17,13 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
 namespace
 {
-// Sums of squares of larger coordinates exceed the range of single precision.
-constexpr double MaximumCoordinate = 1e18;
-
 // Embree and the packets number triangles by 32 bits.
 constexpr std::size_t MaximumNumberOfTriangles = std::numeric_limits<std::int32_t>::max();
 
@@ -95,7 +94,6 @@ bool lms3dSurfaceTriangles::Append(vtkPolyData* surface, vtkIdTypeArray* origina
   this->FirstPoint = this->Mesh.Points.size();
   AppendPoints(surface->GetPoints(), this->Mesh.Points);
   ReserveMore(this->Mesh.Triangles, polygons->GetNumberOfCells());
-  ReserveMore(this->Mesh.Cells, polygons->GetNumberOfCells());
   if (this->Mesh.Points.size() > std::numeric_limits<std::uint32_t>::max())
   {
     throw std::runtime_error("The scene has more points than 32 bits can number; split it.");
@@ -107,7 +105,14 @@ bool lms3dSurfaceTriangles::Append(vtkPolyData* surface, vtkIdTypeArray* origina
   this->TotalWork = polygons->GetNumberOfConnectivityIds() + strips->GetNumberOfConnectivityIds();
   this->WorkDone = 0;
   vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  this->AppendCells(polygons, cell, originalCells, &lms3dSurfaceTriangles::AppendPolygon);
+  if (!originalCells && !this->Ghosts && this->AppendTriangles(polygons, cell))
+  {
+    this->ReportProgress();
+  }
+  else
+  {
+    this->AppendCells(polygons, cell, originalCells, &lms3dSurfaceTriangles::AppendPolygon);
+  }
   cell += polygons->GetNumberOfCells();
   this->AppendCells(strips, cell, originalCells, &lms3dSurfaceTriangles::AppendStrip);
   this->Reporter = nullptr;
@@ -120,6 +125,28 @@ bool lms3dSurfaceTriangles::ReportProgress()
   this->IsStopped =
     this->IsStopped || !(*this->Reporter)(static_cast<double>(this->WorkDone) / total);
   return !this->IsStopped;
+}
+
+bool lms3dSurfaceTriangles::AppendTriangles(vtkCellArray* cells, vtkIdType firstCell)
+{
+  const std::int64_t before = static_cast<std::int64_t>(this->Mesh.Triangles.size());
+  const bool isListed = !this->Mesh.Cells.empty() || this->FirstCell + firstCell != before;
+  if (isListed)
+  {
+    this->Mesh.ListCells();
+  }
+  if (!lms3dAppendPlainTriangles(cells, this->FirstPoint, this->Mesh))
+  {
+    return false;
+  }
+  if (isListed)
+  {
+    this->Mesh.Cells.resize(this->Mesh.Triangles.size());
+    std::iota(
+      this->Mesh.Cells.begin() + before, this->Mesh.Cells.end(), this->FirstCell + firstCell);
+  }
+  this->WorkDone += cells->GetNumberOfConnectivityIds();
+  return true;
 }
 
 void lms3dSurfaceTriangles::AppendCells(
@@ -169,10 +196,7 @@ bool lms3dSurfaceTriangles::IsUsable(vtkIdType count, const vtkIdType* points)
         std::to_string(points[i]) + " of " + std::to_string(pointsOfSurface) +
         ". Repair the cell.");
     }
-    for (double x : all[this->FirstPoint + points[i]])
-    {
-      isFinite = isFinite && std::abs(x) <= MaximumCoordinate;
-    }
+    isFinite = isFinite && lms3dIsUsable(all[this->FirstPoint + points[i]]);
   }
   this->SkippedCells += isFinite ? 0 : 1;
   return isFinite;
@@ -184,10 +208,21 @@ void lms3dSurfaceTriangles::AppendTriangle(vtkIdType a, vtkIdType b, vtkIdType c
   {
     RefuseTriangles();
   }
+  this->AddCellOfNextTriangle();
   this->Mesh.Triangles.push_back({ static_cast<std::uint32_t>(this->FirstPoint + a),
     static_cast<std::uint32_t>(this->FirstPoint + b),
     static_cast<std::uint32_t>(this->FirstPoint + c) });
-  this->Mesh.Cells.push_back(this->Cell);
+}
+
+// As long as triangle i is cell i, the mesh needs no list.
+void lms3dSurfaceTriangles::AddCellOfNextTriangle()
+{
+  const auto triangle = static_cast<std::int64_t>(this->Mesh.Triangles.size());
+  if (!this->Mesh.Cells.empty() || this->Cell != triangle)
+  {
+    this->Mesh.ListCells();
+    this->Mesh.Cells.push_back(this->Cell);
+  }
 }
 
 void lms3dSurfaceTriangles::AppendStrip(vtkIdType count, const vtkIdType* points)

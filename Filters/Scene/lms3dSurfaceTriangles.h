@@ -63,9 +63,13 @@ public:
 private:
   using AppendCell = void (lms3dSurfaceTriangles::*)(vtkIdType count, const vtkIdType* points);
 
+  /// Appends cells that are all plain triangles. Returns false, and appends none, if they are not.
+  bool AppendTriangles(vtkCellArray* cells, vtkIdType firstCell);
   void AppendCells(
     vtkCellArray* cells, vtkIdType firstCell, vtkIdTypeArray* originalCells, AppendCell append);
   void AppendTriangle(vtkIdType a, vtkIdType b, vtkIdType c);
+  /// Lists the current cell for the triangle that follows, if cells have to be listed.
+  void AddCellOfNextTriangle();
   void AppendStrip(vtkIdType count, const vtkIdType* points);
   void AppendPolygon(vtkIdType count, const vtkIdType* points);
   void TriangulatePolygon(vtkIdType count, const vtkIdType* points);
