@@ -25,8 +25,8 @@ inline bool lms3dIsUsable(const std::array<double, 3>& point)
 }
 
 /**
- * Appends `cells` to the triangles of `mesh`, but not to its cells. The points of these cells are
- * those of the mesh from `firstPoint` on.
+ * Appends `cells` to the triangles of `mesh`, but not to its cells. Point i of `cells` is point
+ * `firstPoint` + i of the mesh.
  *
  * Returns false, and leaves the mesh as it was, if a cell is not a triangle, uses a missing point
  * or one that is not usable, or if there are more triangles than 31 bits can number.

@@ -146,7 +146,7 @@ TEST(PlainTriangles, OfSeveralSurfacesKeepTheirCells)
       vtkNew<vtkCellArray> vertices;
       vertices->InsertNextCell({ 0 });
       plain[1]->SetVerts(vertices);
-      others[1] = plain[1]; // Of the other way, only the first and the last.
+      others[1] = plain[1]; // Only the first and the last have ghosts then.
     }
     const lms3dTriangleMesh mesh = Collect(plain);
     ExpectSame(mesh, Collect(others));
