@@ -33,7 +33,7 @@ struct lms3dTriangleMesh
   /// part of cell i.
   std::vector<std::int64_t> Cells;
 
-  /// Lists the cells of all triangles also if triangle i is a part of cell i.
+  /// Lists the cells of all triangles even if triangle i is a part of cell i.
   void ListCells()
   {
     this->Cells.reserve(this->Triangles.capacity());

@@ -22,8 +22,9 @@ constexpr double MaximumInverse = 1e30;
 constexpr double MinimumEdge = 1e-20;
 constexpr double MaximumEdge = 1e20;
 
-// Returns sum + x y, rounded once by an instruction set that can, and else twice. The bounds of the
-// errors hold for both. So one set may be unsure where another is sure, but they never contradict.
+// Returns sum + x y, rounded once by an instruction set with fused multiply-add, and else twice.
+// The bounds of the errors hold for both. So one set may be unsure where another is sure, but they
+// never contradict.
 [[gnu::always_inline]] inline float AddProduct(float sum, float x, float y)
 {
 #ifdef __FMA__

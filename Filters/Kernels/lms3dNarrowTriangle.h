@@ -17,8 +17,8 @@
  * The 1-norm of an edge is 1, and no component of d exceeds 1. So the products of a dot product,
  * and its sums, are at most 1 together. Rounding the edge to single precision, rounding d, and
  * rounding the products err by at most u each, and so does each of the two sums: 5 u = 3e-7
- * together. An instruction set that adds a product without rounding it has two roundings less. The
- * error of a plane's product is the same share of the plane's 1-norm.
+ * together. An instruction set with fused multiply-add rounds two times less. The error of a
+ * plane's product is the same share of the plane's 1-norm.
  *
  * The vectors are computed in double precision, from corners that are rounded once. This changes b
  * x c by less than 1e-15 |b| |c|: two roundings of corners, two of products and one of a difference

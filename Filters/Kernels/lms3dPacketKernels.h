@@ -5,11 +5,13 @@
  * @brief The arithmetic that is done for all beams of a packet, or of a strip of a map, at once.
  *
  * It is compiled for several instruction sets; the widest one of the processor is chosen at run
- * time. All give the same bits: they do the same operations in the same order, and the compiler may
- * not contract a product and a sum. (Exception: below 1e-290 m, thus in scenes smaller than 1e-90
- * m, the last bits of a range may differ, because products underflow.) The kernels that decide on
- * narrow triangles and on tiles add products without rounding these where the instruction set can.
- * Such sets may be sure of a beam where others are not, and then the exact arithmetic decides.
+ * time. All results have the same bits: the sets do the same operations in the same order, and the
+ * compiler may not contract a product and a sum. There are two exceptions:
+ * - Below 1e-290 m, thus in scenes smaller than 1e-90 m, the last bits of a range may differ,
+ *   because products underflow.
+ * - The kernels that decide on narrow triangles and on tiles use fused multiply-add where the set
+ *   has it. Their inverse ranges differ within the error bounds, and a set may be sure of a beam
+ *   where another is not. The exact arithmetic then decides, so no result of a scan differs.
  *
  * Lengths are in metres. "Sensor frame" means coordinates relative to the sensor's position, with
  * the axes of the world. A set of beams is a mask: bit i stands for beam i of the packet.

@@ -4,6 +4,8 @@
 
 #include <vtkCellArray.h>
 #include <vtkType.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkTypeInt64Array.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -11,7 +13,6 @@
 #include <atomic>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
 namespace
 {
@@ -24,12 +25,13 @@ constexpr vtkIdType TrianglesOfTask = 8192;
 template <typename Id>
 struct Cells
 {
+  // Returns whether the cells are triangles, which begin where those before them end.
   bool AreTriangles(const tbb::blocked_range<vtkIdType>& range) const
   {
     bool areTriangles = true;
-    for (vtkIdType i = range.begin(); i < range.end(); ++i)
+    for (vtkIdType i = range.begin(); i <= range.end(); ++i)
     {
-      areTriangles &= this->Offsets[i + 1] - this->Offsets[i] == 3;
+      areTriangles &= static_cast<vtkIdType>(this->Offsets[i]) == 3 * i;
     }
     return areTriangles;
   }
@@ -37,7 +39,7 @@ struct Cells
   // Returns false if the triangle uses a point that is missing or not usable.
   bool Copy(vtkIdType cell, std::array<std::uint32_t, 3>& triangle) const
   {
-    const Id* corners = this->Corners + this->Offsets[cell];
+    const Id* corners = this->Corners + 3 * cell;
     for (int i = 0; i < 3; ++i)
     {
       const std::size_t point = this->FirstPoint + static_cast<std::size_t>(corners[i]);
@@ -59,7 +61,7 @@ struct Cells
 template <typename Id>
 bool CopyAll(const Cells<Id>& cells, vtkIdType count, std::array<std::uint32_t, 3>* triangles)
 {
-  std::atomic<bool> arePlain{ cells.Offsets[0] == 0 };
+  std::atomic<bool> arePlain{ true };
   tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, count, TrianglesOfTask),
     [&](const tbb::blocked_range<vtkIdType>& range)
     {
@@ -75,31 +77,39 @@ bool CopyAll(const Cells<Id>& cells, vtkIdType count, std::array<std::uint32_t, 
     });
   return arePlain;
 }
-} // namespace
 
-bool lms3dAppendPlainTriangles(vtkCellArray* cells, std::size_t firstPoint, lms3dTriangleMesh& mesh)
+// Appends the cells if they are stored in arrays of this type.
+template <typename Array>
+bool AppendStored(vtkCellArray* cells, std::size_t firstPoint, lms3dTriangleMesh& mesh)
 {
-  const vtkIdType count = cells->GetNumberOfCells();
-  const std::size_t before = mesh.Triangles.size();
-  if (before + static_cast<std::size_t>(count) > MaximumNumberOfTriangles ||
-    cells->GetNumberOfConnectivityIds() != 3 * count)
+  Array* offsets = Array::FastDownCast(cells->GetOffsetsArray());
+  Array* corners = Array::FastDownCast(cells->GetConnectivityArray());
+  if (!offsets || !corners)
   {
     return false;
   }
+  const vtkIdType count = cells->GetNumberOfCells();
+  const std::size_t before = mesh.Triangles.size();
   mesh.Triangles.resize(before + static_cast<std::size_t>(count));
-  const auto copy = [&](auto* offsets, auto* corners)
-  {
-    using Id = std::remove_reference_t<decltype(*offsets->GetPointer(0))>;
-    const Cells<Id> all = { offsets->GetPointer(0), corners->GetPointer(0), mesh.Points,
-      firstPoint };
-    return CopyAll(all, count, mesh.Triangles.data() + before);
-  };
-  const bool arePlain = cells->IsStorage64Bit()
-    ? copy(cells->GetOffsetsArray64(), cells->GetConnectivityArray64())
-    : copy(cells->GetOffsetsArray32(), cells->GetConnectivityArray32());
+  const Cells<typename Array::ValueType> stored = { offsets->GetPointer(0), corners->GetPointer(0),
+    mesh.Points, firstPoint };
+  const bool arePlain = CopyAll(stored, count, mesh.Triangles.data() + before);
   if (!arePlain)
   {
     mesh.Triangles.resize(before);
   }
   return arePlain;
+}
+} // namespace
+
+bool lms3dAppendPlainTriangles(vtkCellArray* cells, std::size_t firstPoint, lms3dTriangleMesh& mesh)
+{
+  const vtkIdType count = cells->GetNumberOfCells();
+  if (mesh.Triangles.size() + static_cast<std::size_t>(count) > MaximumNumberOfTriangles ||
+    cells->GetNumberOfConnectivityIds() != 3 * count)
+  {
+    return false;
+  }
+  return AppendStored<vtkTypeInt64Array>(cells, firstPoint, mesh) ||
+    AppendStored<vtkTypeInt32Array>(cells, firstPoint, mesh);
 }

@@ -29,7 +29,8 @@ inline bool lms3dIsUsable(const std::array<double, 3>& point)
  * `firstPoint` + i of the mesh.
  *
  * Returns false, and leaves the mesh as it was, if a cell is not a triangle, uses a missing point
- * or one that is not usable, or if there are more triangles than 31 bits can number.
+ * or one that is not usable, or if there are more triangles than 31 bits can number. The same holds
+ * if offsets and points of the cells are not stored in arrays of 32 or of 64 bits.
  */
 bool lms3dAppendPlainTriangles(
   vtkCellArray* cells, std::size_t firstPoint, lms3dTriangleMesh& mesh);

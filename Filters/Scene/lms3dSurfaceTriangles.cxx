@@ -105,11 +105,7 @@ bool lms3dSurfaceTriangles::Append(vtkPolyData* surface, vtkIdTypeArray* origina
   this->TotalWork = polygons->GetNumberOfConnectivityIds() + strips->GetNumberOfConnectivityIds();
   this->WorkDone = 0;
   vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  if (!originalCells && !this->Ghosts && this->AppendTriangles(polygons, cell))
-  {
-    this->ReportProgress();
-  }
-  else
+  if (originalCells || this->Ghosts || !this->AppendTriangles(polygons, cell))
   {
     this->AppendCells(polygons, cell, originalCells, &lms3dSurfaceTriangles::AppendPolygon);
   }
@@ -146,6 +142,10 @@ bool lms3dSurfaceTriangles::AppendTriangles(vtkCellArray* cells, vtkIdType first
       this->Mesh.Cells.begin() + before, this->Mesh.Cells.end(), this->FirstCell + firstCell);
   }
   this->WorkDone += cells->GetNumberOfConnectivityIds();
+  if (this->WorkDone >= WorkPerReport)
+  {
+    this->ReportProgress();
+  }
   return true;
 }
 

@@ -36,7 +36,7 @@ bool lms3dRegrouping::IsCandidate(int number) const
   return plane.IsWeak && !plane.Returns.empty() && plane.Returns.size() <= LargestCount;
 }
 
-// The planes at which a place may be worth it, those with the most triangles first.
+// The planes at which a place may be worth it, those that have gained the most triangles first.
 std::vector<int> lms3dRegrouping::FindSeeds() const
 {
   std::vector<std::pair<std::size_t, int>> seeds;

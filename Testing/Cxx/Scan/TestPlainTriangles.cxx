@@ -15,6 +15,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <gtest/gtest.h>
@@ -185,6 +186,23 @@ TEST(PlainTriangles, LeaveOtherCellsToTheirWay)
     missing.Add({ 0, 1, point });
     expectRefused(missing);
     EXPECT_THROW(Collect({ missing.Get() }), std::runtime_error);
+  }
+}
+
+/// The cells from 10,000 on would begin far behind the corners.
+TEST(PlainTriangles, AreRefusedWithBrokenOffsets)
+{
+  for (const vtkIdType gap : { 3LL, 4000000000LL })
+  {
+    const Surface surface;
+    vtkTypeInt64Array* offsets = surface.Cells->GetOffsetsArray64();
+    for (vtkIdType i = 10000; i < Count; ++i)
+    {
+      offsets->SetValue(i, 3 * i + gap);
+    }
+    lms3dTriangleMesh mesh = surface.MakeMesh();
+    EXPECT_FALSE(surface.AppendPlain(mesh));
+    EXPECT_TRUE(mesh.Triangles.empty());
   }
 }
 
