@@ -81,7 +81,7 @@ void lms3dDoubleDoubleIntersector::Refine(double maximumRange, lms3dBeamPacket& 
 }
 
 bool lms3dDoubleDoubleIntersector::FillTile(std::int32_t triangle, const lms3dBeamsOfTile& beams,
-  const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride)
+  const lms3dRangeWindow& within, double* ranges, std::ptrdiff_t stride)
 {
   const Plane& plane = this->GetPlane(triangle);
   return !plane.IsNear && this->Kernels.IntersectTile(plane.Value, beams, within, ranges, stride);

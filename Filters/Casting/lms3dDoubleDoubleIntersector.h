@@ -32,7 +32,7 @@ public:
 
   /// Does what lms3dRangeRefinement::FillTile does.
   bool FillTile(std::int32_t triangle, const lms3dBeamsOfTile& beams,
-    const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride);
+    const lms3dRangeWindow& within, double* ranges, std::ptrdiff_t stride);
 
 private:
   /// Enough for a whole scan of a small scene.

@@ -90,7 +90,7 @@ void lms3dRangeRefinement::Refine(
 }
 
 bool lms3dRangeRefinement::FillTile(const lms3dRayOrigin& origin, std::int32_t triangle,
-  const lms3dBeamsOfTile& beams, const lms3dRangeInterval& within, double* ranges,
+  const lms3dBeamsOfTile& beams, const lms3dRangeWindow& within, double* ranges,
   std::ptrdiff_t stride) const
 {
   lms3dDoubleDoubleIntersector& intersector = this->Internal->Intersectors.local();

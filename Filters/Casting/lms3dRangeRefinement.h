@@ -43,7 +43,7 @@ public:
   /// next. Returns false, and the ranges are undefined, if a range is not above 0 or not in an
   /// interval, or if the triangle's plane passes too near to the origin.
   bool FillTile(const lms3dRayOrigin& origin, std::int32_t triangle, const lms3dBeamsOfTile& beams,
-    const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride) const;
+    const lms3dRangeWindow& within, double* ranges, std::ptrdiff_t stride) const;
 
 private:
   struct Internals;

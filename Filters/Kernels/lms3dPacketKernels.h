@@ -188,9 +188,10 @@ struct lms3dPacketKernels
     const lms3dDoubleDoublePlane& plane, const lms3dBeamPacket& packet, double* ranges);
 
   /// The same for the beams of a tile, `stride` ranges from one turn to the next. Returns whether
-  /// all ranges are above 0 and in an interval.
+  /// all ranges are above 0 and in an interval. No beam may be nearly parallel to the plane: the
+  /// product Normal.direction must exceed its rounding errors, 1e-15 times the normal's 1-norm.
   bool (*IntersectTile)(const lms3dDoubleDoublePlane& plane, const lms3dBeamsOfTile& beams,
-    const lms3dRangeInterval& within, double* ranges, std::ptrdiff_t stride);
+    const lms3dRangeWindow& within, double* ranges, std::ptrdiff_t stride);
 
   /// The same for beams that each have a plane of their own.
   void (*IntersectDoubleDoublePlanes)(

@@ -16,6 +16,13 @@ namespace
 {
 using Pair = lms3dDoubleDouble;
 
+// Returns the exact sum if |x| >= |y|, or if x is 0.
+Pair SumOfLargerFirst(double x, double y)
+{
+  const double sum = x + y;
+  return { sum, y - (sum - x) };
+}
+
 // Returns the exact product. Both ways give the same bits unless the error underflows.
 Pair Multiply(double x, double y)
 {

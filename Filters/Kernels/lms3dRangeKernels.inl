@@ -82,12 +82,10 @@ void MakeDoubleDoublePlanes(const lms3dPacketCorners& corners, int count, const 
   }
 }
 
-// Returns offset / normal.direction, with one rounding.
-[[gnu::always_inline]] inline double Intersect(
-  const Pair* normal, const Pair& offset, const double (&direction)[3])
+// Returns the product normal.direction, and the sum of the rounding errors of its products and sums
+// (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005).
+[[gnu::always_inline]] inline Pair GetSlope(const Pair* normal, const double (&direction)[3])
 {
-  // The dot product normal.direction; `error` sums the rounding errors of its products and sums
-  // (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005).
   const Pair first = Multiply(normal[0].High, direction[0]);
   double slope = first.High;
   double error = first.Low + normal[0].Low * direction[0];
@@ -98,14 +96,25 @@ void MakeDoubleDoublePlanes(const lms3dPacketCorners& corners, int count, const 
     slope = sum.High;
     error += sum.Low + (product.Low + normal[axis].Low * direction[axis]);
   }
+  return { slope, error };
+}
+
+// Returns the quotient, corrected by the remainder of the division.
+[[gnu::always_inline]] inline double Divide(const Pair& x, const Pair& y)
+{
+  const double quotient = x.High / y.High;
+  const Pair back = Multiply(quotient, y.High);
+  const double remainder = ((x.High - back.High) - back.Low) + (x.Low - quotient * y.Low);
+  return quotient + remainder / y.High;
+}
+
+// Returns offset / normal.direction, with one rounding.
+[[gnu::always_inline]] inline double Intersect(
+  const Pair* normal, const Pair& offset, const double (&direction)[3])
+{
   // At grazing incidence the error is not small compared with the slope.
-  const Pair whole = lms3dTwoSum(slope, error);
-  // The quotient, corrected by the remainder of the division.
-  const double quotient = offset.High / whole.High;
-  const Pair back = Multiply(quotient, whole.High);
-  const double remainder =
-    ((offset.High - back.High) - back.Low) + (offset.Low - quotient * whole.Low);
-  return quotient + remainder / whole.High;
+  const Pair slope = GetSlope(normal, direction);
+  return Divide(offset, lms3dTwoSum(slope.High, slope.Low));
 }
 
 // The same for beam i of some.

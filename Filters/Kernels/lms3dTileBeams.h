@@ -26,7 +26,7 @@ struct lms3dBeamsOfTile
 };
 
 /// Metres.
-struct lms3dRangeInterval
+struct lms3dRangeWindow
 {
   double Minimum;
   double Maximum;

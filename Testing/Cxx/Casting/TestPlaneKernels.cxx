@@ -130,7 +130,7 @@ struct Tile
   }
 
   TileRanges Intersect(const lms3dPacketKernels& kernels, const lms3dDoubleDoublePlane& plane,
-    const lms3dRangeInterval& within) const
+    const lms3dRangeWindow& within) const
   {
     TileRanges result = this->MakeRanges();
     result.AreWithin = kernels.IntersectTile(plane,
@@ -142,7 +142,7 @@ struct Tile
 
   // Turn by turn, by packets.
   TileRanges IntersectPackets(
-    const lms3dDoubleDoublePlane& plane, const lms3dRangeInterval& within) const
+    const lms3dDoubleDoublePlane& plane, const lms3dRangeWindow& within) const
   {
     const lms3dPacketKernels& kernels = lms3dGetPacketKernels(0);
     TileRanges result = this->MakeRanges();
@@ -218,7 +218,7 @@ TEST(PlaneKernels, GiveTheBitsOfPacketsForATile)
     const lms3dDoubleDoublePlane plane =
       lms3dGetPacketKernels(0).MakeDoubleDoublePlane(corners, hits.Origin.data());
     const TileRanges all = tile.IntersectPackets(plane, { 0.0, lms3dBeamPacket::NoRange });
-    const lms3dRangeInterval limits = { i % 3 == 0 ? all.Ranges[0] : 0.0,
+    const lms3dRangeWindow limits = { i % 3 == 0 ? all.Ranges[0] : 0.0,
       i % 2 == 0 ? all.Ranges[0] : lms3dBeamPacket::NoRange };
     const TileRanges expected = tile.IntersectPackets(plane, limits);
     (expected.AreWithin ? within : beyond) += 1;
