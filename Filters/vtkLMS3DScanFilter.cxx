@@ -18,6 +18,7 @@
 #include <vtkInformationVector.h>
 #include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
@@ -207,8 +208,8 @@ int vtkLMS3DScanFilter::RequestData(
 {
   // Without SetErrorCode(), which modifies the filter, so that every update would run it again.
   this->ErrorCode = vtkErrorCode::NoError;
-  // An image keeps its arrays from one execution to the next.
-  vtkImageData::GetData(outputVector, 1)->Initialize();
+  // An image that the pipeline empties keeps its scalars.
+  vtkImageData::GetData(outputVector, 1)->GetPointData()->SetScalars(nullptr);
   vtkInformation* output = lms3dGetRequestedOutput(request, outputVector);
   vtkMultiProcessController* controller = this->Internal->Controller;
   // In one process the first piece is the whole scan, and other pieces are empty.

@@ -3,25 +3,22 @@
 #include "Scan/lms3dScenePart.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 
 std::string lms3dDescribeMissingCells(const lms3dScenePart& scene)
 {
-  std::ostringstream text;
   // VTK numbers from 0, some file formats from 1.
   const std::int64_t firstId = std::min<std::int64_t>(scene.MinimumGlobalId, 1);
-  if (scene.HasGlobalIds && scene.MaximumGlobalId - firstId >= scene.NumberOfCells)
+  if (!scene.HasGlobalIds || scene.MaximumGlobalId - firstId < scene.NumberOfCells)
   {
-    text
-      << "The scene's global ids go up to " << scene.MaximumGlobalId << ", but it has only "
-      << scene.NumberOfCells
-      << " cells in all processes together. If you extracted a part of a scene on purpose, ignore "
-         "this warning. Otherwise a part is lost, and the scan shows what lies behind it. On "
-         "Debian 12 with the present libexpat, ParaView's RedistributeDataSet loses pieces; use "
-         "its filter D3 instead.";
+    return {};
   }
-  return text.str();
+  return "The scene's global ids go up to " + std::to_string(scene.MaximumGlobalId) +
+    ", but it has only " + std::to_string(scene.NumberOfCells) +
+    " cells in all processes together. If you extracted a part of a scene on purpose, ignore this "
+    "warning. Otherwise a part is lost, and the scan shows what lies behind it. On Debian 12 with "
+    "the present libexpat, ParaView's RedistributeDataSet loses pieces; use its filter D3 instead.";
 }
 
 void lms3dCheckScene(
