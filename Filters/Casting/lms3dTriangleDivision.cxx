@@ -82,7 +82,13 @@ lms3dTileBlock lms3dTriangleDivision::DivideBlock(int number) const
 {
   const int group = number / lms3dTiles::Size;
   const int i = number % lms3dTiles::Size;
+  std::size_t count = 0;
+  for (const Part& part : this->Parts)
+  {
+    count += part[group].First[i + 1] - part[group].First[i];
+  }
   lms3dTileCandidates candidates;
+  candidates.reserve(count);
   // What covers the block comes first, since it drops at once what lies behind it.
   for (bool covers : { true, false })
   {
