@@ -30,7 +30,7 @@ namespace
 {
 lms3dTriangleMesh Collect(vtkDataObject* data, const std::string& name, std::string& warning)
 {
-  lms3dSceneTriangles triangles = lms3dCollectTriangles(data);
+  lms3dSceneTriangles triangles = lms3dCollectTriangles(data, name);
   const std::string skipped = lms3dDescribeSkippedCells(triangles, name);
   lms3dDropTrianglesWithoutArea(triangles.Mesh);
   if (triangles.Mesh.Triangles.empty())

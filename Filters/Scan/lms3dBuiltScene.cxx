@@ -74,7 +74,7 @@ bool lms3dBuiltScene::Update(vtkDataObject* scene, int method, const lms3dProgre
   const vtkMTimeType time = ComputeSceneTime(scene);
   this->Scene = nullptr;
   lms3dSceneTriangles triangles =
-    lms3dCollectTriangles(scene, lms3dGetStepProgress(progress, 0.0, CollectShare));
+    lms3dCollectTriangles(scene, "The scene", lms3dGetStepProgress(progress, 0.0, CollectShare));
   if (!triangles.IsComplete)
   {
     return false;

@@ -42,6 +42,11 @@ bool HasVolumeCells(vtkDataSet* data)
 class Collector
 {
 public:
+  explicit Collector(const std::string& name)
+    : Surfaces(this->Scene.Mesh, name)
+  {
+  }
+
   /// Returns false if `progress` stopped the work.
   bool Append(vtkDataObject* scene, const std::function<bool(double)>& progress)
   {
@@ -184,7 +189,7 @@ private:
     }
   }
 
-  lms3dSurfaceTriangles Surfaces{ this->Scene.Mesh };
+  lms3dSurfaceTriangles Surfaces;
   // Used only if all cells have one.
   std::vector<std::int64_t> GlobalIds;
   std::int64_t FirstCell = 0;
@@ -192,9 +197,9 @@ private:
 } // namespace
 
 lms3dSceneTriangles lms3dCollectTriangles(
-  vtkDataObject* scene, const std::function<bool(double)>& progress)
+  vtkDataObject* scene, const std::string& name, const std::function<bool(double)>& progress)
 {
-  Collector collector;
+  Collector collector(name);
   if (!collector.Append(scene, progress))
   {
     lms3dSceneTriangles stopped;
@@ -208,17 +213,17 @@ lms3dSceneTriangles lms3dCollectTriangles(
   return std::move(collector.Scene);
 }
 
-std::string lms3dDescribeSkippedCells(const lms3dSceneTriangles& triangles, const std::string& what)
+std::string lms3dDescribeSkippedCells(const lms3dSceneTriangles& triangles, const std::string& name)
 {
   std::ostringstream text;
   if (triangles.SkippedCells > 0)
   {
-    text << what << ": cells with a point that is not finite or exceeds 1e18 m are left out: "
+    text << name << ": cells with a point that is not finite or exceeds 1e18 m are left out: "
          << triangles.SkippedCells << ". ";
   }
   if (triangles.CrossedCells > 0)
   {
-    text << what << ": polygons that have too many corners for their shape, or cross themselves: "
+    text << name << ": polygons that have too many corners for their shape, or cross themselves: "
          << triangles.CrossedCells << ". The first is cell " << triangles.FirstCrossedCell
          << ". Their triangles may overlap or extend beyond them; split these polygons. All other "
             "cells are complete. ";

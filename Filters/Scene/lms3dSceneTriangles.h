@@ -60,18 +60,19 @@ struct lms3dSceneTriangles
  * (vtkDataSetSurfaceFilter treats other data sets in the same way, and also hides cells of
  * structured grids at HIDDENPOINTs.)
  *
- * `progress` receives the fraction done, 0 to 1, and returns false to stop. It is called by the
- * calling thread, also within a large polygon.
+ * `name` begins the texts for the user. `progress` receives the fraction done, 0 to 1, and returns
+ * false to stop. It is called by the calling thread, also within a large polygon.
  *
  * Throws std::runtime_error, with a text for the user, if a cell uses a missing point or if there
  * are too many triangles.
  */
 lms3dSceneTriangles lms3dCollectTriangles(
-  vtkDataObject* scene, const std::function<bool(double)>& progress = [](double) { return true; });
+  vtkDataObject* scene, const std::string& name = "The scene",
+  const std::function<bool(double)>& progress = [](double) { return true; });
 
-/// Returns a text for the user about the skipped and crossed cells of `what`, for example "The
+/// Returns a text for the user about the skipped and crossed cells of `name`, for example "The
 /// scene". Returns an empty string if there are none.
 std::string lms3dDescribeSkippedCells(
-  const lms3dSceneTriangles& triangles, const std::string& what);
+  const lms3dSceneTriangles& triangles, const std::string& name);
 
 #endif

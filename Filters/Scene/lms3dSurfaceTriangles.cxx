@@ -75,10 +75,10 @@ void AppendPoints(vtkPoints* points, lms3dTrianglePoints& out)
   }
 }
 
-[[noreturn]] void RefuseTriangles()
+[[noreturn]] void RefuseTriangles(const std::string& name)
 {
   throw std::runtime_error(
-    "The scene has more triangles than 31 bits can number; split it or simplify it.");
+    name + " has more triangles than 31 bits can number; split it or simplify it.");
 }
 } // namespace
 
@@ -96,7 +96,7 @@ bool lms3dSurfaceTriangles::Append(vtkPolyData* surface, vtkIdTypeArray* origina
   ReserveMore(this->Mesh.Triangles, polygons->GetNumberOfCells());
   if (this->Mesh.Points.size() > std::numeric_limits<std::uint32_t>::max())
   {
-    throw std::runtime_error("The scene has more points than 32 bits can number; split it.");
+    throw std::runtime_error(this->Name + " has more points than 32 bits can number; split it.");
   }
   this->Ghosts = surface->GetCellGhostArray();
   this->Reporter = &progress;
@@ -192,8 +192,8 @@ bool lms3dSurfaceTriangles::IsUsable(vtkIdType count, const vtkIdType* points)
   {
     if (points[i] < 0 || points[i] >= pointsOfSurface)
     {
-      throw std::runtime_error("Cell " + std::to_string(this->Cell) + " of the scene uses point " +
-        std::to_string(points[i]) + " of " + std::to_string(pointsOfSurface) +
+      throw std::runtime_error(this->Name + ": cell " + std::to_string(this->Cell) +
+        " uses point " + std::to_string(points[i]) + " of " + std::to_string(pointsOfSurface) +
         ". Repair the cell.");
     }
     isFinite = isFinite && lms3dIsUsable(all[this->FirstPoint + points[i]]);
@@ -206,7 +206,7 @@ void lms3dSurfaceTriangles::AppendTriangle(vtkIdType a, vtkIdType b, vtkIdType c
 {
   if (this->Mesh.Triangles.size() >= MaximumNumberOfTriangles)
   {
-    RefuseTriangles();
+    RefuseTriangles(this->Name);
   }
   this->AddCellOfNextTriangle();
   this->Mesh.Triangles.push_back({ static_cast<std::uint32_t>(this->FirstPoint + a),
@@ -250,7 +250,7 @@ void lms3dSurfaceTriangles::TriangulatePolygon(vtkIdType count, const vtkIdType*
 {
   if (static_cast<std::size_t>(count) > MaximumNumberOfTriangles)
   {
-    RefuseTriangles();
+    RefuseTriangles(this->Name);
   }
   this->Corners.clear();
   for (vtkIdType i = 0; i < count; ++i)

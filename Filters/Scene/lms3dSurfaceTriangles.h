@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <vtkType.h>
@@ -29,8 +31,10 @@ public:
   /// Receives the fraction of one surface that is done, 0 to 1. Returns false to stop.
   using Progress = std::function<bool(double)>;
 
-  explicit lms3dSurfaceTriangles(lms3dTriangleMesh& mesh)
+  /// `name` begins the texts for the user, for example "The scene".
+  lms3dSurfaceTriangles(lms3dTriangleMesh& mesh, std::string name)
     : Mesh(mesh)
+    , Name(std::move(name))
   {
   }
 
@@ -82,6 +86,7 @@ private:
   bool ReportProgress();
 
   lms3dTriangleMesh& Mesh;
+  const std::string Name;
   std::int64_t SkippedCells = 0;
   std::int64_t CrossedCells = 0;
   std::int64_t FirstCrossedCell = -1;

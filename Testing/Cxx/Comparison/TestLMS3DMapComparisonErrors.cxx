@@ -6,6 +6,7 @@
  */
 #include "Comparison/ComparisonFixtures.h"
 
+#include <vtkCellArray.h>
 #include <vtkDummyCommunicator.h>
 #include <vtkDummyController.h>
 #include <vtkErrorCode.h>
@@ -47,6 +48,18 @@ TEST(LMS3DMapComparisonPipeline, RefusesWhatCannotBeCompared)
   AddDoubles(pose, "SensorToWorld", std::vector<double>(16, 0.0));
   Comparison noAxes(surface, surface, pose);
   noAxes.ExpectError("scales an axis by 0");
+}
+
+TEST(LMS3DMapComparisonPipeline, NamesTheInputWithABadCell)
+{
+  const auto surface = MakeFloor(2.0, 0.0);
+  const Point sensor = { 0.0, 0.0, 1.0 };
+  const auto bad = MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
+  bad->GetPolys()->InsertNextCell({ 0, 1, 7 });
+  Comparison badMap(bad, surface, sensor);
+  badMap.ExpectError("The map: cell 1 uses point 7 of 3");
+  Comparison badScene(surface, bad, sensor);
+  badScene.ExpectError("The scene: cell 1 uses point 7 of 3");
 }
 
 TEST(LMS3DMapComparisonPipeline, RefusesBadProperties)

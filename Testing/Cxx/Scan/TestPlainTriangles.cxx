@@ -102,7 +102,7 @@ struct Surface
 lms3dTriangleMesh Collect(const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces)
 {
   lms3dTriangleMesh mesh;
-  lms3dSurfaceTriangles triangles(mesh);
+  lms3dSurfaceTriangles triangles(mesh, "The scene");
   std::int64_t cell = 0;
   for (vtkPolyData* surface : surfaces)
   {

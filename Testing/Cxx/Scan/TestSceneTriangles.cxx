@@ -81,8 +81,8 @@ TEST(SceneTrianglesOfPolygons, StopWithinOnePolygon)
 {
   vtkSmartPointer<vtkPolyData> star = MakePolygon(MakeStar(200000, 1.0, 2.0));
   int calls = 0;
-  const lms3dSceneTriangles stopped =
-    lms3dCollectTriangles(star, [&calls](double done) { return done >= 0.0 && ++calls < 2; });
+  const lms3dSceneTriangles stopped = lms3dCollectTriangles(
+    star, "The scene", [&calls](double done) { return done >= 0.0 && ++calls < 2; });
   EXPECT_EQ(calls, 2);
   EXPECT_FALSE(stopped.IsComplete);
   EXPECT_TRUE(stopped.Mesh.Triangles.empty());
