@@ -2,18 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Borders/lms3dBorderChains.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <stdexcept>
-#include <utility>
+
+namespace
+{
+// The number of edges that a thread looks at, at least.
+constexpr int EdgesOfTask = 2048;
+} // namespace
 
 lms3dBorderChains::lms3dBorderChains(const lms3dBorderGates& gates)
   : Gates(gates)
 {
   this->FindChains();
-}
-
-bool lms3dBorderChains::IsStart(int edge) const
-{
-  return !this->Gates.IsRegular(this->Before[edge]);
 }
 
 void lms3dBorderChains::FindChains()
@@ -23,39 +26,60 @@ void lms3dBorderChains::FindChains()
   this->ChainOf.assign(edges, lms3dBorderGates::NoGate);
   for (int edge = 0; edge < edges; ++edge)
   {
-    if (!this->Gates.IsVoid(edge))
+    const int next = this->Gates.GetNext(edge);
+    if (next != lms3dBorderGates::NoGate)
     {
-      this->Before[this->Gates.GetNext(edge)] = edge;
+      this->Before[next] = edge;
     }
   }
-  std::vector<bool> visited(edges, false);
+  this->FindStarts();
   for (const bool isOpen : { true, false })
   {
     for (int edge = 0; edge < edges; ++edge)
     {
-      if (!this->Gates.IsVoid(edge) && !visited[edge] && (!isOpen || this->IsStart(edge)))
+      if (!this->IsVisited[edge] && (!isOpen || this->IsStart[edge]))
       {
-        this->AddChain(edge, visited);
+        this->AddChain(edge);
       }
     }
   }
 }
 
-void lms3dBorderChains::AddChain(int first, std::vector<bool>& visited)
+// No chain begins with a void edge.
+void lms3dBorderChains::FindStarts()
+{
+  this->IsStart.assign(this->Before.size(), 0);
+  this->IsVisited.assign(this->Before.size(), 1);
+  tbb::parallel_for(
+    tbb::blocked_range<int>(0, static_cast<int>(this->Before.size()), EdgesOfTask),
+    [this](const tbb::blocked_range<int>& edges)
+    {
+      for (int edge = edges.begin(); edge < edges.end(); ++edge)
+      {
+        const int before = this->Before[edge];
+        if (before != lms3dBorderGates::NoGate)
+        {
+          this->IsStart[edge] = this->Gates.IsRegular(before) ? 0 : 1;
+          this->IsVisited[edge] = 0;
+        }
+      }
+    });
+}
+
+void lms3dBorderChains::AddChain(int first)
 {
   const bool isShared = this->Gates.GetGate(first).Kind != lms3dBorderGates::DepthStep;
-  Chain chain;
-  chain.IsClosed = !this->IsStart(first);
+  this->EdgesOfChain.clear();
   int edge = first;
   do
   {
-    chain.Edges.push_back(edge);
-    visited[edge] = true;
+    this->EdgesOfChain.push_back(edge);
+    this->IsVisited[edge] = 1;
     if (isShared)
     {
-      visited[lms3dBorderGates::GetTwin(edge)] = true;
+      this->IsVisited[lms3dBorderGates::GetTwin(edge)] = 1;
     }
-    if (chain.Edges.size() > visited.size())
+    if (this->EdgesOfChain.size() > this->IsVisited.size())
     {
       throw std::runtime_error(
         "The borders of the map do not close, because the points of the scan "
@@ -63,13 +87,13 @@ void lms3dBorderChains::AddChain(int first, std::vector<bool>& visited)
         "vtkLMS3DScanFilter.");
     }
     edge = this->Gates.GetNext(edge);
-  } while (edge != first && !this->IsStart(edge));
+  } while (edge != first && !this->IsStart[edge]);
 
   const std::int32_t number = static_cast<std::int32_t>(this->Chains.size());
   this->ChainOf[first] = 2 * number;
   if (isShared)
   {
-    this->ChainOf[lms3dBorderGates::GetTwin(chain.Edges.back())] = 2 * number + 1;
+    this->ChainOf[lms3dBorderGates::GetTwin(this->EdgesOfChain.back())] = 2 * number + 1;
   }
-  this->Chains.push_back(std::move(chain));
+  this->Chains.push_back({ this->EdgesOfChain, this->IsStart[first] == 0 });
 }

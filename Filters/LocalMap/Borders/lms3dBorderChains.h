@@ -30,7 +30,7 @@ public:
     bool IsClosed;
   };
 
-  /// Keeps a reference to the gates.
+  /// Keeps a reference to the gates. Uses the threads of the calling TBB arena.
   explicit lms3dBorderChains(const lms3dBorderGates& gates);
 
   const std::vector<Chain>& GetChains() const { return this->Chains; }
@@ -50,13 +50,20 @@ public:
 
 private:
   void FindChains();
-  void AddChain(int first, std::vector<bool>& visited);
-  bool IsStart(int edge) const;
+  void FindStarts();
+  void AddChain(int first);
 
   const lms3dBorderGates& Gates;
   std::vector<Chain> Chains;
   std::vector<std::int32_t> Before;
   std::vector<std::int32_t> ChainOf;
+  ///@{
+  /// By edge: whether it begins a chain that is not closed, and whether a chain has it, or none can.
+  std::vector<std::uint8_t> IsStart;
+  std::vector<std::uint8_t> IsVisited;
+  ///@}
+  /// Memory for the chain that is being made.
+  std::vector<int> EdgesOfChain;
 };
 
 #endif

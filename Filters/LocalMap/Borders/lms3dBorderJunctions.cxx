@@ -84,9 +84,11 @@ void lms3dBorderJunctions::FindJunctions()
   this->Junctions.reserve(4 * chains.size());
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
-    if (!chains[i].IsClosed)
+    // Except along offsets, every second one is as the one before.
+    const std::size_t step = this->Chains.GetKind(i) == Gates::Offset ? 1 : 2;
+    for (std::size_t j = 0; !chains[i].IsClosed && j < ends[i].size(); j += step)
     {
-      this->Junctions.insert(this->Junctions.end(), ends[i].begin(), ends[i].end());
+      this->Junctions.push_back(ends[i][j]);
     }
   }
   std::sort(this->Junctions.begin(), this->Junctions.end());
