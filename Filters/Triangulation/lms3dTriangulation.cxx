@@ -62,11 +62,16 @@ bool lms3dTriangulation::InsertLoops(const Numbers& loops, const Numbers& loopEn
 bool lms3dTriangulation::MarkInside(const Numbers& loops, const Numbers& loopEnds)
 {
   std::vector<int> stack;
-  int edge;
+  std::vector<int> onRightSides;
+  stack.reserve(loops.size());
+  onRightSides.reserve(loops.size());
   ForEdges(loops, loopEnds,
     [&](std::int32_t a, std::int32_t b)
     {
-      this->Enter(this->Delaunay.FindTriangle(a, b, edge), stack);
+      int edge;
+      const int triangle = this->Delaunay.FindTriangle(a, b, edge);
+      this->Enter(triangle, stack);
+      onRightSides.push_back(this->Delaunay.GetTriangles().GetTriangle(triangle).Neighbors[edge]);
       return true;
     });
   while (!stack.empty())
@@ -87,9 +92,8 @@ bool lms3dTriangulation::MarkInside(const Numbers& loops, const Numbers& loopEnd
       }
     }
   }
-  return ForEdges(loops, loopEnds,
-    [&](std::int32_t a, std::int32_t b)
-    { return !this->IsInside(this->Delaunay.FindTriangle(b, a, edge)); });
+  return std::none_of(onRightSides.begin(), onRightSides.end(),
+    [this](int triangle) { return this->IsInside(triangle); });
 }
 
 void lms3dTriangulation::Enter(int triangle, std::vector<int>& stack)

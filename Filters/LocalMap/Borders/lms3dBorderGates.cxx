@@ -4,7 +4,6 @@
 
 #include "LocalMap/Patches/lms3dLabelChanges.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -18,6 +17,8 @@ constexpr double WideCosine = 0.6;
 constexpr double WideMargin = 0.45;
 // Two planes count as parallel if their difference changes by less than this share of the limit.
 constexpr double ParallelShare = 1e-6;
+// The number of columns whose gates a task finds.
+constexpr int ColumnsOfPart = 8;
 } // namespace
 
 lms3dBorderGates::lms3dBorderGates(
@@ -34,25 +35,28 @@ void lms3dBorderGates::FindGates()
 {
   this->GateOf.assign(2 * static_cast<std::size_t>(this->Sphere.GetSize()), NoGate);
   const int columns = this->Sphere.GetNumberOfColumns();
-  std::vector<std::vector<Gate>> ofColumns(columns);
-  tbb::parallel_for(tbb::blocked_range<int>(0, columns),
-    [&](const tbb::blocked_range<int>& range)
+  const int parts = (columns + ColumnsOfPart - 1) / ColumnsOfPart;
+  std::vector<std::vector<Gate>> ofParts(parts);
+  tbb::parallel_for(0, parts,
+    [&](int part)
     {
       lms3dLabelChanges changes(this->Sphere, this->Patches.Labels);
-      for (int column = range.begin(); column < range.end(); ++column)
+      const int first = part * ColumnsOfPart;
+      const int end = std::min(columns, first + ColumnsOfPart);
+      for (int column = first; column < end; ++column)
       {
-        this->AppendGates(column, changes, ofColumns[column]);
+        this->AppendGates(column, changes, ofParts[part]);
       }
     });
   std::size_t count = 0;
-  for (const std::vector<Gate>& ofColumn : ofColumns)
+  for (const std::vector<Gate>& ofPart : ofParts)
   {
-    count += ofColumn.size();
+    count += ofPart.size();
   }
   this->Gates.reserve(count);
-  for (const std::vector<Gate>& ofColumn : ofColumns)
+  for (const std::vector<Gate>& ofPart : ofParts)
   {
-    for (const Gate& gate : ofColumn)
+    for (const Gate& gate : ofPart)
     {
       const int side =
         gate.Ends[1] == gate.Ends[0] + 1 ? lms3dBeamSphere::Up : lms3dBeamSphere::Right;

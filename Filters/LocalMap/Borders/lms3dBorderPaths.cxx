@@ -24,8 +24,11 @@ std::vector<lms3dMapVertex> lms3dBorderPaths::Straighten(
   std::size_t chain, const std::vector<lms3dMapVertex>& vertices) const
 {
   const Chain& edges = this->Chains.GetChains()[chain];
+  const std::vector<Path::Vertex> path =
+    this->FindBends(chain, this->GetPathGates(edges), vertices);
   std::vector<lms3dMapVertex> bends;
-  for (const Path::Vertex& bend : this->FindBends(chain, this->GetPathGates(edges), vertices))
+  bends.reserve((this->Chains.GetKind(chain) == Gates::Offset ? 2 : 1) * path.size());
+  for (const Path::Vertex& bend : path)
   {
     this->AppendVertices(edges.Edges[bend.Gate], bend.At, bends);
   }

@@ -56,6 +56,7 @@ void lms3dPatchOutlines::NumberBends()
   {
     Line& line = this->Lines[i];
     const bool isOffset = this->Chains.GetKind(i) == Gates::Offset;
+    line.Own.reserve(this->Bends[i].size());
     for (std::size_t j = 0; j < this->Bends[i].size(); ++j)
     {
       const std::int32_t number = static_cast<std::int32_t>(this->Vertices.size());
@@ -158,15 +159,15 @@ void lms3dPatchOutlines::AddFlippedStrip(const Chain& chain)
 std::vector<std::int32_t> lms3dPatchOutlines::GetWholeLine(std::size_t chain, int side) const
 {
   const Chain& edges = this->Chains.GetChains()[chain];
-  std::vector<std::int32_t> line = side == 0 ? this->Lines[chain].Own : this->Lines[chain].Other;
-  if (edges.IsClosed)
+  const std::vector<std::int32_t>& bends =
+    side == 0 ? this->Lines[chain].Own : this->Lines[chain].Other;
+  std::vector<std::int32_t> line;
+  line.reserve(bends.size() + 2);
+  if (!edges.IsClosed)
   {
-    line.push_back(line.front());
+    line.push_back(this->Junctions.GetStart(chain, side));
   }
-  else
-  {
-    line.insert(line.begin(), this->Junctions.GetStart(chain, side));
-    line.push_back(this->Junctions.GetEnd(chain, side));
-  }
+  line.insert(line.end(), bends.begin(), bends.end());
+  line.push_back(edges.IsClosed ? bends.front() : this->Junctions.GetEnd(chain, side));
   return line;
 }

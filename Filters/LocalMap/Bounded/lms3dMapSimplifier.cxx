@@ -111,7 +111,7 @@ bool lms3dMapSimplifier::FreeSmoothVertices(
 {
   std::vector<std::uint8_t> isFree(stars.GetNumberOfVertices());
   tbb::parallel_for(0, stars.GetNumberOfVertices(),
-    [&](int i) { isFree[i] = stars.IsInside(i) && smooth.IsSmooth(stars, i); });
+    [&](int i) { isFree[i] = smooth.IsSmooth(stars, i) && stars.IsInside(i); });
   if (std::find(isFree.begin(), isFree.end(), 1) == isFree.end())
   {
     return false;

@@ -20,6 +20,8 @@ lms3dPatchTriangulation::lms3dPatchTriangulation(
 {
   std::sort(this->Numbers.begin(), this->Numbers.end());
   this->Numbers.erase(std::unique(this->Numbers.begin(), this->Numbers.end()), this->Numbers.end());
+  this->Vertices.reserve(this->Numbers.size() + SuperTriangleCorners);
+  this->Corners.reserve(this->Numbers.size() + SuperTriangleCorners);
   lms3dVector ahead = { 0.0, 0.0, 0.0 };
   for (std::int32_t number : this->Numbers)
   {
@@ -44,7 +46,7 @@ bool lms3dPatchTriangulation::Project(int patch, const lms3dVector& axis)
   this->Axes[0] = lms3dScale(right, 1.0 / lms3dGetLength(right));
   this->Axes[1] = lms3dCross(this->Axes[0], ahead);
   std::vector<lms3dPoint2> points;
-  points.reserve(this->Numbers.size());
+  points.reserve(this->Numbers.size() + SuperTriangleCorners);
   for (const lms3dMapVertex& vertex : this->Vertices)
   {
     if (!(lms3dDot(ahead, vertex.Direction) > MinimumCosine))
@@ -113,6 +115,7 @@ std::vector<std::array<std::int32_t, 3>> lms3dPatchTriangulation::GetTriangles()
   const auto shared = static_cast<std::int32_t>(this->Numbers.size());
   const auto outlineVertices = static_cast<std::int32_t>(this->Outlines.GetVertices().size());
   std::vector<std::array<std::int32_t, 3>> triangles;
+  triangles.reserve(this->GetNumberOfTriangles());
   for (int i = 0; i < this->GetNumberOfTriangles(); ++i)
   {
     if (this->IsInside(i))

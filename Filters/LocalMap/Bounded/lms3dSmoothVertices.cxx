@@ -67,8 +67,34 @@ void lms3dSmoothVertices::AppendPatches(
   }
 }
 
+bool lms3dSmoothVertices::AreSmooth(std::int32_t a, std::int32_t b) const
+{
+  const lms3dVector zero = { 0.0, 0.0, 0.0 };
+  return this->Normals[a] == zero || this->Normals[b] == zero
+    ? this->IsNoisy()
+    : lms3dDot(this->Normals[a], this->Normals[b]) >= SmoothCosine;
+}
+
+// Compares the patches at a vertex with the first of them. This decides for most vertices.
+bool lms3dSmoothVertices::MayBeSmooth(const lms3dVertexStars& stars, std::int32_t vertex) const
+{
+  const std::vector<std::int32_t>& triangles = stars.GetVertex(vertex).Triangles;
+  std::int32_t first = lms3dBoundedMap::NoPatch;
+  return std::all_of(triangles.begin(), triangles.end(),
+    [&](std::int32_t triangle)
+    {
+      const std::int32_t patch = this->Map.PatchIds[triangle];
+      first = first == lms3dBoundedMap::NoPatch ? patch : first;
+      return patch == lms3dBoundedMap::NoPatch || this->AreSmooth(first, patch);
+    });
+}
+
 bool lms3dSmoothVertices::IsSmooth(const lms3dVertexStars& stars, std::int32_t vertex) const
 {
+  if (!this->MayBeSmooth(stars, vertex))
+  {
+    return false;
+  }
   std::vector<std::int32_t> patches;
   this->AppendPatches(stars, vertex, patches);
   for (std::int32_t triangle : stars.GetVertex(vertex).Triangles)
@@ -88,17 +114,10 @@ bool lms3dSmoothVertices::IsSmooth(const lms3dVertexStars& stars, std::int32_t v
   }
   std::sort(patches.begin(), patches.end());
   patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
-  const auto areSmooth = [&](std::int32_t a, std::int32_t b)
-  {
-    const lms3dVector zero = { 0.0, 0.0, 0.0 };
-    return this->Normals[a] == zero || this->Normals[b] == zero
-      ? this->IsNoisy()
-      : lms3dDot(this->Normals[a], this->Normals[b]) >= SmoothCosine;
-  };
   return std::all_of(patches.begin(), patches.end(),
     [&](std::int32_t a)
     {
       return std::all_of(
-        patches.begin(), patches.end(), [&](std::int32_t b) { return areSmooth(a, b); });
+        patches.begin(), patches.end(), [&](std::int32_t b) { return this->AreSmooth(a, b); });
     });
 }

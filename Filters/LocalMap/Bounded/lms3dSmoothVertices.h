@@ -34,6 +34,8 @@ public:
 
 private:
   bool IsNoisy() const { return this->MaximumOffset > 0.0; }
+  bool AreSmooth(std::int32_t a, std::int32_t b) const;
+  bool MayBeSmooth(const lms3dVertexStars& stars, std::int32_t vertex) const;
   bool IsSmallOffset(const lms3dVertexStars& stars, std::int32_t triangle) const;
   void AppendPatches(
     const lms3dVertexStars& stars, std::int32_t vertex, std::vector<std::int32_t>& patches) const;

@@ -11,6 +11,7 @@
 #include "LocalMap/Bounded/lms3dVertexQueue.h"
 #include "LocalMap/Bounded/lms3dVertexStars.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -49,6 +50,21 @@ private:
     }
   };
 
+  /// The number of neighbours that a vertex tries to move to.
+  static constexpr std::size_t MaximumTargets = 6;
+
+  /// The nearest targets, sorted.
+  struct Targets
+  {
+    void Add(const Target& target);
+    const Target* begin() const { return this->Nearest.data(); }
+    const Target* end() const { return this->Nearest.data() + this->Size; }
+
+    /// One more than remain.
+    std::array<Target, MaximumTargets + 1> Nearest;
+    std::size_t Size = 0;
+  };
+
   /// A vertex that may move.
   struct Candidate
   {
@@ -77,7 +93,7 @@ private:
   double GetCostInside(std::int32_t vertex) const;
   void UpdateQueue();
   void TryToMove(std::int32_t vertex);
-  std::vector<Target> FindTargets(std::int32_t vertex) const;
+  Targets FindTargets(std::int32_t vertex) const;
   double GetSmallestHeight(std::int32_t vertex) const;
   bool CanMove(std::int32_t from, std::int32_t to, double minimumHeight) const;
   bool HasSoundShape(std::int32_t from, std::int32_t to, double minimumHeight) const;

@@ -11,8 +11,6 @@ namespace
 // The smallest height of a triangle as the sensor sees it, as a share of its longest edge.
 // Triangles may be as flat as those that they replace.
 constexpr double MinimumHeight = 0.01;
-// The number of neighbours that a vertex tries to move to.
-constexpr std::size_t MaximumTargets = 6;
 } // namespace
 
 void lms3dVertexRemover::TryToMove(std::int32_t vertex)
@@ -36,13 +34,13 @@ void lms3dVertexRemover::TryToMove(std::int32_t vertex)
 }
 
 // The neighbours to which a vertex may move, the nearest first.
-std::vector<lms3dVertexRemover::Target> lms3dVertexRemover::FindTargets(std::int32_t vertex) const
+lms3dVertexRemover::Targets lms3dVertexRemover::FindTargets(std::int32_t vertex) const
 {
   const Candidate& candidate = this->Candidates[vertex];
-  std::vector<Target> targets;
+  Targets targets;
   const auto add = [&](std::int32_t target)
   {
-    targets.push_back(
+    targets.Add(
       { lms3dGetSquareOfChord(this->GetDirection(vertex), this->GetDirection(target)), target });
   };
   if (candidate.Line.IsOpen())
@@ -59,9 +57,18 @@ std::vector<lms3dVertexRemover::Target> lms3dVertexRemover::FindTargets(std::int
         return true;
       });
   }
-  std::sort(targets.begin(), targets.end());
-  targets.resize(std::min(targets.size(), MaximumTargets));
   return targets;
+}
+
+void lms3dVertexRemover::Targets::Add(const Target& target)
+{
+  std::size_t place = this->Size;
+  for (; place > 0 && target < this->Nearest[place - 1]; --place)
+  {
+    this->Nearest[place] = this->Nearest[place - 1];
+  }
+  this->Nearest[place] = target;
+  this->Size = std::min(this->Size + 1, MaximumTargets);
 }
 
 double lms3dVertexRemover::GetSmallestHeight(std::int32_t vertex) const

@@ -24,6 +24,7 @@ bool HasFilled(const lms3dBeamSphere& sphere, lms3dBeamSphere::GridIndex index, 
 
 void AppendResiduals(const lms3dBeamSphere& sphere, int column, std::vector<double>& residuals)
 {
+  residuals.reserve(sphere.GetNumberOfRows());
   const double* ranges = sphere.GetRanges() + sphere.GetIndex(column, 0);
   const double* cosines = sphere.GetCosines();
   const double* sines = sphere.GetSines();
