@@ -9,18 +9,7 @@ namespace
 // The share of the range's last change by which it may go on changing up to a border where more
 // surface follows.
 constexpr double ShareWithin = 0.6;
-// The surface beside a return never comes nearer to the sensor than this share of the return's
-// range.
-constexpr double MinimumRangeShare = 0.1;
-// Limits the far end in cells that are nearly as wide as half a circle.
-constexpr double MinimumCosine = 0.25;
 } // namespace
-
-lms3dRangeInterval lms3dRangeSupport::GetInterval(double range, double margin, double cosine)
-{
-  return { std::max(MinimumRangeShare * range, range - margin),
-    range / std::max(MinimumCosine, cosine) + margin };
-}
 
 lms3dRangeInterval lms3dRangeSupport::GetIntervalAround(
   GridIndex index, double change, const lms3dVector& unit) const

@@ -73,7 +73,11 @@ public:
 
   /// The range of a return plus or minus `margin`, metres. The far end also contains the plane
   /// through the return that faces the sensor. `cosine` is of the angle to the return's beam.
-  static lms3dRangeInterval GetInterval(double range, double margin, double cosine);
+  static lms3dRangeInterval GetInterval(double range, double margin, double cosine)
+  {
+    return { std::max(MinimumRangeShare * range, range - margin),
+      range / std::max(MinimumCosine, cosine) + margin };
+  }
 
   ///@{
   /// The interval in direction `unit` inside the gate of an edge, for each kind of gate.
@@ -88,6 +92,12 @@ public:
     const Cell& cell, int corners, bool isContinuous, const lms3dVector& unit) const;
 
 private:
+  /// The surface beside a return never comes nearer to the sensor than this share of the return's
+  /// range.
+  static constexpr double MinimumRangeShare = 0.1;
+  /// Limits the far end in cells that are nearly as wide as half a circle.
+  static constexpr double MinimumCosine = 0.25;
+
   lms3dRangeInterval GetIntervalAround(
     GridIndex index, double change, const lms3dVector& unit) const;
 

@@ -3,6 +3,7 @@
 #include "LocalMap/Patches/lms3dPatchGrower.h"
 
 #include "Geometry/lms3dWideLoops.h"
+#include "LocalMap/Patches/lms3dLabelChanges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,13 +27,27 @@ bool HasAny(const std::int32_t* labels, int count, std::int32_t value)
   }
   return found != 0;
 }
+
+// Marks the last entry of each run with 1: an open entry, unless the next one is open, too, and
+// joined with it. The entry behind the last one must not be open. Without branches, so that the
+// compiler makes it a loop over vectors.
+LMS3D_WIDE_LOOPS
+void MarkEnds(const std::int32_t* isOpen, const std::uint8_t* joins, int count, std::uint8_t* isEnd)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const int goesOn = joins[i] & lms3dBeamSphere::JoinedUp ? isOpen[i + 1] : 0;
+    isEnd[i] = static_cast<std::uint8_t>(isOpen[i] & ~goesOn);
+  }
+}
 } // namespace
 
 lms3dPatchGrower::lms3dPatchGrower(const lms3dBeamSphere& sphere, double tolerance)
   : Sphere(sphere)
   , Tolerance(tolerance)
   , SeedPlanes(sphere, this->Result, tolerance)
-  , IsOpen(sphere.GetNumberOfRows())
+  , IsOpen(sphere.GetNumberOfRows() + 1)
+  , IsEnd(sphere.GetNumberOfRows())
 {
   this->Result.Labels.resize(sphere.GetSize());
   std::transform(sphere.GetRanges(), sphere.GetRanges() + sphere.GetSize(),
@@ -190,19 +205,17 @@ void lms3dPatchGrower::QueueNeighbors(const Span& span, int side, const lms3dPla
     first - this->Sphere.GetIndex(column, 0), count };
   this->Sphere.IsRegular() ? this->MarkOpenOfRegular(neighbors, inColumn)
                            : this->MarkOpen(neighbors, inColumn);
+  this->IsOpen[count] = 0;
+  MarkEnds(this->IsOpen.data(), this->Sphere.GetJoins() + first, count, this->IsEnd.data());
+  const auto findEnd = [&](int from)
+  { return lms3dLabelChanges::FindFirst(this->IsEnd.data(), from, count, 1); };
   const auto begin = this->IsOpen.begin();
-  const auto findOpen = [&](int from)
-  { return static_cast<int>(std::find(begin + from, begin + count, 1) - begin); };
-  for (int run = findOpen(0); run < count;)
+  int next = 0;
+  for (int end = findEnd(0); end < count; end = findEnd(next))
   {
-    int next = run + 1;
-    while (next < count && this->IsOpen[next] != 0 &&
-      this->Sphere.IsJoined(first + next - 1, lms3dBeamSphere::Up))
-    {
-      ++next;
-    }
-    this->Queue.push_back({ first + run, first + next - 1 });
-    run = findOpen(next);
+    const auto run = std::find(begin + next, begin + end, 1) - begin;
+    this->Queue.push_back({ first + static_cast<GridIndex>(run), first + end });
+    next = end + 1;
   }
 }
 

@@ -62,8 +62,12 @@ private:
   const lms3dSeedPlanes SeedPlanes;
   /// Runs of joined returns on the plane from which the flood goes on.
   std::vector<Span> Queue;
-  /// For neighbours of a span, 1 if the flood can go on there, and 0 if not.
+  ///@{
+  /// For neighbours of a span, 1 if the flood can go on there, and 0 if not. The same for the last
+  /// one of each run.
   std::vector<std::int32_t> IsOpen;
+  std::vector<std::uint8_t> IsEnd;
+  ///@}
 };
 
 #endif
