@@ -14,8 +14,8 @@
 namespace
 {
 // The number of vertices that a thread prepares at least, and tries to move.
-constexpr std::size_t VerticesOfTask = 32;
-constexpr std::size_t MovesOfTask = 8;
+constexpr std::size_t VerticesOfTask = 16;
+constexpr std::size_t MovesOfTask = 3;
 } // namespace
 
 lms3dVertexRemover::lms3dVertexRemover(const lms3dVertexMoves& moves, lms3dVertexStars& stars)
