@@ -75,7 +75,16 @@ bool lms3dSmoothVertices::AreSmooth(std::int32_t a, std::int32_t b) const
     : lms3dDot(this->Normals[a], this->Normals[b]) >= SmoothCosine;
 }
 
-// Compares the patches at a vertex with the first of them. This decides for most vertices.
+bool lms3dSmoothVertices::HasOnePatch(const lms3dVertexStars& stars, std::int32_t vertex) const
+{
+  const std::vector<std::int32_t>& triangles = stars.GetVertex(vertex).Triangles;
+  return !triangles.empty() && this->Map.PatchIds[triangles.front()] != lms3dBoundedMap::NoPatch &&
+    std::all_of(triangles.begin(), triangles.end(),
+      [&](std::int32_t triangle)
+      { return this->Map.PatchIds[triangle] == this->Map.PatchIds[triangles.front()]; });
+}
+
+// Compares the patches at a vertex with the first of them.
 bool lms3dSmoothVertices::MayBeSmooth(const lms3dVertexStars& stars, std::int32_t vertex) const
 {
   const std::vector<std::int32_t>& triangles = stars.GetVertex(vertex).Triangles;
@@ -89,8 +98,14 @@ bool lms3dSmoothVertices::MayBeSmooth(const lms3dVertexStars& stars, std::int32_
     });
 }
 
+// The first two conditions decide for most vertices, without a list.
 bool lms3dSmoothVertices::IsSmooth(const lms3dVertexStars& stars, std::int32_t vertex) const
 {
+  if (this->HasOnePatch(stars, vertex))
+  {
+    const std::int32_t patch = this->Map.PatchIds[stars.GetVertex(vertex).Triangles.front()];
+    return this->AreSmooth(patch, patch);
+  }
   if (!this->MayBeSmooth(stars, vertex))
   {
     return false;

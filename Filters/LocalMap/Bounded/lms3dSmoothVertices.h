@@ -35,6 +35,7 @@ public:
 private:
   bool IsNoisy() const { return this->MaximumOffset > 0.0; }
   bool AreSmooth(std::int32_t a, std::int32_t b) const;
+  bool HasOnePatch(const lms3dVertexStars& stars, std::int32_t vertex) const;
   bool MayBeSmooth(const lms3dVertexStars& stars, std::int32_t vertex) const;
   bool IsSmallOffset(const lms3dVertexStars& stars, std::int32_t triangle) const;
   void AppendPatches(

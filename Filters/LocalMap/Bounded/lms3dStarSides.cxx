@@ -67,6 +67,10 @@ int lms3dStarSides::CountCommon(const lms3dStarSides& other) const
 // Whether the sides lead around the vertex, once. Most stars are closed, and this is fast.
 bool lms3dStarSides::IsClosed() const
 {
+  if (this->Difference != 0)
+  {
+    return false;
+  }
   const std::int32_t first = this->GetSides()[this->Size - 1].Next;
   std::int32_t at = this->FindLast(first);
   std::size_t steps = 1;

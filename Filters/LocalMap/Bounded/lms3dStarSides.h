@@ -42,6 +42,7 @@ public:
       this->AddToMany({ next, last });
     }
     ++this->Size;
+    this->Difference ^= next ^ last;
   }
 
   /// Finds the border; inside of the surface, it is not open. Returns false if the sides do not
@@ -71,6 +72,8 @@ private:
   bool IsLast(std::int32_t vertex) const;
 
   std::size_t Size = 0;
+  /// All starts and ends of sides by exclusive or: 0 if each start is an end.
+  std::int32_t Difference = 0;
   /// The sides, unless there are more. Most stars have six.
   std::array<Side, 32> Usual;
   std::vector<Side> Many;
