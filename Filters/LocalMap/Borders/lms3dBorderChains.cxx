@@ -50,8 +50,7 @@ void lms3dBorderChains::FindStarts()
 {
   this->IsStart.assign(this->Before.size(), 0);
   this->IsVisited.assign(this->Before.size(), 1);
-  tbb::parallel_for(
-    tbb::blocked_range<int>(0, static_cast<int>(this->Before.size()), EdgesOfTask),
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(this->Before.size()), EdgesOfTask),
     [this](const tbb::blocked_range<int>& edges)
     {
       for (int edge = edges.begin(); edge < edges.end(); ++edge)

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 
 namespace
 {
@@ -35,25 +37,19 @@ void lms3dBorderGates::FindGates()
 {
   this->GateOf.assign(2 * static_cast<std::size_t>(this->Sphere.GetSize()), NoGate);
   const int columns = this->Sphere.GetNumberOfColumns();
-  const int parts = (columns + ColumnsOfPart - 1) / ColumnsOfPart;
-  std::vector<std::vector<Gate>> ofParts(parts);
-  tbb::parallel_for(0, parts,
+  std::vector<std::vector<Gate>> ofParts((columns + ColumnsOfPart - 1) / ColumnsOfPart);
+  tbb::parallel_for(0, static_cast<int>(ofParts.size()),
     [&](int part)
     {
       lms3dLabelChanges changes(this->Sphere, this->Patches.Labels);
-      const int first = part * ColumnsOfPart;
-      const int end = std::min(columns, first + ColumnsOfPart);
-      for (int column = first; column < end; ++column)
+      const int end = std::min(columns, (part + 1) * ColumnsOfPart);
+      for (int column = part * ColumnsOfPart; column < end; ++column)
       {
         this->AppendGates(column, changes, ofParts[part]);
       }
     });
-  std::size_t count = 0;
-  for (const std::vector<Gate>& ofPart : ofParts)
-  {
-    count += ofPart.size();
-  }
-  this->Gates.reserve(count);
+  const auto add = [](std::size_t sum, const auto& ofPart) { return sum + ofPart.size(); };
+  this->Gates.reserve(std::accumulate(ofParts.begin(), ofParts.end(), std::size_t(0), add));
   for (const std::vector<Gate>& ofPart : ofParts)
   {
     for (const Gate& gate : ofPart)

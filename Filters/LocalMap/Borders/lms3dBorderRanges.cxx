@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalMap/Borders/lms3dBorderRanges.h"
 
+#include "LocalMap/Borders/lms3dSupportedChord.h"
+
 #include <cmath>
 
 namespace
 {
 using Gates = lms3dBorderGates;
 
-// How often the interval in which the support ends is divided by four.
-constexpr int Divisions = 4;
 // How many points of a cell are tried, and how far towards the returns.
 constexpr int StepsInCell = 5;
 constexpr double MaximumShareInCell = 0.5;
@@ -18,55 +18,6 @@ lms3dVector GetUnit(const lms3dVector& v)
 {
   return lms3dScale(v, 1.0 / lms3dGetLength(v));
 }
-
-// The chord of a gate at a depth step: positions are shares of it, 0 at the return. The inverse
-// ranges of a plane are linear along it.
-struct Chord
-{
-  // Finds by bisection where the returns no longer support the plane. Two steps are done at a
-  // time: the second one is known for either outcome of the first, and the points do not wait for
-  // each other.
-  double FindEndOfSupport(double maximum) const
-  {
-    if (this->IsSupported(maximum))
-    {
-      return maximum;
-    }
-    double within = 0.0;
-    double beyond = maximum;
-    for (int i = 0; i < Divisions; ++i)
-    {
-      const double middle = 0.5 * (within + beyond);
-      const double near = 0.5 * (within + middle);
-      const double far = 0.5 * (middle + beyond);
-      const bool isMiddleWithin = this->IsSupported(middle);
-      const bool isNearWithin = this->IsSupported(near);
-      const bool isFarWithin = this->IsSupported(far);
-      const bool isWithin = isMiddleWithin ? isFarWithin : isNearWithin;
-      const double second = isMiddleWithin ? far : near;
-      within = isWithin ? second : (isMiddleWithin ? middle : within);
-      beyond = isWithin ? (isMiddleWithin ? beyond : middle) : second;
-    }
-    return within;
-  }
-
-  // Without branches.
-  bool IsSupported(double at) const
-  {
-    // The distance of the point on the chord from the sensor.
-    const double length = std::sqrt(1.0 - 2.0 * at * (1.0 - at) * (1.0 - this->Cosine));
-    const lms3dRangeInterval interval = lms3dRangeSupport::GetInterval(
-      this->Range, this->Margin, (1.0 - at + at * this->Cosine) / length);
-    const double inverse = (this->Inverse + at * this->Change) / length;
-    return (inverse * interval.Nearest <= 1.0) & (inverse * interval.Farthest >= 1.0);
-  }
-
-  double Inverse;
-  double Change;
-  double Cosine;
-  double Range;
-  double Margin;
-};
 
 // Moves a point of a cell by a share of the way to the center of some of its corners.
 lms3dBorderRanges::Weights MoveTowards(
@@ -124,10 +75,9 @@ double lms3dBorderRanges::GetExtension(int edge, double maximum) const
   const lms3dPlane& plane = this->GetPlane(own);
   const double here = plane.GetInverseRange(from);
   const double there = plane.GetInverseRange(to);
-  const double range = this->Sphere.GetRange(own);
-  const Chord chord = { here, there - here, lms3dDot(from, to), range,
-    this->Support.GetMarginAtDepthStep(edge) };
-  return chord.FindEndOfSupport(maximum);
+  return lms3dSupportedChord{ here, there - here, lms3dDot(from, to), this->Sphere.GetRange(own),
+    this->Support.GetMarginAtDepthStep(edge) }
+    .FindEnd(maximum);
 }
 
 lms3dMapVertex lms3dBorderRanges::GetVertexInGate(int edge, double at) const

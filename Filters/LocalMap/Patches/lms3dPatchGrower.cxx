@@ -3,7 +3,6 @@
 #include "LocalMap/Patches/lms3dPatchGrower.h"
 
 #include "Geometry/lms3dWideLoops.h"
-#include "LocalMap/Patches/lms3dLabelChanges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,27 +26,13 @@ bool HasAny(const std::int32_t* labels, int count, std::int32_t value)
   }
   return found != 0;
 }
-
-// Marks the last entry of each run with 1: an open entry, unless the next one is open, too, and
-// joined with it. The entry behind the last one must not be open. Without branches, so that the
-// compiler makes it a loop over vectors.
-LMS3D_WIDE_LOOPS
-void MarkEnds(const std::int32_t* isOpen, const std::uint8_t* joins, int count, std::uint8_t* isEnd)
-{
-  for (int i = 0; i < count; ++i)
-  {
-    const int goesOn = joins[i] & lms3dBeamSphere::JoinedUp ? isOpen[i + 1] : 0;
-    isEnd[i] = static_cast<std::uint8_t>(isOpen[i] & ~goesOn);
-  }
-}
 } // namespace
 
 lms3dPatchGrower::lms3dPatchGrower(const lms3dBeamSphere& sphere, double tolerance)
   : Sphere(sphere)
   , Tolerance(tolerance)
   , SeedPlanes(sphere, this->Result, tolerance)
-  , IsOpen(sphere.GetNumberOfRows() + 1)
-  , IsEnd(sphere.GetNumberOfRows())
+  , Runs(sphere.GetNumberOfRows())
 {
   this->Result.Labels.resize(sphere.GetSize());
   std::transform(sphere.GetRanges(), sphere.GetRanges() + sphere.GetSize(),
@@ -205,18 +190,10 @@ void lms3dPatchGrower::QueueNeighbors(const Span& span, int side, const lms3dPla
     first - this->Sphere.GetIndex(column, 0), count };
   this->Sphere.IsRegular() ? this->MarkOpenOfRegular(neighbors, inColumn)
                            : this->MarkOpen(neighbors, inColumn);
-  this->IsOpen[count] = 0;
-  MarkEnds(this->IsOpen.data(), this->Sphere.GetJoins() + first, count, this->IsEnd.data());
-  const auto findEnd = [&](int from)
-  { return lms3dLabelChanges::FindFirst(this->IsEnd.data(), from, count, 1); };
-  const auto begin = this->IsOpen.begin();
-  int next = 0;
-  for (int end = findEnd(0); end < count; end = findEnd(next))
-  {
-    const auto run = std::find(begin + next, begin + end, 1) - begin;
-    this->Queue.push_back({ first + static_cast<GridIndex>(run), first + end });
-    next = end + 1;
-  }
+  this->Runs.ForEach(this->Sphere.GetJoins() + first, count,
+    [&](int begin, int end) {
+      this->Queue.push_back({ first + begin, first + end });
+    });
 }
 
 // Marks the entries to which the flood can go on.
@@ -229,7 +206,7 @@ void lms3dPatchGrower::MarkOpen(const Neighbors& neighbors, const lms3dColumnPla
       this->Sphere.IsJoined(neighbors.FirstJoin + i, lms3dBeamSphere::Right) &&
       lms3dIsWithinTolerance(this->Sphere.GetRange(index),
         plane.GetInverseRange(neighbors.FirstRow + i), this->Tolerance);
-    this->IsOpen[i] = isOpen ? 1 : 0;
+    this->Runs.GetOpen()[i] = isOpen ? 1 : 0;
   }
 }
 
@@ -240,7 +217,7 @@ void lms3dPatchGrower::MarkOpenOfRegular(const Neighbors& neighbors, lms3dColumn
   const std::int32_t* const labels = this->Result.Labels.data() + neighbors.First;
   const double* const ranges = this->Sphere.GetRanges() + neighbors.First;
   const std::uint8_t* const joins = this->Sphere.GetJoins() + neighbors.FirstJoin;
-  std::int32_t* const isOpen = this->IsOpen.data();
+  std::int32_t* const isOpen = this->Runs.GetOpen();
   const double tolerance = this->Tolerance;
   const int row = neighbors.FirstRow;
   const int count = neighbors.Count;

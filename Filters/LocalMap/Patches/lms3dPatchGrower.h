@@ -7,6 +7,7 @@
 #ifndef lms3dPatchGrower_h
 #define lms3dPatchGrower_h
 
+#include "LocalMap/Patches/lms3dOpenRuns.h"
 #include "LocalMap/Patches/lms3dPatches.h"
 #include "LocalMap/Patches/lms3dSeedPlanes.h"
 
@@ -62,12 +63,8 @@ private:
   const lms3dSeedPlanes SeedPlanes;
   /// Runs of joined returns on the plane from which the flood goes on.
   std::vector<Span> Queue;
-  ///@{
-  /// For neighbours of a span, 1 if the flood can go on there, and 0 if not. The same for the last
-  /// one of each run.
-  std::vector<std::int32_t> IsOpen;
-  std::vector<std::uint8_t> IsEnd;
-  ///@}
+  /// The neighbours of a span at which the flood can go on.
+  lms3dOpenRuns Runs;
 };
 
 #endif
