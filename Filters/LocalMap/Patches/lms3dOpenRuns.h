@@ -29,7 +29,7 @@ public:
   std::int32_t* GetOpen() { return this->IsOpen.data(); }
 
   /// Calls visit(first, last) for each run of `count` entries, the lowest first. Entries are numbered
-  /// from 0. `joins` are those of the entries, as lms3dBeamSphere::GetJoins() has them.
+  /// from 0. `joins` has the flags of each entry, as lms3dBeamSphere::GetJoins().
   template <typename Visitor>
   void ForEach(const std::uint8_t* joins, int count, const Visitor& visit)
   {
