@@ -13,9 +13,9 @@ struct lms3dSupportedChord
 {
   /**
    * The end of the supported part that begins at the return: `maximum` if the plane is supported
-   * there, otherwise a position within 1/256 of `maximum` before the end. Finds it by bisection, two
-   * steps at a time: what the second step needs is known for either outcome of the first, so that
-   * the processor need not wait for it.
+   * there, otherwise a position within 1/256 of `maximum` before the end. Finds it by bisection,
+   * two steps at a time: what the second step needs is known for either outcome of the first, so
+   * that the processor need not wait for it.
    */
   double FindEnd(double maximum) const;
 

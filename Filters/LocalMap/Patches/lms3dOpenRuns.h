@@ -28,8 +28,8 @@ public:
   /// By entry, from the lowest: 1 if it is open, 0 if not. To be written before ForEach().
   std::int32_t* GetOpen() { return this->IsOpen.data(); }
 
-  /// Calls visit(first, last) for each run of `count` entries, the lowest first. Entries are numbered
-  /// from 0. `joins` has the flags of each entry, as lms3dBeamSphere::GetJoins().
+  /// Calls visit(first, last) for each run of `count` entries, the lowest first. The number of the
+  /// lowest entry is 0. `joins` has the flags of each entry, as lms3dBeamSphere::GetJoins().
   template <typename Visitor>
   void ForEach(const std::uint8_t* joins, int count, const Visitor& visit)
   {
