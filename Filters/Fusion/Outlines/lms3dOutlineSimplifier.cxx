@@ -36,7 +36,8 @@ double lms3dOutlineSimplifier::GetCost(Corner corner) const
   const lms3dSegment2 line(this->Corners[from], this->Corners[to]);
   const double cost = this->Corners.GetDeviation(from, to, this->Tolerance,
     [&](const lms3dPoint2& point) { return line.GetSquaredDistance(point); });
-  return this->Corners.IsFixed(corner) && cost > OnLine ? Infinite : cost;
+  const bool isOnLine = line.GetSquaredDistance(this->Corners[corner]) <= OnLine;
+  return this->Corners.IsFixed(corner) && !isOnLine ? Infinite : cost;
 }
 
 void lms3dOutlineSimplifier::Queue(Corner corner)
