@@ -18,7 +18,7 @@ constexpr double ReachOfMeeting = 12.0;
 // The sine of the smallest angle between lines that meet.
 constexpr double SmallestSine = 0.1;
 // Cells: creases with planes that are nearly the same count as one, the first of them.
-constexpr double LargestDifference = 1.0;
+constexpr double LargestDifference = 1.5;
 
 struct Foot
 {

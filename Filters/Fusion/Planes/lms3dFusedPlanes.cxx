@@ -48,9 +48,10 @@ lms3dFusedPlanes::lms3dFusedPlanes(double maximumError)
 {
 }
 
-int lms3dFusedPlanes::MakePlane(const lms3dVector& point, const lms3dVector& normal)
+int lms3dFusedPlanes::MakePlane(
+  const lms3dVector& point, const lms3dVector& normal, const lms3dVector& middle)
 {
-  const lms3dPlaneFrame frame(point, normal, this->Cell);
+  const lms3dPlaneFrame frame(point, normal, this->Cell, middle);
   if (!this->Unused.empty())
   {
     const int number = this->Unused.back();

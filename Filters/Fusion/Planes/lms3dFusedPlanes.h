@@ -36,8 +36,15 @@ public:
   const lms3dFusedPlane& operator[](std::size_t number) const { return this->Planes[number]; }
   const std::deque<lms3dFusedPlane>& GetAll() const { return this->Planes; }
 
-  /// Returns the number of a new plane: the lowest that ReuseNumbers() found, or a new one.
-  int MakePlane(const lms3dVector& point, const lms3dVector& normal);
+  ///@{
+  /// Returns the number of a new plane: the lowest that ReuseNumbers() found, or a new one. Its
+  /// first tile lies around the foot of `middle`, or of the point.
+  int MakePlane(const lms3dVector& point, const lms3dVector& normal)
+  {
+    return this->MakePlane(point, normal, point);
+  }
+  int MakePlane(const lms3dVector& point, const lms3dVector& normal, const lms3dVector& middle);
+  ///@}
 
   /// Takes a plane out. Its tiles stay, without blocks and triangles.
   void Clear(int number);

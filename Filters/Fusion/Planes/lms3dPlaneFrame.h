@@ -7,6 +7,7 @@
 #ifndef lms3dPlaneFrame_h
 #define lms3dPlaneFrame_h
 
+#include "Fusion/Cells/lms3dRaster.h"
 #include "Fusion/Scans/lms3dWorldBox.h"
 #include "Geometry/lms3dVector.h"
 #include "Triangulation/lms3dOrientation.h"
@@ -17,14 +18,18 @@ class lms3dPlaneFrame
 {
 public:
   /// A plane through a point with a normal of length 1. `cell` is the size of a cell, metres. Walls
-  /// have horizontal rows, so the raster follows the edges of most rooms.
-  lms3dPlaneFrame(const lms3dVector& point, const lms3dVector& normal, double cell)
+  /// have horizontal rows, so the raster follows the edges of most rooms. The first cell
+  /// is near the foot of `middle`, whole blocks from the foot of the world's origin.
+  lms3dPlaneFrame(
+    const lms3dVector& point, const lms3dVector& normal, double cell, const lms3dVector& middle)
     : Offset(lms3dDot(normal, point))
     , Cell(cell)
     , Normal(normal)
     , U(lms3dNormalize(std::abs(normal[2]) > 0.9 ? lms3dCross({ 0.0, 1.0, 0.0 }, normal)
                                                  : lms3dCross({ 0.0, 0.0, 1.0 }, normal)))
     , V(lms3dCross(normal, this->U))
+    , Origin({ Step * std::round(lms3dDot(this->U, middle) / (Step * cell)),
+        Step * std::round(lms3dDot(this->V, middle) / (Step * cell)) })
   {
   }
 
@@ -48,25 +53,34 @@ public:
     return nearest <= distance;
   }
 
+  /// The corner of the first cell. It is the middle of the first tile.
+  lms3dVector GetMiddle() const { return this->ToWorld({ 0.0, 0.0 }); }
+
   /// The foot of a point, cells.
   lms3dPoint2 ToCells(const lms3dVector& point) const
   {
-    return { lms3dDot(this->U, point) / this->Cell, lms3dDot(this->V, point) / this->Cell };
+    return { lms3dDot(this->U, point) / this->Cell - this->Origin[0],
+      lms3dDot(this->V, point) / this->Cell - this->Origin[1] };
   }
 
   lms3dVector ToWorld(const lms3dPoint2& cells) const
   {
     return lms3dAdd(lms3dScale(this->Normal, this->Offset),
-      lms3dAdd(
-        lms3dScale(this->U, cells[0] * this->Cell), lms3dScale(this->V, cells[1] * this->Cell)));
+      lms3dAdd(lms3dScale(this->U, (cells[0] + this->Origin[0]) * this->Cell),
+        lms3dScale(this->V, (cells[1] + this->Origin[1]) * this->Cell)));
   }
 
 private:
+  /// Cells: the size of a block.
+  static constexpr double Step = lms3dRaster::Size;
+
   double Offset;
   double Cell;
   lms3dVector Normal;
   lms3dVector U;
   lms3dVector V;
+  /// Cells: where the first cell is from the foot of the world's origin.
+  lms3dPoint2 Origin;
 };
 
 #endif

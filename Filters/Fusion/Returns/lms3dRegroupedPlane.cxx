@@ -13,6 +13,8 @@ namespace
 constexpr double CurvedShare = 0.05;
 // Bounds: beams that meet a plane farther apart may have a gap between them.
 constexpr double LargestStep = 24.0;
+// The cosine of the largest angle between planes that are nearly the same.
+constexpr double SmallestCosine = 0.9;
 
 /// Where the beams of scans end: the numbers of a scan and of a beam, and a point.
 using Beam = std::pair<int, int>;
@@ -92,11 +94,27 @@ std::vector<int> SortByScan(std::vector<int> numbers, const std::vector<lms3dMap
     [&](int a, int b) { return returns[a].Scan < returns[b].Scan; });
   return numbers;
 }
+
+// The middle of the first old plane that is nearly the same, otherwise that of the returns.
+lms3dVector FindMiddle(
+  const lms3dReturnGroup& group, const std::vector<int>& oldPlanes, const lms3dFusedPlanes& planes)
+{
+  const auto same = std::find_if(oldPlanes.begin(), oldPlanes.end(),
+    [&](int old)
+    {
+      const lms3dPlaneFrame& frame = planes[old].Frame;
+      return std::abs(frame.GetHeight(group.Centre)) <= planes.GetMaximumError() &&
+        lms3dDot(frame.GetNormal(), group.Normal) >= SmallestCosine;
+    });
+  return same != oldPlanes.end() ? planes[*same].Frame.GetMiddle() : group.Centre;
+}
 } // namespace
 
-int lms3dMakeRegroupedPlane(const lms3dReturnGroup& group, lms3dFusedPlanes& planes)
+int lms3dMakeRegroupedPlane(
+  const lms3dReturnGroup& group, const std::vector<int>& oldPlanes, lms3dFusedPlanes& planes)
 {
-  const int number = planes.MakePlane(group.Centre, group.Normal);
+  const int number =
+    planes.MakePlane(group.Centre, group.Normal, FindMiddle(group, oldPlanes, planes));
   planes[number].IsWeak = true;
   planes[number].IsCurved = group.Deviation > CurvedShare * planes.GetMaximumError();
   return number;

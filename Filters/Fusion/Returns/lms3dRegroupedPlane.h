@@ -15,7 +15,10 @@
 #include <vector>
 
 /// Returns the number of a new, weak plane for the returns of a group, without surface and returns.
-int lms3dMakeRegroupedPlane(const lms3dReturnGroup& group, lms3dFusedPlanes& planes);
+/// If one of the old planes is nearly the same, the new one has its tiles at the same places, so no
+/// other tiles make the triangles fewer.
+int lms3dMakeRegroupedPlane(
+  const lms3dReturnGroup& group, const std::vector<int>& oldPlanes, lms3dFusedPlanes& planes);
 
 /// Gives a plane its surface and the returns of its group. It has surface between neighbouring
 /// beams that meet it, and where triangles of the old planes are within the bound of it. Each scan

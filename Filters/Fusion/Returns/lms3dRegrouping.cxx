@@ -156,7 +156,7 @@ void lms3dRegrouping::AddPlace(Place&& place)
     place.NewPlanes.reserve(place.Groups.size());
     for (const lms3dReturnGroup& group : place.Groups)
     {
-      place.NewPlanes.push_back(lms3dMakeRegroupedPlane(group, this->Planes));
+      place.NewPlanes.push_back(lms3dMakeRegroupedPlane(group, place.OldPlanes, this->Planes));
     }
     this->Places.push_back(std::move(place));
   }

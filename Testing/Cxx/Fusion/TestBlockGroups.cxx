@@ -16,7 +16,7 @@ namespace
 {
 constexpr double Cell = 0.003; // metres
 
-const lms3dPlaneFrame Frame({ 1.0, -2.0, 0.5 }, { 0.6, 0.0, 0.8 }, Cell);
+const lms3dPlaneFrame Frame({ 1.0, -2.0, 0.5 }, { 0.6, 0.0, 0.8 }, Cell, { 0.0, 0.0, 0.0 });
 
 /// Adds blocks anywhere near the origin. Some of them exist already.
 void AddBlocks(int count, unsigned seed, lms3dRaster& raster)

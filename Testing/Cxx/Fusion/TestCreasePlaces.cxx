@@ -29,12 +29,16 @@ const lms3dFusedTile Tile(0, 0);
 /// not change between these.
 TEST(LMS3DCreasePlaces, AreOnTheFirstOfCreasesThatAreNearlyTheSame)
 {
-  for (const double height : { 9.0, 10.1, 10.8, 12.0 })
+  for (const double second : { 10.9, 11.4 })
   {
-    const lms3dPoint2 corner = { 50.0, height };
-    const auto place = lms3dFindPlaceOnCrease(corner, { MakeCrease(10.0), MakeCrease(10.9) }, Tile);
-    ASSERT_TRUE(place);
-    EXPECT_EQ((*place)[1], 10.0);
+    for (const double height : { 9.0, 10.1, 10.8, 12.0 })
+    {
+      const lms3dPoint2 corner = { 50.0, height };
+      const auto place =
+        lms3dFindPlaceOnCrease(corner, { MakeCrease(10.0), MakeCrease(second) }, Tile);
+      ASSERT_TRUE(place);
+      EXPECT_EQ((*place)[1], 10.0);
+    }
   }
 }
 

@@ -314,3 +314,21 @@ TEST(LMS3DFusedRegions, StayInAnotherRoom)
   EXPECT_TRUE(std::none_of(
     before.begin(), before.end(), [&](int region) { return changed.count(region) > 0; }));
 }
+
+// The tiles of a plane lie around the place where the first scan saw it.
+TEST(LMS3DFusedRegions, AreNotDividedIfTheyAreSmall)
+{
+  for (const double shift : { 0.0, 2.0, 3.4, 40.1 })
+  {
+    SceneBuilder scene;
+    scene.AddBox({ shift - 3.0, shift - 2.5, 0.0 }, { shift + 3.0, shift + 2.5, 2.5 });
+    vtkNew<vtkLMS3DMapFusion> fusion;
+    AddAll({ MakeMappedScan(scene.GetSurface(), { shift, shift, 1.2 }),
+             MakeMappedScan(scene.GetSurface(), { shift + 0.5, shift - 0.3, 1.2 }) },
+      fusion);
+    fusion->Update();
+    const std::set<int> regions =
+      GetRegions(fusion->GetOutput()->GetCellData()->GetArray("RegionId"));
+    EXPECT_EQ(regions.size(), 6U) << shift;
+  }
+}

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace
@@ -33,6 +34,20 @@ lms3dLoop SimplifyAgain(const lms3dPoint2& place)
   return corners.GetLoops().front();
 }
 
+/// Simplifies a square whose upper side has a notch between two corners that are fixed. `height` is
+/// that of the first of them.
+lms3dLoop SimplifyBesideNotch(double height)
+{
+  const lms3dLoop loop = { { 2.0, 2.0 }, { 62.0, 2.0 }, { 62.0, 40.0 }, { 42.0, height },
+    { 32.0, 38.0 }, { 22.0, 40.0 }, { 2.0, 40.0 } };
+  lms3dRegion region;
+  region.Make(0, 0);
+  lms3dOutlineCorners corners({ loop }, { false, false, true, true, false, true, true });
+  lms3dBorderLimits limits(region, loop.size(), Reach);
+  lms3dOutlineSimplifier(Tolerance, corners, limits).Simplify();
+  return corners.GetLoops().front();
+}
+
 const lms3dLoop Square = { { 2.0, 2.0 }, { 62.0, 2.0 }, { 62.0, 40.0 }, { 2.0, 40.0 } };
 } // namespace
 
@@ -40,6 +55,18 @@ const lms3dLoop Square = { { 2.0, 2.0 }, { 62.0, 2.0 }, { 62.0, 40.0 }, { 2.0, 4
 TEST(LMS3DOutlineSimplifier, PassesCornersThatWentBefore)
 {
   EXPECT_EQ(SimplifyAgain(Notched[InNotch - 1]), Square);
+}
+
+/// Once the notch has gone, the fixed corners beside it lie on a straight line.
+TEST(LMS3DOutlineSimplifier, TakesOutFixedCornersOfAStraightLine)
+{
+  EXPECT_EQ(SimplifyBesideNotch(40.0), Square);
+}
+
+TEST(LMS3DOutlineSimplifier, KeepsFixedCornersBesideALine)
+{
+  const lms3dLoop loop = SimplifyBesideNotch(40.1);
+  EXPECT_EQ(std::count(loop.begin(), loop.end(), lms3dPoint2{ 42.0, 40.1 }), 1);
 }
 
 TEST(LMS3DOutlineSimplifier, TakesOutCornersThatMovedBefore)

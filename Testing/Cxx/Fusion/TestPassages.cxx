@@ -34,8 +34,9 @@ lms3dFusedPlane MakePlane(const lms3dVector& sensor, unsigned seed)
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   const lms3dVector normal = lms3dNormalize({ any(random), any(random), any(random) });
   const double distance = seed % 3 == 0 ? 1e-4 : 0.7;
-  lms3dFusedPlane plane(lms3dPlaneFrame(
-    lms3dAdd(sensor, lms3dScale(normal, distance * any(random))), normal, Bound / 3.0));
+  const lms3dVector point = lms3dAdd(sensor, lms3dScale(normal, distance * any(random)));
+  const lms3dVector middle = lms3dAdd(point, { 3.0 * any(random), 3.0 * any(random), 0.0 });
+  lms3dFusedPlane plane(lms3dPlaneFrame(point, normal, Bound / 3.0, middle));
   const lms3dPoint2 foot = plane.Frame.ToCells(sensor);
   for (int i = 0; i < 12; ++i)
   {

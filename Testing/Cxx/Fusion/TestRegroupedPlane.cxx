@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <numeric>
@@ -46,7 +47,7 @@ int MakePlane(const std::vector<lms3dMappedReturn>& returns, const std::vector<i
   lms3dReturnGroup group = { { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 }, 0.0, {} };
   group.Returns.resize(returns.size());
   std::iota(group.Returns.begin(), group.Returns.end(), 0);
-  const int number = lms3dMakeRegroupedPlane(group, planes);
+  const int number = lms3dMakeRegroupedPlane(group, oldPlanes, planes);
   const lms3dWorldBox box =
     lms3dFillRegroupedPlane(number, returns, group, oldPlanes, tables, planes);
   planes.GrowBox(number, box.Low);
@@ -125,4 +126,20 @@ TEST(LMS3DRegroupedPlane, HasABoxAroundTheTrianglesOfOldPlanes)
   const lms3dMappedReturn far = MakeReturn(0, 1, 0.4, -0.01);
   EXPECT_TRUE(planes.Shows(planes[number], far));
   EXPECT_EQ(planes.FindPlanesNear({ far }, planes.GetSize()), std::vector<int>{ number });
+}
+
+/// Other sides of tiles would make the triangles of a plane others, far away from the returns, too.
+TEST(LMS3DRegroupedPlane, HasTheTilesOfAnOldPlaneThatIsNearlyTheSame)
+{
+  const lms3dTablesOfScans tables = { MakeTable(10, 90.0) };
+  const lms3dVector far = { 5.0, 7.0, 1.001 };
+  lms3dFusedPlanes planes(Bound);
+  const int above = planes.MakePlane(far, { 0.0, 0.0, 1.0 });
+  const int across = planes.MakePlane({ 5.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0 });
+  const auto getPlace = [&](const std::vector<int>& oldPlanes)
+  { return planes[MakePlane({}, oldPlanes, tables, planes)].Frame.ToCells(far); };
+  const lms3dPoint2 same = planes[above].Frame.ToCells(far);
+  EXPECT_NEAR(getPlace({ across, above })[0], same[0], 1e-9);
+  EXPECT_NEAR(getPlace({ across, above })[1], same[1], 1e-9);
+  EXPECT_GT(std::abs(getPlace({ across })[0] - same[0]), 1000.0);
 }
