@@ -176,7 +176,7 @@ struct lms3dFusedPlane
   bool IsWeak = false;
   /// The returns of a weak plane, with the ones that lms3dFusedPlanes::AddBeside() added.
   std::vector<lms3dMappedReturn> Returns;
-  /// How many triangles the plane had when its returns were last grouped anew.
+  /// How many triangles the plane had when it last began a place of lms3dRegrouping, or was new.
   std::size_t RegroupedTriangles = 0;
   /// Whether others have taken the place of the plane.
   bool HasGone = false;

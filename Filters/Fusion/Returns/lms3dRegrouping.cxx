@@ -145,10 +145,8 @@ void lms3dRegrouping::FindLeft(Place& place)
 
 void lms3dRegrouping::AddPlace(Place&& place)
 {
-  for (const int number : place.OldPlanes)
-  {
-    this->Planes[number].RegroupedTriangles = this->Planes[number].CountTriangles();
-  }
+  lms3dFusedPlane& seed = this->Planes[place.OldPlanes.front()];
+  seed.RegroupedTriangles = seed.CountTriangles();
   FindLeft(place);
   if (TrianglesOfPlane * place.Groups.size() + place.Left.size() <
     this->CountTriangles(place.OldPlanes))

@@ -190,3 +190,30 @@ TEST(LMS3DRegrouping, ReplacesPlanesByFewerTriangles)
     EXPECT_EQ(planes.GetSize(), each.IsReplaced && each.HasOther ? 3U : 2U);
   }
 }
+
+/// The place of two planes fails again and again. Each of them begins it once, unless it gets more
+/// triangles.
+TEST(LMS3DRegrouping, LooksAtEachPlaneForItsOwnSake)
+{
+  lms3dFusedPlanes planes(Bound);
+  AddWeakPlane(1.0, 20, 20, 11, planes);
+  const int second = AddWeakPlane(1.0, 20, 20, 10, planes);
+  const lms3dTablesOfScans tables = MakeTables();
+  const auto fail = [&]
+  {
+    lms3dRegrouping regrouping(planes, tables);
+    const std::size_t before = planes.GetSize();
+    const bool isTried = regrouping.MakePlanes();
+    for (std::size_t i = before; i < planes.GetSize(); ++i)
+    {
+      SetTriangles(static_cast<int>(i), 50, planes);
+    }
+    regrouping.Choose();
+    return isTried;
+  };
+  EXPECT_TRUE(fail());
+  EXPECT_TRUE(fail());
+  EXPECT_FALSE(fail());
+  SetTriangles(second, 12, planes);
+  EXPECT_TRUE(fail());
+}
