@@ -58,8 +58,8 @@ private:
   std::vector<std::int32_t> Before;
   std::vector<std::int32_t> ChainOf;
   ///@{
-  /// By edge: whether it begins a chain that is not closed, and whether it belongs to a chain.
-  /// Void edges count as if they did.
+  /// By edge: whether it begins a chain that is not closed, and whether it belongs to a chain
+  /// already, or is void.
   std::vector<std::uint8_t> IsStart;
   std::vector<std::uint8_t> IsVisited;
   ///@}

@@ -13,10 +13,12 @@ namespace
 {
 // The smallest cosine between two corners of a new triangle, as the sensor sees them.
 constexpr double MinimumCosine = 0.7;
-// The smallest height of a new triangle as the sensor sees it, as a share of its longest edge.
+// The smallest height of a new triangle as the sensor sees it, as a share of its longest edge, and
+// the same on a curved surface.
 constexpr double MinimumHeight = 0.02;
-// Large maps end with the first round in which fewer of its edges collapse: many more rounds would
-// follow, and hardly any triangle would go.
+constexpr double MinimumHeightIfCurved = 0.005;
+// Unless the surface is curved, large maps end with the first round in which fewer of its edges
+// collapse: many more rounds would follow, and hardly any triangle would go.
 constexpr double MinimumShare = 0.1;
 constexpr std::size_t LargeRound = 100;
 // The number of edges that a thread tries at least.
@@ -38,34 +40,48 @@ bool ForEachSide(
 }
 } // namespace
 
+lms3dEdgeCollapser::lms3dEdgeCollapser(
+  const lms3dBeamDemands& demands, bool isCurved, lms3dVertexStars& stars)
+  : Demands(demands)
+  , IsCurved(isCurved)
+  , Stars(stars)
+{
+}
+
+bool lms3dEdgeCollapser::Run(
+  const lms3dBeamDemands& demands, bool isCurved, lms3dVertexStars& stars)
+{
+  return lms3dEdgeCollapser(demands, isCurved, stars).Run();
+}
+
 // Whether the vertex that replaces an edge sees all sides of the star, and no new triangle is a
 // sliver or very large.
-bool lms3dEdgeCollapser::HasSoundShape(
-  const lms3dVertexStars& stars, const Edge& edge, const lms3dTriangleCorner& corner)
+bool lms3dEdgeCollapser::HasSoundShape(const Edge& edge, const lms3dTriangleCorner& corner) const
 {
-  return ForEachSide(stars, edge.From, edge.To,
+  const double minimumHeight = this->IsCurved ? MinimumHeightIfCurved : MinimumHeight;
+  return ForEachSide(this->Stars, edge.From, edge.To,
     [&](std::int32_t next, std::int32_t last)
     {
       const lms3dVector& a = corner.Position;
-      const lms3dVector& b = stars.GetVertex(next).Corner.Position;
-      const lms3dVector& c = stars.GetVertex(last).Corner.Position;
+      const lms3dVector& b = this->Stars.GetVertex(next).Corner.Position;
+      const lms3dVector& c = this->Stars.GetVertex(last).Corner.Position;
       const lms3dVector opposite = lms3dCross(c, b);
       const double cosine = std::min(lms3dDot(a, b), lms3dDot(a, c));
       const double longest =
         std::max(lms3dDot(opposite, opposite), std::max(0.0, 1.0 - cosine * cosine));
-      return cosine > MinimumCosine && lms3dDot(opposite, a) > MinimumHeight * longest;
+      return cosine > MinimumCosine && lms3dDot(opposite, a) > minimumHeight * longest;
     });
 }
 
 // Whether an edge can collapse, and the vertex that replaces it.
-lms3dEdgeCollapser::Result lms3dEdgeCollapser::TryToCollapse(
-  const lms3dVertexStars& stars, const lms3dBeamDemands& demands, const Edge& edge)
+lms3dEdgeCollapser::Result lms3dEdgeCollapser::TryToCollapse(const Edge& edge) const
 {
+  const lms3dVertexStars& stars = this->Stars;
   const lms3dVertexStars::Vertex& to = stars.GetVertex(edge.To);
   Result result = { false, lms3dNormalize(lms3dCollapsibleEdges::GetBestPlace(stars, edge)),
     to.Inverse };
   const lms3dTriangleCorner corner = to.IsFree ? lms3dTriangleCorner(result.Direction) : to.Corner;
-  if (!HasSoundShape(stars, edge, corner) || !stars.AreLinked(edge.From, edge.To))
+  if (!this->HasSoundShape(edge, corner) || !stars.AreLinked(edge.From, edge.To))
   {
     return result;
   }
@@ -75,11 +91,11 @@ lms3dEdgeCollapser::Result lms3dEdgeCollapser::TryToCollapse(
       [&](std::int32_t next, std::int32_t last)
       {
         return lms3dVertexFit::Allows(
-          demands, corner, result.Inverse, lms3dVertexFit::GetSide(stars, next, last));
+          this->Demands, corner, result.Inverse, lms3dVertexFit::GetSide(stars, next, last));
       });
     return result;
   }
-  lms3dVertexFit fit(demands);
+  lms3dVertexFit fit(this->Demands);
   if (ForEachSide(stars, edge.From, edge.To,
         [&](std::int32_t next, std::int32_t last)
         { return fit.Add(corner, lms3dVertexFit::GetSide(stars, next, last)); }) &&
@@ -91,16 +107,16 @@ lms3dEdgeCollapser::Result lms3dEdgeCollapser::TryToCollapse(
   return result;
 }
 
-bool lms3dEdgeCollapser::Run(const lms3dBeamDemands& demands, lms3dVertexStars& stars)
+bool lms3dEdgeCollapser::Run()
 {
   bool isChanged = false;
-  lms3dCollapsibleEdges edges(stars);
+  lms3dCollapsibleEdges edges(this->Stars);
   while (true)
   {
     const std::vector<Edge> selected = edges.TakeIndependent();
     std::vector<std::uint8_t> hasCollapsed(selected.size());
     lms3dForEachInTasks(selected.size(), EdgesOfTask,
-      [&](std::size_t i) { hasCollapsed[i] = Collapse(demands, selected[i], stars); });
+      [&](std::size_t i) { hasCollapsed[i] = this->Collapse(selected[i]); });
     std::vector<std::int32_t> changed;
     std::vector<std::int32_t> gone;
     for (std::size_t i = 0; i < selected.size(); ++i)
@@ -112,9 +128,7 @@ bool lms3dEdgeCollapser::Run(const lms3dBeamDemands& demands, lms3dVertexStars& 
       }
     }
     isChanged |= !changed.empty();
-    if (selected.empty() ||
-      (selected.size() >= LargeRound &&
-        static_cast<double>(changed.size()) < MinimumShare * static_cast<double>(selected.size())))
+    if (this->IsLast(selected.size(), changed.size()))
     {
       return isChanged;
     }
@@ -122,19 +136,26 @@ bool lms3dEdgeCollapser::Run(const lms3dBeamDemands& demands, lms3dVertexStars& 
   }
 }
 
+// Whether a round is the last one, by its edges and by how many of them have collapsed.
+bool lms3dEdgeCollapser::IsLast(std::size_t selected, std::size_t collapsed) const
+{
+  return selected == 0 ||
+    (!this->IsCurved && selected >= LargeRound &&
+      static_cast<double>(collapsed) < MinimumShare * static_cast<double>(selected));
+}
+
 // Collapses an edge if it can, and returns whether it has. Otherwise it is not tried again until
 // its star changes.
-bool lms3dEdgeCollapser::Collapse(
-  const lms3dBeamDemands& demands, const Edge& edge, lms3dVertexStars& stars)
+bool lms3dEdgeCollapser::Collapse(const Edge& edge)
 {
-  const Result result = TryToCollapse(stars, demands, edge);
+  const Result result = this->TryToCollapse(edge);
   if (result.CanCollapse)
   {
-    stars.Collapse(edge.From, edge.To, result.Direction, result.Inverse);
+    this->Stars.Collapse(edge.From, edge.To, result.Direction, result.Inverse);
   }
   else
   {
-    stars.SetRigid(edge.From, edge.To);
+    this->Stars.SetRigid(edge.From, edge.To);
   }
   return result.CanCollapse;
 }

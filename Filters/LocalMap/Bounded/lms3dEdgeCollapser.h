@@ -11,6 +11,8 @@
 #include "LocalMap/Bounded/lms3dCollapsibleEdges.h"
 #include "LocalMap/Bounded/lms3dVertexStars.h"
 
+#include <cstddef>
+
 /**
  * Edges collapse in rounds, the cheapest first (lms3dCollapsibleEdges). The stars of one round's
  * edges have no vertex in common. A collapse changes only its stars, and it reads nothing that
@@ -20,13 +22,16 @@
 class lms3dEdgeCollapser
 {
 public:
-  /// Collapses edges until no edge with a free end can collapse within the bound, or, in large
-  /// maps, until hardly any can. Returns false if none can. Uses the threads of the calling TBB
-  /// arena.
-  static bool Run(const lms3dBeamDemands& demands, lms3dVertexStars& stars);
+  /// Collapses edges until no edge with a free end can collapse within the bound. If the surface is
+  /// not curved (lms3dSmoothVertices), new triangles must be wider, and a large map ends when
+  /// hardly any edge can collapse: few triangles would go, and it would take long. Returns false if
+  /// no edge can collapse. Uses the threads of the calling TBB arena.
+  static bool Run(const lms3dBeamDemands& demands, bool isCurved, lms3dVertexStars& stars);
 
 private:
   using Edge = lms3dCollapsibleEdges::Edge;
+
+  lms3dEdgeCollapser(const lms3dBeamDemands& demands, bool isCurved, lms3dVertexStars& stars);
 
   struct Result
   {
@@ -35,11 +40,15 @@ private:
     double Inverse;
   };
 
-  static bool HasSoundShape(
-    const lms3dVertexStars& stars, const Edge& edge, const lms3dTriangleCorner& corner);
-  static Result TryToCollapse(
-    const lms3dVertexStars& stars, const lms3dBeamDemands& demands, const Edge& edge);
-  static bool Collapse(const lms3dBeamDemands& demands, const Edge& edge, lms3dVertexStars& stars);
+  bool Run();
+  bool IsLast(std::size_t selected, std::size_t collapsed) const;
+  bool HasSoundShape(const Edge& edge, const lms3dTriangleCorner& corner) const;
+  Result TryToCollapse(const Edge& edge) const;
+  bool Collapse(const Edge& edge);
+
+  const lms3dBeamDemands& Demands;
+  const bool IsCurved;
+  lms3dVertexStars& Stars;
 };
 
 #endif

@@ -12,8 +12,6 @@
 #include "LocalMap/Bounded/lms3dVertexFits.h"
 #include "LocalMap/Bounded/lms3dVertexRemover.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -51,9 +49,18 @@ bool lms3dMapSimplifier::Simplify(const std::vector<int>& members, lms3dBoundedM
   const lms3dBeamDemands demands(this->Sphere, this->Patches, this->MaximumError);
   const lms3dBorderShortcuts shortcuts(
     this->Sphere, this->Patches, lms3dPatches::CreaseShare * this->MaximumError);
-  this->SimplifySmoothSurface(members, map, demands, shortcuts, stars);
-  lms3dVertexRemover(lms3dRegularMoves(demands, shortcuts), stars).Run();
+  const lms3dSmoothVertices smooth(
+    this->Patches, members, map, stars, this->MaximumError, this->Noise);
+  this->SimplifySmoothSurface(smooth, demands, shortcuts, stars);
+  const lms3dRegularMoves moves(demands, shortcuts);
+  lms3dVertexRemover(moves, stars).Run();
   this->FitSurface(demands, shortcuts, map.PatchIds, stars);
+  // Fits and flips of a curved surface let more vertices go.
+  if (smooth.IsCurved())
+  {
+    lms3dVertexRemover(moves, stars).Run();
+    this->FitSurface(demands, shortcuts, map.PatchIds, stars);
+  }
   Replace(stars, map);
   map.LargestDeviation = this->GetLargestDeviation(map);
   return true;
@@ -86,12 +93,17 @@ bool lms3dMapSimplifier::SimplifyOnRays(lms3dBoundedMap& map) const
   return false;
 }
 
-void lms3dMapSimplifier::SimplifySmoothSurface(const std::vector<int>& members,
-  const lms3dBoundedMap& map, const lms3dBeamDemands& demands, const lms3dBorderShortcuts& borders,
+void lms3dMapSimplifier::SimplifySmoothSurface(const lms3dSmoothVertices& smooth,
+  const lms3dBeamDemands& demands, const lms3dBorderShortcuts& borders,
   lms3dVertexStars& stars) const
 {
-  const lms3dSmoothVertices smooth(this->Patches, members, map, this->MaximumError, this->Noise);
-  if (!FreeSmoothVertices(smooth, stars) || !lms3dEdgeCollapser::Run(demands, stars))
+  const std::vector<std::uint8_t>& areSmooth = smooth.Get();
+  if (std::find(areSmooth.begin(), areSmooth.end(), 1) == areSmooth.end())
+  {
+    return;
+  }
+  stars.SetFree(areSmooth);
+  if (!lms3dEdgeCollapser::Run(demands, smooth.IsCurved(), stars))
   {
     return;
   }
@@ -100,24 +112,9 @@ void lms3dMapSimplifier::SimplifySmoothSurface(const std::vector<int>& members,
   { return vertex.IsFree && vertex.IsChanged; };
   lms3dVertexFits::Run(demands, Choose(stars, isFreeAndChanged), stars);
   stars.ReleaseChanged();
-  lms3dEdgeCollapser::Run(demands, stars);
+  lms3dEdgeCollapser::Run(demands, smooth.IsCurved(), stars);
   const auto isChanged = [](const auto& vertex) { return vertex.IsChanged; };
   lms3dSurfaceFit(demands, borders, this->MaximumError, Choose(stars, isChanged), stars).Run();
-}
-
-// Returns false if there are none.
-bool lms3dMapSimplifier::FreeSmoothVertices(
-  const lms3dSmoothVertices& smooth, lms3dVertexStars& stars)
-{
-  std::vector<std::uint8_t> isFree(stars.GetNumberOfVertices());
-  tbb::parallel_for(0, stars.GetNumberOfVertices(),
-    [&](int i) { isFree[i] = smooth.IsSmooth(stars, i) && stars.IsInside(i); });
-  if (std::find(isFree.begin(), isFree.end(), 1) == isFree.end())
-  {
-    return false;
-  }
-  stars.SetFree(isFree);
-  return true;
 }
 
 void lms3dMapSimplifier::Replace(const lms3dVertexStars& stars, lms3dBoundedMap& map)

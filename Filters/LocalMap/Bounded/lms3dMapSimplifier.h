@@ -12,6 +12,7 @@
 #include "LocalMap/Bounded/lms3dBoundedMap.h"
 #include "LocalMap/Bounded/lms3dVertexStars.h"
 
+#include <cstdint>
 #include <vector>
 
 class lms3dSmoothVertices;
@@ -21,13 +22,15 @@ class lms3dSmoothVertices;
  * between them. Edges between smooth vertices (lms3dSmoothVertices) collapse (lms3dEdgeCollapser),
  * as long as each return around them stays within the bound. The remaining vertex has the range
  * that fits the returns best (lms3dVertexFit), so the surface passes between the returns on both
- * sides. Vertices at sharp creases, offsets and borders take no part in this. Around collapsed
- * edges, all vertices are then fitted to the returns (lms3dSurfaceFit).
+ * sides. Vertices at sharp creases, at borders and, unless the surface is curved, at offsets take
+ * no part in this. Around collapsed edges, all vertices are then fitted to the returns
+ * (lms3dSurfaceFit).
  *
  * Then vertices of all kinds are removed (lms3dVertexRemover) without moving those that remain. At
  * last, all vertices are fitted to the returns, edges are flipped so that the map fits better
- * (lms3dEdgeFlipper), and the vertices there are fitted again. If beams are not regular, vertices
- * are only removed, and borders stay (lms3dRayMoves).
+ * (lms3dEdgeFlipper), and the vertices there are fitted again. On a curved surface, vertices are
+ * removed and fitted, and edges flipped, a second time. If beams are not regular, vertices are only
+ * removed, and borders stay (lms3dRayMoves).
  */
 class lms3dMapSimplifier
 {
@@ -45,12 +48,10 @@ public:
 
 private:
   bool SimplifyOnRays(lms3dBoundedMap& map) const;
-  void SimplifySmoothSurface(const std::vector<int>& members, const lms3dBoundedMap& map,
-    const lms3dBeamDemands& demands, const lms3dBorderShortcuts& borders,
-    lms3dVertexStars& stars) const;
+  void SimplifySmoothSurface(const lms3dSmoothVertices& smooth, const lms3dBeamDemands& demands,
+    const lms3dBorderShortcuts& borders, lms3dVertexStars& stars) const;
   void FitSurface(const lms3dBeamDemands& demands, const lms3dBorderShortcuts& borders,
     const std::vector<std::int32_t>& patchIds, lms3dVertexStars& stars) const;
-  static bool FreeSmoothVertices(const lms3dSmoothVertices& smooth, lms3dVertexStars& stars);
   static void Replace(const lms3dVertexStars& stars, lms3dBoundedMap& map);
   double GetLargestDeviation(const lms3dBoundedMap& map) const;
 

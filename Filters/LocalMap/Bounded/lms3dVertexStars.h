@@ -149,8 +149,8 @@ public:
   void Collapse(std::int32_t from, std::int32_t to, const lms3dVector& direction, double inverse);
 
   /// Replaces the edge between two triangles by an edge from `Left` to `Right`. Changes nothing
-  /// else, so edges must not collapse afterwards. The left triangle gets the corner `From`, the
-  /// right one `To`.
+  /// else, so Collapse() must not be called afterwards; Merge() may. The left triangle gets the
+  /// corner `From`, the right one `To`.
   void Flip(const Quad& quad);
 
   /// Marks an edge as rigid until the star of one of its ends changes.
