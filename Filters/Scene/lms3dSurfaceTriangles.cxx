@@ -152,6 +152,12 @@ bool lms3dSurfaceTriangles::AppendTriangles(vtkCellArray* cells, vtkIdType first
 void lms3dSurfaceTriangles::AppendCells(
   vtkCellArray* cells, vtkIdType firstCell, vtkIdTypeArray* originalCells, AppendCell append)
 {
+  if (cells->GetNumberOfCells() > 0 && !cells->IsValid())
+  {
+    throw std::runtime_error(this->Name +
+      ": the offsets of its cells do not start at 0, decrease, "
+      "or do not end with the last corner. Repair them.");
+  }
   auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
   vtkIdType cell = firstCell;
   vtkIdType nextReport = this->WorkDone + WorkPerReport;

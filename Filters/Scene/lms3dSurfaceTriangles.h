@@ -45,9 +45,9 @@ public:
    *
    * Skips cells that vtkGhostType marks as HIDDENCELL, and cells with a coordinate that is not
    * finite or exceeds 1e18 m. Returns false if `progress` stopped the work; the mesh is then
-   * incomplete. If all polygons are triangles, they are appended before the first report. Throws
-   * std::runtime_error, with a text for the user, if a cell uses a missing point or if there are
-   * too many points or triangles.
+   * incomplete. Triangles that lms3dAppendPlainTriangles appends come before the first report.
+   * Throws std::runtime_error, with a text for the user, if a cell uses a missing point, if offsets
+   * of cells are broken, or if there are too many points or triangles.
    */
   bool Append(vtkPolyData* surface, vtkIdTypeArray* originalCells, std::int64_t firstCell,
     const Progress& progress);

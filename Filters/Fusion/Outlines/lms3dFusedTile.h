@@ -24,7 +24,7 @@ struct lms3dFusedTile
   static constexpr int Size = 32;
 
   /// The number of the tile along an axis with a block. Tiles are shifted by half of their size,
-  /// since many planes end at the axes of the world.
+  /// so that the first cell, where the plane was seen first, lies in the middle of a tile.
   static std::int32_t GetTileOf(std::int32_t block) { return (block + Size / 2) >> 5; }
 
   /// The tile with all cells of its plane.

@@ -18,8 +18,10 @@ class lms3dPlaneFrame
 {
 public:
   /// A plane through a point with a normal of length 1. `cell` is the size of a cell, metres. Walls
-  /// have horizontal rows, so the raster follows the edges of most rooms. The first cell
-  /// is near the foot of `middle`, whole blocks from the foot of the world's origin.
+  /// have horizontal rows, so the raster follows the edges of most rooms. The first cell is near
+  /// the foot of `middle`, whole blocks from the foot of the world's origin. If it were farther than
+  /// 1e8 cells away along an axis, it is at the world's origin there, so that 32 bits can number all
+  /// cells.
   lms3dPlaneFrame(
     const lms3dVector& point, const lms3dVector& normal, double cell, const lms3dVector& middle)
     : Offset(lms3dDot(normal, point))
@@ -28,8 +30,8 @@ public:
     , U(lms3dNormalize(std::abs(normal[2]) > 0.9 ? lms3dCross({ 0.0, 1.0, 0.0 }, normal)
                                                  : lms3dCross({ 0.0, 0.0, 1.0 }, normal)))
     , V(lms3dCross(normal, this->U))
-    , Origin({ Step * std::round(lms3dDot(this->U, middle) / (Step * cell)),
-        Step * std::round(lms3dDot(this->V, middle) / (Step * cell)) })
+    , Origin({ GetOrigin(lms3dDot(this->U, middle) / cell),
+        GetOrigin(lms3dDot(this->V, middle) / cell) })
   {
   }
 
@@ -73,6 +75,13 @@ public:
 private:
   /// Cells: the size of a block.
   static constexpr double Step = lms3dRaster::Size;
+  /// Cells.
+  static constexpr double FarthestOrigin = 1e8;
+
+  static double GetOrigin(double middle)
+  {
+    return std::abs(middle) <= FarthestOrigin ? Step * std::round(middle / Step) : 0.0;
+  }
 
   double Offset;
   double Cell;

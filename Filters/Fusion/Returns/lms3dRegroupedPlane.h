@@ -15,8 +15,8 @@
 #include <vector>
 
 /// Returns the number of a new, weak plane for the returns of a group, without surface and returns.
-/// If one of the old planes is nearly the same, the new one has its tiles at the same places, so no
-/// other tiles make the triangles fewer.
+/// If one of the old planes is nearly the same, the new one has its tiles at nearly the same
+/// places, so that it does not have fewer triangles only because of other tiles.
 int lms3dMakeRegroupedPlane(
   const lms3dReturnGroup& group, const std::vector<int>& oldPlanes, lms3dFusedPlanes& planes);
 

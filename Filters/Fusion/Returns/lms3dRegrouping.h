@@ -19,8 +19,8 @@
  * The returns of all scans do: they are grouped anew, and the groups become planes, if these have
  * fewer triangles than the weak planes whose returns they are. Only a few places are looked at
  * after each scan, first where planes have gained the most triangles. If a place fails, the plane
- * at which it began begins no other one until it has more triangles; its neighbours may begin places
- * of their own, which have other neighbours.
+ * at which it began begins no other one until it has more triangles. Its neighbours may begin
+ * places of their own, which have other neighbours.
  */
 class lms3dRegrouping
 {

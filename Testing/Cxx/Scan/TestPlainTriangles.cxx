@@ -203,6 +203,10 @@ TEST(PlainTriangles, AreRefusedWithBrokenOffsets)
     lms3dTriangleMesh mesh = surface.MakeMesh();
     EXPECT_FALSE(surface.AppendPlain(mesh));
     EXPECT_TRUE(mesh.Triangles.empty());
+    if (gap > 3)
+    {
+      EXPECT_THROW(Collect({ surface.Get() }), std::runtime_error);
+    }
   }
 }
 
