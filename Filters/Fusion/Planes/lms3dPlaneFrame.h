@@ -19,9 +19,9 @@ class lms3dPlaneFrame
 public:
   /// A plane through a point with a normal of length 1. `cell` is the size of a cell, metres. Walls
   /// have horizontal rows, so the raster follows the edges of most rooms. The first cell is near
-  /// the foot of `middle`, whole blocks from the foot of the world's origin. If it were farther than
-  /// 1e8 cells away along an axis, it is at the world's origin there, so that 32 bits can number all
-  /// cells.
+  /// the foot of `middle`, whole blocks from the foot of the world's origin. Along an axis on which
+  /// this would be more than 1e8 cells, it is at the foot of the origin, so that 32 bits can number
+  /// all cells.
   lms3dPlaneFrame(
     const lms3dVector& point, const lms3dVector& normal, double cell, const lms3dVector& middle)
     : Offset(lms3dDot(normal, point))
