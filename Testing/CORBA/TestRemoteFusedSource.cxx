@@ -65,6 +65,8 @@ TEST(RemoteFusedSource, TheFusedMapComesWithTheSameScanAfterReconnecting)
   ServerProcess server({ "--fused-map", "0.02", "--rate", "0.01" });
   NetworkLine line(server.GetCorbaloc());
   WatchingSource source(line.GetCorbaloc());
+  // With sanitizers, the first scan and its map take more than the default.
+  source->SetTimeout(10.0);
   source->Update();
   ASSERT_EQ(source.GetNumber("ScanNumber"), 1U);
   source->FetchFusedMapOn();
