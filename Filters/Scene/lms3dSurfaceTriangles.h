@@ -46,8 +46,8 @@ public:
    * Skips cells that vtkGhostType marks as HIDDENCELL, and cells with a coordinate that is not
    * finite or exceeds 1e18 m. Returns false if `progress` stopped the work; the mesh is then
    * incomplete. Triangles that lms3dAppendPlainTriangles appends come before the first report.
-   * Throws std::runtime_error, with a text for the user, if a cell uses a missing point, if offsets
-   * of cells are broken, or if there are too many points or triangles.
+   * Throws std::runtime_error, with a text for the user, if a cell uses a missing point, if the
+   * cells' offsets are not in order, or if there are too many points or triangles.
    */
   bool Append(vtkPolyData* surface, vtkIdTypeArray* originalCells, std::int64_t firstCell,
     const Progress& progress);

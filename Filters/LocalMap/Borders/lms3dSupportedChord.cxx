@@ -36,7 +36,8 @@ double lms3dSupportedChord::FindEnd(double maximum) const
   return within;
 }
 
-// Without branches.
+// Does not call lms3dRangeInterval::Contains(): FindEnd() needs the results of three positions at
+// once, so no branch may depend on a part of a condition.
 bool lms3dSupportedChord::IsSupported(double at) const
 {
   // The distance of the point on the chord from the sensor.
