@@ -20,7 +20,7 @@ PARTS = {
     "scan": ("scan", *OURS, "--scenes", "room", "castle", "teapot", "terrain1e6"),
     "methods": ("scan", "--scenes", "room", "teapot",
                 "--methods", "AngleSum", "MollerTrumbore", "StaticCellLocator"),
-    "first": ("first", "--quick", "--scenes", "terrain1e6"),
+    "first": ("first", "--scenes", "terrain1e6"),
     "read": ("read", "--scenes", "terrain1e6", "terrain1e7"),
 }
 PARTS_WHEN_QUICK = {
