@@ -275,14 +275,15 @@ public:
    *
    * FAST: Embree's single precision decides. The range is then computed in double precision in the
    * plane of the triangle that Embree found, to about 13 digits; at a grazing angle as many digits
-   * are lost as the cosine of the incidence has zeros. For previews and live use. A beam within
-   * about 1e-6 of the scene's size from an edge can be given to the wrong side of the edge. If
-   * poses and scene lie on a common grid, so that beams run along edges and through silhouettes,
-   * some beams are lost or see what lies behind. The same holds for beams near a needle that points
-   * at the sensor, for a few of the beams within 1e-4 radians of a surface, and for one in a
-   * thousand of the beams that hit an edge with a surface behind it. In the half space that a
-   * sensor on a surface sees through that surface, it gets no return, or ranges as small as
-   * rounding. Triangles without area are never hit.
+   * are lost as the cosine of the incidence has zeros. For previews of scenes of hundreds of
+   * thousands of triangles and more; in smaller scenes EXACT is quicker. A beam within about 1e-6
+   * of the scene's size from an edge can be given to the wrong side of the edge. If poses and scene
+   * lie on a common grid, so that beams run along edges and through silhouettes, some beams are
+   * lost or see what lies behind. The same holds for beams near a needle that points at the sensor,
+   * for a few of the beams within 1e-4 radians of a surface, and for one in a thousand of the beams
+   * that hit an edge with a surface behind it. In the half space that a sensor on a surface sees
+   * through that surface, it gets no return, or ranges as small as rounding. Triangles without area
+   * are never hit.
    *
    * The other methods are for comparison. They are tens to thousands of times slower.
    *

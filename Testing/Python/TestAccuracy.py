@@ -15,7 +15,7 @@ TEXTS = {name: " ".join((ROOT / name).read_text(encoding="utf-8").split())
 # What the texts choose rather than measure.
 PARAMETERS = {"5 %", "1 mm", "5 mm", "10 mm", "20 mm", "804 triangles", "988 triangles",
               "1,000,000 triangles", "10,000,000 triangles", "100,000 triangles",
-              "261,120 triangles", "5,000 triangles"}
+              "200,000 triangles", "261,120 triangles", "5,000 triangles"}
 
 
 class TextTest(unittest.TestCase):
@@ -123,14 +123,13 @@ class CasterTest(unittest.TestCase):
             "vtkStaticCellLocator", "vtkStaticCellLocator at 0", "vtkCellLocator",
             "vtkCellTreeLocator", "vtkModifiedBSPTree", "vtkOBBTree", "Open3D", "embreex", "trimesh"})
 
-    def test_exact_errs_nowhere_and_fast_is_quicker_on_the_hills(self):
+    def test_exact_errs_nowhere_and_is_quicker_than_fast(self):
         fast, exact = self.timed("Fast"), self.timed("Exact")
         self.assertEqual(set(fast), {"room", "teapot", "terrain1e5"})
         self.assertEqual(set(exact), set(fast))
         for scene, row in exact.items():
             self.assertEqual(float(row["worst error"]), 0.0, row)
-        self.assertLess(float(fast["terrain1e5"]["ns/beam"]),
-                        float(exact["terrain1e5"]["ns/beam"]))
+            self.assertLess(float(row["ns/beam"]), float(fast[scene]["ns/beam"]), row)
 
     def test_every_other_caster_that_is_quicker_errs_more(self):
         for name in ("Exact", "Fast"):
@@ -143,9 +142,8 @@ class CasterTest(unittest.TestCase):
 
     def test_what_speaks_against_our_casters_holds(self):
         packets, trimesh = self.timed("Embree robust packets"), self.timed("trimesh")
-        for scene in ("room", "terrain1e5"):
-            self.assertLess(float(packets[scene]["ns/beam"]),
-                            float(self.timed("Exact")[scene]["ns/beam"]), scene)
+        self.assertLess(float(packets["terrain1e5"]["ns/beam"]),
+                        float(self.timed("Exact")["terrain1e5"]["ns/beam"]))
         self.assertLess(float(trimesh["room"]["worst error"]),
                         float(self.timed("Fast")["room"]["worst error"]))
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables S: scans, building and reading; and what performance.md and the README say of maps."""
 
-from claims.values import (PERFORMANCE, QUADRICS, README, TABLES, Claim, bounded, first, grid,
-                           kernels, local_map, make_spread, ratios, scan)
+from claims.values import (GUIDE, PERFORMANCE, QUADRICS, README, TABLES, Claim, bounded, first,
+                           grid, kernels, local_map, make_spread, ratios, scan)
 
 BEAMS = 361 * 360
 README_SCENES = ("room", "castle", "teapot", "terrain1e6")
@@ -33,7 +33,8 @@ def make_scan_claims():
     small += [scan(scene, "Exact", "x raw", part="scan") for scene in ("room", "castle")]
     fast_errors = [scan(scene, "Fast", "worst error") for scene in SCENES]
     fast_errors += [scan(scene, "Fast", "worst error", part="scan") for scene in README_SCENES]
-    long_scans = [scene for scene in SCENES if scan(scene, "Exact") > 2.3]
+    exact_to_fast = [scan(scene, "Exact") / scan(scene, "Fast") for scene in (*SMALL, "terrain1e5")]
+    long_scans = [scene for scene in SCENES if scan(scene, "Exact") > 1]
     return [
         *make_spread(PERFORMANCE, "`Exact` takes less time than raw packets in the room, in the "
                      "castle, at the teapot and on hills of up to 10,000 triangles",
@@ -47,13 +48,13 @@ def make_scan_claims():
         *make_spread(PERFORMANCE, "It is quicker than `Exact` in the ball and from 1,000,000 "
                      "triangles on",
                      [scan(scene, "Fast") / scan(scene, "Exact") for scene in LARGE], 0.5, 1),
-        *make_spread(PERFORMANCE, "in the other scenes `Exact` takes less time",
-                     [scan(scene, "Exact") / scan(scene, "Fast")
-                      for scene in (*SMALL, "terrain1e5")], 0.3, 1),
+        *make_spread(PERFORMANCE, "in the other scenes `Exact` takes less time", exact_to_fast,
+                     0.3, 1),
+        *make_spread(GUIDE, "slower than `Fast` (in smaller scenes faster)", exact_to_fast, 0.3, 1),
         *make_spread(PERFORMANCE, "`Fast` errs by less than 1e-14", fast_errors, 0, 1e-14),
         *make_spread(README, "`Fast` errs by less than 1e-14", fast_errors, 0, 1e-14),
         *make_spread(PERFORMANCE, "Two threads are about twice as fast as one",
-                     get_speed_ups(long_scans), 1.85, 2.35),
+                     get_speed_ups(long_scans), 1.87, 2.35),
         *make_spread(PERFORMANCE, "at the teapot 1.6 times", get_speed_ups(["teapot"]), 1.5, 1.7),
         *make_spread(README, "two threads take about half the time",
                      get_speed_ups(["room", "castle", "terrain1e6"], "scan"), 1.75, 2.35),
@@ -115,13 +116,13 @@ def make_claims():
               0.83, 0.845),
         Claim(PERFORMANCE, "up to 0.84 and 1.18 GB", scan("terrain1e7", "Fast", "peak MB") / 1000,
               1.175, 1.185),
-        *make_spread(PERFORMANCE, "AVX2 takes up to three quarters less time than SSE2",
+        *make_spread(PERFORMANCE, "AVX2 takes up to about three quarters less time than SSE2",
                      ratios(lambda scene: kernels("AVX2", scene),
                             lambda scene: kernels("Baseline", scene), scenes), 0.24, 1),
-        *make_spread(PERFORMANCE, "AVX-512 up to a third less than AVX2",
+        *make_spread(PERFORMANCE, "AVX-512 up to a fifth less than AVX2",
                      ratios(lambda scene: kernels("AVX512", scene),
                             lambda scene: kernels("AVX2", scene),
-                            (*scenes, "castle", "terrain1e6")), 0.65, 1),
+                            (*scenes, "castle", "terrain1e6")), 0.78, 1),
         *(claim for name, phrase, most in (
             ("Baseline", "less than three quarters of the time of raw packets with SSE2", 0.75),
             ("AVX2", "less than three fifths with AVX2", 0.6))
