@@ -18,6 +18,8 @@ constexpr double SmallestCosine = 0.1;
 constexpr double SmallestSineOfTurn = 0.1;
 // The sine of half the angle of the sharpest corner that is made.
 constexpr double SmallestSineOfCorner = 0.06;
+// Less than the squared cosine of the turn at such a corner.
+constexpr double SmallestSquaredCosine = 0.9;
 // If more than two corners become one, lines go through each end and this number of the corners
 // next to it.
 constexpr std::size_t LinesOfEnd = 2;
@@ -31,6 +33,14 @@ lms3dPoint2 GetRight(const lms3dPoint2& a, const lms3dPoint2& b)
   const double v = b[1] - a[1];
   const double length = std::hypot(u, v);
   return { v / length, -u / length };
+}
+
+// Whether the angle between two ways may be nearly two right angles.
+bool MayTurnBack(const lms3dPoint2& a, const lms3dPoint2& b)
+{
+  const double dot = a[0] * b[0] + a[1] * b[1];
+  const double squares = (a[0] * a[0] + a[1] * a[1]) * (b[0] * b[0] + b[1] * b[1]);
+  return dot < 0.0 && dot * dot >= SmallestSquaredCosine * squares;
 }
 
 using Line = std::array<lms3dPoint2, 2>;
@@ -104,10 +114,16 @@ std::vector<lms3dPoint2> lms3dFindWaysOutwards(const std::array<lms3dPoint2, 3>&
   return ways;
 }
 
+// Corners that are far from sharp need no lengths.
 bool lms3dIsSharpCorner(const std::array<lms3dPoint2, 3>& corners)
 {
-  const lms3dPoint2 first = GetRight(corners[0], corners[1]);
-  const lms3dPoint2 second = GetRight(corners[1], corners[2]);
-  return lms3dGetOrientation(corners[0], corners[1], corners[2]) > 0 &&
-    std::hypot(first[0] + second[0], first[1] + second[1]) < 2.0 * SmallestSineOfCorner;
+  const auto& [a, b, c] = corners;
+  if (!MayTurnBack({ b[0] - a[0], b[1] - a[1] }, { c[0] - b[0], c[1] - b[1] }) ||
+    lms3dGetOrientation(a, b, c) <= 0)
+  {
+    return false;
+  }
+  const lms3dPoint2 first = GetRight(a, b);
+  const lms3dPoint2 second = GetRight(b, c);
+  return std::hypot(first[0] + second[0], first[1] + second[1]) < 2.0 * SmallestSineOfCorner;
 }

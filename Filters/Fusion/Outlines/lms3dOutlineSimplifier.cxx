@@ -28,21 +28,27 @@ lms3dOutlineSimplifier::lms3dOutlineSimplifier(
 }
 
 // The square of the largest distance of a corner, and of those that went beside it, from the line
-// that would take their place.
-double lms3dOutlineSimplifier::GetCost(Corner corner) const
+// that would take their place; or a square above the limit. The corner itself is often the
+// farthest.
+double lms3dOutlineSimplifier::GetCost(Corner corner, double limit) const
 {
   const Corner from = this->Corners.GetPrevious(corner);
   const Corner to = this->Corners.GetNext(corner);
   const lms3dSegment2 line(this->Corners[from], this->Corners[to]);
-  const double cost = this->Corners.GetDeviation(from, to, this->Tolerance,
-    [&](const lms3dPoint2& point) { return line.GetSquaredDistance(point); });
-  const bool isOnLine = line.GetSquaredDistance(this->Corners[corner]) <= OnLine;
-  return this->Corners.IsFixed(corner) && !isOnLine ? Infinite : cost;
+  if (this->Corners.IsFixed(corner) && line.GetSquaredDistance(this->Corners[corner]) > OnLine)
+  {
+    return Infinite;
+  }
+  const double ofFirst = line.GetSquaredDistance(this->Corners.GetFirstPoint(corner));
+  return ofFirst > limit
+    ? ofFirst
+    : this->Corners.GetDeviation(
+        from, to, limit, [&](const lms3dPoint2& point) { return line.GetSquaredDistance(point); });
 }
 
 void lms3dOutlineSimplifier::Queue(Corner corner)
 {
-  const double cost = this->GetCost(corner);
+  const double cost = this->GetCost(corner, this->Tolerance);
   ++this->Versions[corner];
   if (cost <= this->Tolerance)
   {
@@ -111,7 +117,7 @@ void lms3dOutlineSimplifier::RemoveSteps()
   for (Corner corner = 0; corner < this->Corners.GetSize(); ++corner)
   {
     if (!this->Corners.HasGone(corner) && !this->Corners.IsOfTriangle(corner) &&
-      this->GetCost(corner) <= ToleranceOfSteps && this->MayGo(corner))
+      this->GetCost(corner, ToleranceOfSteps) <= ToleranceOfSteps && this->MayGo(corner))
     {
       this->Remove(corner);
     }
@@ -122,7 +128,8 @@ void lms3dOutlineSimplifier::FindCandidates()
 {
   for (Corner corner = 0; corner < this->Corners.GetSize(); ++corner)
   {
-    const double cost = this->Corners.HasGone(corner) ? Infinite : this->GetCost(corner);
+    const double cost =
+      this->Corners.HasGone(corner) ? Infinite : this->GetCost(corner, this->Tolerance);
     if (cost <= this->Tolerance)
     {
       this->Candidates.AddFirst({ cost, corner, 0 });

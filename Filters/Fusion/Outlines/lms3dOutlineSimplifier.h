@@ -39,7 +39,7 @@ private:
   void RemoveSteps();
   void FindCandidates();
   void Queue(Corner corner);
-  double GetCost(Corner corner) const;
+  double GetCost(Corner corner, double limit) const;
   bool MakesSharpCorner(Corner corner) const;
   bool MayGo(Corner corner) const;
   bool IsEmpty(const Triangle& triangle, Corner corner) const;
