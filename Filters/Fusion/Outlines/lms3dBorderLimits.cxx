@@ -36,15 +36,34 @@ bool lms3dBorderLimits::IsNearRegion(const lms3dPoint2& point) const
       lms3dGetCellOf(point[1] + FarthestBorder) });
 }
 
+// The triangles of successive tries are nearly the same, so the row that decided last comes first.
 bool lms3dBorderLimits::MayGain(const Triangle& triangle) const
 {
   const lms3dCellBox box = lms3dGetTouchedBox(triangle);
-  return (!this->Region.HasAny(&lms3dRegionBlock::Passed, box) && this->Region.HasBlocks(box)) ||
-    lms3dForTouchedStrips(triangle,
-      [&](const lms3dCellStrip& strip)
+  const bool mayHavePassed = this->Region.HasAny(&lms3dRegionBlock::Passed, box);
+  if (!mayHavePassed && this->Region.HasBlocks(box))
+  {
+    return true;
+  }
+  if (mayHavePassed && box.Bottom <= this->PassedRow && this->PassedRow <= box.Top &&
+    this->Region.HasAny(
+      &lms3dRegionBlock::Passed, lms3dGetTouchedStrip(triangle, this->PassedRow, this->PassedRow)))
+  {
+    return false;
+  }
+  return lms3dForTouchedStrips(triangle,
+    [this](const lms3dCellStrip& strip)
+    { return this->Region.HasBlocks(strip) && !this->HasPassed(strip); });
+}
+
+bool lms3dBorderLimits::HasPassed(const lms3dCellStrip& strip) const
+{
+  return this->Region.HasAny(&lms3dRegionBlock::Passed, strip) &&
+    !lms3dForRows(strip,
+      [this](std::int32_t row, std::int32_t first, std::int32_t last)
       {
-        return this->Region.HasBlocks(strip) &&
-          !this->Region.HasAny(&lms3dRegionBlock::Passed, strip);
+        this->PassedRow = row;
+        return !this->Region.HasAny(&lms3dRegionBlock::Passed, row, first, last);
       });
 }
 

@@ -12,6 +12,8 @@
 #include "Triangulation/lms3dOrientation.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 /**
@@ -50,6 +52,7 @@ private:
   using Returns = std::vector<lms3dPoint2>;
 
   bool MayGain(const Triangle& triangle) const;
+  bool HasPassed(const lms3dCellStrip& strip) const;
   bool MayCutOff(const lms3dPoint2& place) const;
   bool MayChange(const Triangle& triangle, const lms3dCornerMerge& merge) const;
   void AddReturns(const Triangle& triangle, Returns& returns) const;
@@ -61,6 +64,8 @@ private:
   const double Reach;
   /// The centres of the cells of returns that each edge has cut off.
   std::vector<Returns> CutOff;
+  /// The row in which MayGain() found a beam last. It spares work and changes no result.
+  mutable std::int32_t PassedRow = std::numeric_limits<std::int32_t>::min();
 };
 
 #endif
