@@ -174,6 +174,18 @@ void lms3dCellWindow::Widen()
   WidenBoth(1, this->Left, this->Right);
 }
 
+// Shifts that add up to the number of steps.
+lms3dCellWindow lms3dCellWindow::GetReachOfRace() const
+{
+  static_assert(1 + 2 + 4 + 8 == Reach - 1);
+  lms3dCellWindow reached = *this;
+  for (const int shift : { 1, 2, 4, 8 })
+  {
+    WidenBoth(shift, reached.Left, reached.Right);
+  }
+  return reached;
+}
+
 // A step without a change of either kind is the last one.
 void lms3dCellWindow::Race(
   lms3dCellWindow undecided, lms3dCellWindow& first, lms3dCellWindow& second)

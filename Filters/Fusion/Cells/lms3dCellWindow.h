@@ -33,6 +33,9 @@ public:
   /// Adds the eight neighbours of each cell.
   void Widen();
 
+  /// Returns all cells that Race() can give to these cells, and some more.
+  lms3dCellWindow GetReachOfRace() const;
+
   /// Widens two sides, which share no cell, step by step until they meet. A cell that both reach
   /// with one step stays without a side. Four neighbours and eight take turns: octagons are nearly
   /// round. Stops as soon as each cell of `undecided` has a side.

@@ -100,6 +100,27 @@ lms3dBits GetSureReturns(const Around& around)
   return sure;
 }
 
+// The cells of the block whose side decides on the shape: gaps that returns may take, and cells of
+// the region that beams may take.
+lms3dCellWindow FindUndecided(const lms3dCellWindow& gaps, const lms3dCellWindow& region,
+  const lms3dCellWindow& returns, const lms3dCellWindow& beams)
+{
+  lms3dCellWindow undecided;
+  undecided.Add(0, 0, gaps.GetMiddle());
+  if (undecided.HasCells())
+  {
+    undecided &= returns.GetReachOfRace();
+  }
+  if (beams.HasCells())
+  {
+    lms3dCellWindow taken;
+    taken.Add(0, 0, region.GetMiddle());
+    taken &= beams.GetReachOfRace();
+    undecided |= taken;
+  }
+  return undecided;
+}
+
 // Finds May and the disputed squares of a region.
 lms3dRegionCells FindRegion(const Around& around)
 {
@@ -118,14 +139,8 @@ lms3dRegionCells FindRegion(const Around& around)
   disputed -= passed;
   near -= region;
   returns -= passed;
-  lms3dCellWindow undecided;
-  undecided.Add(0, 0, near.GetMiddle());
-  if (passed.HasCells())
-  {
-    undecided.Add(0, 0, region.GetMiddle());
-  }
   lms3dCellWindow beams = passed;
-  lms3dCellWindow::Race(undecided, returns, beams);
+  lms3dCellWindow::Race(FindUndecided(near, region, returns, passed), returns, beams);
   near &= returns;
   region -= beams;
   region |= near;
