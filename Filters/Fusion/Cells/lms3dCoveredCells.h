@@ -12,21 +12,21 @@
 #include <algorithm>
 #include <cstdint>
 
-/// Cells: from the farthest point of a cell to the centre of a cell that is 2 and 1 cells away.
-inline constexpr double lms3dFarCoveredDistance = 2.9154759474226504;
+/// Cells: from the farthest point of a cell to the centre of a cell that is 1 and 1 cells away.
+inline constexpr double lms3dNearCoveredDistance = 2.1213203435596424;
 
 /// How many cells away from a return a covered cell may be, so that the return is within the bound:
 /// 2 (but not along both axes), 1 or 0. `deviation` is the return's distance from the plane; all
 /// lengths are in metres.
 inline int lms3dGetCoveredReach(double deviation, double cell, double maximumError)
 {
-  // Cells: the same for a cell that is 1 and 1 cells away.
-  constexpr double NearDistance = 2.1213203435596424;
+  // Cells: the same for a cell that is 2 and 1 cells away.
+  constexpr double FarDistance = 2.9154759474226504;
   const auto isWithin = [&](double distance)
   {
     return deviation * deviation + distance * distance * cell * cell <= maximumError * maximumError;
   };
-  return isWithin(lms3dFarCoveredDistance) ? 2 : (isWithin(NearDistance) ? 1 : 0);
+  return isWithin(FarDistance) ? 2 : (isWithin(lms3dNearCoveredDistance) ? 1 : 0);
 }
 
 /// Whether a cell within a reach of lms3dGetCoveredReach() is covered. Only the cells of `tile`

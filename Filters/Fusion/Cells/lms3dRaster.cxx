@@ -121,6 +121,7 @@ void lms3dRaster::Forget(const lms3dCellStrip& strip)
       block.Must[row] &= ~bits;
       block.Beside[row] &= ~bits;
       block.Far[row] &= ~bits;
+      block.Halfway[row] &= ~bits;
       this->AddChanges(number, &lms3dChangedSquares::Less, row, gone);
     });
 }

@@ -24,6 +24,9 @@ struct lms3dRasterBlock : lms3dRegionBlock
   lms3dBits Guess = {};
   /// Here is a place between beams that all passed, without a return among them.
   lms3dBits Open = {};
+  /// A return lies here that a covered cell explains only if it is at most one cell away. Far says
+  /// that only the cell itself explains a return.
+  lms3dBits Halfway = {};
   /// A return lies here that the mesh explains, but that the region need not grow to.
   lms3dBits Beside = {};
   /// The region covers the cell, before its borders are straightened: now, and when the mesh was
@@ -50,8 +53,6 @@ struct lms3dRasterBlock : lms3dRegionBlock
   bool IsCalm = false;
   /// How well BestScan saw the block: larger is better.
   double Quality = 0.0;
-  /// The largest distance of a return in Far from the plane, metres.
-  double Deviation = 0.0;
   /// What changed since lms3dMarkDependents().
   lms3dChangedSquares Changes;
 
@@ -68,6 +69,14 @@ struct lms3dRasterBlock : lms3dRegionBlock
   int DifferenceAtCreases = 0;
   /// How many cells of creases are new since the mesh was made.
   int NewCreaseCells = 0;
+
+  /// The smallest lms3dGetCoveredReach() of the returns in a cell.
+  int GetCoveredReach(int row, int column) const
+  {
+    const std::uint64_t far = this->Far[row] >> column & 1U;
+    const std::uint64_t halfway = this->Halfway[row] >> column & 1U;
+    return 2 - static_cast<int>(far + halfway);
+  }
 };
 
 template <>

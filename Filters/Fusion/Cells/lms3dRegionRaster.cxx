@@ -159,7 +159,7 @@ lms3dRegion lms3dCopySureReturns(const lms3dRaster& raster, const std::vector<in
     const lms3dRasterBlock& block = raster.GetBlock(number);
     lms3dRegionBlock& cells = region.GetBlock(region.Make(block.U, block.V));
     cells.Must = GetSureReturns(FindAround(raster, number));
-    for (int row = 0; block.Deviation > 0.0 && row <= Last; ++row)
+    for (int row = 0; row <= Last; ++row)
     {
       cells.Far[row] = cells.Must[row] & block.Far[row];
     }

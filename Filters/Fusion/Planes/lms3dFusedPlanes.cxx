@@ -17,8 +17,6 @@ namespace
 constexpr double CellsPerBound = 3.0;
 // Bounds: the size of the cubes in which planes are looked for.
 constexpr double CubeShare = 50.0;
-// Cells: how far a covered cell may be from a return in the plane.
-constexpr int LargestReach = 2;
 // A weak plane with more returns is not weak any more.
 constexpr std::size_t LargestWeakCount = 20000;
 
@@ -154,12 +152,13 @@ bool lms3dFusedPlanes::IsCovered(
   const lms3dFusedPlane& plane, const lms3dRasterBlock& block, std::int32_t u, std::int32_t v) const
 {
   const int row = lms3dRaster::GetPlaceOf(v);
-  const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(u);
-  if (block.IsAllCovered || (block.Covered[row] & bit) != 0)
+  const int column = lms3dRaster::GetPlaceOf(u);
+  if (block.IsAllCovered || (block.Covered[row] >> column & 1U) != 0)
   {
     return true;
   }
-  return this->IsCovered(plane, u, v, (block.Far[row] & bit) != 0 ? block.Deviation : 0.0);
+  return lms3dIsCovered(
+    plane.Raster, plane.GetCellsOfTile(u, v), u, v, block.GetCoveredReach(row, column));
 }
 
 bool lms3dFusedPlanes::AddReturn(int number, const lms3dMappedReturn& mapped)
@@ -199,12 +198,11 @@ void lms3dFusedPlanes::NoteReturn(lms3dFusedPlane& plane, int blockNumber,
   }
   lms3dRasterBlock& block = plane.Raster.GetBlock(blockNumber);
   const double height = std::abs(plane.Frame.GetHeight(mapped.Point));
-  if (lms3dGetCoveredReach(height, this->Cell, this->MaximumError) < LargestReach)
-  {
-    block.Far[lms3dRaster::GetPlaceOf(lms3dGetCellOf(place[1]))] |= std::uint64_t{ 1 }
-      << lms3dRaster::GetPlaceOf(lms3dGetCellOf(place[0]));
-    block.Deviation = std::max(block.Deviation, height);
-  }
+  const int reach = lms3dGetCoveredReach(height, this->Cell, this->MaximumError);
+  const int row = lms3dRaster::GetPlaceOf(lms3dGetCellOf(place[1]));
+  const std::uint64_t bit = std::uint64_t{ 1 } << lms3dRaster::GetPlaceOf(lms3dGetCellOf(place[0]));
+  block.Halfway[row] |= reach <= 1 ? bit : 0;
+  block.Far[row] |= reach == 0 ? bit : 0;
   if (See(mapped, plane.Frame.GetNormal(), scan, block))
   {
     plane.Raster.SetMark(blockNumber, lms3dRaster::SEEN);
@@ -221,7 +219,7 @@ void lms3dFusedPlanes::AddBeside(int number, const lms3dMappedReturn& mapped)
   plane.Raster.GetBlock(block).Beside[lms3dRaster::GetPlaceOf(v)] |= std::uint64_t{ 1 }
     << lms3dRaster::GetPlaceOf(u);
   this->NoteReturn(plane, block, mapped, place);
-  // The mesher takes the farthest return of a block for all of its far returns.
+  // The mesher takes the farthest return of a cell for all of its returns.
   if (!this->IsCovered(plane, plane.Raster.GetBlock(block), u, v))
   {
     plane.Raster.SetMark(block, lms3dRaster::STALE);

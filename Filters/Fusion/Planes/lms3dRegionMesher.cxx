@@ -26,7 +26,7 @@ constexpr double BorderShare = 6.0;
 // Borders move outwards in the end, so few returns stay cut off.
 constexpr double ReachOfBorder = 1.2;
 constexpr double HalfDiagonal = 0.70710678118654752;
-static_assert(ReachOfBorder + HalfDiagonal < lms3dFarCoveredDistance,
+static_assert(ReachOfBorder + HalfDiagonal < lms3dNearCoveredDistance,
   "A return that is cut off must be within the bound of the border");
 
 /// Makes the mesh of one tile.
@@ -184,9 +184,6 @@ private:
       {
         continue;
       }
-      const double cell = this->Plane.Frame.GetCell();
-      const int reachOfFar = lms3dGetCoveredReach(block.Deviation, cell, this->MaximumError);
-      const int reachOfOthers = lms3dGetCoveredReach(0.0, cell, this->MaximumError);
       for (int row = 0; row < lms3dRaster::Size; ++row)
       {
         const std::uint64_t own = addsToOwn ? block.Must[row] : 0;
@@ -196,8 +193,8 @@ private:
           const int place = lms3dGetFirstBit(open);
           const std::int32_t u = block.U * lms3dRaster::Size + place;
           const std::int32_t v = block.V * lms3dRaster::Size + row;
-          const int reach = (block.Far[row] >> place & 1U) != 0 ? reachOfFar : reachOfOthers;
-          if (!lms3dIsCovered(this->Region, this->Tile.GetCells(), u, v, reach))
+          if (!lms3dIsCovered(
+                this->Region, this->Tile.GetCells(), u, v, block.GetCoveredReach(row, place)))
           {
             this->AddFacet({ u + 0.5, v + 0.5 });
             this->Tile.Facets.push_back({ u, v });

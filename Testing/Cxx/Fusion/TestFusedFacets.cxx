@@ -38,11 +38,12 @@ struct SmallPlane
     this->Plane.Raster.GetBlock(0).Tile = 0;
   }
 
-  /// Adds a return in the middle of a cell of the row.
-  void AddBeside(std::int32_t column)
+  /// Adds a return above the middle of a cell of the row, at a height in metres.
+  void AddBeside(std::int32_t column, double height = 0.0)
   {
     lms3dMappedReturn mapped;
     mapped.Point = this->Plane.Frame.ToWorld({ column + 0.5, Row + 0.5 });
+    mapped.Point[2] += height;
     mapped.Direction = { 0.0, 0.0, -1.0 };
     mapped.Range = 2.0;
     mapped.BeamId = column;
@@ -90,6 +91,31 @@ TEST(LMS3DFusedFacets, AreAtReturnsThatNoLaterMeshCovers)
   const lms3dFusedTile& tile = scene.MakeMesh();
   EXPECT_EQ(tile.Facets, (std::vector<lms3dFusedTile::Cell>{ { 15, Row } }));
   EXPECT_EQ(tile.Mesh.Triangles.size(), 1U);
+}
+
+/// A beam passed beside the region, so the region ends there. A cell beside it has a return that
+/// the region explains, although another return of the block is much farther from the plane.
+TEST(LMS3DFusedFacets, AreAtReturnsThatAreTooFarThemselves)
+{
+  for (const double height : { 0.6 * Bound, 0.8 * Bound })
+  {
+    SmallPlane scene;
+    scene.SetShape(true);
+    for (std::int32_t row = 0; row < 40; ++row)
+    {
+      scene.Plane.Raster.Pass(0, 25, row);
+    }
+    for (std::int32_t row = 5; row < 25; ++row)
+    {
+      scene.Plane.Raster.Set(&lms3dRasterBlock::Must, MakeStrip(row, 5, 23), true);
+    }
+    scene.MakeMesh();
+    scene.AddBeside(15, 0.95 * Bound);
+    scene.AddBeside(25, height);
+    const bool isFar = height > 0.7 * Bound;
+    EXPECT_EQ(scene.Plane.Raster.HasMark(0, lms3dRaster::STALE), isFar);
+    EXPECT_EQ(scene.MakeMesh().Facets.size(), isFar ? 1U : 0U);
+  }
 }
 
 TEST(LMS3DFusedFacets, GoWithReturnsThatAreForgotten)
