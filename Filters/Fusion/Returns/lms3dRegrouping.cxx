@@ -76,7 +76,13 @@ bool lms3dRegrouping::MakePlanes()
     [&](std::size_t i) { places[i].Groups = lms3dGroupReturns(places[i].Returns, bound); });
   for (Place& place : places)
   {
-    this->AddPlace(std::move(place));
+    lms3dFusedPlane& seed = this->Planes[place.OldPlanes.front()];
+    seed.RegroupedTriangles = seed.CountTriangles();
+    place.FindLeft();
+    for (Place& part : place.Split())
+    {
+      this->AddPlace(std::move(part));
+    }
   }
   this->FillPlanes();
   return std::any_of(this->Places.begin(), this->Places.end(),
@@ -104,10 +110,8 @@ lms3dRegrouping::Place lms3dRegrouping::FindPlace(int seed)
   const auto add = [&](int number)
   {
     this->Planes[number].DropForgotten();
-    const std::vector<lms3dMappedReturn>& returns = this->Planes[number].Returns;
-    place.OldPlanes.push_back(number);
+    place.AddOldPlane(number, this->Planes[number].Returns);
     this->IsTaken[number] = true;
-    place.Returns.insert(place.Returns.end(), returns.begin(), returns.end());
   };
   add(seed);
   const double gap = LargestGap * this->Planes.GetMaximumError();
@@ -123,31 +127,8 @@ lms3dRegrouping::Place lms3dRegrouping::FindPlace(int seed)
   return place;
 }
 
-// The returns without a group are left.
-void lms3dRegrouping::FindLeft(Place& place)
-{
-  std::vector<bool> isGrouped(place.Returns.size());
-  for (const lms3dReturnGroup& group : place.Groups)
-  {
-    for (const int i : group.Returns)
-    {
-      isGrouped[i] = true;
-    }
-  }
-  for (std::size_t i = 0; i < isGrouped.size(); ++i)
-  {
-    if (!isGrouped[i])
-    {
-      place.Left.push_back(static_cast<int>(i));
-    }
-  }
-}
-
 void lms3dRegrouping::AddPlace(Place&& place)
 {
-  lms3dFusedPlane& seed = this->Planes[place.OldPlanes.front()];
-  seed.RegroupedTriangles = seed.CountTriangles();
-  FindLeft(place);
   if (TrianglesOfPlane * place.Groups.size() + place.Left.size() <
     this->CountTriangles(place.OldPlanes))
   {

@@ -8,8 +8,8 @@
 #define lms3dRegrouping_h
 
 #include "Fusion/Planes/lms3dFusedPlanes.h"
+#include "Fusion/Returns/lms3dRegroupingPlace.h"
 #include "Fusion/Scans/lms3dBeamTable.h"
-#include "Fusion/Scans/lms3dReturnGroups.h"
 
 #include <cstddef>
 #include <vector>
@@ -18,9 +18,10 @@
  * Few beams of each scan meet a thing such as the leg of a chair, so that no scan shows its planes.
  * The returns of all scans do: they are grouped anew, and the groups become planes, if these have
  * fewer triangles than the weak planes whose returns they are. Only a few places are looked at
- * after each scan, first where planes have gained the most triangles. If a place fails, the plane
- * at which it began begins no other one until it has more triangles. Its neighbours may begin
- * places of their own, which have other neighbours.
+ * after each scan, first where planes have gained the most triangles. Planes of a place that have
+ * no group in common go or stay on their own. The plane at which a place began begins no other one
+ * until it has more triangles. Its neighbours may begin places of their own, which have other
+ * neighbours.
  */
 class lms3dRegrouping
 {
@@ -39,23 +40,13 @@ public:
   void Choose();
 
 private:
-  /// Neighbouring planes, their returns, and the planes that may take their place.
-  struct Place
-  {
-    std::vector<int> OldPlanes;
-    std::vector<lms3dMappedReturn> Returns;
-    std::vector<lms3dReturnGroup> Groups;
-    std::vector<int> NewPlanes;
-    /// The returns that are on no new plane.
-    std::vector<int> Left;
-  };
+  using Place = lms3dRegroupingPlace;
 
   bool IsCandidate(int number) const;
   std::size_t CountTriangles(const std::vector<int>& numbers) const;
   std::vector<int> FindSeeds() const;
   std::vector<Place> FindPlaces();
   Place FindPlace(int seed);
-  static void FindLeft(Place& place);
   void AddPlace(Place&& place);
   void FillPlanes();
   std::size_t CountFacets(const Place& place) const;

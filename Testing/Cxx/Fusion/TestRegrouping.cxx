@@ -140,6 +140,26 @@ TEST(LMS3DRegrouping, JoinsPlanesOfFewReturns)
   }
 }
 
+/// Two planes are in one place, two bounds from one another. The new plane has fewer triangles for
+/// one of them, and more for the other one.
+TEST(LMS3DRegrouping, ReplacesEachPlaneOnItsOwn)
+{
+  lms3dFusedPlanes planes(Bound);
+  const int first = AddWeakPlane(1.0, 20, 20, 20, planes);
+  const int second = AddWeakPlane(1.0 + 2.0 * Bound, 20, 20, 5, planes);
+  const lms3dTablesOfScans tables = MakeTables();
+  lms3dRegrouping regrouping(planes, tables);
+  ASSERT_TRUE(regrouping.MakePlanes());
+  ASSERT_EQ(planes.GetSize(), 4U);
+  SetTriangles(2, 2, planes);
+  SetTriangles(3, 30, planes);
+  regrouping.Choose();
+  EXPECT_TRUE(planes[first].HasGone);
+  EXPECT_FALSE(planes[2].HasGone);
+  EXPECT_FALSE(planes[second].HasGone);
+  EXPECT_TRUE(planes[3].HasGone);
+}
+
 /// Planes of two triangles are looked at, since several of them may become one. A single triangle
 /// is not worth it.
 TEST(LMS3DRegrouping, LooksAtPlanesOfTwoTriangles)
