@@ -20,9 +20,9 @@ struct lms3dRegroupingPlace
 
   void FindLeft();
 
-  /// Splits the place into parts, each of which can be replaced on its own: an old plane and a
-  /// group are in the same part if they have a return in common. The order stays. To be called
-  /// before there are new planes.
+  /// Splits the place into parts that can be replaced on their own: an old plane and a group are in
+  /// the same part if they have a return in common. The order stays. To be called before there are
+  /// new planes.
   std::vector<lms3dRegroupingPlace> Split() const;
 
   std::vector<int> OldPlanes;
