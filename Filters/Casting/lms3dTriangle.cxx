@@ -92,6 +92,9 @@ private:
 
 // A rounded determinant that exceeds this share of the size of its terms is not 0.
 constexpr double RoundingOfDeterminant = 1e-14;
+
+// The inverses of sizes from this one on, metres, do not overflow.
+constexpr double MinimumSize = 1e-300;
 } // namespace
 
 bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3])
@@ -116,7 +119,7 @@ lms3dCornerDirections lms3dGetCornerDirections(const lms3dSensorFrameTriangle& t
   {
     const double(&corner)[3] = triangle.Corner[i];
     const double size = std::abs(corner[0]) + std::abs(corner[1]) + std::abs(corner[2]);
-    const double scale = size > 0.0 ? 1.0 / size : 0.0;
+    const double scale = size > MinimumSize ? 1.0 / size : 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
       directions.Corner[i][axis] = static_cast<float>(corner[axis] * scale);

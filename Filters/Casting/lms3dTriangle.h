@@ -40,7 +40,8 @@ inline lms3dSensorFrameTriangle lms3dToSensorFrame(
 /// leaves undecided.
 bool lms3dIsInside(const lms3dCorners& corners, const double origin[3], const double direction[3]);
 
-/// Returns the directions of the corners, rounded to single precision.
+/// Returns the directions of the corners, rounded to single precision. Corners within 1e-300 m
+/// count as at the sensor.
 lms3dCornerDirections lms3dGetCornerDirections(const lms3dSensorFrameTriangle& triangle);
 
 /// Returns whether the corners do not lie on one line, with exact arithmetic.

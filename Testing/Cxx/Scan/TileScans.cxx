@@ -239,3 +239,12 @@ int ExpectEqualScans(const lms3dTriangleMesh& mesh, const std::vector<Vector>& s
   }
   return withTiles;
 }
+
+bool ExpectEqualScan(const lms3dTriangleMesh& mesh, const Vector& sensor, double maximumRange)
+{
+  const std::unique_ptr<lms3dRayCaster> caster = lms3dRayCaster::New(lms3dRayCaster::EXACT, mesh);
+  const Situation situation = { *caster, Grids[0].GetGeometry(),
+    lms3dPose::FromOrientation(sensor.data(), Orientations[0].data()), maximumRange };
+  situation.ExpectEqual();
+  return situation.HasTiles();
+}
