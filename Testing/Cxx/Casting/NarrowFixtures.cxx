@@ -38,6 +38,60 @@ Corners MakeTriangle(Random& random, const Exponents& sizes)
   return { a, a + p, a + q };
 }
 
+Vector Cross(const Vector& p, const Vector& q)
+{
+  return { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0] };
+}
+
+Vector GetAcross(const Vector& vector, const Vector& direction)
+{
+  return Normalize(Cross(direction, Cross(vector, direction)));
+}
+
+Attack MakeNeedle(Random& random)
+{
+  const Vector a = random.GetDirection();
+  const Vector p = random.Get(0.3, 2.0) * random.GetDirection();
+  const Vector along = Normalize(p);
+  const Vector v = GetAcross(Cross(a, p), along);
+  const double width = std::pow(10.0, random.Get(-13.0, -10.5));
+  Attack attack;
+  attack.Second = { a, a + p,
+    a + random.Get(0.3, 0.7) * p + width * GetAcross(random.GetDirection(), along) };
+  const double factor =
+    1.0 + std::pow(10.0, random.Get(-5.5, -4.0)) * (random.GetBits() % 2 ? 1.0 : -1.0);
+  attack.First = { factor * (a - p - v), factor * (a + 2.0 * p - v),
+    factor * (a + 0.5 * p + 2.0 * v) };
+  for (Vector& beam : attack.Beams)
+  {
+    beam = Normalize(random.Get() * attack.Second[0] + random.Get() * attack.Second[1] +
+      random.Get() * attack.Second[2]);
+  }
+  return attack;
+}
+
+Attack MakeTinyTriangles(Random& random)
+{
+  const Vector a = random.GetDirection();
+  const Vector p = random.GetDirection();
+  const Vector across = GetAcross(p, a);
+  const Vector normal = Cross(a, across);
+  const double size = std::pow(10.0, random.Get(-12.5, -9.5));
+  Attack attack;
+  for (Corners* corners : { &attack.First, &attack.Second })
+  {
+    const Vector q = random.Get(-1.0, 1.0) * a + random.Get(-1.0, 1.0) * across +
+      std::pow(10.0, random.Get(-6.0, -4.0)) * random.GetDirection();
+    *corners = { a, a + size * p, a + size * q };
+  }
+  for (Vector& beam : attack.Beams)
+  {
+    const double tilt = std::pow(10.0, random.Get(-7.0, -4.0)) * random.Get(-1.0, 1.0);
+    beam = Normalize(random.Get(-1.0, 1.0) * a + random.Get(-1.0, 1.0) * across + tilt * normal);
+  }
+  return attack;
+}
+
 Vector MakeSensor(Random& random)
 {
   const Vector sensor = std::pow(10.0, random.Get(-3.0, 2.0)) * random.GetDirection();

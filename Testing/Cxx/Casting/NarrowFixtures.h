@@ -33,6 +33,29 @@ constexpr Exponents SmallSizes = { -7.0, -1.0 };
 /// Half of them are very narrow or seen nearly edge-on.
 Corners MakeTriangle(Random& random, const Exponents& sizes = AllSizes);
 
+///@{
+/// Vectors at right angles: the cross product, and the part of a vector that has a right angle with
+/// a direction of length 1, of length 1 itself.
+Vector Cross(const Vector& p, const Vector& q);
+Vector GetAcross(const Vector& vector, const Vector& direction);
+///@}
+
+/// Two triangles, and a packet aimed at where they are most easily taken for hit or missed.
+struct Attack
+{
+  Corners First;
+  Corners Second;
+  std::array<Vector, lms3dBeamPacket::Size> Beams;
+};
+
+/// The second triangle is a needle as long as its distance. Its plane is uncertain by much more
+/// than that of the first, which lies just behind it or in front of it.
+Attack MakeNeedle(Random& random);
+
+/// Both triangles are tiny, in one place and seen nearly edge-on: their edges have nearly the same
+/// plane. Beams lie in that plane, far from the triangles.
+Attack MakeTinyTriangles(Random& random);
+
 /// Returns the origin of world coordinates, or in half of the cases a point up to a hundred metres
 /// away.
 Vector MakeSensor(Random& random);

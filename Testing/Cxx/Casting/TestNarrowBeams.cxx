@@ -29,6 +29,7 @@ constexpr double MaximumWeight = -5.0;
 constexpr double MaximumWeightOfSmall = -0.5;
 
 constexpr int Pairs = 60000 / Fewer;
+constexpr int Attacks = 1000 / Fewer;
 
 // Near to an edge or a corner, or anywhere in the triangle.
 Vector MakeDirection(const Corners& corners, double maximumWeight, Random& random)
@@ -140,6 +141,21 @@ NarrowTally JudgePairs(
   }
   return tally;
 }
+
+// From sensors a metre from the origin, so that all corners are rounded.
+NarrowTally JudgeAttacks(Attack (*make)(Random&), Update update)
+{
+  Random random(22);
+  NarrowTally tally;
+  for (int i = 0; i < Attacks; ++i)
+  {
+    const Attack attack = make(random);
+    const Vector sensor = random.GetDirection();
+    const SeenTriangle triangles[] = { { attack.First, sensor }, { attack.Second, sensor } };
+    JudgePair(triangles, attack.Beams, update, tally);
+  }
+  return tally;
+}
 } // namespace
 
 TEST(NarrowBeams, AreDecidedRightly)
@@ -168,6 +184,22 @@ TEST(NarrowBeams, AreDecidedRightlyFromCornersOfSmallTriangles)
   const NarrowTally tally = JudgePairs(SmallSizes, MaximumWeightOfSmall, UpdateFromCorners);
   EXPECT_EQ(tally.Wrong, 0);
   EXPECT_GT(tally.Decided, static_cast<std::int64_t>(300000 / Fewer));
+}
+
+TEST(NarrowBeams, AreDecidedRightlyAtNeedles)
+{
+  for (const Update update : { UpdateNarrow, UpdateFromCorners })
+  {
+    EXPECT_EQ(JudgeAttacks(&MakeNeedle, update).Wrong, 0);
+  }
+}
+
+TEST(NarrowBeams, AreDecidedRightlyInThePlaneOfTinyTriangles)
+{
+  for (const Update update : { UpdateNarrow, UpdateFromCorners })
+  {
+    EXPECT_EQ(JudgeAttacks(&MakeTinyTriangles, update).Wrong, 0);
+  }
 }
 
 // Without scaling, the edges of these triangles reach the limits of single precision.

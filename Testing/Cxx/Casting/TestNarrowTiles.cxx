@@ -9,12 +9,13 @@
 #include "Casting/TileFixtures.h"
 #include "Fixtures/CasterFixtures.h"
 
-#include "Casting/lms3dTriangle.h"
 #include "Kernels/lms3dPacketKernels.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace
@@ -50,35 +51,73 @@ struct TileTally
   std::int64_t Wrong = 0;
 };
 
+// Two triangles: the second may hide the first or lie behind it.
+struct Scene
+{
+  SeenTriangle Triangles[2];
+
+  /// Metres.
+  double MaximumRange;
+};
+
+// A scale next to 1, by what single precision may or may not resolve.
+double GetNearlyOne(Random& random)
+{
+  return 1.0 + std::pow(10.0, random.Get(-9.0, -5.0)) * (random.GetBits() % 2 ? 1.0 : -1.0);
+}
+
+// In half of the cases the triangles have almost the same plane. In half of these the maximum range
+// is almost that of a corner of the tile.
+Scene MakeScene(const Tile& tile, const Vector (&aims)[2], Random& random)
+{
+  const Vector sensor = MakeSensor(random);
+  const Corners first = MakeTriangleNear(aims[0], random);
+  if (random.GetBits() % 2)
+  {
+    return { { { first, sensor }, { MakeTriangleNear(aims[1], random), sensor } },
+      lms3dBeamPacket::NoRange };
+  }
+  const double scale = GetNearlyOne(random);
+  const Corners second = { scale * first[0], scale * first[1], scale * first[2] };
+  Scene scene = { { { first, sensor }, { second, sensor } }, lms3dBeamPacket::NoRange };
+  if (random.GetBits() % 2)
+  {
+    return scene;
+  }
+  scene.MaximumRange = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    scene.MaximumRange = std::max(
+      scene.MaximumRange, scene.Triangles[0].GetRange(tile.GetDirection(corner / 2, corner % 2)));
+  }
+  scene.MaximumRange *= GetNearlyOne(random);
+  return scene;
+}
+
 void JudgeTile(const Tile& tile, Random& random, TileTally& tally)
 {
-  const lms3dPacketKernels& kernels = lms3dGetPacketKernels();
   lms3dTiles tiles;
   tile.Fill(tiles);
   lms3dTileCover cover = {};
-  // One triangle, then another that may hide it or lie behind.
-  const Vector sensor = MakeSensor(random);
   const Vector aims[2] = { tile.GetDirection(random), tile.GetDirection(random) };
-  const SeenTriangle triangles[2] = { { MakeTriangleNear(aims[0], random), sensor },
-    { MakeTriangleNear(aims[1], random), sensor } };
+  const Scene scene = MakeScene(tile, aims, random);
   lms3dTileMasks masks[2];
   for (int number = 0; number < 2; ++number)
   {
-    const lms3dSensorFrameTriangle corners = triangles[number].GetInSensorFrame();
-    masks[number] = { 1u, 0u, 0u };
-    kernels.ClassifyTiles(tiles, kernels.MakeNarrowTriangle(corners, 1.0),
-      lms3dGetCornerDirections(corners), 0.0f, masks[number], cover);
+    masks[number] = ClassifyTile(tiles, scene.Triangles[number], scene.MaximumRange, cover);
     tally.Unmet += masks[number].Met ? 0 : 1;
     tally.Covered += masks[number].Covered ? 1 : 0;
   }
   for (int sample = 0; sample < 20; ++sample)
   {
     const Vector direction = sample < 2 ? aims[sample] : tile.GetDirection(random);
-    const double ranges[2] = { triangles[0].GetRange(direction), triangles[1].GetRange(direction) };
+    const double ranges[2] = { scene.Triangles[0].GetRange(direction),
+      scene.Triangles[1].GetRange(direction) };
     const bool isHit[2] = { !std::isinf(ranges[0]), !std::isinf(ranges[1]) };
     for (int number = 0; number < 2; ++number)
     {
-      tally.Wrong += masks[number].Covered && !isHit[number] ? 1 : 0;
+      const bool isWithin = isHit[number] && ranges[number] <= scene.MaximumRange;
+      tally.Wrong += masks[number].Covered && !isWithin ? 1 : 0;
     }
     tally.Wrong += !masks[0].Met && isHit[0] ? 1 : 0;
     // The second may be hidden by the first.

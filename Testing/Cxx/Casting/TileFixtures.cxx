@@ -3,6 +3,7 @@
 #include "Casting/TileFixtures.h"
 
 #include "Casting/lms3dTileGrid.h"
+#include "Casting/lms3dTriangle.h"
 #include "Geometry/lms3dAngle.h"
 
 #include <algorithm>
@@ -47,6 +48,26 @@ Tile Tile::MakeWide(Random& random)
   return { { -alpha, alpha }, { beta, beta + std::pow(10.0, random.Get(-5.0, 1.95)) }, 0 };
 }
 
+Tile Tile::MakeThin(Random& random)
+{
+  const double alpha = random.Get(79.0, 79.6);
+  const double beta = random.Get(0.0, 360.0);
+  return { { -alpha, alpha }, { beta, beta + std::pow(10.0, random.Get(-5.5, -3.5)) }, 2 };
+}
+
+Tile Tile::MakeSmall(Random& random)
+{
+  const double alpha = random.Get(-80.0, 70.0);
+  const double beta = random.Get(0.0, 360.0);
+  return { { alpha, alpha + random.Get(0.25, 7.5) }, { beta, beta + random.Get(0.25, 7.5) }, 2 };
+}
+
+Vector Tile::GetDirection(double alphaShare, double betaShare) const
+{
+  return MakeDirection(this->Alpha[0] + alphaShare * (this->Alpha[1] - this->Alpha[0]),
+    this->Beta[0] + betaShare * (this->Beta[1] - this->Beta[0]));
+}
+
 Vector Tile::GetDirection(Random& random) const
 {
   double share[2];
@@ -55,8 +76,7 @@ Vector Tile::GetDirection(Random& random) const
     const std::uint64_t kind = random.GetBits() % 4;
     s = kind < 2 ? static_cast<double>(kind) : random.Get();
   }
-  return MakeDirection(this->Alpha[0] + share[0] * (this->Alpha[1] - this->Alpha[0]),
-    this->Beta[0] + share[1] * (this->Beta[1] - this->Beta[0]));
+  return this->GetDirection(share[0], share[1]);
 }
 
 void Tile::Fill(lms3dTiles& tiles) const
@@ -88,4 +108,16 @@ void Tile::Fill(lms3dTiles& tiles) const
     tiles.Up[axis] = static_cast<float>(up[axis]);
   }
   lms3dGetPacketKernels().FillTileCorners(tiles);
+}
+
+lms3dTileMasks ClassifyTile(
+  const lms3dTiles& tiles, const SeenTriangle& triangle, double maximumRange, lms3dTileCover& cover)
+{
+  const lms3dPacketKernels& kernels = lms3dGetPacketKernels();
+  const lms3dSensorFrameTriangle corners = triangle.GetInSensorFrame();
+  const float minimumInverse = std::nextafter(static_cast<float>(1.0 / maximumRange), 1e30f);
+  lms3dTileMasks masks = { 1u, 0u, 0u };
+  kernels.ClassifyTiles(tiles, kernels.MakeNarrowTriangle(corners, 1.0),
+    lms3dGetCornerDirections(corners), minimumInverse, masks, cover);
+  return masks;
 }

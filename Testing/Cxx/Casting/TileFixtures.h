@@ -7,6 +7,7 @@
 #ifndef TileFixtures_h
 #define TileFixtures_h
 
+#include "Casting/NarrowFixtures.h"
 #include "Fixtures/VectorFixtures.h"
 #include "Kernels/lms3dPacketKernels.h"
 
@@ -24,11 +25,25 @@ struct Tile
   /// From a quarter of the sphere on, with narrow and with wide turns.
   static Tile MakeWide(Random& random);
 
-  /// Returns a direction in the tile, often on a side or at a corner.
+  /// As thin as a few roundings of single precision, and nearly as long as a side of a tile can be
+  /// whose turning is certain.
+  static Tile MakeThin(Random& random);
+
+  /// A few degrees wide.
+  static Tile MakeSmall(Random& random);
+
+  ///@{
+  /// Returns a direction in the tile: at shares of its angles, or often on a side or at a corner.
+  Vector GetDirection(double alphaShare, double betaShare) const;
   Vector GetDirection(Random& random) const;
+  ///@}
 
   /// All sixteen tiles are the same.
   void Fill(lms3dTiles& tiles) const;
 };
+
+/// Returns what a triangle does to tile 0. `cover` has the last cover. Ranges in metres.
+lms3dTileMasks ClassifyTile(const lms3dTiles& tiles, const SeenTriangle& triangle,
+  double maximumRange, lms3dTileCover& cover);
 
 #endif

@@ -107,7 +107,7 @@ TEST(ScanTiles, OfTheRoomHaveTheBitsOfPackets)
     81);
 }
 
-TEST(ScanTiles, OfTheCastleHaveTheBitsOfPackets)
+TEST(ScanTiles, OfTheBuildingHaveTheBitsOfPackets)
 {
   EXPECT_EQ(ExpectEqualScans(MakeMesh(ReadBuilding()), { { 0.3, -0.2, 1.0 } }, { Far }), 21);
 }
