@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace
@@ -29,7 +30,6 @@ constexpr double MaximumWeight = -5.0;
 constexpr double MaximumWeightOfSmall = -0.5;
 
 constexpr int Pairs = 60000 / Fewer;
-constexpr int Attacks = 1000 / Fewer;
 
 // Near to an edge or a corner, or anywhere in the triangle.
 Vector MakeDirection(const Corners& corners, double maximumWeight, Random& random)
@@ -143,11 +143,11 @@ NarrowTally JudgePairs(
 }
 
 // From sensors a metre from the origin, so that all corners are rounded.
-NarrowTally JudgeAttacks(Attack (*make)(Random&), Update update)
+NarrowTally JudgeAttacks(Attack (*make)(Random&), std::size_t count, Update update)
 {
   Random random(22);
   NarrowTally tally;
-  for (int i = 0; i < Attacks; ++i)
+  for (std::size_t i = 0; i < count / Fewer; ++i)
   {
     const Attack attack = make(random);
     const Vector sensor = random.GetDirection();
@@ -190,7 +190,7 @@ TEST(NarrowBeams, AreDecidedRightlyAtNeedles)
 {
   for (const Update update : { UpdateNarrow, UpdateFromCorners })
   {
-    EXPECT_EQ(JudgeAttacks(&MakeNeedle, update).Wrong, 0);
+    EXPECT_EQ(JudgeAttacks(&MakeNeedle, 500, update).Wrong, 0);
   }
 }
 
@@ -198,7 +198,7 @@ TEST(NarrowBeams, AreDecidedRightlyInThePlaneOfTinyTriangles)
 {
   for (const Update update : { UpdateNarrow, UpdateFromCorners })
   {
-    EXPECT_EQ(JudgeAttacks(&MakeTinyTriangles, update).Wrong, 0);
+    EXPECT_EQ(JudgeAttacks(&MakeTinyTriangles, 40000, update).Wrong, 0);
   }
 }
 
