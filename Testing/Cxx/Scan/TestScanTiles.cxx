@@ -9,6 +9,10 @@
 #include "Fixtures/SceneFixtures.h"
 #include "Scan/TileScans.h"
 
+#include "Casting/lms3dExactView.h"
+#include "Casting/lms3dTileSearch.h"
+#include "Device/lms3dScanGeometry.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -110,4 +114,31 @@ TEST(ScanTiles, OfTheRoomHaveTheBitsOfPackets)
 TEST(ScanTiles, OfTheBuildingHaveTheBitsOfPackets)
 {
   EXPECT_EQ(ExpectEqualScans(MakeMesh(ReadBuilding()), { { 0.3, -0.2, 1.0 } }, { Far }), 21);
+}
+
+// In so dense a cloud, blocks of tiles have too many candidates, and the division by triangles is
+// given up.
+TEST(ScanTiles, OfTooManyCandidatesHaveTheBitsOfPackets)
+{
+  Random random(36);
+  std::vector<std::array<Vector, 3>> triangles;
+  for (int i = 0; i < 1800; ++i)
+  {
+    const Vector a = random.Get(1.0, 9.0) * random.GetDirection();
+    triangles.push_back({ a, a + random.GetDirection(), a + random.GetDirection() });
+  }
+  const lms3dTriangleMesh mesh = MakeMesh(triangles);
+  const double alpha[2] = { -90.0, 90.0 };
+  const double beta[2] = { 0.0, 360.0 };
+  const lms3dScanGeometry geometry(alpha, 91, beta, 360);
+  const Vector sensor = { 0.0, 0.0, 0.0 };
+  const lms3dBeamDirections directions(
+    geometry, lms3dPose::FromOrientation(sensor.data(), sensor.data()));
+  const lms3dBeamGrid grid = { geometry.GetNumberOfTurns(), geometry.GetNumberOfBeams(),
+    &directions.GetFanAxis(0), geometry.GetBetaStep(), geometry.GetAlphaCosines().data(),
+    geometry.GetAlphaSines().data(), directions.GetUp() };
+  lms3dExactView view(mesh, { { 0.0, 0.0, 0.0 }, Far }, 1.0);
+  ASSERT_TRUE(lms3dTileSearch::IsSuitable(grid, triangles.size()));
+  EXPECT_EQ(lms3dTileSearch::New(view, grid), nullptr);
+  ExpectEqualScan(mesh, sensor, Far);
 }
