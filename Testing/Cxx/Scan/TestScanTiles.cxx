@@ -13,6 +13,9 @@
 #include "Casting/lms3dTileSearch.h"
 #include "Device/lms3dScanGeometry.h"
 
+#include "vtkVRMLImporterSource.h"
+#include <vtkNew.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -114,6 +117,22 @@ TEST(ScanTiles, OfTheRoomHaveTheBitsOfPackets)
 TEST(ScanTiles, OfTheBuildingHaveTheBitsOfPackets)
 {
   EXPECT_EQ(ExpectEqualScans(MakeMesh(ReadBuilding()), { { 0.3, -0.2, 1.0 } }, { Far }), 21);
+}
+
+// From the middle of its points.
+TEST(ScanTiles, OfTheTeapotHaveTheBitsOfPackets)
+{
+  vtkNew<vtkVRMLImporterSource> reader;
+  reader->SetFileName(LMS3D_DATA_DIR "/teapot.wrl");
+  reader->Update();
+  const lms3dTriangleMesh mesh = MakeMesh(reader->GetOutput());
+  Vector sum = { 0.0, 0.0, 0.0 };
+  for (const Vector& point : mesh.Points)
+  {
+    sum = sum + point;
+  }
+  const Vector middle = 1.0 / static_cast<double>(mesh.Points.size()) * sum;
+  EXPECT_EQ(ExpectEqualScans(mesh, { middle }, { Far }), 21);
 }
 
 // In so dense a cloud, blocks of tiles have too many candidates, and the division by triangles is
