@@ -120,6 +120,12 @@ TEST_P(LMS3DScanProcesses, GiveTheBitsOfOneProcess)
   ExpectTheBitsOfOneProcess(GetParam());
 }
 
+// With so many beams, tiles of single triangles pay in the parts of the room, too.
+TEST(LMS3DScanProcess, DecidesTilesAsOneDoes)
+{
+  ExpectTheBitsOfOneProcess({ "Tiles", [](vtkLMS3DScanFilter* scan) { SetGrid(scan, 91, 360); } });
+}
+
 TEST(LMS3DScanProcess, DetectsWithWidthAndMotionAsOneDoes)
 {
   const Device device = { "Detection",
