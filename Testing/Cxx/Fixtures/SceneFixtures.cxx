@@ -28,6 +28,17 @@
 #include <numeric>
 #include <ostream>
 
+namespace
+{
+vtkSmartPointer<vtkPolyData> ReadScene(const char* file)
+{
+  vtkNew<vtkVRMLImporterSource> reader;
+  reader->SetFileName(file);
+  reader->Update();
+  return reader->GetOutput();
+}
+} // namespace
+
 vtkSmartPointer<vtkPolyData> MakeBall(double radius, int resolution)
 {
   vtkNew<vtkSphereSource> source;
@@ -106,18 +117,17 @@ void ScaleAndMove(vtkPolyData* surface, double scale, const Point& offset)
 
 vtkSmartPointer<vtkPolyData> ReadRoom()
 {
-  vtkNew<vtkVRMLImporterSource> reader;
-  reader->SetFileName(LMS3D_DATA_DIR "/room.wrl");
-  reader->Update();
-  return reader->GetOutput();
+  return ReadScene(LMS3D_DATA_DIR "/room.wrl");
 }
 
 vtkSmartPointer<vtkPolyData> ReadBuilding()
 {
-  vtkNew<vtkVRMLImporterSource> reader;
-  reader->SetFileName(LMS3D_DATA_DIR "/building.wrl");
-  reader->Update();
-  return reader->GetOutput();
+  return ReadScene(LMS3D_DATA_DIR "/building.wrl");
+}
+
+vtkSmartPointer<vtkPolyData> ReadTeapot()
+{
+  return ReadScene(LMS3D_DATA_DIR "/teapot.wrl");
 }
 
 namespace

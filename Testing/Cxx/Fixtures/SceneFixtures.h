@@ -48,6 +48,9 @@ vtkSmartPointer<vtkPolyData> ReadRoom();
 /// Data/building.wrl.
 vtkSmartPointer<vtkPolyData> ReadBuilding();
 
+/// Data/teapot.wrl.
+vtkSmartPointer<vtkPolyData> ReadTeapot();
+
 /// A fingerprint of all bytes of an array, or of a data set's points, cells and arrays.
 std::uint64_t Hash(vtkDataArray* array);
 std::uint64_t Hash(vtkDataSet* data);

@@ -5,10 +5,6 @@
 #include "Fixtures/SceneBuilder.h"
 #include "Fixtures/SceneFixtures.h"
 
-#include "vtkVRMLImporterSource.h"
-
-#include <vtkNew.h>
-
 #include <cmath>
 #include <functional>
 #include <map>
@@ -139,10 +135,7 @@ MapScene MakeStairs()
 
 MapScene MakeTeapot()
 {
-  vtkNew<vtkVRMLImporterSource> reader;
-  reader->SetFileName(LMS3D_DATA_DIR "/teapot.wrl");
-  reader->Update();
-  return { reader->GetOutput(), { 0.10, -0.33, 0.30 } };
+  return { ReadTeapot(), { 0.10, -0.33, 0.30 } };
 }
 
 MapScene MakeFurnishedRoom()

@@ -120,7 +120,7 @@ TEST_P(LMS3DScanProcesses, GiveTheBitsOfOneProcess)
   ExpectTheBitsOfOneProcess(GetParam());
 }
 
-// With so many beams, tiles of single triangles pay in the parts of the room, too.
+// For this number of beams, tiles of single triangles pay in the parts of the room, too.
 TEST(LMS3DScanProcess, DecidesTilesAsOneDoes)
 {
   ExpectTheBitsOfOneProcess({ "Tiles", [](vtkLMS3DScanFilter* scan) { SetGrid(scan, 91, 360); } });

@@ -13,9 +13,6 @@
 #include "Casting/lms3dTileSearch.h"
 #include "Device/lms3dScanGeometry.h"
 
-#include "vtkVRMLImporterSource.h"
-#include <vtkNew.h>
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -122,10 +119,7 @@ TEST(ScanTiles, OfTheBuildingHaveTheBitsOfPackets)
 // From the middle of its points.
 TEST(ScanTiles, OfTheTeapotHaveTheBitsOfPackets)
 {
-  vtkNew<vtkVRMLImporterSource> reader;
-  reader->SetFileName(LMS3D_DATA_DIR "/teapot.wrl");
-  reader->Update();
-  const lms3dTriangleMesh mesh = MakeMesh(reader->GetOutput());
+  const lms3dTriangleMesh mesh = MakeMesh(ReadTeapot());
   Vector sum = { 0.0, 0.0, 0.0 };
   for (const Vector& point : mesh.Points)
   {
