@@ -85,10 +85,13 @@ Scene MakeScene(const Tile& tile, const Vector (&aims)[2], Random& random)
     return scene;
   }
   scene.MaximumRange = 0.0;
-  for (int corner = 0; corner < 4; ++corner)
+  for (const double alpha : { 0.0, 1.0 })
   {
-    scene.MaximumRange = std::max(
-      scene.MaximumRange, scene.Triangles[0].GetRange(tile.GetDirection(corner / 2, corner % 2)));
+    for (const double beta : { 0.0, 1.0 })
+    {
+      scene.MaximumRange =
+        std::max(scene.MaximumRange, scene.Triangles[0].GetRange(tile.GetDirection(alpha, beta)));
+    }
   }
   scene.MaximumRange *= GetNearlyOne(random);
   return scene;

@@ -27,6 +27,7 @@ std::vector<lms3dMappedReturn> MakeReturns(int first, int count)
 std::vector<int> GetBeams(const lms3dRegroupingPlace& place, const std::vector<int>& returns)
 {
   std::vector<int> beams;
+  beams.reserve(returns.size());
   for (const int i : returns)
   {
     beams.push_back(place.Returns[i].BeamId);
