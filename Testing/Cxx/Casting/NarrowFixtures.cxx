@@ -5,6 +5,7 @@
 #include "Fixtures/BeamFixtures.h"
 
 #include "Casting/lms3dTriangle.h"
+#include "Geometry/lms3dVector.h"
 
 #include <cmath>
 
@@ -38,14 +39,19 @@ Corners MakeTriangle(Random& random, const Exponents& sizes)
   return { a, a + p, a + q };
 }
 
-Vector Cross(const Vector& p, const Vector& q)
+Corners Scale(const Corners& corners, double scale)
 {
-  return { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0] };
+  return { scale * corners[0], scale * corners[1], scale * corners[2] };
+}
+
+double GetNearlyOne(Random& random, double least, double most)
+{
+  return 1.0 + std::pow(10.0, random.Get(least, most)) * (random.GetBits() % 2 ? 1.0 : -1.0);
 }
 
 Vector GetAcross(const Vector& vector, const Vector& direction)
 {
-  return Normalize(Cross(direction, Cross(vector, direction)));
+  return Normalize(lms3dCross(direction, lms3dCross(vector, direction)));
 }
 
 Attack MakeNeedle(Random& random)
@@ -53,15 +59,13 @@ Attack MakeNeedle(Random& random)
   const Vector a = random.GetDirection();
   const Vector p = random.Get(0.3, 2.0) * random.GetDirection();
   const Vector along = Normalize(p);
-  const Vector v = GetAcross(Cross(a, p), along);
+  const Vector v = GetAcross(lms3dCross(a, p), along);
   const double width = std::pow(10.0, random.Get(-13.0, -10.5));
   Attack attack;
   attack.Second = { a, a + p,
     a + random.Get(0.3, 0.7) * p + width * GetAcross(random.GetDirection(), along) };
-  const double factor =
-    1.0 + std::pow(10.0, random.Get(-5.5, -4.0)) * (random.GetBits() % 2 ? 1.0 : -1.0);
-  attack.First = { factor * (a - p - v), factor * (a + 2.0 * p - v),
-    factor * (a + 0.5 * p + 2.0 * v) };
+  attack.First =
+    Scale({ a - p - v, a + 2.0 * p - v, a + 0.5 * p + 2.0 * v }, GetNearlyOne(random, -5.5, -4.0));
   for (Vector& beam : attack.Beams)
   {
     beam = Normalize(random.Get() * attack.Second[0] + random.Get() * attack.Second[1] +
@@ -75,7 +79,7 @@ Attack MakeTinyTriangles(Random& random)
   const Vector a = random.GetDirection();
   const Vector p = random.GetDirection();
   const Vector across = GetAcross(p, a);
-  const Vector normal = Cross(a, across);
+  const Vector normal = lms3dCross(a, across);
   const double size = std::pow(10.0, random.Get(-12.5, -9.5));
   Attack attack;
   for (Corners* corners : { &attack.First, &attack.Second })

@@ -33,12 +33,13 @@ constexpr Exponents SmallSizes = { -7.0, -1.0 };
 /// Half of them are very narrow or seen nearly edge-on.
 Corners MakeTriangle(Random& random, const Exponents& sizes = AllSizes);
 
-///@{
-/// Vectors at right angles: the cross product, and the part of a vector that has a right angle with
-/// a direction of length 1, of length 1 itself.
-Vector Cross(const Vector& p, const Vector& q);
+Corners Scale(const Corners& corners, double scale);
+
+/// A factor that differs from 1 by ten to a power between two exponents.
+double GetNearlyOne(Random& random, double least, double most);
+
+/// The part of a vector that has a right angle with a direction of length 1. Its length is 1.
 Vector GetAcross(const Vector& vector, const Vector& direction);
-///@}
 
 /// Two triangles, and a packet aimed at where they are most easily taken for hit or missed.
 struct Attack

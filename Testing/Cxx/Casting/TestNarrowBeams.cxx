@@ -113,11 +113,6 @@ void JudgePair(
   }
 }
 
-Corners Scale(const Corners& corners, double scale)
-{
-  return { scale * corners[0], scale * corners[1], scale * corners[2] };
-}
-
 // `scale` multiplies all coordinates.
 NarrowTally JudgePairs(
   const Exponents& sizes, double maximumWeight, Update update, double scale = 1.0)
@@ -133,7 +128,7 @@ NarrowTally JudgePairs(
       // Almost the same plane, nearer or farther by less than single precision resolves, or by
       // more.
       const double factor = 1.0 + std::pow(10.0, random.Get(-9.0, -3.0)) * random.Get(-1.0, 1.0);
-      first = { factor * second[0], factor * second[1], factor * second[2] };
+      first = Scale(second, factor);
     }
     const Vector sensor = scale * MakeSensor(random);
     const SeenTriangle triangles[] = { { first, sensor }, { second, sensor } };

@@ -61,9 +61,9 @@ struct Scene
 };
 
 // A scale next to 1, by what single precision may or may not resolve.
-double GetNearlyOne(Random& random)
+double GetScale(Random& random)
 {
-  return 1.0 + std::pow(10.0, random.Get(-9.0, -5.0)) * (random.GetBits() % 2 ? 1.0 : -1.0);
+  return GetNearlyOne(random, -9.0, -5.0);
 }
 
 // In half of the cases the triangles have almost the same plane. In half of these the maximum range
@@ -77,8 +77,7 @@ Scene MakeScene(const Tile& tile, const Vector (&aims)[2], Random& random)
     return { { { first, sensor }, { MakeTriangleNear(aims[1], random), sensor } },
       lms3dBeamPacket::NoRange };
   }
-  const double scale = GetNearlyOne(random);
-  const Corners second = { scale * first[0], scale * first[1], scale * first[2] };
+  const Corners second = Scale(first, GetScale(random));
   Scene scene = { { { first, sensor }, { second, sensor } }, lms3dBeamPacket::NoRange };
   if (random.GetBits() % 2)
   {
@@ -93,7 +92,7 @@ Scene MakeScene(const Tile& tile, const Vector (&aims)[2], Random& random)
         std::max(scene.MaximumRange, scene.Triangles[0].GetRange(tile.GetDirection(alpha, beta)));
     }
   }
-  scene.MaximumRange *= GetNearlyOne(random);
+  scene.MaximumRange *= GetScale(random);
   return scene;
 }
 

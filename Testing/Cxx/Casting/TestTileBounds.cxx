@@ -9,6 +9,8 @@
 #include "Casting/TileFixtures.h"
 #include "Fixtures/CasterFixtures.h"
 
+#include "Geometry/lms3dVector.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -94,8 +96,7 @@ double GetShift(const Tile& tile)
   for (double share : { 0.1, 0.3, 0.5, 0.7, 0.9 })
   {
     const Vector inwards = corner.GetInwards(share);
-    const double product = inwards[0] * error[0] + inwards[1] * error[1] + inwards[2] * error[2];
-    shift = std::max(shift, product / GetNorm(inwards));
+    shift = std::max(shift, lms3dDot(inwards, error) / GetNorm(inwards));
   }
   return shift;
 }
@@ -112,7 +113,7 @@ void AttackCorner(const Tile& first, Random& random, std::int64_t& wrong)
   for (int attempt = 0; attempt < 200; ++attempt)
   {
     const Vector inwards = corner.GetInwards(random.Get(0.05, 0.95));
-    const Vector edge = Cross(inwards, direction);
+    const Vector edge = lms3dCross(inwards, direction);
     const Vector point = direction + std::pow(10.0, random.Get(-12.0, -9.0)) * inwards;
     for (double side : { 1.5, -1.5 })
     {
@@ -147,7 +148,7 @@ void AttackSide(const Tile& first, Random& random, std::int64_t& wrong)
   const Vector up = GetAcross(tile.GetDirection(1.0, 0.0), middle);
   for (double side : { 1.0, -1.0 })
   {
-    const Vector step = side * Cross(up, middle);
+    const Vector step = side * lms3dCross(up, middle);
     const Vector far = middle + 0.5 * step;
     JudgeDirection(tiles, { middle - 1e-12 * step, far + 0.3 * up, far - 0.3 * up }, middle, wrong);
   }
